@@ -1,0 +1,15 @@
+export {
+  BLOCK,
+  headingNames,
+  isBlock,
+  MAX_GOALS,
+  MAX_SIDE,
+  OPEN,
+  parseMaze,
+  readMaze,
+  sizeOf,
+  type Cell,
+  type HeadingName,
+  type MazeDocument,
+  type Start,
+} from "./maze-document.ts";

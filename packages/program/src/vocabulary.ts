@@ -1,0 +1,46 @@
+/**
+ * The one table of the menus: what a line may ask and what it may do.
+ * Conditions: Figure 15 of the 2013 thesis; actions: Figure 16; defaults: Figure 14.
+ */
+import type { PlainAction, SensorName } from "@corridor/protocol";
+
+export type Comparator = ">" | "<";
+
+/** A condition without its number: a sensor against a number, or left against right. */
+export type ConditionKind =
+  | { sensor: SensorName; is: Comparator; than: "number" }
+  | { sensor: "left"; is: Comparator; than: "right" };
+
+/** The conditions of the menu in the order of Figure 15; `[Do nothing]` comes before and is null. */
+export const conditionKinds: readonly ConditionKind[] = [
+  { sensor: "front", is: ">", than: "number" },
+  { sensor: "front", is: "<", than: "number" },
+  { sensor: "back", is: ">", than: "number" },
+  { sensor: "back", is: "<", than: "number" },
+  { sensor: "left", is: ">", than: "number" },
+  { sensor: "left", is: "<", than: "number" },
+  { sensor: "right", is: ">", than: "number" },
+  { sensor: "right", is: "<", than: "number" },
+  { sensor: "left", is: "<", than: "right" },
+  { sensor: "left", is: ">", than: "right" },
+];
+
+/** The actions of the menu in the order of Figure 16. */
+export const menuActions: readonly PlainAction[] = [
+  "forward",
+  "reverse",
+  "delayed left 90",
+  "left 90",
+  "delayed right 90",
+  "right 90",
+  "turn 180",
+];
+
+/** The number that a new line starts with. */
+export const DEFAULT_NUMBER = 50;
+export const DEFAULT_ACTION: PlainAction = "forward";
+
+export const MAX_RULES = 200;
+export const MAX_THAN = 100_000;
+export const MAX_PLUS = 100_000;
+export const MAX_NAME_LENGTH = 100;

@@ -1,0 +1,47 @@
+/**
+ * The record of one remote command: where it is in its life.
+ *
+ * accepted (stored by the relay) → delivered (about to be sent to the robot) → started → one ending.
+ * An ending is for ever. Times are ISO 8601 in UTC.
+ */
+import { z } from "zod";
+import { commandSchema, type ActionName } from "./command.ts";
+import { poseSchema } from "./quantities.ts";
+
+export const endingStates = ["completed", "collided", "cancelled", "superseded"] as const;
+export type EndingState = (typeof endingStates)[number];
+
+export const commandStates = ["accepted", "delivered", "started", ...endingStates] as const;
+export type CommandState = (typeof commandStates)[number];
+
+export const idempotencyKeySchema = z
+  .string({ error: "8 to 64 letters, digits, - or _" })
+  .regex(/^[A-Za-z0-9_-]{8,64}$/, { error: "8 to 64 letters, digits, - or _" });
+
+export const commandRecordSchema = z.strictObject({
+  /** number of the command at this robot: 1, 2, 3 */
+  seq: z.int().min(1).max(Number.MAX_SAFE_INTEGER),
+  /** the idempotency key, or null when the sender gave none */
+  key: idempotencyKeySchema.nullable(),
+  action: z.string().max(40),
+  /** the whole request, with its numbers */
+  command: commandSchema,
+  state: z.enum(commandStates),
+  /** why it ended as it did, in words; null while nothing needs saying */
+  reason: z.string().max(200).nullable(),
+  acceptedAt: z.iso.datetime(),
+  /** where the robot was when the command ended */
+  pose: poseSchema.nullable(),
+  /** cm driven by this command */
+  distance: z.number().min(0).nullable(),
+  /** true in the answer to a retry of a command that was already stored */
+  duplicate: z.boolean(),
+});
+export type CommandRecord = Omit<z.infer<typeof commandRecordSchema>, "action"> & {
+  action: ActionName;
+};
+
+/** Whether the life of the command is over. */
+export function hasEnded(state: CommandState): state is EndingState {
+  return (endingStates as readonly CommandState[]).includes(state);
+}

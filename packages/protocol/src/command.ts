@@ -1,0 +1,69 @@
+/**
+ * What any driver may ask of the robot: hand, program or remote script (the actions of the Classic robot).
+ */
+import { z } from "zod";
+
+/** Actions that need no number. A program may use all of them. */
+export const plainActions = [
+  "forward",
+  "reverse",
+  "stop",
+  "left 90",
+  "right 90",
+  "turn 180",
+  "delayed left 90",
+  "delayed right 90",
+] as const;
+export type PlainAction = (typeof plainActions)[number];
+
+const actionNames = [...plainActions, "move", "turn", "drive"] as const;
+export type ActionName = (typeof actionNames)[number];
+
+const MAX_MOVE = 25_600;
+const MAX_TURN = 3_600;
+const MAX_DRIVE_MS = 60_000;
+
+const wheelPower = z
+  .number({ error: "a wheel power from -1 to 1" })
+  .min(-1, { error: "a wheel power from -1 to 1" })
+  .max(1, { error: "a wheel power from -1 to 1" });
+
+function within(limit: number, what: string) {
+  const error = `${what} from ${-limit} to ${limit}`;
+  return z.number({ error }).min(-limit, { error }).max(limit, { error });
+}
+
+const plainCommands = plainActions.map((action) => z.strictObject({ action: z.literal(action) }));
+
+/**
+ * One command. `move` in units (negative: backward), `turn` in degrees (negative: left), `drive` in
+ * wheel powers from -1 to 1, until something else is chosen or for `milliseconds`.
+ */
+export const commandSchema = z.discriminatedUnion(
+  "action",
+  [
+    z.strictObject({
+      action: z.literal("move"),
+      distance: within(MAX_MOVE, "a distance in cm"),
+    }),
+    z.strictObject({ action: z.literal("turn"), degrees: within(MAX_TURN, "an angle in degrees") }),
+    z.strictObject({
+      action: z.literal("drive"),
+      left: wheelPower,
+      right: wheelPower,
+      milliseconds: z
+        .number({ error: `a time from 1 to ${MAX_DRIVE_MS} milliseconds` })
+        .min(1, { error: `a time from 1 to ${MAX_DRIVE_MS} milliseconds` })
+        .max(MAX_DRIVE_MS, { error: `a time from 1 to ${MAX_DRIVE_MS} milliseconds` })
+        .optional(),
+    }),
+    ...plainCommands,
+  ],
+  { error: `one of ${actionNames.join(", ")}` },
+);
+
+export type Command =
+  | { action: PlainAction }
+  | { action: "move"; distance: number }
+  | { action: "turn"; degrees: number }
+  | { action: "drive"; left: number; right: number; milliseconds?: number | undefined };

@@ -1,0 +1,46 @@
+/**
+ * Quantities that cross a wire or stand in a document: their units and bounds.
+ * Lengths in units (1 unit = 1 cm), angles in degrees clockwise from north.
+ */
+import { z } from "zod";
+
+/** Farthest that anything in the largest maze (256 x 256 cells of 100 units) can be from its corner. */
+const MAX_LENGTH = 25_600;
+
+const length = z
+  .number({ error: "a number of cm" })
+  .min(-MAX_LENGTH, { error: `at least ${-MAX_LENGTH} cm` })
+  .max(MAX_LENGTH, { error: `at most ${MAX_LENGTH} cm` });
+
+const reading = z
+  .number({ error: "a distance in cm" })
+  .min(0, { error: "0 cm or more" })
+  // The diagonal of the largest maze is the longest straight line there is.
+  .max(2 * MAX_LENGTH, { error: `at most ${2 * MAX_LENGTH} cm` });
+
+const heading = z
+  .number({ error: "degrees clockwise from north" })
+  .min(0, { error: "0 degrees or more" })
+  .lt(360, { error: "less than 360 degrees" });
+
+/** Where the robot's centre is and where it faces: `{x: units right, y: units down, heading: [0, 360)}`. */
+export const poseSchema = z.strictObject({ x: length, y: length, heading });
+export type Pose = z.infer<typeof poseSchema>;
+
+export const sensorNames = ["front", "right", "back", "left"] as const;
+export type SensorName = (typeof sensorNames)[number];
+
+/** The four range sensors, in units from the robot's centre. */
+export const sensorReadingsSchema = z.strictObject({
+  front: reading,
+  right: reading,
+  back: reading,
+  left: reading,
+});
+export type SensorReadings = z.infer<typeof sensorReadingsSchema>;
+
+/** Who drives the robot. */
+export const driverSchema = z.enum(["me", "program", "remote"], {
+  error: "one of me, program, remote",
+});
+export type DriverName = z.infer<typeof driverSchema>;
