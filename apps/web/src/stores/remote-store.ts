@@ -1,0 +1,12 @@
+/** What the Remote panel shows: the connection, the address with its key, and the commands. */
+import { createStore } from "zustand/vanilla";
+import type { RemoteView } from "../worker/worker-messages.ts";
+
+export function createRemoteStore() {
+  return createStore<RemoteView>()(() => ({
+    status: { kind: "off" },
+    session: null,
+    commands: [],
+  }));
+}
+export type RemoteStore = ReturnType<typeof createRemoteStore>;

@@ -1,0 +1,48 @@
+/**
+ * What the panels show of the run: the newest snapshot at a calm rate, the speed, and what happened.
+ * The canvas does not read this store; it takes every frame from the simulator client.
+ */
+import type { Snapshot } from "@corridor/protocol";
+import { createStore } from "zustand/vanilla";
+import type { Moment, Speed } from "../worker/worker-messages.ts";
+
+export interface RunState {
+  /** null until the worker has sent its first frame */
+  snapshot: Snapshot | null;
+  speed: Speed;
+  /** the newest bump or goal since the robot was last put at its start; null when there is none */
+  moment: Moment | null;
+  /** why the simulator stopped for good, in its own words; null while it works */
+  fault: string | null;
+}
+
+export function createRunStore() {
+  return createStore<RunState>()(() => ({ snapshot: null, speed: 1, moment: null, fault: null }));
+}
+export type RunStore = ReturnType<typeof createRunStore>;
+
+/** Panels are repainted at most this often, except when something that decides changes. */
+const PANEL_INTERVAL_MS = 50;
+
+/**
+ * Whether a snapshot must be shown at once: the deciding line, the state, the driver, a bump or the
+ * goal changed. Numbers that merely move can wait for the next interval.
+ */
+export function isDue(
+  shown: Snapshot | null,
+  next: Snapshot,
+  millisecondsSinceShown: number,
+): boolean {
+  return (
+    shown === null ||
+    millisecondsSinceShown >= PANEL_INTERVAL_MS ||
+    shown.line !== next.line ||
+    shown.state !== next.state ||
+    shown.driver !== next.driver ||
+    shown.motion !== next.motion ||
+    shown.bumps !== next.bumps ||
+    shown.goalReached !== next.goalReached ||
+    shown.command !== next.command ||
+    next.tick < shown.tick
+  );
+}

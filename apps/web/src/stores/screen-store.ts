@@ -1,0 +1,53 @@
+/** What the screen itself remembers: theme, tool, what is shown, messages. Not part of any document. */
+import { createStore } from "zustand/vanilla";
+
+export const tools = ["blocks", "start", "goal"] as const;
+export type Tool = (typeof tools)[number];
+export type Theme = "system" | "light" | "dark";
+
+/** A dismissable message. `text` is already in the reader's language. */
+export interface Message {
+  id: number;
+  tone: "info" | "bad";
+  text: string;
+  /** one way to mend or take back, such as Undo */
+  action?: { label: string; run: () => void } | undefined;
+}
+
+export interface ScreenState {
+  theme: Theme;
+  tool: Tool;
+  /** what the stage shows besides maze and robot */
+  showBeams: boolean;
+  showTrail: boolean;
+  showRulers: boolean;
+  messages: readonly Message[];
+  /** whether the newest edit has reached the device's storage */
+  saved: "saved" | "saving" | "blocked";
+}
+
+export function createScreenStore() {
+  return createStore<ScreenState>()(() => ({
+    theme: "system",
+    tool: "blocks",
+    showBeams: true,
+    showTrail: true,
+    showRulers: true,
+    messages: [],
+    saved: "saved",
+  }));
+}
+export type ScreenStore = ReturnType<typeof createScreenStore>;
+
+let lastMessageId = 0;
+
+/** Shows a message; the newest stands first. At most four stay, so that the screen is never covered. */
+export function tell(store: ScreenStore, message: Omit<Message, "id">): number {
+  const id = ++lastMessageId;
+  store.setState((state) => ({ messages: [{ ...message, id }, ...state.messages].slice(0, 4) }));
+  return id;
+}
+
+export function dismiss(store: ScreenStore, id: number): void {
+  store.setState((state) => ({ messages: state.messages.filter((each) => each.id !== id) }));
+}

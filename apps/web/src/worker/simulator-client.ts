@@ -1,0 +1,62 @@
+/**
+ * The main thread's end of the simulator worker: commands in, events out.
+ * The newest frame is kept for the canvas, which reads it on its own animation frames.
+ */
+import type { Frame, FromWorker, ToWorker } from "./worker-messages.ts";
+
+/** As much of a Worker as is needed here. */
+export interface WorkerPort {
+  postMessage(message: ToWorker): void;
+  onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
+}
+
+export class SimulatorClient {
+  readonly #port: WorkerPort;
+  readonly #listeners = new Set<(message: FromWorker) => void>();
+  #corners: number[] = [];
+  #trailReset = false;
+  #frame: Frame | null = null;
+
+  constructor(port: WorkerPort) {
+    this.#port = port;
+    port.onmessage = ({ data }) => {
+      if (data.type === "frame") this.#keep(data.frame);
+      for (const listener of this.#listeners) listener(data);
+    };
+  }
+
+  send(message: ToWorker): void {
+    this.#port.postMessage(message);
+  }
+
+  /** Hears every message of the worker. @returns a function that ends it */
+  listen(listener: (message: FromWorker) => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  /**
+   * The newest frame, with all that the trail gained since the last call; null before the first
+   * frame. For the one renderer: each call takes the corners away.
+   */
+  takeFrame(): Frame | null {
+    if (this.#frame === null) return null;
+    const frame: Frame = {
+      snapshot: this.#frame.snapshot,
+      corners: this.#corners,
+      trailReset: this.#trailReset,
+    };
+    this.#corners = [];
+    this.#trailReset = false;
+    return frame;
+  }
+
+  #keep(frame: Frame): void {
+    if (frame.trailReset) {
+      this.#corners = [];
+      this.#trailReset = true;
+    }
+    for (const value of frame.corners) this.#corners.push(value);
+    this.#frame = frame;
+  }
+}
