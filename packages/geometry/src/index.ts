@@ -1,0 +1,1 @@
+export { normaliseHeading, writeUnitVector } from "./heading.ts";

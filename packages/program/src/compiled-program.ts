@@ -1,0 +1,56 @@
+/**
+ * A program document compiled for the loop: the conditions as flat tables, evaluated without
+ * allocation. `[Do nothing]` lines are skipped; indices stay those of the document.
+ */
+import { sensorNames, type PlainAction } from "@corridor/protocol";
+import type { ProgramDocument } from "./program-document.ts";
+
+const RIGHT = sensorNames.indexOf("right");
+
+export class CompiledProgram {
+  readonly #count: number;
+  /** index in the document of each condition */
+  readonly #rules: Int32Array;
+  readonly #sensors: Int32Array;
+  readonly #isGreater: Uint8Array;
+  readonly #numbers: Float64Array;
+  /** 1 where the right reading is added to the number */
+  readonly #addsRight: Uint8Array;
+  /** actions by rule index + 1; the default's at 0 */
+  readonly #actions: readonly PlainAction[];
+
+  constructor(program: ProgramDocument) {
+    const active = program.rules.flatMap(({ when }, rule) => (when === null ? [] : { when, rule }));
+    this.#count = active.length;
+    this.#rules = Int32Array.from(active, ({ rule }) => rule);
+    this.#sensors = Int32Array.from(active, ({ when }) => sensorNames.indexOf(when.sensor));
+    this.#isGreater = Uint8Array.from(active, ({ when }) => (when.is === ">" ? 1 : 0));
+    this.#numbers = Float64Array.from(active, ({ when }) =>
+      when.than === "right" ? when.plus : when.than,
+    );
+    this.#addsRight = Uint8Array.from(active, ({ when }) => (when.than === "right" ? 1 : 0));
+    this.#actions = [program.default, ...program.rules.map((rule) => rule.do)];
+  }
+
+  /**
+   * The first rule that is true for these readings.
+   * @param readings front, right, back, left in units
+   * @returns its index in the document, or -1 when none is true and the default decides
+   */
+  decide(readings: Float64Array): number {
+    for (let i = 0; i < this.#count; i++) {
+      const reading = readings[this.#sensors[i] ?? 0] ?? 0;
+      const number = this.#numbers[i] ?? 0;
+      const limit = this.#addsRight[i] === 1 ? (readings[RIGHT] ?? 0) + number : number;
+      if (this.#isGreater[i] === 1 ? reading > limit : reading < limit) return this.#rules[i] ?? -1;
+    }
+    return -1;
+  }
+
+  /** The action of a rule by its index in the document, or of the default at -1. */
+  actionOf(rule: number): PlainAction {
+    const action = this.#actions[rule + 1];
+    if (action === undefined) throw new RangeError(`The program has no rule ${rule}.`);
+    return action;
+  }
+}

@@ -1,0 +1,190 @@
+/**
+ * From a command to what the wheels do on each tick, until the command is done.
+ *
+ * A command is a list of parts that run one after the other: drive a distance, turn by an angle, or
+ * hold wheel speeds. Contact ends the part that it happens in, and the next part follows.
+ * Units a tick and degrees a tick; pure state, no physics.
+ */
+import { normaliseHeading } from "@corridor/geometry";
+import type { Command } from "@corridor/protocol";
+import {
+  DELAY_DISTANCE,
+  DRIVE_STEP,
+  LEAVE_DISTANCE,
+  TICK_SECONDS,
+  TICKS_PER_SECOND,
+  TRACK_WIDTH,
+  TURN_STEP,
+  WHEEL_SPEED,
+} from "../settings.ts";
+
+/** Drive `left` more units, turn by `left` more degrees, or hold wheels for `left` more ticks. */
+interface Part {
+  kind: "drive" | "turn" | "wheels";
+  /** what is left; infinite for a motion that lasts until something else is chosen */
+  left: number;
+  /** units a tick along the heading, negative backward */
+  linear: number;
+  /** degrees a tick, clockwise positive */
+  angular: number;
+}
+
+/** How a manoeuvre ended. */
+export type MotionEnding = "completed" | "collided";
+
+/** Rounding leaves crumbs of a distance; smaller ones are none. */
+const CRUMB = 1e-9;
+const DEGREES_PER_RADIAN = 57.29577951308232;
+
+export class MotionController {
+  #parts: Part[] = [];
+  #next = 0;
+  #action: Command["action"] = "stop";
+  #isManoeuvre = false;
+  #collided = false;
+  #target = Number.NaN;
+  /** what this tick asks for: units along the heading, and degrees */
+  linear = 0;
+  angular = 0;
+  /** the exact heading at the end of this tick where a turn ends in it, else NaN */
+  exactHeading = Number.NaN;
+  /** how the last manoeuvre ended; null while one runs and before the first */
+  ending: MotionEnding | null = null;
+
+  /** The action that moves the robot now; "stop" when none does. */
+  get action(): Command["action"] {
+    return this.#action;
+  }
+
+  /** Whether an action runs that ends by itself. */
+  get isManoeuvring(): boolean {
+    return this.#isManoeuvre;
+  }
+
+  /** What is left of the part that runs: units of a drive, degrees of a turn, ticks of wheels. */
+  get left(): number {
+    return this.#parts[this.#next]?.left ?? 0;
+  }
+
+  /** Begins a command; the one before it is dropped where it stands. */
+  begin(command: Command): void {
+    if (command.action === this.#action && isSteady(command.action)) return;
+    this.#parts = partsOf(command);
+    this.#next = 0;
+    this.#target = Number.NaN;
+    this.#collided = false;
+    this.ending = null;
+    this.#isManoeuvre = this.#parts.length > 0 && this.#parts.every(({ left }) => left < Infinity);
+    this.#action = this.#parts.length > 0 ? command.action : "stop";
+    if (this.#parts.length === 0 && command.action !== "stop") this.ending = "completed";
+  }
+
+  /** Sets `linear`, `angular` and `exactHeading` for this tick. */
+  plan(heading: number): void {
+    this.linear = 0;
+    this.angular = 0;
+    this.exactHeading = Number.NaN;
+    const part = this.#parts[this.#next];
+    if (part === undefined) return;
+    if (part.kind === "wheels") {
+      this.linear = part.linear;
+      this.angular = part.angular;
+    } else if (part.kind === "drive") {
+      const step = Math.min(Math.abs(part.linear), part.left);
+      this.linear = part.linear < 0 ? -step : step;
+    } else {
+      if (Number.isNaN(this.#target)) {
+        this.#target = normaliseHeading(heading + (part.angular < 0 ? -part.left : part.left));
+      }
+      const step = Math.min(Math.abs(part.angular), part.left);
+      this.angular = part.angular < 0 ? -step : step;
+      if (part.left - step <= CRUMB) this.exactHeading = this.#target;
+    }
+  }
+
+  /** Closes the tick: counts down the part and goes on to the next. `isStopped`: a block stopped the robot. */
+  finish(isStopped: boolean): void {
+    const part = this.#parts[this.#next];
+    if (part === undefined) return;
+    if (isStopped) this.#collided = true;
+    part.left -=
+      part.kind === "wheels" ? 1 : Math.abs(part.kind === "turn" ? this.angular : this.linear);
+    const isOver = part.left <= CRUMB || (isStopped && part.kind === "drive" && this.#isManoeuvre);
+    if (!isOver) return;
+    this.#next++;
+    this.#target = Number.NaN;
+    if (this.#next < this.#parts.length) return;
+    this.#isManoeuvre = false;
+    this.#action = "stop";
+    this.#parts = [];
+    this.ending = this.#collided ? "collided" : "completed";
+  }
+}
+
+/** Motions that are the same however often they are chosen. */
+function isSteady(action: Command["action"]): boolean {
+  return action === "forward" || action === "reverse" || action === "stop";
+}
+
+function drive(distance: number): Part {
+  return {
+    kind: "drive",
+    left: Math.abs(distance),
+    linear: distance < 0 ? -DRIVE_STEP : DRIVE_STEP,
+    angular: 0,
+  };
+}
+
+function turn(degrees: number): Part {
+  return {
+    kind: "turn",
+    left: Math.abs(degrees),
+    linear: 0,
+    angular: degrees < 0 ? -TURN_STEP : TURN_STEP,
+  };
+}
+
+/**
+ * Differential drive: the mean of the rims' speeds moves the robot, their difference over the track
+ * width turns it.
+ * @see Siegwart, Nourbakhsh, Scaramuzza: Introduction to Autonomous Mobile Robots, ch. 3
+ */
+function wheels(left: number, right: number, milliseconds: number | undefined): Part {
+  const ticks =
+    milliseconds === undefined
+      ? Infinity
+      : Math.max(1, Math.round((milliseconds * TICKS_PER_SECOND) / 1000));
+  return {
+    kind: "wheels",
+    left: ticks,
+    linear: ((left + right) / 2) * WHEEL_SPEED * TICK_SECONDS,
+    angular: (((left - right) * WHEEL_SPEED) / TRACK_WIDTH) * DEGREES_PER_RADIAN * TICK_SECONDS,
+  };
+}
+
+function partsOf(command: Command): Part[] {
+  switch (command.action) {
+    case "forward":
+      return [drive(Infinity)];
+    case "reverse":
+      return [drive(-Infinity)];
+    case "stop":
+      return [];
+    case "left 90":
+      return [turn(-90)];
+    case "right 90":
+      return [turn(90)];
+    case "turn 180":
+      return [turn(180)];
+    case "delayed left 90":
+      return [drive(DELAY_DISTANCE), turn(-90), drive(LEAVE_DISTANCE)];
+    case "delayed right 90":
+      return [drive(DELAY_DISTANCE), turn(90), drive(LEAVE_DISTANCE)];
+    case "move":
+      return command.distance === 0 ? [] : [drive(command.distance)];
+    case "turn":
+      return command.degrees === 0 ? [] : [turn(command.degrees)];
+    case "drive":
+      return [wheels(command.left, command.right, command.milliseconds)];
+  }
+}

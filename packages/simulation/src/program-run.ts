@@ -1,0 +1,62 @@
+/**
+ * A program driving a robot: on every tick on which no manoeuvre runs, a line decides.
+ *
+ * The decision for the next tick can be taken early, so that what is shown at the end of a tick is
+ * the line that these very readings chose; it counts when its tick runs.
+ */
+import type { LineRef, PlainAction } from "@corridor/protocol";
+import type { Simulation } from "./simulation.ts";
+
+/** The part of a compiled program that a run needs. */
+export interface Decider {
+  /** index of the rule that decides for these readings (front, right, back, left), or -1 for the default */
+  decide(readings: Float64Array): number;
+  /** the action of a rule, or of the default at -1 */
+  actionOf(rule: number): PlainAction;
+}
+
+export class ProgramRun {
+  readonly #simulation: Simulation;
+  #decider: Decider;
+  #rule = -1;
+  #isDecided = false;
+  /** decisions by rule index + 1; the default's at 0 */
+  readonly decisions: number[] = [];
+
+  constructor(simulation: Simulation, decider: Decider) {
+    this.#simulation = simulation;
+    this.#decider = decider;
+  }
+
+  /** The line that decides now or began the manoeuvre that runs. */
+  get line(): LineRef {
+    return this.#rule < 0 ? "default" : this.#rule;
+  }
+
+  /** Takes the decision for the next tick, unless it is taken or a manoeuvre runs. */
+  decide(): void {
+    const simulation = this.#simulation;
+    if (this.#isDecided || simulation.isManoeuvring) return;
+    this.#rule = this.#decider.decide(simulation.readings);
+    this.#isDecided = true;
+    simulation.apply({ action: this.#decider.actionOf(this.#rule) });
+  }
+
+  /** Drops a decision whose tick has not run: the readings or the rules have changed. */
+  reconsider(decider: Decider = this.#decider): void {
+    this.#decider = decider;
+    if (this.#isDecided) this.#simulation.apply({ action: "stop" });
+    this.#isDecided = false;
+  }
+
+  /** One tick. */
+  step(): void {
+    this.decide();
+    if (this.#isDecided) {
+      const at = this.#rule + 1;
+      this.decisions[at] = (this.decisions[at] ?? 0) + 1;
+      this.#isDecided = false;
+    }
+    this.#simulation.step();
+  }
+}

@@ -1,0 +1,58 @@
+/**
+ * Range sensor: one ray from the robot's centre to the first block or to the edge of the grid.
+ *
+ * The ray walks the grid from cell border to cell border, so its cost depends on its length and not
+ * on the maze. Units; exact on purpose, without noise. Each crossing is computed from the border
+ * itself and not added up, so that a long ray is as exact as a short one.
+ */
+import { CELL, type Grid } from "@corridor/maze";
+
+/**
+ * Distance from (x, y) along the unit vector (dx, dy) to the first solid cell.
+ * @param x, y in units, inside an open cell
+ * @param dx, dy of length 1; one of them may be 0
+ */
+export function castRay(grid: Grid, x: number, y: number, dx: number, dy: number): number {
+  const { solid, stride } = grid;
+  let column = (x / CELL) | 0;
+  let row = (y / CELL) | 0;
+  let index = (row + 1) * stride + column + 1;
+
+  if (dx === 0) {
+    if (dy > 0) {
+      while (solid[(index += stride)] === 0) row++;
+      return (row + 1) * CELL - y;
+    }
+    while (solid[(index -= stride)] === 0) row--;
+    return y - row * CELL;
+  }
+  if (dy === 0) {
+    if (dx > 0) {
+      while (solid[++index] === 0) column++;
+      return (column + 1) * CELL - x;
+    }
+    while (solid[--index] === 0) column--;
+    return x - column * CELL;
+  }
+
+  const stepX = dx > 0 ? 1 : -1;
+  const stepY = dy > 0 ? 1 : -1;
+  const strideY = dy > 0 ? stride : -stride;
+  let borderX = (dx > 0 ? column + 1 : column) * CELL;
+  let borderY = (dy > 0 ? row + 1 : row) * CELL;
+  let alongX = (borderX - x) / dx;
+  let alongY = (borderY - y) / dy;
+  for (;;) {
+    if (alongX < alongY) {
+      index += stepX;
+      if (solid[index] !== 0) return alongX;
+      borderX += stepX * CELL;
+      alongX = (borderX - x) / dx;
+    } else {
+      index += strideY;
+      if (solid[index] !== 0) return alongY;
+      borderY += stepY * CELL;
+      alongY = (borderY - y) / dy;
+    }
+  }
+}

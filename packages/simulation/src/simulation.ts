@@ -1,0 +1,202 @@
+/**
+ * One robot in one maze, tick by tick. Same maze and same commands at the same ticks: the same
+ * snapshots, bit for bit, in every engine.
+ *
+ * The order inside a tick: the motion controller plans, the heading turns, the physics moves the body
+ * as far as it can, the motion controller closes the tick, the sensors read. A command that comes
+ * between two ticks counts from the next tick on.
+ */
+import { normaliseHeading, writeUnitVector } from "@corridor/geometry";
+import { CELL, gridOf, headingNames, type Grid, type MazeDocument } from "@corridor/maze";
+import type { Command, Pose, RobotReport } from "@corridor/protocol";
+import { MotionController, type MotionEnding } from "./motion/motion-controller.ts";
+import { PhysicsWorld } from "./physics/physics-world.ts";
+import { castRay } from "./sensors/range-sensor.ts";
+
+export class Simulation {
+  readonly #motion = new MotionController();
+  readonly #physics: PhysicsWorld;
+  readonly #way = new Float64Array(2);
+  #maze: MazeDocument;
+  #grid: Grid;
+  #goals: ReadonlySet<number>;
+  #heading: number;
+  #distance = 0;
+  #goalTick: number | null = null;
+  #tick = 0;
+  /** front, right, back, left in units: the order of the protocol's sensor names */
+  readonly readings = new Float64Array(4);
+
+  constructor(maze: MazeDocument) {
+    this.#maze = maze;
+    this.#grid = gridOf(maze);
+    this.#goals = goalCells(maze);
+    const { x, y, heading } = startPose(maze);
+    this.#heading = heading;
+    this.#physics = new PhysicsWorld(this.#grid, x, y);
+    this.#sense();
+  }
+
+  /** Puts the robot at the maze's start, still, with every counter at 0. */
+  reset(): void {
+    const { x, y, heading } = startPose(this.#maze);
+    this.#heading = heading;
+    this.#physics.place(x, y);
+    this.#motion.begin({ action: "stop" });
+    this.#distance = 0;
+    this.#goalTick = null;
+    this.#tick = 0;
+    this.#sense();
+  }
+
+  /**
+   * Changes the maze around the robot, which stays where it is and goes on with what it does.
+   * @returns false where the robot would stand in a block or outside: then nothing has changed
+   */
+  setMaze(maze: MazeDocument): boolean {
+    const grid = gridOf(maze);
+    if (!this.#physics.setGrid(grid)) return false;
+    this.#maze = maze;
+    this.#grid = grid;
+    this.#goals = goalCells(maze);
+    this.#sense();
+    return true;
+  }
+
+  /** Begins a command; a motion or manoeuvre that still runs is dropped where it stands. */
+  apply(command: Command): void {
+    this.#motion.begin(command);
+  }
+
+  /** One tick of 1/60 s. */
+  step(): void {
+    const motion = this.#motion;
+    motion.plan(this.#heading);
+    const { linear, angular } = motion;
+    let isStopped = false;
+    if (linear !== 0) {
+      // An arc is driven along the direction in its middle.
+      if (angular !== 0) this.#face(normaliseHeading(this.#heading + angular / 2));
+      isStopped = this.#drive(linear);
+    }
+    if (angular !== 0) {
+      this.#heading = Number.isNaN(motion.exactHeading)
+        ? normaliseHeading(this.#heading + angular)
+        : motion.exactHeading;
+      this.#face(this.#heading);
+    }
+    motion.finish(isStopped);
+    this.#tick++;
+    if (linear !== 0 || angular !== 0) this.#readSensors();
+    if (this.#goalTick === null && this.#goals.has(this.cell)) this.#goalTick = this.#tick;
+  }
+
+  /** Ticks since the robot was put at its start. */
+  get tick(): number {
+    return this.#tick;
+  }
+
+  /** Whether an action runs that ends by itself; meanwhile no rule is evaluated. */
+  get isManoeuvring(): boolean {
+    return this.#motion.isManoeuvring;
+  }
+
+  /** How the last manoeuvre ended; null while one runs and after any other command. */
+  get ending(): MotionEnding | null {
+    return this.#motion.ending;
+  }
+
+  /** Contacts with walls so far. */
+  get bumps(): number {
+    return this.#physics.bumps;
+  }
+
+  /** Units driven so far, forward and backward. */
+  get distance(): number {
+    return this.#distance;
+  }
+
+  /** Tick at which the centre first stood in a goal cell; null when it has not yet. */
+  get goalTick(): number | null {
+    return this.#goalTick;
+  }
+
+  /** The cell under the robot's centre, as `row * columns + column`. */
+  get cell(): number {
+    const { x, y } = this.#physics;
+    return ((y / CELL) | 0) * this.#grid.columns + ((x / CELL) | 0);
+  }
+
+  get pose(): Pose {
+    return { x: this.#physics.x, y: this.#physics.y, heading: this.#heading };
+  }
+
+  /** What the robot reports at the end of this tick. */
+  report(): RobotReport {
+    const { readings } = this;
+    return {
+      tick: this.#tick,
+      sensors: {
+        front: readings[0] ?? 0,
+        right: readings[1] ?? 0,
+        back: readings[2] ?? 0,
+        left: readings[3] ?? 0,
+      },
+      pose: this.pose,
+      motion: this.#motion.action,
+      bumps: this.#physics.bumps,
+      bumping: this.#physics.inContact,
+      goalReached: this.#goalTick !== null,
+    };
+  }
+
+  #drive(linear: number): boolean {
+    const physics = this.#physics;
+    const fromX = physics.x;
+    const fromY = physics.y;
+    const isStopped = physics.move((this.#way[0] ?? 0) * linear, (this.#way[1] ?? 0) * linear);
+    if (isStopped) {
+      const dx = physics.x - fromX;
+      const dy = physics.y - fromY;
+      this.#distance += Math.sqrt(dx * dx + dy * dy);
+    } else {
+      this.#distance += Math.abs(linear);
+    }
+    return isStopped;
+  }
+
+  #face(heading: number): void {
+    writeUnitVector(heading, this.#way);
+  }
+
+  #sense(): void {
+    this.#face(this.#heading);
+    this.#readSensors();
+  }
+
+  #readSensors(): void {
+    const grid = this.#grid;
+    const { x, y } = this.#physics;
+    const wayX = this.#way[0] ?? 0;
+    const wayY = this.#way[1] ?? 0;
+    const { readings } = this;
+    readings[0] = castRay(grid, x, y, wayX, wayY);
+    readings[1] = castRay(grid, x, y, -wayY, wayX);
+    readings[2] = castRay(grid, x, y, -wayX, -wayY);
+    readings[3] = castRay(grid, x, y, wayY, -wayX);
+  }
+}
+
+/** Centre of the start cell and the start heading. */
+function startPose({ start }: MazeDocument): Pose {
+  return {
+    x: start.column * CELL + CELL / 2,
+    y: start.row * CELL + CELL / 2,
+    heading: headingNames.indexOf(start.heading) * 90,
+  };
+}
+
+function goalCells(maze: MazeDocument): ReadonlySet<number> {
+  const columns = maze.blocks[0]?.length ?? 0;
+  return new Set(maze.goals.map(({ column, row }) => row * columns + column));
+}
