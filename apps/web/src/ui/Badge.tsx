@@ -1,0 +1,13 @@
+/** The square number of a program line: the same badge wherever that line is meant. */
+import styles from "./tag.module.css";
+import { classNames } from "./class-names.ts";
+
+interface BadgeProps {
+  /** rest: ink; live: this line runs; bad: this line bumped */
+  tone?: "rest" | "live" | "bad";
+  children: string | number;
+}
+
+export function Badge({ tone = "rest", children }: BadgeProps) {
+  return <span className={classNames(styles["badge"], styles[tone])}>{children}</span>;
+}

@@ -1,0 +1,73 @@
+/**
+ * A modal dialog on the native element: focus stays in it, Escape closes it, focus returns to where
+ * it was. On phones it is a sheet of full height.
+ */
+import { X } from "lucide-react";
+import { useEffect, useId, useRef, type ReactNode } from "react";
+import { useTranslation } from "react-i18next";
+import { IconButton } from "./Button.tsx";
+import { classNames } from "./class-names.ts";
+import styles from "./dialog.module.css";
+
+interface DialogProps {
+  isOpen: boolean;
+  onClose: () => void;
+  title: string;
+  /** one sentence under the title */
+  subtitle?: string;
+  /** wide: 816 px (share); narrow: 480 px */
+  width?: "wide" | "narrow";
+  /** a quiet band at the bottom */
+  footer?: ReactNode;
+  children: ReactNode;
+}
+
+/** Stays mounted while closed, so that the browser can give focus back; its content does not. */
+export function Dialog({
+  isOpen,
+  onClose,
+  title,
+  subtitle,
+  width = "wide",
+  footer,
+  children,
+}: DialogProps) {
+  const { t } = useTranslation();
+  const dialog = useRef<HTMLDialogElement>(null);
+  const titleId = useId();
+  useEffect(() => {
+    const element = dialog.current;
+    if (isOpen && element?.open === false) element.showModal();
+    if (!isOpen && element?.open === true) element.close();
+  }, [isOpen]);
+  return (
+    <dialog
+      ref={dialog}
+      className={classNames(styles["dialog"], styles[width])}
+      aria-labelledby={titleId}
+      onClose={onClose}
+      onPointerDown={(event) => {
+        // The frame has no padding: a press on the dialog element itself is one on the backdrop.
+        if (event.target === event.currentTarget) onClose();
+      }}
+    >
+      {isOpen && (
+        <div className={styles["frame"]}>
+          <header className={styles["header"]}>
+            <div>
+              <h2 id={titleId} className={styles["title"]}>
+                {title}
+              </h2>
+              {subtitle !== undefined && <p className={styles["subtitle"]}>{subtitle}</p>}
+            </div>
+            <IconButton label={t("shell.close")} size="medium" onClick={onClose}>
+              <X aria-hidden="true" />
+            </IconButton>
+          </header>
+          <div className={styles["content"]}>{children}</div>
+          {footer !== undefined && <footer className={styles["footer"]}>{footer}</footer>}
+        </div>
+      )}
+    </dialog>
+  );
+}

@@ -1,0 +1,47 @@
+/** A choice of few, all in sight: a native radio group in one track. */
+import { useId, type ReactNode } from "react";
+import { classNames } from "./class-names.ts";
+import styles from "./segmented.module.css";
+
+interface SegmentedProps<Value extends string> {
+  /** names the group for everyone; shown above only with `showLabel` */
+  label: string;
+  showLabel?: boolean;
+  value: Value;
+  options: readonly { value: Value; label: string; icon?: ReactNode }[];
+  onChange: (value: Value) => void;
+  /** "track" fills the width on a sunken track; "strip" is as wide as its words, on a raised bar */
+  look?: "track" | "strip";
+}
+
+export function Segmented<Value extends string>({
+  label,
+  showLabel = false,
+  value,
+  options,
+  onChange,
+  look = "track",
+}: SegmentedProps<Value>) {
+  const name = useId();
+  return (
+    <fieldset className={styles["group"]}>
+      <legend className={showLabel ? styles["legend"] : "visually-hidden"}>{label}</legend>
+      <div className={classNames(styles["options"], styles[look])}>
+        {options.map((option) => (
+          <label key={option.value} className={styles["option"]}>
+            <input
+              type="radio"
+              className={styles["radio"]}
+              name={name}
+              value={option.value}
+              checked={option.value === value}
+              onChange={() => onChange(option.value)}
+            />
+            {option.icon}
+            <span className={styles["word"]}>{option.label}</span>
+          </label>
+        ))}
+      </div>
+    </fieldset>
+  );
+}

@@ -1,0 +1,57 @@
+/** A native select in the house's clothes: the phone keeps its own wheel, the keyboard its own ways. */
+import { ChevronDown } from "lucide-react";
+import type { ComponentProps, ReactNode } from "react";
+import { classNames } from "./class-names.ts";
+import styles from "./field.module.css";
+
+interface SelectProps<Value extends string> extends Omit<
+  ComponentProps<"select">,
+  "value" | "onChange" | "aria-label" | "children"
+> {
+  /** the accessible name; a visible label is the caller's */
+  label: string;
+  value: Value;
+  options: readonly { value: Value; label: string }[];
+  onChange: (value: Value) => void;
+  /** a picture of the chosen value, before its words */
+  icon?: ReactNode;
+}
+
+export function Select<Value extends string>({
+  label,
+  value,
+  options,
+  onChange,
+  icon,
+  className,
+  ...rest
+}: SelectProps<Value>) {
+  return (
+    <span
+      className={classNames(styles["select"], icon !== undefined && styles["withIcon"], className)}
+    >
+      {icon !== undefined && (
+        <span className={styles["icon"]} aria-hidden="true">
+          {icon}
+        </span>
+      )}
+      <select
+        {...rest}
+        className={styles["field"]}
+        aria-label={label}
+        value={value}
+        onChange={(event) => {
+          const chosen = options.find((option) => option.value === event.target.value);
+          if (chosen !== undefined) onChange(chosen.value);
+        }}
+      >
+        {options.map((option) => (
+          <option key={option.value} value={option.value}>
+            {option.label}
+          </option>
+        ))}
+      </select>
+      <ChevronDown className={styles["caret"]} size={16} aria-hidden="true" />
+    </span>
+  );
+}

@@ -1,0 +1,29 @@
+/** One line of text with its label above. */
+import { useId, type ComponentProps } from "react";
+import { classNames } from "./class-names.ts";
+import styles from "./field.module.css";
+
+interface TextFieldProps extends Omit<ComponentProps<"input">, "onChange" | "className"> {
+  label: string;
+  value: string;
+  onChange: (value: string) => void;
+}
+
+export function TextField({ label, onChange, ...rest }: TextFieldProps) {
+  const id = useId();
+  return (
+    <div className={styles["stack"]}>
+      <label className={styles["label"]} htmlFor={id}>
+        {label}
+      </label>
+      <input
+        {...rest}
+        id={id}
+        type="text"
+        autoComplete="off"
+        className={classNames(styles["field"], styles["text"])}
+        onChange={(event) => onChange(event.target.value)}
+      />
+    </div>
+  );
+}
