@@ -1,3 +1,4 @@
+export { CompiledProgram } from "./compiled-program.ts";
 export {
   parseProgram,
   readProgram,

@@ -11,7 +11,11 @@ import { CELL, gridOf, headingNames, type Grid, type MazeDocument } from "@corri
 import type { Command, Pose, RobotReport } from "@corridor/protocol";
 import { MotionController, type MotionEnding } from "./motion/motion-controller.ts";
 import { PhysicsWorld } from "./physics/physics-world.ts";
+import { ROBOT_RADIUS } from "./settings.ts";
 import { castRay } from "./sensors/range-sensor.ts";
+
+/** A robot at a wall is off by rounding. */
+const TOUCHING = 1e-6;
 
 export class Simulation {
   readonly #motion = new MotionController();
@@ -24,6 +28,7 @@ export class Simulation {
   #distance = 0;
   #goalTick: number | null = null;
   #tick = 0;
+  #isStopped = false;
   /** front, right, back, left in units: the order of the protocol's sensor names */
   readonly readings = new Float64Array(4);
 
@@ -46,6 +51,7 @@ export class Simulation {
     this.#distance = 0;
     this.#goalTick = null;
     this.#tick = 0;
+    this.#isStopped = false;
     this.#sense();
   }
 
@@ -86,9 +92,10 @@ export class Simulation {
       this.#face(this.#heading);
     }
     motion.finish(isStopped);
+    this.#isStopped = isStopped;
     this.#tick++;
     if (linear !== 0 || angular !== 0) this.#readSensors();
-    if (this.#goalTick === null && this.#goals.has(this.cell)) this.#goalTick = this.#tick;
+    if (this.#goalTick === null && this.#isInGoal()) this.#goalTick = this.#tick;
   }
 
   /** Ticks since the robot was put at its start. */
@@ -106,6 +113,11 @@ export class Simulation {
     return this.#motion.ending;
   }
 
+  /** Whether a block stopped the robot in the last tick. */
+  get isStopped(): boolean {
+    return this.#isStopped;
+  }
+
   /** Contacts with walls so far. */
   get bumps(): number {
     return this.#physics.bumps;
@@ -116,7 +128,7 @@ export class Simulation {
     return this.#distance;
   }
 
-  /** Tick at which the centre first stood in a goal cell; null when it has not yet. */
+  /** Tick at which the whole robot first stood in a goal cell; null when it has not yet. */
   get goalTick(): number | null {
     return this.#goalTick;
   }
@@ -148,6 +160,12 @@ export class Simulation {
       bumping: this.#physics.inContact,
       goalReached: this.#goalTick !== null,
     };
+  }
+
+  #isInGoal(): boolean {
+    if (!this.#goals.has(this.cell)) return false;
+    const { x, y } = this.#physics;
+    return isWithinCell(x) && isWithinCell(y);
   }
 
   #drive(linear: number): boolean {
@@ -185,6 +203,12 @@ export class Simulation {
     readings[2] = castRay(grid, x, y, -wayX, -wayY);
     readings[3] = castRay(grid, x, y, wayY, -wayX);
   }
+}
+
+/** Whether a disc around this coordinate lies between the borders of its cell; touching them is fine. */
+function isWithinCell(coordinate: number): boolean {
+  const fromMiddle = (coordinate % CELL) - CELL / 2;
+  return Math.abs(fromMiddle) <= CELL / 2 - ROBOT_RADIUS + TOUCHING;
 }
 
 /** Centre of the start cell and the start heading. */

@@ -1,0 +1,114 @@
+/**
+ * Entry of the simulator worker: the simulation, the program and the relay link live here, so that
+ * they keep going while the page is hidden. A thin shell; the logic is in `run-loop.ts` and
+ * `remote-host.ts`.
+ */
+import { describeFault } from "./describe-fault.ts";
+import { digestOf } from "./digest.ts";
+import { RemoteHost } from "./remote-host.ts";
+import { RunLoop } from "./run-loop.ts";
+import type { FromWorker, ToWorker } from "./worker-messages.ts";
+
+/** Twice as often as a screen repaints, so that no frame waits for a whole interval. */
+const INTERVAL_MS = 8;
+/** Snapshots to the relay: at most this often. */
+const RELAY_INTERVAL_MS = 50;
+/** Held while a robot runs, so that browsers do not freeze the hidden page. */
+const LOCK_NAME = "corridor-simulation";
+
+const worker = self as unknown as DedicatedWorkerGlobalScope;
+const post = (message: FromWorker): void => worker.postMessage(message);
+const now = (): number => performance.now();
+
+let loop: RunLoop | null = null;
+let releaseLock: (() => void) | null = null;
+let sentToRelayAt = Number.NEGATIVE_INFINITY;
+
+const remote = new RemoteHost({
+  origin: worker.location.origin,
+  onView: (view) => post({ type: "remote", remote: view }),
+  onDelivery: (delivery) => loop?.accept(delivery),
+  onStop: () => loop?.cancelRemote("A stop came."),
+});
+
+worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
+  try {
+    handle(data);
+    tellNews();
+  } catch (error) {
+    post({ type: "fault", reason: describeFault(error) });
+  }
+};
+
+setInterval(() => {
+  try {
+    loop?.advance();
+    tellNews();
+    holdLock(loop?.isRunning === true);
+  } catch (error) {
+    loop?.pause();
+    post({ type: "fault", reason: describeFault(error) });
+  }
+}, INTERVAL_MS);
+
+function handle(message: ToWorker): void {
+  if (message.type === "load") {
+    loop = new RunLoop(message.maze, message.program, now, remote);
+    return;
+  }
+  if (message.type === "digest") {
+    post({ type: "digest", digest: digestOf(message) });
+    return;
+  }
+  if (loop === null) return;
+  switch (message.type) {
+    case "edit-maze":
+      return loop.editMaze(message.maze);
+    case "edit-program":
+      return loop.editProgram(message.program);
+    case "run":
+      return loop.run();
+    case "pause":
+      return loop.pause();
+    case "step":
+      return loop.step();
+    case "reset":
+      return loop.reset();
+    case "speed":
+      return loop.setSpeed(message.speed);
+    case "driver":
+      return loop.setDriver(message.driver);
+    case "hold":
+      return loop.hold(message.key);
+    case "remote-open":
+      return remote.open(message.session, message.fresh);
+    case "remote-close":
+      loop.cancelRemote("The robot's page disconnected.");
+      return remote.close();
+    case "remote-clear":
+      return remote.clearCommands();
+  }
+}
+
+function tellNews(): void {
+  const news = loop?.takeNews();
+  if (loop === null || news === undefined) return;
+  if (news !== null) {
+    post({ type: "frame", frame: news.frame });
+    if (news.moment !== null) post({ type: "moment", moment: news.moment });
+  }
+  if (remote.isOpen && now() - sentToRelayAt >= RELAY_INTERVAL_MS) {
+    sentToRelayAt = now();
+    remote.sendSnapshot(news?.frame.snapshot ?? loop.snapshot());
+  }
+}
+
+function holdLock(isWanted: boolean): void {
+  if (isWanted === (releaseLock !== null)) return;
+  releaseLock?.();
+  releaseLock = null;
+  if (!isWanted) return;
+  const held = new Promise<void>((resolve) => (releaseLock = resolve));
+  // Without the Web Locks API (insecure origins) the robot runs all the same, only less protected.
+  void navigator.locks?.request(LOCK_NAME, { mode: "shared" }, () => held);
+}
