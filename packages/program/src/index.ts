@@ -1,3 +1,6 @@
+export { conditionOf, kindOf, numberOf, numberRange } from "./condition-parts.ts";
+export { truthOf, type Truth } from "./explain.ts";
+export { programPresets, type ProgramPreset, type ProgramPresetId } from "./presets.ts";
 export { CompiledProgram } from "./compiled-program.ts";
 export {
   parseProgram,
@@ -7,9 +10,22 @@ export {
   type Rule,
 } from "./program-document.ts";
 export {
+  addRule,
+  moveRule,
+  removeRule,
+  rename,
+  setAction,
+  setCondition,
+  setDefault,
+  setNumber,
+  type ProgramEdit,
+  type ProgramRefusal,
+} from "./program-edit.ts";
+export {
   conditionKinds,
   DEFAULT_ACTION,
   DEFAULT_NUMBER,
+  MAX_NAME_LENGTH,
   MAX_PLUS,
   MAX_RULES,
   MAX_THAN,
