@@ -1,7 +1,10 @@
+export { closeReasonOf, closeReasons, type CloseReason } from "./close-codes.ts";
+export { decodeFrame, encodeFrame, MAX_FRAME_BYTES, MAX_HELLO_BYTES } from "./codec.ts";
 export { commandSchema, plainActions, type Command, type PlainAction } from "./command.ts";
 export {
   commandRecordSchema,
   hasEnded,
+  idempotencyKeySchema,
   type CommandRecord,
   type CommandState,
   type EndingState,
@@ -14,6 +17,24 @@ export {
   type FieldProblem,
   type ReadResult,
 } from "./document-reader.ts";
+export {
+  driverToRelaySchema,
+  helloSchema,
+  MAX_RESUMED_ENDINGS,
+  pageToRelaySchema,
+  relayToDriverSchema,
+  relayToPageSchema,
+  resumeSchema,
+  type DeliveredCommand,
+  type Drivers,
+  type DriverToRelay,
+  type Ending,
+  type Hello,
+  type PageToRelay,
+  type RelayToDriver,
+  type RelayToPage,
+  type Resume,
+} from "./messages.ts";
 export { problemSchema, type ProblemDocument } from "./problem.ts";
 export {
   sensorNames,
@@ -22,4 +43,8 @@ export {
   type SensorName,
   type SensorReadings,
 } from "./quantities.ts";
+export { registrationSchema, robotIdSchema, type Registration } from "./registration.ts";
 export { snapshotSchema, type LineRef, type RobotReport, type Snapshot } from "./snapshot.ts";
+export type { SocketEvents, SocketFactory, SocketPort } from "./socket-port.ts";
+export { PROTOCOL_VERSION } from "./version.ts";
+export { timedCommandsSchema, type TimedCommand } from "./timed-command.ts";

@@ -1,5 +1,5 @@
 export { FixedTimestep } from "./fixed-timestep.ts";
 export { ProgramRun, type Decider } from "./program-run.ts";
+export { replayDigest, type Inputs } from "./replay.ts";
 export { ROBOT_RADIUS, TICK_SECONDS, TICKS_PER_SECOND } from "./settings.ts";
 export { Simulation } from "./simulation.ts";
-export { SnapshotDigest } from "./snapshot-digest.ts";

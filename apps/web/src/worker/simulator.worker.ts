@@ -3,8 +3,9 @@
  * they keep going while the page is hidden. A thin shell; the logic is in `run-loop.ts` and
  * `remote-host.ts`.
  */
+import { CompiledProgram } from "@corridor/program";
+import { replayDigest } from "@corridor/simulation";
 import { describeFault } from "./describe-fault.ts";
-import { digestOf } from "./digest.ts";
 import { RemoteHost } from "./remote-host.ts";
 import { RunLoop } from "./run-loop.ts";
 import type { FromWorker, ToWorker } from "./worker-messages.ts";
@@ -57,7 +58,9 @@ function handle(message: ToWorker): void {
     return;
   }
   if (message.type === "digest") {
-    post({ type: "digest", digest: digestOf(message) });
+    const { maze, driver, ticks, chunk } = message;
+    const decider = "rules" in driver ? new CompiledProgram(driver) : driver;
+    post({ type: "digest", digest: replayDigest({ maze, driver: decider }, ticks, chunk) });
     return;
   }
   if (loop === null) return;

@@ -2,7 +2,14 @@
  * Everything that crosses between the page's main thread and the simulator worker, and nothing else.
  * Documents were parsed and checked before they are sent; both ends are our own code.
  */
-import type { CommandRecord, DriverName, LineRef, Pose, Snapshot } from "@corridor/protocol";
+import type {
+  CommandRecord,
+  DriverName,
+  LineRef,
+  Pose,
+  Snapshot,
+  TimedCommand,
+} from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 
@@ -42,10 +49,11 @@ export type ToWorker =
   | { type: "remote-open"; session: RemoteSession | null; fresh: boolean }
   | { type: "remote-close" }
   | { type: "remote-clear" }
+  /** runs a program, or commands at given ticks, beside the robot and answers with the digest */
   | {
       type: "digest";
       maze: MazeDocument;
-      program: ProgramDocument;
+      driver: ProgramDocument | readonly TimedCommand[];
       ticks: number;
       chunk: number;
     };

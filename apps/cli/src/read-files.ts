@@ -1,0 +1,78 @@
+/** Documents from files: each is read once, and every problem of every file is reported together. */
+import { readFileSync, statSync } from "node:fs";
+import { readMaze, type MazeDocument } from "@corridor/maze";
+import { readProgram, type ProgramDocument } from "@corridor/program";
+import {
+  problem,
+  readJson,
+  timedCommandsSchema,
+  type ReadResult,
+  type TimedCommand,
+} from "@corridor/protocol";
+import { fileProblems, InputError } from "./problems.ts";
+
+/** No legal document is longer. */
+const MAX_BYTES = 16 * 1024 * 1024;
+
+export interface Named<T> {
+  file: string;
+  document: T;
+}
+
+/** Files by what they hold; a document comes back for each file, in the same order. */
+export interface Files {
+  mazes: readonly string[];
+  programs: readonly string[];
+  commands?: readonly string[];
+}
+
+export interface Documents {
+  mazes: MazeDocument[];
+  programs: ProgramDocument[];
+  commands: TimedCommand[][];
+}
+
+/** Reads all files. @throws InputError with every problem of every file */
+export function readFiles({ mazes, programs, commands = [] }: Files): Documents {
+  const lines: string[] = [];
+  const documents = {
+    mazes: readAll(mazes, readMaze, lines),
+    programs: readAll(programs, readProgram, lines),
+    commands: readAll(commands, readCommands, lines),
+  };
+  if (lines.length > 0) throw new InputError(lines);
+  return documents;
+}
+
+function readCommands(text: string): ReadResult<TimedCommand[]> {
+  return readJson(timedCommandsSchema, text, MAX_BYTES);
+}
+
+function readAll<T>(
+  files: readonly string[],
+  read: (text: string) => ReadResult<T>,
+  lines: string[],
+): T[] {
+  return files.flatMap((file) => {
+    const result = readOne(file, read);
+    if (result.ok) return [result.value];
+    lines.push(...fileProblems(file, result.problems));
+    return [];
+  });
+}
+
+function readOne<T>(file: string, read: (text: string) => ReadResult<T>): ReadResult<T> {
+  let bytes: Uint8Array;
+  try {
+    const { size } = statSync(file);
+    if (size > MAX_BYTES) return problem("", `${size} bytes`, `at most ${MAX_BYTES} bytes`);
+    bytes = readFileSync(file);
+  } catch (error) {
+    return problem("", error instanceof Error ? error.message : "no file", "a readable file");
+  }
+  try {
+    return read(new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes));
+  } catch {
+    return problem("", "bytes that are not UTF-8", "UTF-8 text");
+  }
+}

@@ -1,0 +1,89 @@
+/** A run's result as a line of JSON or of CSV. Lengths are rounded to what a reader can use. */
+import { TICKS_PER_SECOND } from "@corridor/simulation";
+import type { RunResult } from "./run-result.ts";
+
+/** A result with the files it came from. */
+export interface GradedRun {
+  program: string;
+  maze: string;
+  result: RunResult;
+}
+
+/** One line of JSON; `names` come first. */
+export function jsonLine(result: RunResult, names: Record<string, string> = {}): string {
+  const { ticks, bumps, visitedCells, openCells, distance, goalTick, pose } = result;
+  const head = JSON.stringify({
+    ...names,
+    ticks,
+    seconds: round(ticks / TICKS_PER_SECOND, 3),
+    bumps,
+    visitedCells,
+    openCells,
+    distance: round(distance, 1),
+    goal: { reached: goalTick !== null, tick: goalTick },
+    pose: { x: round(pose.x, 3), y: round(pose.y, 3), heading: round(pose.heading, 3) },
+  });
+  // By hand: an object would put the keys "0", "1" before "default".
+  const { decisions } = result;
+  const rules = decisions.rules.map((count, rule) => `,"${rule}":${count}`).join("");
+  return `${head.slice(0, -1)},"lines":{"default":${decisions.default}${rules}}}`;
+}
+
+/** The last line of a grading. */
+export function summaryLine(runs: readonly GradedRun[]): string {
+  const count = (holds: (result: RunResult) => boolean): number =>
+    runs.filter(({ result }) => holds(result)).length;
+  return JSON.stringify({
+    summary: {
+      runs: runs.length,
+      goalReached: count(({ goalTick }) => goalTick !== null),
+      withoutBumps: count(({ bumps }) => bumps === 0),
+      allCellsVisited: count(({ visitedCells, openCells }) => visitedCells === openCells),
+    },
+  });
+}
+
+const csvColumns = [
+  "program",
+  "maze",
+  "ticks",
+  "seconds",
+  "bumps",
+  "visitedCells",
+  "openCells",
+  "distance",
+  "goalReached",
+  "goalTick",
+] as const;
+
+/** A table with a head, for spreadsheets. */
+export function csvTable(runs: readonly GradedRun[]): string[] {
+  const rows = runs.map(({ program, maze, result }) =>
+    [
+      program,
+      maze,
+      result.ticks,
+      round(result.ticks / TICKS_PER_SECOND, 3),
+      result.bumps,
+      result.visitedCells,
+      result.openCells,
+      round(result.distance, 1),
+      result.goalTick !== null,
+      result.goalTick ?? "",
+    ]
+      .map(csvField)
+      .join(","),
+  );
+  return [csvColumns.join(","), ...rows];
+}
+
+function csvField(value: string | number | boolean): string {
+  const text = String(value);
+  // A spreadsheet runs what begins with these as a formula; a quote before it makes it text.
+  const safe = typeof value === "string" && /^[=+\-@\t\r]/.test(text) ? `'${text}` : text;
+  return /[",\r\n]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
+}
+
+function round(value: number, decimals: number): number {
+  return Number(value.toFixed(decimals));
+}

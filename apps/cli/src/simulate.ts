@@ -1,0 +1,31 @@
+/** `simulate`: one program in one maze, one line of JSON. */
+import { CompiledProgram } from "@corridor/program";
+import { replayDigest, TICKS_PER_SECOND, type Inputs } from "@corridor/simulation";
+import { simulateArguments } from "./arguments.ts";
+import { readFiles } from "./read-files.ts";
+import { jsonLine } from "./report.ts";
+import { runProgram, type RunLimits } from "./run-result.ts";
+
+/** @returns the lines to print; throws InputError for bad input */
+export function simulate(words: readonly string[]): string[] {
+  const { maze, program, commands, limits, digest } = simulateArguments(words);
+  const documents = readFiles({
+    mazes: [maze],
+    programs: program === null ? [] : [program],
+    commands: commands === null ? [] : [commands],
+  });
+  return documents.mazes.flatMap((document) => {
+    if (!digest) {
+      return documents.programs.map((each) => jsonLine(runProgram(document, each, limits)));
+    }
+    const programs = documents.programs.map((each) => new CompiledProgram(each));
+    return [...programs, ...documents.commands].map((driver) =>
+      digestLine({ maze: document, driver }, limits),
+    );
+  });
+}
+
+function digestLine(inputs: Inputs, { seconds }: RunLimits): string {
+  const ticks = Math.round(seconds * TICKS_PER_SECOND);
+  return JSON.stringify({ ticks, digest: replayDigest(inputs, ticks) });
+}

@@ -1,0 +1,40 @@
+/** Commands with the tick before which each is given: a drive that can be repeated bit for bit. */
+import { z } from "zod";
+import { commandSchema, type Command } from "./command.ts";
+
+const MAX_TICKS = 60 * 60 * 24 * 60;
+const MAX_COMMANDS = 100_000;
+const tickError = "a tick: a whole number from 0, none smaller than the one before";
+
+/** In the order of their ticks; several may share one, the last of them counts. */
+export const timedCommandsSchema = z
+  .array(
+    z.strictObject({
+      tick: z
+        .int({ error: tickError })
+        .min(0, { error: tickError })
+        .max(MAX_TICKS, { error: tickError }),
+      command: commandSchema,
+    }),
+    { error: 'a list of {"tick": ..., "command": {"action": ...}}' },
+  )
+  .max(MAX_COMMANDS, { error: `at most ${MAX_COMMANDS} commands` })
+  .check((context) => {
+    let before = 0;
+    for (const [index, { tick }] of context.value.entries()) {
+      if (tick < before) {
+        context.issues.push({
+          code: "custom",
+          path: [index, "tick"],
+          message: tickError,
+          input: context.value,
+        });
+      }
+      before = tick;
+    }
+  });
+
+export interface TimedCommand {
+  tick: number;
+  command: Command;
+}

@@ -1,0 +1,43 @@
+/**
+ * A run from its inputs alone: maze and program, or maze and commands at given ticks. The same inputs
+ * give the same digest in every engine and however the ticks are grouped.
+ */
+import type { MazeDocument } from "@corridor/maze";
+import type { TimedCommand } from "@corridor/protocol";
+import { ProgramRun, type Decider } from "./program-run.ts";
+import { Simulation } from "./simulation.ts";
+import { SnapshotDigest } from "./snapshot-digest.ts";
+
+export interface Inputs {
+  maze: MazeDocument;
+  /** what drives: a compiled program, or commands in the order of their ticks */
+  driver: Decider | readonly TimedCommand[];
+}
+
+/**
+ * Runs the inputs from the start.
+ * @param chunk ticks between two early decisions, as between two frames of a page
+ * @returns the digest of the snapshots of all ticks: 16 hexadecimal digits
+ */
+export function replayDigest({ maze, driver }: Inputs, ticks: number, chunk = 1): string {
+  const simulation = new Simulation(maze);
+  const digest = new SnapshotDigest();
+  if ("decide" in driver) {
+    const run = new ProgramRun(simulation, driver);
+    for (let tick = 0; tick < ticks; tick++) {
+      if (tick % chunk === 0) run.decide();
+      run.step();
+      digest.add(simulation.report());
+    }
+    return digest.toString();
+  }
+  let next = 0;
+  for (let tick = 0; tick < ticks; tick++) {
+    for (let due = driver[next]; due?.tick === tick; due = driver[++next]) {
+      simulation.apply(due.command);
+    }
+    simulation.step();
+    digest.add(simulation.report());
+  }
+  return digest.toString();
+}
