@@ -1,0 +1,62 @@
+import { CELL, gridOf, type MazeDocument } from "@corridor/maze";
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { anyMaze } from "../testing/mazes.ts";
+import { castRay } from "./range-sensor.ts";
+
+/** Every border of every solid cell, the slow and obvious way. */
+function bruteForce(maze: MazeDocument, x: number, y: number, dx: number, dy: number): number {
+  let nearest = Number.POSITIVE_INFINITY;
+  for (let row = -1; row <= maze.blocks.length; row++) {
+    for (let column = -1; column <= (maze.blocks[0]?.length ?? 0); column++) {
+      if ((maze.blocks[row]?.[column] ?? "#") !== "#") continue;
+      nearest = Math.min(
+        nearest,
+        entry([column * CELL, row * CELL], [x, y], [dx, dy]) ?? Number.POSITIVE_INFINITY,
+      );
+    }
+  }
+  return nearest;
+}
+
+/** Where a ray enters a cell, by the slab method; undefined where it misses. */
+function entry(corner: number[], from: number[], way: number[]): number | undefined {
+  let near = Number.NEGATIVE_INFINITY;
+  let far = Number.POSITIVE_INFINITY;
+  for (const axis of [0, 1]) {
+    const low = (corner[axis] ?? 0) - (from[axis] ?? 0);
+    const speed = way[axis] ?? 0;
+    if (speed === 0) {
+      if (low > 0 || low + CELL <= 0) return undefined;
+      continue;
+    }
+    const [a, b] = [low / speed, (low + CELL) / speed];
+    near = Math.max(near, Math.min(a, b));
+    far = Math.min(far, Math.max(a, b));
+  }
+  return near <= far && near >= 0 ? near : undefined;
+}
+
+describe("castRay", () => {
+  const anyWay = fc.oneof(
+    fc.constantFrom(0, 90, 180, 270),
+    fc.double({ min: 0, max: 359.99, noNaN: true }),
+  );
+  const inCell = fc.double({ min: 25, max: 75, noNaN: true });
+
+  it("finds the same wall as looking at every block, from anywhere in any direction", () => {
+    fc.assert(
+      fc.property(anyMaze, anyWay, inCell, inCell, (maze, degrees, offsetX, offsetY) => {
+        const x = maze.start.column * CELL + offsetX;
+        const y = maze.start.row * CELL + offsetY;
+        const radians = (degrees * Math.PI) / 180;
+        const isQuarter = degrees % 90 === 0;
+        const dx = isQuarter ? [0, 1, 0, -1][degrees / 90] : Math.sin(radians);
+        const dy = isQuarter ? [-1, 0, 1, 0][degrees / 90] : -Math.cos(radians);
+        const distance = castRay(gridOf(maze), x, y, dx ?? 0, dy ?? 0);
+        expect(distance).toBeCloseTo(bruteForce(maze, x, y, dx ?? 0, dy ?? 0), 6);
+      }),
+      { numRuns: 1000 },
+    );
+  });
+});

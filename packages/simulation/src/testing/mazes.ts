@@ -1,0 +1,65 @@
+/** Mazes and commands for tests: small ones by hand, arbitrary ones for properties. */
+import type { MazeDocument, Start } from "@corridor/maze";
+import type { Command } from "@corridor/protocol";
+import fc from "fast-check";
+
+/** A maze from its rows; the start defaults to the cell (1, 1), facing east. */
+export function mazeOf(
+  blocks: string[],
+  start: Partial<Start> = {},
+  goals: MazeDocument["goals"] = [],
+): MazeDocument {
+  return {
+    format: "corridor/maze",
+    version: 1,
+    name: "test",
+    blocks,
+    start: { column: 1, row: 1, heading: "east", ...start },
+    goals,
+  };
+}
+
+/** Any maze of up to 7 x 7 cells with about a third of blocks. */
+export const anyMaze: fc.Arbitrary<MazeDocument> = fc
+  .record({
+    columns: fc.integer({ min: 1, max: 7 }),
+    rows: fc.integer({ min: 1, max: 7 }),
+    fill: fc.array(fc.integer({ min: 0, max: 2 }), { minLength: 49, maxLength: 49 }),
+    at: fc.nat(),
+    heading: fc.constantFrom("north", "east", "south", "west"),
+  })
+  .map(({ columns, rows, fill, at, heading }) => {
+    const column = at % columns;
+    const row = Math.floor(at / columns) % rows;
+    const blocks = Array.from({ length: rows }, (_, r) =>
+      Array.from({ length: columns }, (_unused, c) =>
+        fill[r * 7 + c] === 0 && !(c === column && r === row) ? "#" : ".",
+      ).join(""),
+    );
+    return mazeOf(blocks, { column, row, heading });
+  });
+
+const power = fc.double({ min: -1, max: 1, noNaN: true });
+
+/** Any command of the protocol. */
+export const anyCommand: fc.Arbitrary<Command> = fc.oneof(
+  fc.constantFrom<Command>(
+    { action: "forward" },
+    { action: "reverse" },
+    { action: "stop" },
+    { action: "left 90" },
+    { action: "right 90" },
+    { action: "turn 180" },
+    { action: "delayed left 90" },
+    { action: "delayed right 90" },
+  ),
+  fc.record({
+    action: fc.constant("move" as const),
+    distance: fc.double({ min: -300, max: 300, noNaN: true }),
+  }),
+  fc.record({
+    action: fc.constant("turn" as const),
+    degrees: fc.double({ min: -200, max: 200, noNaN: true }),
+  }),
+  fc.record({ action: fc.constant("drive" as const), left: power, right: power }),
+);
