@@ -1,0 +1,86 @@
+/**
+ * The table of the 2013 thesis: what each of its programs does in tree mazes and in a corridor.
+ */
+import { generateTree } from "@corridor/maze";
+import { paperPrograms } from "@corridor/program/testing";
+import { CompiledProgram } from "@corridor/program";
+import { ProgramRun, Simulation } from "@corridor/simulation";
+import { describe, expect, it } from "vitest";
+import { runProgram } from "./run-result.ts";
+
+const sizes = [7, 11, 15, 21];
+const seeds = [1, 2, 3, 4, 5, 6, 7, 8];
+const trees = sizes.flatMap((size) =>
+  seeds.map((seed) => ({
+    name: `${size} x ${size}, seed ${seed}`,
+    maze: generateTree({ columns: size, rows: size, seed, name: "tree" }),
+  })),
+);
+
+function figure(number: number) {
+  const found = paperPrograms.find((each) => each.figure === number);
+  if (found === undefined) throw new Error(`no program of Figure ${number}`);
+  return found.program;
+}
+
+/** Time enough to pass every corridor of a tree both ways, turns included. */
+function secondsFor(openCells: number): number {
+  return openCells * 4;
+}
+
+describe.each(trees)("in a tree maze of $name", ({ maze }) => {
+  const openCells = maze.blocks.join("").split(".").length - 1;
+  const limits = { seconds: secondsFor(openCells), until: "time" as const };
+
+  it("Figure 22 visits every open cell without a bump", () => {
+    const { bumps, visitedCells } = runProgram(maze, figure(22), limits);
+    expect({ bumps, visitedCells }).toEqual({ bumps: 0, visitedCells: openCells });
+  });
+
+  it("Figure 23 drives forward whenever possible, else to the farther side, right where equal", () => {
+    const simulation = new Simulation(maze);
+    const decider = new CompiledProgram(figure(23));
+    const run = new ProgramRun(simulation, decider);
+    for (let tick = 0; tick < limits.seconds * 60; tick++) {
+      if (!simulation.isManoeuvring) {
+        const { front, right, left } = simulation.report().sensors;
+        run.decide();
+        const wanted =
+          front > 50
+            ? "forward"
+            : left > right + 1
+              ? "left 90"
+              : left < right + 1
+                ? "right 90"
+                : "forward";
+        expect(decider.actionOf(run.line === "default" ? -1 : run.line)).toBe(wanted);
+      }
+      run.step();
+    }
+    expect(simulation.bumps).toBe(0);
+  });
+
+  it.each([24, 25, 26])("Figure %i bumps at least once", (number) => {
+    const { bumps } = runProgram(maze, figure(number), { ...limits, until: "bump" });
+    expect(bumps).toBeGreaterThanOrEqual(1);
+  });
+});
+
+describe("Figure 19", () => {
+  it.each([3, 8, 30])("goes back and forth in a straight corridor of %i cells", (cells) => {
+    const maze = generateCorridor(cells);
+    const { bumps, visitedCells, openCells, decisions } = runProgram(maze, figure(19), {
+      seconds: cells * 6,
+      until: "time",
+    });
+    expect({ bumps, visitedCells }).toEqual({ bumps: 0, visitedCells: openCells });
+    expect(decisions.rules[0]).toBeGreaterThanOrEqual(2);
+  });
+});
+
+function generateCorridor(cells: number) {
+  const tree = generateTree({ columns: 5, rows: 5, seed: 1, name: "corridor" });
+  const wall = "#".repeat(cells + 2);
+  const start = { column: 1, row: 1, heading: "east" as const };
+  return { ...tree, blocks: [wall, `#${".".repeat(cells)}#`, wall], start, goals: [] };
+}
