@@ -1,0 +1,163 @@
+/**
+ * The four range beams as tape measures, from the robot's centre to the wall, and their readings.
+ * Ticks every 10 cm, longer at 50 and 100. The sensors that the running line reads are lit.
+ */
+import { sensorNames, type SensorName, type Snapshot } from "@corridor/protocol";
+import type { Palette } from "../palette.ts";
+import { placeTags, type PlacedTag, type TagRequest } from "../tag-placement.ts";
+import { viewX, viewY, type Viewport } from "../viewport.ts";
+import { ROBOT_RADIUS } from "./robot.ts";
+
+const TICK = 10;
+/** Ticks closer than this many pixels would be a grey band; only every fifth is drawn then. */
+const TICKS_FROM_PX = 3;
+const TAG_HEIGHT = 22;
+const TAG_PADDING = 7;
+
+/** A unit vector along a sensor's beam. */
+export interface Direction {
+  dx: number;
+  dy: number;
+}
+
+/** Where a sensor looks. @param heading degrees clockwise from north */
+export function beamDirection(sensor: SensorName, heading: number): Direction {
+  const degrees = heading + 90 * sensorNames.indexOf(sensor);
+  const radians = (degrees * Math.PI) / 180;
+  return { dx: Math.sin(radians), dy: -Math.cos(radians) };
+}
+
+/** Draws the beams; `lit` are the sensors that the running line reads. */
+export function drawBeams(
+  context: CanvasRenderingContext2D,
+  viewport: Viewport,
+  palette: Palette,
+  snapshot: Snapshot,
+  lit: readonly SensorName[],
+): void {
+  const x = viewX(viewport, snapshot.pose.x);
+  const y = viewY(viewport, snapshot.pose.y);
+  // Lit beams last, so that nothing lies over them.
+  const inOrder = [...sensorNames].sort(
+    (a, b) => Number(lit.includes(a)) - Number(lit.includes(b)),
+  );
+  for (const sensor of inOrder) {
+    const isLit = lit.includes(sensor);
+    const direction = beamDirection(sensor, snapshot.pose.heading);
+    context.save();
+    context.translate(x, y);
+    // From here on the beam runs along the x axis.
+    context.rotate(Math.atan2(direction.dy, direction.dx));
+    drawBeam(context, viewport, palette, snapshot.sensors[sensor], isLit);
+    context.restore();
+  }
+}
+
+function drawBeam(
+  context: CanvasRenderingContext2D,
+  viewport: Viewport,
+  palette: Palette,
+  reading: number,
+  isLit: boolean,
+): void {
+  const { scale, port } = viewport;
+  // A beam can be 25,600 units long; what lies beyond the view is not drawn.
+  const reach = Math.min(reading, (port.width + port.height) / scale);
+  const length = reach * scale;
+  const band = Math.min(9, Math.max(5, 10 * scale));
+  const colour = isLit ? palette.live : palette.beam;
+  context.lineCap = "butt";
+  if (isLit) {
+    context.strokeStyle = palette.liveSoft;
+    context.lineWidth = band;
+    line(context, 0, 0, length, 0);
+  }
+  context.strokeStyle = colour;
+  context.lineWidth = isLit ? 2.5 : 1.25;
+  line(context, 0, 0, length, 0);
+
+  const step = TICK * scale >= TICKS_FROM_PX ? TICK : TICK * 5;
+  context.beginPath();
+  for (let at = Math.ceil(ROBOT_RADIUS / step) * step; at < reach; at += step) {
+    const half = at % 100 === 0 ? band * 0.75 : at % 50 === 0 ? band * 0.6 : band * 0.3;
+    context.moveTo(at * scale, -half);
+    context.lineTo(at * scale, half);
+  }
+  context.strokeStyle = isLit ? palette.liveInk : palette.beam;
+  context.lineWidth = 1;
+  context.stroke();
+
+  if (reach < reading) return;
+  context.strokeStyle = colour;
+  context.lineWidth = isLit ? 3 : 2.5;
+  const half = Math.min(8, Math.max(4, 10 * scale));
+  line(context, length - 1, -half, length - 1, half);
+}
+
+/** Draws the readings in their tags. */
+export function drawReadings(
+  context: CanvasRenderingContext2D,
+  viewport: Viewport,
+  palette: Palette,
+  snapshot: Snapshot,
+  lit: readonly SensorName[],
+): void {
+  context.font = `600 14px ${palette.font}`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  for (const tag of placeReadings(context, viewport, snapshot, lit)) {
+    const isLit = lit.includes(tag.name);
+    context.beginPath();
+    context.roundRect(tag.x + 0.5, tag.y + 0.5, tag.width - 1, tag.height - 1, 6);
+    context.fillStyle = isLit ? palette.live : palette.surface;
+    context.fill();
+    context.strokeStyle = isLit ? palette.live : palette.edge;
+    context.lineWidth = 1;
+    context.stroke();
+    context.fillStyle = isLit ? palette.onLive : palette.ink;
+    const text = readingText(snapshot.sensors[tag.name]);
+    context.fillText(text, tag.x + tag.width / 2, tag.y + tag.height / 2 + 0.5);
+  }
+}
+
+/** A reading as it is written on the stage: whole centimetres. */
+function readingText(reading: number): string {
+  return String(Math.round(reading));
+}
+
+function placeReadings(
+  context: CanvasRenderingContext2D,
+  viewport: Viewport,
+  snapshot: Snapshot,
+  lit: readonly SensorName[],
+): PlacedTag<SensorName>[] {
+  const { scale, port } = viewport;
+  const requests = sensorNames.map((name): TagRequest<SensorName> => ({
+    name,
+    ...beamDirection(name, snapshot.pose.heading),
+    length: snapshot.sensors[name] * scale,
+    width:
+      Math.ceil(context.measureText(readingText(snapshot.sensors[name])).width) + 2 * TAG_PADDING,
+    height: TAG_HEIGHT,
+  }));
+  requests.sort((a, b) => Number(lit.includes(b.name)) - Number(lit.includes(a.name)));
+  const robot = {
+    x: viewX(viewport, snapshot.pose.x),
+    y: viewY(viewport, snapshot.pose.y),
+    radius: (ROBOT_RADIUS + 3) * scale,
+  };
+  return placeTags(requests, robot, port);
+}
+
+function line(
+  context: CanvasRenderingContext2D,
+  fromX: number,
+  fromY: number,
+  toX: number,
+  toY: number,
+): void {
+  context.beginPath();
+  context.moveTo(fromX, fromY);
+  context.lineTo(toX, toY);
+  context.stroke();
+}

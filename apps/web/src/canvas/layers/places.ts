@@ -1,0 +1,148 @@
+/** Start and goals: dashed square with the first heading, and the flag. */
+import type { Cell, HeadingName, MazeDocument, Start } from "@corridor/maze";
+import type { Palette } from "../palette.ts";
+import { CELL, visibleCells, viewX, viewY, type Box, type Viewport } from "../viewport.ts";
+
+/** The words that are drawn; they come from the page's catalogue. */
+export interface PlaceWords {
+  startWord: string;
+  goalWord: string;
+}
+
+/** Smallest square in which a word can be read. */
+const WORD_FROM_PX = 60;
+/** Lucide's "flag", in its 24 x 24 box, as in the tool strip. */
+const FLAG = "M5 21v-6.2M5 14.8c6.6-4.4 8.4 2.6 15 0V4.2c-6.6 2.6-8.4-4.4-15 0z";
+
+const quarterTurns: Record<HeadingName, number> = { north: 0, east: 1, south: 2, west: 3 };
+
+/** Draws start and goals inside the port. */
+export function drawPlaces(
+  context: CanvasRenderingContext2D,
+  viewport: Viewport,
+  palette: Palette,
+  maze: MazeDocument,
+  words: PlaceWords,
+): void {
+  const range = visibleCells(viewport);
+  const isVisible = ({ column, row }: Cell): boolean =>
+    column >= range.fromColumn &&
+    column < range.toColumn &&
+    row >= range.fromRow &&
+    row < range.toRow;
+  for (const goal of maze.goals) {
+    if (isVisible(goal)) drawGoal(context, cellBox(viewport, goal), palette, words.goalWord);
+  }
+  if (isVisible(maze.start)) {
+    drawStart(context, cellBox(viewport, maze.start), palette, maze.start, words.startWord);
+  }
+}
+
+/** The pixels of one cell. */
+export function cellBox(viewport: Viewport, cell: Cell): Box {
+  const side = viewport.scale * CELL;
+  return {
+    x: viewX(viewport, cell.column * CELL),
+    y: viewY(viewport, cell.row * CELL),
+    width: side,
+    height: side,
+  };
+}
+
+/** A goal in one cell. */
+export function drawGoal(
+  context: CanvasRenderingContext2D,
+  box: Box,
+  palette: Palette,
+  word: string,
+): void {
+  const inset = Math.max(1.5, box.width * 0.04);
+  context.beginPath();
+  context.roundRect(
+    box.x + inset,
+    box.y + inset,
+    box.width - 2 * inset,
+    box.height - 2 * inset,
+    Math.min(6, box.width * 0.12),
+  );
+  context.fillStyle = palette.goodBg;
+  context.fill();
+  context.strokeStyle = palette.good;
+  context.lineWidth = 1.5;
+  context.stroke();
+  const hasWord = box.width >= WORD_FROM_PX;
+  const flag = Math.min(22, box.width * 0.6);
+  context.save();
+  context.translate(
+    box.x + box.width / 2 - flag / 2,
+    box.y + box.height / 2 - flag * (hasWord ? 0.95 : 0.5),
+  );
+  context.scale(flag / 24, flag / 24);
+  context.lineWidth = 2.2;
+  context.lineJoin = "round";
+  context.lineCap = "round";
+  context.strokeStyle = palette.goodInk;
+  context.stroke(new Path2D(FLAG));
+  context.restore();
+  if (hasWord) {
+    label(context, palette, palette.goodInk, word, box, box.y + box.height / 2 + 16);
+  }
+}
+
+/** The start in one cell, with an arrow head that points where the robot will face. */
+export function drawStart(
+  context: CanvasRenderingContext2D,
+  box: Box,
+  palette: Palette,
+  start: Start,
+  word: string,
+): void {
+  const inset = Math.max(2, box.width * 0.05);
+  context.beginPath();
+  context.roundRect(
+    box.x + inset,
+    box.y + inset,
+    box.width - 2 * inset,
+    box.height - 2 * inset,
+    Math.min(5, box.width * 0.1),
+  );
+  context.strokeStyle = palette.edge;
+  context.lineWidth = 1.5;
+  context.setLineDash(box.width >= WORD_FROM_PX ? [4, 3] : [3, 2]);
+  context.stroke();
+  context.setLineDash([]);
+  const size = Math.min(7, Math.max(3, box.width * 0.09));
+  context.save();
+  context.translate(box.x + box.width / 2, box.y + box.height / 2);
+  context.rotate((quarterTurns[start.heading] * Math.PI) / 2);
+  context.translate(0, -box.width / 2 + inset + 2);
+  context.beginPath();
+  context.moveTo(-size, size);
+  context.lineTo(0, 0);
+  context.lineTo(size, size);
+  context.closePath();
+  context.fillStyle = palette.edge;
+  context.fill();
+  context.restore();
+  if (box.width >= WORD_FROM_PX) {
+    // A robot that stands here covers the middle; the word stays readable below it.
+    const isDown = start.heading === "south";
+    const y = isDown ? box.y + inset + 12 : box.y + box.height - inset - 11;
+    label(context, palette, palette.ink3, word, box, y);
+  }
+}
+
+function label(
+  context: CanvasRenderingContext2D,
+  palette: Palette,
+  colour: string,
+  text: string,
+  box: Box,
+  y: number,
+): void {
+  context.font = `600 12px ${palette.font}`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.fillStyle = colour;
+  context.fillText(text, box.x + box.width / 2, y, box.width - 8);
+}

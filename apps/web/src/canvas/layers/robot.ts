@@ -1,0 +1,94 @@
+/**
+ * The robot: one drawing, three faces. Shapes are in units around its centre, facing north,
+ * and equal the SVG files of the design.
+ */
+import type { Snapshot } from "@corridor/protocol";
+import type { Palette } from "../palette.ts";
+import { viewX, viewY, type Viewport } from "../viewport.ts";
+
+/** The robot's disc, in units (CONTRACT: radius 25). */
+export const ROBOT_RADIUS = 25;
+
+export type Face = "driving" | "bumped" | "solved";
+
+/** The face that a snapshot asks for; a bump shows even on the goal. */
+export function faceOf(snapshot: Pick<Snapshot, "bumping" | "goalReached">): Face {
+  if (snapshot.bumping) return "bumped";
+  return snapshot.goalReached ? "solved" : "driving";
+}
+
+const BODY = "M-20-8C-20-19-12-25 0-25S20-19 20-8V10C20 19 14 24 6 24H-6C-14 24-20 19-20 10z";
+const faces: Record<
+  Face,
+  { eyes: string; eyesWidth: number; mouth: string; isMouthOpen: boolean }
+> = {
+  driving: {
+    eyes: "M-11-9.5a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0-7 0M4-9.5a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0-7 0",
+    eyesWidth: 0,
+    mouth: "M-5 9q5 4.5 10 0",
+    isMouthOpen: false,
+  },
+  bumped: {
+    eyes: "M-10-12l5 5m0-5-5 5M5-12l5 5m0-5-5 5",
+    eyesWidth: 2.4,
+    mouth: "M-3.4 11a3.4 4 0 1 0 6.8 0a3.4 4 0 1 0-6.8 0",
+    isMouthOpen: true,
+  },
+  solved: {
+    eyes: "M-11-8q3.5-5 7 0M4-8q3.5-5 7 0",
+    eyesWidth: 2.6,
+    mouth: "M-7 7h14q-1.5 8-7 8t-7-8z",
+    isMouthOpen: true,
+  },
+};
+
+/** Draws the robot at its pose. */
+export function drawRobot(
+  context: CanvasRenderingContext2D,
+  viewport: Viewport,
+  palette: Palette,
+  pose: Snapshot["pose"],
+  face: Face,
+): void {
+  const { eyes, eyesWidth, mouth, isMouthOpen } = faces[face];
+  context.save();
+  context.translate(viewX(viewport, pose.x), viewY(viewport, pose.y));
+  context.rotate((pose.heading * Math.PI) / 180);
+  context.scale(viewport.scale, viewport.scale);
+  context.lineCap = "round";
+
+  context.fillStyle = palette.robotWheel;
+  context.beginPath();
+  context.roundRect(-26, -15, 9, 30, 4.5);
+  context.roundRect(17, -15, 9, 30, 4.5);
+  context.fill();
+
+  const body = new Path2D(BODY);
+  context.fillStyle = palette.live;
+  context.fill(body);
+  context.strokeStyle = palette.robotEdge;
+  context.lineWidth = 2;
+  context.stroke(body);
+
+  context.fillStyle = palette.robotVisor;
+  context.beginPath();
+  context.roundRect(-15, -17, 30, 15, 7.5);
+  context.fill();
+  if (eyesWidth === 0) {
+    context.fillStyle = palette.robotEye;
+    context.fill(new Path2D(eyes));
+  } else {
+    context.strokeStyle = palette.robotEye;
+    context.lineWidth = eyesWidth;
+    context.stroke(new Path2D(eyes));
+  }
+  if (isMouthOpen) {
+    context.fillStyle = palette.robotVisor;
+    context.fill(new Path2D(mouth));
+  } else {
+    context.strokeStyle = palette.robotVisor;
+    context.lineWidth = 2.6;
+    context.stroke(new Path2D(mouth));
+  }
+  context.restore();
+}

@@ -1,0 +1,96 @@
+/**
+ * The trail: a broad line with a dot every 25 cm.
+ *
+ * Dots stand at round coordinates rather than at round distances, so that a robot that drives the
+ * same corridor again puts them onto the old ones, and a dot is a place in the maze.
+ */
+import type { Palette } from "../palette.ts";
+import type { Points } from "../trail.ts";
+import { viewX, viewY, type Viewport } from "../viewport.ts";
+
+/** Units between dots. */
+const DOT_EVERY = 25;
+/** Below this many pixels between dots they would be a second line. */
+const DOTS_FROM_PX = 6;
+
+/** Width of the line in pixels at a scale. */
+function widthAt(scale: number): number {
+  return Math.min(7, Math.max(3, 7 * scale));
+}
+
+/** Draws a piece of the trail over what is there. `points`: x and y by turns, in units. */
+export function drawTrail(
+  context: CanvasRenderingContext2D,
+  viewport: Viewport,
+  palette: Palette,
+  points: Points,
+): void {
+  const { port } = viewport;
+  const width = widthAt(viewport.scale);
+  const hasDots = DOT_EVERY * viewport.scale >= DOTS_FROM_PX;
+  const dots: number[] = [];
+  const put = (x: number, y: number): void => {
+    dots.push(viewX(viewport, x), viewY(viewport, y));
+  };
+  let isPenDown = false;
+  context.beginPath();
+  for (let at = 0; at + 3 < points.length; at += 2) {
+    const x0 = points[at] ?? 0;
+    const y0 = points[at + 1] ?? 0;
+    const x1 = points[at + 2] ?? 0;
+    const y1 = points[at + 3] ?? 0;
+    const fromX = viewX(viewport, x0);
+    const fromY = viewY(viewport, y0);
+    const toX = viewX(viewport, x1);
+    const toY = viewY(viewport, y1);
+    const isOutside =
+      Math.max(fromX, toX) < port.x - width ||
+      Math.min(fromX, toX) > port.x + port.width + width ||
+      Math.max(fromY, toY) < port.y - width ||
+      Math.min(fromY, toY) > port.y + port.height + width;
+    if (isOutside) {
+      isPenDown = false;
+      continue;
+    }
+    if (!isPenDown) context.moveTo(fromX, fromY);
+    isPenDown = true;
+    context.lineTo(toX, toY);
+    if (hasDots) eachDot(x0, y0, x1, y1, put);
+  }
+  context.lineCap = "round";
+  context.lineJoin = "round";
+  context.lineWidth = width;
+  context.strokeStyle = palette.liveSoft;
+  context.stroke();
+
+  const size = width < 5 ? 1.5 : 2;
+  context.fillStyle = palette.liveInk;
+  for (let at = 0; at + 1 < dots.length; at += 2) {
+    context.fillRect((dots[at] ?? 0) - size / 2, (dots[at + 1] ?? 0) - size / 2, size, size);
+  }
+}
+
+/**
+ * Visits every point of a segment whose coordinate along the segment's longer axis is a multiple
+ * of 25. A dot at the very end is visited by every segment that touches it, so none gets lost under
+ * the round end of the next piece.
+ */
+export function eachDot(
+  x0: number,
+  y0: number,
+  x1: number,
+  y1: number,
+  visit: (x: number, y: number) => void,
+): void {
+  const isWide = Math.abs(x1 - x0) >= Math.abs(y1 - y0);
+  const [from, to, crossFrom, crossTo] = isWide ? [x0, x1, y0, y1] : [y0, y1, x0, x1];
+  if (from === to) return;
+  const low = Math.ceil(Math.min(from, to) / DOT_EVERY);
+  const high = Math.floor(Math.max(from, to) / DOT_EVERY);
+  for (let number = low; number <= high; number++) {
+    const along = number * DOT_EVERY;
+    const across = crossFrom + ((along - from) / (to - from)) * (crossTo - crossFrom);
+    if (isWide) visit(along, across);
+    else visit(across, along);
+  }
+}

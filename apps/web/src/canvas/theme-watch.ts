@@ -1,0 +1,30 @@
+/** Tells when the page's colours may have changed: another theme, or the system's. */
+
+/** @returns a function that ends it */
+export function watchTheme(onChange: () => void): () => void {
+  const root = document.documentElement;
+  const observer = new MutationObserver(onChange);
+  observer.observe(root, { attributes: true, attributeFilter: ["data-theme"] });
+  const system = window.matchMedia("(prefers-color-scheme: dark)");
+  system.addEventListener("change", onChange);
+  // Words on the canvas are drawn once; they must not stay in the fallback font.
+  document.fonts.addEventListener("loadingdone", onChange);
+  return () => {
+    observer.disconnect();
+    system.removeEventListener("change", onChange);
+    document.fonts.removeEventListener("loadingdone", onChange);
+  };
+}
+
+/** Tells when the window moves to a screen of another pixel density. @returns a function that ends it */
+export function watchPixelRatio(onChange: (pixelRatio: number) => void): () => void {
+  let query: MediaQueryList | null = null;
+  const listen = (): void => {
+    query?.removeEventListener("change", listen);
+    query = window.matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`);
+    query.addEventListener("change", listen);
+    onChange(window.devicePixelRatio);
+  };
+  listen();
+  return () => query?.removeEventListener("change", listen);
+}

@@ -1,0 +1,186 @@
+/**
+ * Where the maze stands in the stage: centimetres to pixels and back.
+ *
+ * Pure. "View" is the visible drawing area in CSS pixels; "content" is what can be scrolled through,
+ * which is the view itself as long as the whole maze fits. Squares are whole pixels wide, so that
+ * hairlines stay sharp.
+ */
+
+/** Units along one side of a cell. */
+export const CELL = 100;
+/** Below this the robot and its readings can no longer be told apart: 0.3 px per unit. */
+export const MIN_CELL_PX = 30;
+/** On phones an 11-column maze still fits a screen of 320 px. */
+export const MIN_CELL_PX_COMPACT = 27;
+/** A tiny maze does not blow the robot up to the size of the screen: 2 px per unit. */
+const MAX_CELL_PX = 200;
+
+/** Free pixels around the maze: for rulers, and for the reader's eye. */
+export interface Padding {
+  top: number;
+  right: number;
+  bottom: number;
+  left: number;
+}
+
+/** A rectangle in CSS pixels. */
+export interface Box {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
+/** How the stage is divided, for one size of maze and screen. */
+export interface Layout {
+  columns: number;
+  rows: number;
+  /** side of a cell in whole CSS pixels */
+  cellPx: number;
+  view: { width: number; height: number };
+  /** size of what can be scrolled through, at least the view */
+  content: { width: number; height: number };
+  /** top-left corner of the maze in the content */
+  origin: { x: number; y: number };
+  /** the part of the view in which the maze may show */
+  port: Box;
+  /** whether only a part of the maze shows at a time */
+  overflows: boolean;
+}
+
+/** The transformation for drawing: view pixel = origin + units * scale. */
+export interface Viewport {
+  /** CSS pixels per unit */
+  scale: number;
+  originX: number;
+  originY: number;
+  port: Box;
+  columns: number;
+  rows: number;
+}
+
+/** Scroll position of the content in CSS pixels. */
+export interface Scroll {
+  x: number;
+  y: number;
+}
+
+/** Divides a view for a maze: the largest whole squares that fit, else the smallest that can be read. */
+export function layOut(
+  maze: { columns: number; rows: number },
+  view: { width: number; height: number },
+  padding: Padding,
+  minCellPx: number,
+): Layout {
+  const { columns, rows } = maze;
+  const roomX = Math.max(1, view.width - padding.left - padding.right);
+  const roomY = Math.max(1, view.height - padding.top - padding.bottom);
+  const fitting = Math.floor(Math.min(roomX / columns, roomY / rows));
+  const cellPx = Math.min(MAX_CELL_PX, Math.max(minCellPx, fitting));
+  const width = columns * cellPx;
+  const height = rows * cellPx;
+  const isWide = width > roomX;
+  const isTall = height > roomY;
+  const origin = {
+    x: padding.left + (isWide ? 0 : Math.floor((roomX - width) / 2)),
+    y: padding.top + (isTall ? 0 : Math.floor((roomY - height) / 2)),
+  };
+  return {
+    columns,
+    rows,
+    cellPx,
+    view,
+    content: {
+      width: isWide ? width + padding.left + padding.right : view.width,
+      height: isTall ? height + padding.top + padding.bottom : view.height,
+    },
+    origin,
+    // A maze that is cut begins at its padding, so the port does too, wherever it is scrolled.
+    port: { ...origin, width: Math.min(width, roomX), height: Math.min(height, roomY) },
+    overflows: isWide || isTall,
+  };
+}
+
+/** The transformation at a scroll position. */
+export function viewportAt(layout: Layout, scroll: Scroll): Viewport {
+  return {
+    scale: layout.cellPx / CELL,
+    originX: layout.origin.x - scroll.x,
+    originY: layout.origin.y - scroll.y,
+    port: layout.port,
+    columns: layout.columns,
+    rows: layout.rows,
+  };
+}
+
+/** View pixel of a horizontal position in units. */
+export function viewX(viewport: Viewport, x: number): number {
+  return viewport.originX + x * viewport.scale;
+}
+
+/** View pixel of a vertical position in units. */
+export function viewY(viewport: Viewport, y: number): number {
+  return viewport.originY + y * viewport.scale;
+}
+
+/**
+ * The cell under a point.
+ * @param x pixels from the maze's left edge
+ * @param y pixels from the maze's top edge
+ * @returns null outside of the maze
+ */
+export function cellAt(
+  layout: Layout,
+  x: number,
+  y: number,
+): { column: number; row: number } | null {
+  const column = Math.floor(x / layout.cellPx);
+  const row = Math.floor(y / layout.cellPx);
+  const isInside = column >= 0 && row >= 0 && column < layout.columns && row < layout.rows;
+  return isInside ? { column, row } : null;
+}
+
+/** Cells that show, as half-open ranges; drawing anything else would be wasted. */
+export interface CellRange {
+  fromColumn: number;
+  toColumn: number;
+  fromRow: number;
+  toRow: number;
+}
+
+/** The cells that touch the port. */
+export function visibleCells(viewport: Viewport): CellRange {
+  const { port, originX, originY, columns, rows } = viewport;
+  const cellPx = viewport.scale * CELL;
+  const clamp = (value: number, most: number) => Math.min(most, Math.max(0, value));
+  return {
+    fromColumn: clamp(Math.floor((port.x - originX) / cellPx), columns),
+    toColumn: clamp(Math.ceil((port.x + port.width - originX) / cellPx), columns),
+    fromRow: clamp(Math.floor((port.y - originY) / cellPx), rows),
+    toRow: clamp(Math.ceil((port.y + port.height - originY) / cellPx), rows),
+  };
+}
+
+/** Share of the port at each side in which the robot makes the stage move on. */
+const FOLLOW_MARGIN = 0.2;
+
+/**
+ * Where to scroll so that a point stays in sight: nowhere while it is well inside, else so that it
+ * stands in the middle. Jumps instead of creeping, so that walls are not drawn anew on every frame.
+ * @param x position in units
+ * @param y position in units
+ */
+export function followScroll(layout: Layout, scroll: Scroll, x: number, y: number): Scroll {
+  const scale = layout.cellPx / CELL;
+  const along = (at: number, now: number, from: number, length: number, most: number): number => {
+    const inPort = at - now - from;
+    const margin = Math.min(length * FOLLOW_MARGIN, length / 2);
+    if (inPort >= margin && inPort <= length - margin) return now;
+    return Math.min(most, Math.max(0, Math.round(at - from - length / 2)));
+  };
+  const { port, origin, content, view } = layout;
+  return {
+    x: along(origin.x + x * scale, scroll.x, port.x, port.width, content.width - view.width),
+    y: along(origin.y + y * scale, scroll.y, port.y, port.height, content.height - view.height),
+  };
+}

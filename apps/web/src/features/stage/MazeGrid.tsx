@@ -1,0 +1,107 @@
+/**
+ * The maze as a grid for the keyboard and for screen readers, lying invisibly over its picture; the
+ * pointer is taken here too. Only the squares around the cursor exist in the page: a maze may have
+ * 65,536 of them.
+ */
+import { sizeOf, type Cell } from "@corridor/maze";
+import { useId, useState, type KeyboardEvent, type RefObject } from "react";
+import { flushSync } from "react-dom";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { cellLabel } from "./cell-label.ts";
+import { around, clampCell, moveCursor } from "./grid-cursor.ts";
+import { cellOf, facingOf, type Facing } from "./robot-place.ts";
+import type { StageController } from "./stage-controller.ts";
+import styles from "./stage.module.css";
+
+interface MazeGridProps {
+  controller: StageController;
+  element: RefObject<HTMLTableElement | null>;
+}
+
+export function MazeGrid({ controller, element }: MazeGridProps) {
+  const { workspace, run } = useServices();
+  const { t } = useTranslation();
+  const maze = useStore(workspace, (state) => state.maze);
+  const layout = useStore(controller.view, (view) => view.layout);
+  const chosen = useStore(controller.view, (view) => view.cursor);
+  // One text, so that the grid is built anew when the robot enters a square, not when it moves.
+  const robot = useStore(run, ({ snapshot }) => {
+    if (snapshot === null) return "";
+    const { column, row } = cellOf(snapshot.pose);
+    return `${column},${row},${facingOf(snapshot.pose.heading)}`;
+  });
+  const helpId = useId();
+  const [news, setNews] = useState("");
+  const size = sizeOf(maze);
+  const cursor = clampCell(chosen ?? maze.start, size);
+  const side = layout?.cellPx ?? 0;
+  const labelOf = (cell: Cell): string => cellLabel(t, maze, cell, robotFacingOn(robot, cell));
+
+  function onKeyDown(event: KeyboardEvent<HTMLTableCellElement>): void {
+    if (event.key === " " || event.key === "Enter") {
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      controller.editor.press(cursor);
+      setNews(cellLabel(t, workspace.getState().maze, cursor, robotFacingOn(robot, cursor)));
+      return;
+    }
+    const next = moveCursor(cursor, event, size);
+    if (next === null) return;
+    event.preventDefault();
+    // The square must exist before it can have the focus.
+    flushSync(() => controller.view.setState({ cursor: next }));
+    element.current?.querySelector<HTMLElement>('[tabindex="0"]')?.focus();
+  }
+
+  return (
+    <>
+      <table
+        ref={element}
+        // oxlint-disable-next-line jsx-a11y/no-noninteractive-element-to-interactive-role -- ARIA's own pattern: a table becomes a grid
+        role="grid"
+        aria-label={t("stage.name")}
+        aria-describedby={helpId}
+        aria-rowcount={size.rows}
+        aria-colcount={size.columns}
+        className={layout?.overflows === true ? styles["gridScrolling"] : styles["grid"]}
+        style={{
+          left: layout?.origin.x,
+          top: layout?.origin.y,
+          width: side * size.columns,
+          height: side * size.rows,
+        }}
+      >
+        <tbody>
+          {around(cursor.row, size.rows).map((row) => (
+            <tr key={row} aria-rowindex={row + 1}>
+              {around(cursor.column, size.columns).map((column) => (
+                <td
+                  key={column}
+                  aria-colindex={column + 1}
+                  aria-label={labelOf({ column, row })}
+                  tabIndex={column === cursor.column && row === cursor.row ? 0 : -1}
+                  className={styles["cell"]}
+                  style={{ left: column * side, top: row * side, width: side, height: side }}
+                  onKeyDown={onKeyDown}
+                />
+              ))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      <p id={helpId} hidden>
+        {t("stage.gridHelp")}
+      </p>
+      <output className="visually-hidden">{news}</output>
+    </>
+  );
+}
+
+/** The way that the robot faces if it is on this square. @param robot "column,row,facing" or "" */
+function robotFacingOn(robot: string, cell: Cell): Facing | null {
+  const [column, row, facing] = robot.split(",");
+  const isHere = Number(column) === cell.column && Number(row) === cell.row && robot !== "";
+  return isHere ? (facing as Facing) : null;
+}

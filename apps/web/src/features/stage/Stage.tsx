@@ -1,0 +1,51 @@
+/** The maze with the robot, the tools that change it, and what its measures mean. */
+import { useEffect, useRef, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { MazeGrid } from "./MazeGrid.tsx";
+import { StageController } from "./stage-controller.ts";
+import { StageLegend } from "./StageLegend.tsx";
+import { ToolStrip } from "./ToolStrip.tsx";
+import styles from "./stage.module.css";
+
+/** Fills its grid area. It keeps the trail, so it stays mounted while the page's layout changes. */
+export function Stage() {
+  const services = useServices();
+  const { t, i18n } = useTranslation();
+  const [controller] = useState(() => new StageController(services, i18n));
+  const layout = useStore(controller.view, (view) => view.layout);
+  const scroller = useRef<HTMLDivElement>(null);
+  const grid = useRef<HTMLTableElement>(null);
+  const maze = useRef<HTMLCanvasElement>(null);
+  const trail = useRef<HTMLCanvasElement>(null);
+  const live = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    if (scroller.current === null || grid.current === null) return undefined;
+    if (maze.current === null || trail.current === null || live.current === null) return undefined;
+    return controller.mount({
+      scroller: scroller.current,
+      grid: grid.current,
+      canvases: { maze: maze.current, trail: trail.current, live: live.current },
+    });
+  }, [controller]);
+  return (
+    <section className={styles["stage"]} aria-label={t("stage.name")}>
+      <ToolStrip />
+      <div
+        ref={scroller}
+        className={layout?.overflows === true ? styles["scroller"] : styles["still"]}
+      >
+        <div className={styles["content"]} style={layout?.content}>
+          <div className={styles["layers"]} style={layout?.view} aria-hidden="true">
+            <canvas ref={maze} className={styles["layer"]} />
+            <canvas ref={trail} className={styles["layer"]} />
+            <canvas ref={live} className={styles["layer"]} />
+          </div>
+          <MazeGrid controller={controller} element={grid} />
+        </div>
+      </div>
+      <StageLegend view={controller.view} />
+    </section>
+  );
+}

@@ -1,0 +1,61 @@
+/** Below the maze: the scale, and where the robot is. */
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { facingOf } from "./robot-place.ts";
+import type { StageViewStore } from "./stage-view.ts";
+import { scaleBar } from "./scale-bar.ts";
+import styles from "./stage.module.css";
+
+export function StageLegend({ view }: { view: StageViewStore }) {
+  const { t } = useTranslation();
+  return (
+    <div className={styles["legend"]}>
+      <ScaleBar view={view} />
+      <span className={styles["block"]}>{t("stage.block")}</span>
+      <RobotPlace />
+    </div>
+  );
+}
+
+/** Said when it is read, not each time it changes: the panel's bumps and goals are news, this is not. */
+function RobotPlace() {
+  const { run } = useServices();
+  const { t } = useTranslation();
+  const x = useStore(run, ({ snapshot }) => Math.round(snapshot?.pose.x ?? 0));
+  const y = useStore(run, ({ snapshot }) => Math.round(snapshot?.pose.y ?? 0));
+  const facing = useStore(run, ({ snapshot }) => facingOf(snapshot?.pose.heading ?? 0));
+  const isKnown = useStore(run, ({ snapshot }) => snapshot !== null);
+  if (!isKnown) return null;
+  return (
+    <span className={styles["place"]}>
+      {t("stage.robotAt", { x, y, facing: t(`stage.facing.${facing}`) })}
+    </span>
+  );
+}
+
+function ScaleBar({ view }: { view: StageViewStore }) {
+  const { t } = useTranslation();
+  const cellPx = useStore(view, ({ layout }) => layout?.cellPx ?? 0);
+  if (cellPx === 0) return null;
+  const { units, width, ticks } = scaleBar(cellPx);
+  return (
+    <svg className={styles["scale"]} width={width + 60} height={28} aria-hidden="true">
+      <rect className={styles["scaleFill"]} x={1} y={1} width={width / 2} height={5} />
+      <rect className={styles["scaleFrame"]} x={1} y={1} width={width} height={5} />
+      <path
+        className={styles["scaleFrame"]}
+        d={ticks.map((x, at) => `M${x + 1} 8v${at % 5 === 0 ? 4 : 2}`).join("")}
+      />
+      <text x={1} y={24}>
+        0
+      </text>
+      <text x={1 + width / 2} y={24} className={styles["scaleMiddle"]}>
+        {units / 2}
+      </text>
+      <text x={width - 8} y={24}>
+        {t("stage.cm", { number: units })}
+      </text>
+    </svg>
+  );
+}

@@ -1,0 +1,68 @@
+/** Above the maze: what a press on a square does, and what is done to the whole maze. */
+import { Eraser, Flag, Grid2x2Plus, LocateFixed, Redo2, Scaling, Undo2 } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import type { Tool } from "../../stores/screen-store.ts";
+import { redo, undo } from "../../stores/workspace-store.ts";
+import { IconButton } from "../../ui/Button.tsx";
+import { Segmented } from "../../ui/Segmented.tsx";
+import { ClearMaze } from "./ClearMaze.tsx";
+import { ResizeMaze } from "./ResizeMaze.tsx";
+import { ViewMenu } from "./ViewMenu.tsx";
+import styles from "./tool-strip.module.css";
+
+const icons: Record<Tool, typeof Flag> = {
+  blocks: Grid2x2Plus,
+  start: LocateFixed,
+  goal: Flag,
+};
+
+export function ToolStrip() {
+  const { screen } = useServices();
+  const { t } = useTranslation();
+  const tool = useStore(screen, (state) => state.tool);
+  return (
+    <div className={styles["strip"]}>
+      <div className={styles["tools"]}>
+        <Segmented
+          look="strip"
+          label={t("stage.tools")}
+          value={tool}
+          options={(["blocks", "start", "goal"] as const).map((value) => {
+            const Icon = icons[value];
+            return {
+              value,
+              label: t(`stage.tool.${value}`),
+              icon: <Icon aria-hidden="true" />,
+            };
+          })}
+          onChange={(value) => screen.setState({ tool: value })}
+        />
+      </div>
+      <div className={styles["edits"]}>
+        <HistoryButtons />
+        <ClearMaze icon={<Eraser aria-hidden="true" />} />
+        <ResizeMaze icon={<Scaling aria-hidden="true" />} />
+      </div>
+      <ViewMenu />
+    </div>
+  );
+}
+
+function HistoryButtons() {
+  const { workspace } = useServices();
+  const { t } = useTranslation();
+  const canUndo = useStore(workspace.temporal, (history) => history.pastStates.length > 0);
+  const canRedo = useStore(workspace.temporal, (history) => history.futureStates.length > 0);
+  return (
+    <>
+      <IconButton label={t("stage.undo")} disabled={!canUndo} onClick={() => undo(workspace)}>
+        <Undo2 aria-hidden="true" />
+      </IconButton>
+      <IconButton label={t("stage.redo")} disabled={!canRedo} onClick={() => redo(workspace)}>
+        <Redo2 aria-hidden="true" />
+      </IconButton>
+    </>
+  );
+}

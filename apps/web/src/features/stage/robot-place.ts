@@ -1,0 +1,28 @@
+/** Where the robot is, in words: the square it stands on and the way it faces. Pure. */
+import type { Pose } from "@corridor/protocol";
+import type { Cell } from "@corridor/maze";
+import { CELL } from "../../canvas/viewport.ts";
+
+const facings = [
+  "up",
+  "upRight",
+  "right",
+  "downRight",
+  "down",
+  "downLeft",
+  "left",
+  "upLeft",
+] as const;
+
+/** One of eight ways, as the reader sees the stage. */
+export type Facing = (typeof facings)[number];
+
+/** The nearest of eight ways. @param heading degrees clockwise from north */
+export function facingOf(heading: number): Facing {
+  return facings[Math.round(heading / 45) % 8] ?? "up";
+}
+
+/** The square under the robot's centre. */
+export function cellOf(pose: Pose): Cell {
+  return { column: Math.floor(pose.x / CELL), row: Math.floor(pose.y / CELL) };
+}

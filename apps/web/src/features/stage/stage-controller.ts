@@ -1,0 +1,198 @@
+/**
+ * Everything of the stage that is not React: connects the stores, the pointer and the renderer.
+ * Components hand their elements over in `mount` and read the view store.
+ */
+import { MAX_GOALS, MAX_SIDE, sizeOf, type Cell } from "@corridor/maze";
+import type { i18n } from "i18next";
+import type { Services } from "../../app/services.ts";
+import { PointerInput, type PointerFacts } from "../../canvas/pointer-input.ts";
+import { readPalette, type Palette } from "../../canvas/palette.ts";
+import { StageRenderer, type LayerCanvases } from "../../canvas/renderer.ts";
+import { watchPixelRatio, watchTheme } from "../../canvas/theme-watch.ts";
+import { cellAt } from "../../canvas/viewport.ts";
+import { tell } from "../../stores/screen-store.ts";
+import { MazeEditor } from "./maze-editor.ts";
+import { hasRulers, stageLayout } from "./stage-layout.ts";
+import { createStageView } from "./stage-view.ts";
+import { ghostOf, type ToolRefusal } from "./tool-edit.ts";
+
+/** The elements that the stage is drawn into. */
+export interface StageElements {
+  /** scrolls where the maze is larger than the view */
+  scroller: HTMLElement;
+  /** lies over the maze and takes the pointer */
+  grid: HTMLElement;
+  canvases: LayerCanvases;
+}
+
+type PointerEventName =
+  | "pointerdown"
+  | "pointermove"
+  | "pointerup"
+  | "pointercancel"
+  | "pointerleave";
+
+export class StageController {
+  readonly view = createStageView();
+  readonly editor: MazeEditor;
+  readonly #services: Services;
+  readonly #words: Pick<i18n, "t">;
+  readonly #pointer: PointerInput;
+  #renderer: StageRenderer | null = null;
+  #elements: StageElements | null = null;
+  #palette: Palette | null = null;
+  #pixelRatio = 1;
+
+  constructor(services: Services, words: Pick<i18n, "t">) {
+    this.#services = services;
+    this.#words = words;
+    this.editor = new MazeEditor({
+      workspace: services.workspace,
+      screen: services.screen,
+      pose: () => this.#renderer?.pose() ?? null,
+      refuse: (code) => this.#tellRefusal(code),
+    });
+    this.#pointer = new PointerInput((intent) => {
+      if (intent.type === "hover") this.view.setState({ hover: intent.cell });
+      if (intent.type === "begin") this.view.setState({ cursor: intent.cell });
+      this.editor.follow(intent);
+    });
+  }
+
+  /** Begins to draw and to listen. @returns a function that ends it */
+  mount(elements: StageElements): () => void {
+    const { workspace, screen, simulator } = this.#services;
+    const { scroller } = elements;
+    const renderer = new StageRenderer(elements.canvases, {
+      takeFrame: () => simulator.takeFrame(),
+      requestFrame: (paint) => requestAnimationFrame(paint),
+      cancelFrame: (request) => cancelAnimationFrame(request),
+      scrollTo: ({ x, y }) => scroller.scrollTo({ left: x, top: y, behavior: "instant" }),
+    });
+    this.#elements = elements;
+    this.#renderer = renderer;
+    const recolour = (): void => {
+      const style = getComputedStyle(document.documentElement);
+      this.#palette = readPalette((property) => style.getPropertyValue(property));
+      this.#show();
+    };
+    recolour();
+    const measure = new ResizeObserver(() => this.#divide());
+    measure.observe(scroller);
+    const onScroll = (): void =>
+      renderer.scrollTo({ x: scroller.scrollLeft, y: scroller.scrollTop });
+    scroller.addEventListener("scroll", onScroll, { passive: true });
+    const onKey = (event: KeyboardEvent): void => {
+      if (event.key === "Escape") this.#pointer.cancel();
+    };
+    window.addEventListener("keydown", onKey);
+    const stops = [
+      this.#listenToPointer(elements.grid),
+      watchTheme(recolour),
+      watchPixelRatio((pixelRatio) => {
+        this.#pixelRatio = pixelRatio;
+        this.#show();
+      }),
+      simulator.listen((message) => {
+        if (message.type === "frame") renderer.frameArrived();
+      }),
+      workspace.subscribe(() => this.#divide()),
+      screen.subscribe(() => this.#divide()),
+      this.view.subscribe(() => this.#show()),
+      () => measure.disconnect(),
+      () => scroller.removeEventListener("scroll", onScroll),
+      () => window.removeEventListener("keydown", onKey),
+      () => renderer.destroy(),
+    ];
+    this.#divide();
+    renderer.frameArrived();
+    return () => {
+      for (const stop of stops) stop();
+      this.#renderer = null;
+      this.#elements = null;
+    };
+  }
+
+  /** @returns a function that ends it */
+  #listenToPointer(grid: HTMLElement): () => void {
+    const end = new AbortController();
+    const on = (type: PointerEventName, handle: (event: PointerEvent) => void): void =>
+      grid.addEventListener(type, handle, { signal: end.signal });
+    on("pointerdown", (event) => {
+      // A drag that leaves the maze still ends here.
+      grid.setPointerCapture(event.pointerId);
+      this.#pointer.down(this.#factsOf(event));
+    });
+    on("pointermove", (event) => this.#pointer.move(this.#factsOf(event)));
+    on("pointerup", (event) => this.#pointer.up(this.#factsOf(event)));
+    on("pointercancel", () => this.#pointer.cancel());
+    on("pointerleave", () => this.#pointer.leave());
+    return () => end.abort();
+  }
+
+  #factsOf(event: PointerEvent): PointerFacts {
+    const { pointerId, pointerType, button, isPrimary } = event;
+    return { pointerId, pointerType, button, isPrimary, cell: this.#cellUnder(event) };
+  }
+
+  #cellUnder(event: PointerEvent): Cell | null {
+    const { layout } = this.view.getState();
+    if (layout === null || this.#elements === null) return null;
+    const { port } = layout;
+    const view = this.#elements.scroller.getBoundingClientRect();
+    const x = event.clientX - view.left;
+    const y = event.clientY - view.top;
+    const isInPort =
+      x >= port.x && y >= port.y && x < port.x + port.width && y < port.y + port.height;
+    if (!isInPort) return null;
+    const maze = this.#elements.grid.getBoundingClientRect();
+    return cellAt(layout, event.clientX - maze.left, event.clientY - maze.top);
+  }
+
+  /** Divides the stage anew where its size, the maze's size or the rulers have changed. */
+  #divide(): void {
+    if (this.#elements === null) return;
+    const { scroller } = this.#elements;
+    const view = { width: scroller.clientWidth, height: scroller.clientHeight };
+    if (view.width === 0 || view.height === 0) return;
+    const size = sizeOf(this.#services.workspace.getState().maze);
+    const { showRulers } = this.#services.screen.getState();
+    const layout = stageLayout(size, view, showRulers);
+    const before = this.view.getState().layout;
+    if (before !== null && JSON.stringify(before) === JSON.stringify(layout)) {
+      this.#show();
+      return;
+    }
+    this.#pointer.setTouchScroll(layout.overflows);
+    this.view.setState({ layout });
+  }
+
+  #show(): void {
+    const { layout, hover } = this.view.getState();
+    if (layout === null || this.#palette === null) return;
+    const { maze, program } = this.#services.workspace.getState();
+    const { tool, showBeams, showTrail, showRulers } = this.#services.screen.getState();
+    const renderer = this.#renderer;
+    renderer?.show({
+      layout,
+      pixelRatio: this.#pixelRatio,
+      palette: this.#palette,
+      maze,
+      program,
+      startWord: this.#words.t("stage.startWord"),
+      goalWord: this.#words.t("stage.goalWord"),
+      showBeams,
+      showTrail,
+      showRulers: hasRulers(layout.view.width, showRulers),
+      ghost: hover === null ? null : ghostOf(maze, tool, hover, renderer.pose()),
+    });
+  }
+
+  #tellRefusal(code: ToolRefusal): void {
+    const most = code === "too-many-goals" ? MAX_GOALS : MAX_SIDE;
+    tell(this.#services.screen, {
+      tone: "info",
+      text: this.#words.t(`stage.refused.${code}`, { most }),
+    });
+  }
+}

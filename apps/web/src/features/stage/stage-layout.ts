@@ -1,0 +1,30 @@
+/** How much room the stage leaves around the maze, by its width and by what it shows. Pure. */
+import {
+  layOut,
+  MIN_CELL_PX,
+  MIN_CELL_PX_COMPACT,
+  type Layout,
+  type Padding,
+} from "../../canvas/viewport.ts";
+
+/** Below this width the stage is a phone's: the maze takes it whole, without rulers. */
+const COMPACT_BELOW_PX = 600;
+
+const compact: Padding = { top: 8, right: 8, bottom: 8, left: 8 };
+const withRulers: Padding = { top: 36, right: 34, bottom: 20, left: 70 };
+const withoutRulers: Padding = { top: 16, right: 34, bottom: 20, left: 34 };
+
+/** Whether rulers are drawn: wished for, and there is room. */
+export function hasRulers(width: number, showRulers: boolean): boolean {
+  return showRulers && width >= COMPACT_BELOW_PX;
+}
+
+/** Divides the stage's drawing area (CSS pixels) for a maze. */
+export function stageLayout(
+  maze: { columns: number; rows: number },
+  view: { width: number; height: number },
+  showRulers: boolean,
+): Layout {
+  if (view.width < COMPACT_BELOW_PX) return layOut(maze, view, compact, MIN_CELL_PX_COMPACT);
+  return layOut(maze, view, showRulers ? withRulers : withoutRulers, MIN_CELL_PX);
+}

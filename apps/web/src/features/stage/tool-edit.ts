@@ -1,0 +1,81 @@
+/**
+ * What a tool does to a square, and what it would do: pure, over the maze's own edits.
+ * A square that the robot stands on cannot be filled.
+ */
+import {
+  headingNames,
+  isBlock,
+  setBlock,
+  setStart,
+  toggleGoal,
+  type Cell,
+  type HeadingName,
+  type MazeDocument,
+  type MazeRefusal,
+} from "@corridor/maze";
+import type { Pose } from "@corridor/protocol";
+import type { Ghost } from "../../canvas/layers/ghost.ts";
+import { ROBOT_RADIUS } from "../../canvas/layers/robot.ts";
+import { CELL } from "../../canvas/viewport.ts";
+import type { Tool } from "../../stores/screen-store.ts";
+
+export type ToolRefusal = MazeRefusal | "robot-here";
+
+export type ToolEdit = { ok: true; maze: MazeDocument } | { ok: false; code: ToolRefusal };
+
+/** The disc may lie this deep in a wall that it touches (units); that is no standing in the cell. */
+const CONTACT = 0.01;
+
+/** Whether the robot's disc reaches into a cell. */
+export function isRobotOver(pose: Pose | null, cell: Cell): boolean {
+  if (pose === null) return false;
+  const nearest = (at: number, index: number): number =>
+    Math.min(Math.max(at, index * CELL), (index + 1) * CELL);
+  const dx = pose.x - nearest(pose.x, cell.column);
+  const dy = pose.y - nearest(pose.y, cell.row);
+  return dx * dx + dy * dy < (ROBOT_RADIUS - CONTACT) ** 2;
+}
+
+/** Fills or opens a cell, unless the robot stands there. */
+export function paintBlock(
+  maze: MazeDocument,
+  cell: Cell,
+  filled: boolean,
+  pose: Pose | null,
+): ToolEdit {
+  if (filled && isRobotOver(pose, cell)) return { ok: false, code: "robot-here" };
+  return setBlock(maze, cell, filled);
+}
+
+/** What one press of a tool does: add or remove a block, place or turn the start, add or remove a goal. */
+export function pressTool(maze: MazeDocument, tool: Tool, cell: Cell, pose: Pose | null): ToolEdit {
+  switch (tool) {
+    case "blocks":
+      return paintBlock(maze, cell, !isBlock(maze, cell.column, cell.row), pose);
+    case "start":
+      return setStart(maze, cell, headingAfterPress(maze, cell));
+    case "goal":
+      return toggleGoal(maze, cell);
+  }
+}
+
+/** A start that is pressed again turns right; one that moves keeps its heading. */
+function headingAfterPress({ start }: MazeDocument, cell: Cell): HeadingName {
+  if (start.column !== cell.column || start.row !== cell.row) return start.heading;
+  const next = (headingNames.indexOf(start.heading) + 1) % headingNames.length;
+  return headingNames[next] ?? "north";
+}
+
+/** What a press would leave on the square, for showing before it happens. */
+export function ghostOf(maze: MazeDocument, tool: Tool, cell: Cell, pose: Pose | null): Ghost {
+  const edit = pressTool(maze, tool, cell, pose);
+  if (!edit.ok) return { kind: "refused", cell };
+  switch (tool) {
+    case "blocks":
+      return { kind: isBlock(maze, cell.column, cell.row) ? "open" : "block", cell };
+    case "start":
+      return { kind: "start", start: edit.maze.start };
+    case "goal":
+      return { kind: edit.maze.goals.length > maze.goals.length ? "goal" : "no-goal", cell };
+  }
+}
