@@ -11,7 +11,7 @@ export interface Random {
 
 /** Rounds that mix the seed into all four words before the first number is given out. */
 const WARM_UP_ROUNDS = 12;
-const WORD = 2 ** 32;
+const WORD = 4_294_967_296;
 
 /** @param seed any finite number; its whole part counts modulo 2^64 */
 export function createRandom(seed: number): Random {
