@@ -1,21 +1,17 @@
 import { defineConfig } from "vitest/config";
 
+const report = process.env["VITEST_JSON_REPORT"];
+
 export default defineConfig({
   test: {
-    projects: [
-      {
-        test: {
-          name: "unit",
-          include: [
-            "packages/**/*.test.ts",
-            "apps/**/*.test.ts",
-            "scripts/**/*.test.ts",
-            "benches/**/*.test.ts",
-          ],
-          exclude: ["**/node_modules/**"],
-          testTimeout: 30_000,
-        },
-      },
+    include: [
+      "packages/**/*.test.ts",
+      "apps/**/*.test.ts",
+      "scripts/**/*.test.ts",
+      "benches/**/*.test.ts",
     ],
+    exclude: ["**/node_modules/**", "**/dist/**"],
+    testTimeout: 60_000,
+    ...(report === undefined ? {} : { outputFile: { json: report } }),
   },
 });

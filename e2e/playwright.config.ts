@@ -1,0 +1,22 @@
+import { defineConfig } from "playwright/test";
+import { chromiumArguments, requireChromium } from "../scripts/chromium.ts";
+
+const report = process.env["PLAYWRIGHT_JSON_OUTPUT_NAME"];
+
+export default defineConfig({
+  testDir: ".",
+  testMatch: "**/*.spec.ts",
+  fullyParallel: true,
+  workers: 2,
+  timeout: 60_000,
+  forbidOnly: process.env["CI"] !== undefined,
+  reporter: report === undefined ? "list" : [["list"], ["json", { outputFile: report }]],
+  outputDir: "../test-results",
+  use: {
+    browserName: "chromium",
+    viewport: { width: 1440, height: 900 },
+    permissions: ["clipboard-read", "clipboard-write"],
+    trace: "retain-on-failure",
+    launchOptions: { executablePath: requireChromium(), args: [...chromiumArguments] },
+  },
+});

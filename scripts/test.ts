@@ -1,0 +1,128 @@
+/**
+ * `npm test`: types, lint, format, unused code, unit tests, build, browser and end-to-end tests.
+ * Every stage runs even when one before it failed; the last line counts all of them.
+ */
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { inPath, requireChromium } from "./chromium.ts";
+
+interface Counts {
+  passed: number;
+  failed: number;
+  skipped: number;
+}
+
+const folder = mkdtempSync(join(tmpdir(), "corridor-test-"));
+const total: Counts = { passed: 0, failed: 0, skipped: 0 };
+
+const requirements =
+  check("what the tests need", requirePython) && check("browser", requireChromium);
+stage("types", ["tsc", "-b"]);
+stage("lint", ["oxlint", "--max-warnings", "0"]);
+stage("format", ["oxfmt", "--check"]);
+stage("unused code", ["knip"]);
+counted("unit", ["vitest", "run", "--reporter=default", "--reporter=json"], vitestCounts);
+const isBuilt = stage("build", ["vite", "build", "apps/web"]);
+if (requirements && isBuilt) {
+  const words = ["playwright", "test", "--config", "e2e/playwright.config.ts"];
+  counted("end to end", words, playwrightCounts);
+} else {
+  add("end to end", { passed: 0, failed: 1, skipped: 0 });
+}
+rmSync(folder, { recursive: true });
+
+const skipped = total.skipped > 0 ? `, ${total.skipped} skipped` : "";
+process.stdout.write(`\n${total.passed} passed, ${total.failed} failed${skipped}\n`);
+process.exitCode = total.failed > 0 ? 1 : 0;
+
+/** A stage that passes or fails as a whole. */
+function stage(name: string, words: string[]): boolean {
+  const isGood = run(name, words, {}) === 0;
+  add(name, { passed: isGood ? 1 : 0, failed: isGood ? 0 : 1, skipped: 0 });
+  return isGood;
+}
+
+/** A test runner that writes its report to a file, from which its tests are counted. */
+function counted(name: string, words: string[], countsOf: (report: unknown) => Counts): void {
+  const file = join(folder, `${name.replaceAll(" ", "-")}.json`);
+  const code = run(name, words, {
+    VITEST_JSON_REPORT: file,
+    PLAYWRIGHT_JSON_OUTPUT_NAME: file,
+  });
+  let counts: Counts;
+  try {
+    counts = countsOf(JSON.parse(readFileSync(file, "utf8")));
+  } catch {
+    counts = { passed: 0, failed: 1, skipped: 0 };
+  }
+  // A runner can fail outside of any test: a file that does not load, a server that does not start.
+  if (code !== 0 && counts.failed === 0) counts.failed = 1;
+  if (counts.passed === 0 && counts.failed === 0) counts.failed = 1;
+  add(name, counts);
+}
+
+function run(name: string, [command = "", ...words]: string[], extra: NodeJS.ProcessEnv): number {
+  process.stdout.write(`\n== ${name}: ${[command, ...words].join(" ")}\n`);
+  const { status } = spawnSync(command, words, {
+    stdio: "inherit",
+    env: { ...process.env, ...extra },
+    shell: process.platform === "win32",
+  });
+  return status ?? 1;
+}
+
+function check(name: string, requirement: () => unknown): boolean {
+  try {
+    requirement();
+    return true;
+  } catch (error) {
+    process.stdout.write(`\n== ${name}\n${error instanceof Error ? error.message : "missing"}\n`);
+    return false;
+  }
+}
+
+function requirePython(): void {
+  if (inPath("python3").length > 0) return;
+  if (process.getuid?.() === 0 && inPath("apt-get").length > 0) {
+    spawnSync("apt-get", ["update"], { stdio: "inherit" });
+    spawnSync("apt-get", ["install", "-y", "python3"], { stdio: "inherit" });
+  }
+  if (inPath("python3").length === 0) {
+    throw new Error("The tests drive the page from a Python script: install Python 3.9 or newer.");
+  }
+}
+
+function add(name: string, counts: Counts): void {
+  total.passed += counts.passed;
+  total.failed += counts.failed;
+  total.skipped += counts.skipped;
+  process.stdout.write(`-- ${name}: ${counts.passed} passed, ${counts.failed} failed\n`);
+}
+
+function vitestCounts(report: unknown): Counts {
+  return {
+    passed: numberAt(report, "numPassedTests"),
+    failed: numberAt(report, "numFailedTests") + numberAt(report, "numFailedTestSuites"),
+    skipped: numberAt(report, "numPendingTests"),
+  };
+}
+
+function playwrightCounts(report: unknown): Counts {
+  const stats = typeof report === "object" && report !== null && "stats" in report && report.stats;
+  return {
+    passed: numberAt(stats, "expected"),
+    failed: numberAt(stats, "unexpected") + numberAt(stats, "flaky"),
+    skipped: numberAt(stats, "skipped"),
+  };
+}
+
+function numberAt(from: unknown, key: string): number {
+  const value =
+    typeof from === "object" && from !== null
+      ? Object.getOwnPropertyDescriptor(from, key)?.value
+      : undefined;
+  if (typeof value !== "number") throw new Error(`the report has no number ${key}`);
+  return value;
+}
