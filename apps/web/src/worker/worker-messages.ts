@@ -83,6 +83,7 @@ export type RemoteStatus =
   | { kind: "off" }
   | { kind: "connecting" }
   | { kind: "waiting" }
+  /** `heardAt`: milliseconds since 1970, since worker and page count their own time from different starts */
   | { kind: "connected"; client: string; heardAt: number }
   | { kind: "lost"; reason: string }
   | { kind: "over"; reason: string };

@@ -1,0 +1,299 @@
+import type { ProgramDocument } from "@corridor/program";
+import type { Command, Snapshot } from "@corridor/protocol";
+import type { MazeDocument } from "@corridor/maze";
+import { beforeEach, describe, expect, it } from "vitest";
+import { firstMaze, firstProgram } from "../app/first-visit.ts";
+import type { Ending } from "../drivers/remote-driver.ts";
+import { RunLoop } from "./run-loop.ts";
+import type { Moment } from "./worker-messages.ts";
+
+let time = 0;
+let story: string[] = [];
+let endings: Record<number, Ending> = {};
+
+const events = {
+  started: (seq: number) => story.push(`started ${seq}`),
+  ended: (seq: number, ending: Ending) => {
+    story.push(`${ending.state} ${seq}`);
+    endings[seq] = ending;
+  },
+};
+
+beforeEach(() => {
+  time = 0;
+  story = [];
+  endings = {};
+});
+
+function loopOf(maze: MazeDocument = firstMaze, program: ProgramDocument = firstProgram): RunLoop {
+  return new RunLoop(maze, program, () => time, events);
+}
+
+/** Lets real time pass in intervals as the worker's timer gives them, and collects what is told. */
+function pass(loop: RunLoop, milliseconds: number): Moment[] {
+  const moments: Moment[] = [];
+  for (const end = time + milliseconds; time < end;) {
+    time += 8;
+    loop.advance();
+    const news = loop.takeNews();
+    if (news?.moment) moments.push(news.moment);
+  }
+  return moments;
+}
+
+function deliver(loop: RunLoop, seq: number, command: Command): void {
+  loop.accept({ seq, command, key: null, acceptedAt: "2026-01-01T00:00:00Z" });
+}
+
+describe("a program", () => {
+  it("waits until Run and shows at once which line will decide", () => {
+    const loop = loopOf();
+    pass(loop, 1000);
+    expect(loop.snapshot()).toMatchObject({ tick: 0, state: "paused", line: "default" });
+  });
+
+  it("drives to the goal, pauses there once, and tells where, when and by which line", () => {
+    const loop = loopOf();
+    loop.run();
+    const moments = pass(loop, 60_000);
+    expect(moments).toMatchObject([{ kind: "goal", tick: 2380, line: "default", bumps: 0 }]);
+    expect(loop.snapshot()).toMatchObject({ tick: 2380, state: "paused", goalReached: true });
+    loop.run();
+    expect(pass(loop, 2000)).toEqual([]);
+    expect(loop.snapshot().tick).toBeGreaterThan(2400);
+  });
+
+  it("tells a bump with the line that was in charge", () => {
+    const loop = loopOf(firstMaze, { ...firstProgram, rules: [] });
+    loop.run();
+    expect(pass(loop, 5000)).toMatchObject([{ kind: "bump", line: "default", bumps: 1 }]);
+  });
+
+  it("shows a line's numbers true at the moment it is lit", () => {
+    const loop = loopOf();
+    loop.run();
+    let line: Snapshot["line"] = null;
+    let lit = 0;
+    while (loop.isRunning) {
+      time += 8;
+      loop.advance();
+      const snapshot = loop.takeNews()?.frame.snapshot;
+      if (snapshot === undefined || snapshot.line === line) continue;
+      line = snapshot.line;
+      lit++;
+      const { front, right } = snapshot.sensors;
+      expect(line).toBe(right > 60 ? 0 : front < 50 ? 1 : "default");
+    }
+    expect(lit).toBeGreaterThan(20);
+  });
+
+  it("can be edited while it runs: the next decision is by the new lines", () => {
+    const loop = loopOf();
+    loop.run();
+    pass(loop, 500);
+    loop.editProgram({ ...firstProgram, rules: [], default: "reverse" });
+    expect(loop.snapshot().motion).toBe("reverse");
+    const before = loop.snapshot().pose.x;
+    pass(loop, 200);
+    expect(loop.snapshot().pose.x).toBeLessThan(before);
+  });
+});
+
+describe("time", () => {
+  it.each([0.25, 0.5, 1, 2, 4, 8, 16] as const)("flows %f times as fast", (speed) => {
+    const loop = loopOf(firstMaze, { ...firstProgram, rules: [], default: "stop" });
+    loop.setSpeed(speed);
+    loop.run();
+    pass(loop, 2000);
+    expect(Math.abs(loop.snapshot().tick - 120 * speed)).toBeLessThanOrEqual(1);
+  });
+
+  it("does not change what happens: every speed ends in the same snapshot", () => {
+    const ends = ([0.5, 1, 16] as const).map((speed) => {
+      const loop = loopOf();
+      loop.setSpeed(speed);
+      loop.run();
+      pass(loop, 90_000);
+      return { ...loop.snapshot(), seq: 0 };
+    });
+    expect(ends[0]?.goalReached).toBe(true);
+    expect(ends[1]).toEqual(ends[0]);
+    expect(ends[2]).toEqual(ends[0]);
+  });
+
+  it("stands still while paused, and a sleep is not caught up", () => {
+    const loop = loopOf();
+    loop.run();
+    pass(loop, 100);
+    loop.pause();
+    const { tick } = loop.snapshot();
+    pass(loop, 1000);
+    expect(loop.snapshot().tick).toBe(tick);
+    loop.run();
+    time += 3_600_000;
+    loop.advance();
+    expect(loop.snapshot().tick - tick).toBeLessThanOrEqual(15);
+  });
+});
+
+describe("Step", () => {
+  it("takes one decision of one tick and pauses", () => {
+    const loop = loopOf();
+    loop.step();
+    pass(loop, 500);
+    expect(loop.snapshot()).toMatchObject({ tick: 1, state: "paused" });
+  });
+
+  it("takes a whole manoeuvre where the decision is one", () => {
+    const loop = loopOf(firstMaze, { ...firstProgram, rules: [], default: "turn 180" });
+    loop.step();
+    pass(loop, 3000);
+    expect(loop.snapshot()).toMatchObject({ tick: 72, state: "paused" });
+    expect(loop.snapshot().pose.heading).toBe(270);
+  });
+});
+
+describe("Reset", () => {
+  it("puts the robot to its start, begins a new trail and keeps the driver", () => {
+    const loop = loopOf();
+    loop.run();
+    pass(loop, 3000);
+    loop.reset();
+    const frame = loop.takeNews()?.frame;
+    expect(frame).toMatchObject({
+      trailReset: true,
+      corners: [50, 650],
+      snapshot: { tick: 0, bumps: 0, state: "paused", driver: "program" },
+    });
+  });
+});
+
+describe("a hand", () => {
+  it("drives while a key is held, and release stops robot and clock", () => {
+    const loop = loopOf();
+    loop.hold("forward");
+    pass(loop, 500);
+    expect(loop.snapshot()).toMatchObject({ driver: "me", state: "running", motion: "forward" });
+    loop.hold("stop");
+    const still = loop.snapshot();
+    expect(still.pose.x).toBeCloseTo(100, -1);
+    pass(loop, 500);
+    expect(loop.snapshot()).toMatchObject({ tick: still.tick, pose: still.pose, motion: "stop" });
+  });
+
+  it("turns in whole steps, so that a quarter turn can be met exactly", () => {
+    const loop = loopOf();
+    loop.hold("right");
+    pass(loop, 600);
+    loop.hold("stop");
+    expect(loop.snapshot().pose.heading % 2.5).toBe(0);
+  });
+
+  it("takes over from a running program; Run gives the robot back to the program", () => {
+    const loop = loopOf();
+    loop.run();
+    pass(loop, 300);
+    loop.hold("left");
+    expect(loop.snapshot()).toMatchObject({ driver: "me", line: null });
+    loop.hold("stop");
+    loop.run();
+    expect(loop.snapshot()).toMatchObject({ driver: "program", state: "running" });
+  });
+
+  it("letting go of a key that was pressed before the program ran does not stop the program", () => {
+    const loop = loopOf();
+    loop.run();
+    loop.hold("stop");
+    expect(loop.snapshot()).toMatchObject({ driver: "program", state: "running" });
+  });
+});
+
+describe("a remote script", () => {
+  it("has its commands run one after the other, each started and ended once", () => {
+    const loop = loopOf();
+    loop.setDriver("remote");
+    deliver(loop, 1, { action: "move", distance: 100 });
+    deliver(loop, 2, { action: "left 90" });
+    deliver(loop, 3, { action: "move", distance: 500 });
+    pass(loop, 8000);
+    expect(story).toEqual([
+      "started 1",
+      "completed 1",
+      "started 2",
+      "completed 2",
+      "started 3",
+      "collided 3",
+    ]);
+    expect(endings[1]?.distance).toBeCloseTo(100, 6);
+    expect(endings[1]?.pose.x).toBeCloseTo(150, 6);
+  });
+
+  it("drives forward until its next command, or until a wall", () => {
+    const loop = loopOf();
+    loop.setDriver("remote");
+    deliver(loop, 1, { action: "forward" });
+    pass(loop, 1000);
+    expect(loop.snapshot()).toMatchObject({ command: 1, motion: "forward" });
+    deliver(loop, 2, { action: "stop" });
+    deliver(loop, 3, { action: "forward" });
+    pass(loop, 10_000);
+    expect(story).toEqual([
+      "started 1",
+      "completed 1",
+      "started 2",
+      "completed 2",
+      "started 3",
+      "collided 3",
+    ]);
+    expect(loop.snapshot()).toMatchObject({ command: null, motion: "stop", bumping: true });
+  });
+
+  it("hears at once that it may not drive while somebody else does", () => {
+    const loop = loopOf();
+    deliver(loop, 1, { action: "forward" });
+    expect(endings[1]).toMatchObject({ state: "cancelled" });
+    expect(endings[1]?.reason).toContain("choose Remote");
+  });
+
+  it.each([
+    { name: "the user takes over", act: (loop: RunLoop) => loop.hold("forward") },
+    { name: "the robot is reset", act: (loop: RunLoop) => loop.reset() },
+    { name: "the program is chosen", act: (loop: RunLoop) => loop.setDriver("program") },
+    {
+      name: "a block falls on the robot",
+      act: (loop: RunLoop) =>
+        loop.editMaze({
+          ...firstMaze,
+          blocks: ["...", "...", "..."],
+          goals: [],
+          start: { column: 0, row: 0, heading: "east" },
+        }),
+    },
+  ])("has every command cancelled when $name", ({ act }) => {
+    const loop = loopOf();
+    loop.setDriver("remote");
+    deliver(loop, 1, { action: "move", distance: 200 });
+    deliver(loop, 2, { action: "left 90" });
+    pass(loop, 500);
+    act(loop);
+    expect(story).toEqual(["started 1", "cancelled 1", "cancelled 2"]);
+  });
+});
+
+describe("editing the maze", () => {
+  it("under way leaves the robot where it is", () => {
+    const loop = loopOf();
+    loop.run();
+    pass(loop, 1000);
+    const { pose } = loop.snapshot();
+    loop.editMaze({ ...firstMaze, name: "edited" });
+    expect(loop.snapshot().pose).toEqual(pose);
+    expect(loop.isRunning).toBe(true);
+  });
+
+  it("before the first tick moves the robot with the start", () => {
+    const loop = loopOf();
+    loop.editMaze({ ...firstMaze, start: { column: 4, row: 0, heading: "south" } });
+    expect(loop.snapshot().pose).toEqual({ x: 450, y: 50, heading: 180 });
+  });
+});
