@@ -1,7 +1,9 @@
 /**
  * What can be reached: distances from the start in steps between neighbouring open cells.
  */
-import { OPEN, sizeOf, type Cell, type MazeDocument } from "./maze-document.ts";
+import { sizeOf } from "./maze-cells.ts";
+import { type Cell, type MazeDocument } from "./maze-document.ts";
+import { OPEN } from "./maze-limits.ts";
 
 /** Distance of a cell that cannot be reached, or that is a block. */
 export const UNREACHABLE = -1;

@@ -2,7 +2,8 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { countOpenCells, distancesFromStart, UNREACHABLE } from "./flood-fill.ts";
 import { generateTree } from "./generate.ts";
-import { isBlock, parseMaze, sizeOf, type MazeDocument } from "./maze-document.ts";
+import { isBlock, sizeOf } from "./maze-cells.ts";
+import { parseMaze, type MazeDocument } from "./maze-document.ts";
 
 const oddSide = fc.integer({ min: 2, max: 25 }).map((half) => 2 * half + 1);
 const anyTree = fc

@@ -5,7 +5,8 @@
  * way between any two open cells.
  */
 import { distancesFromStart } from "./flood-fill.ts";
-import { BLOCK, MAX_SIDE, OPEN, type Cell, type MazeDocument } from "./maze-document.ts";
+import { type Cell, type MazeDocument } from "./maze-document.ts";
+import { BLOCK, MAX_SIDE, OPEN } from "./maze-limits.ts";
 import { createRandom } from "./random.ts";
 
 export interface TreeOptions {

@@ -2,7 +2,9 @@
  * The maze as physics and sensors look it up: one byte a cell with a solid border around it, so that
  * nobody has to ask whether a cell lies inside the maze.
  */
-import { BLOCK, sizeOf, type MazeDocument } from "./maze-document.ts";
+import { sizeOf } from "./maze-cells.ts";
+import { type MazeDocument } from "./maze-document.ts";
+import { BLOCK } from "./maze-limits.ts";
 
 /** Side of a cell in units (cm). */
 export const CELL = 100;

@@ -1,22 +1,17 @@
 export { CELL, gridOf, type Grid } from "./grid.ts";
 export { countOpenCells, distancesFromStart, isReachable, UNREACHABLE } from "./flood-fill.ts";
 export { generateTree, type TreeOptions } from "./generate.ts";
+export { isBlock, sizeOf } from "./maze-cells.ts";
+export { parseMaze, readMaze, type Cell, type MazeDocument, type Start } from "./maze-document.ts";
 export {
   BLOCK,
   headingNames,
-  isBlock,
   MAX_GOALS,
   MAX_NAME_LENGTH,
   MAX_SIDE,
   OPEN,
-  parseMaze,
-  readMaze,
-  sizeOf,
-  type Cell,
   type HeadingName,
-  type MazeDocument,
-  type Start,
-} from "./maze-document.ts";
+} from "./maze-limits.ts";
 export {
   clearBlocks,
   rename,

@@ -4,15 +4,7 @@
  */
 import { readJson, readValue, type ReadResult } from "@corridor/protocol";
 import { z } from "zod";
-
-export const MAX_SIDE = 256;
-export const MAX_GOALS = 256;
-export const MAX_NAME_LENGTH = 100;
-export const BLOCK = "#";
-export const OPEN = ".";
-
-export const headingNames = ["north", "east", "south", "west"] as const;
-export type HeadingName = (typeof headingNames)[number];
+import { BLOCK, headingNames, MAX_GOALS, MAX_NAME_LENGTH, MAX_SIDE } from "./maze-limits.ts";
 
 const rowsError = `1 to ${MAX_SIDE} rows, each a text of # and .`;
 const rowError = `a row of 1 to ${MAX_SIDE} characters, # for a block and . for an open cell`;
@@ -101,14 +93,4 @@ export function parseMaze(input: unknown): ReadResult<MazeDocument> {
 /** Reads a maze from JSON text. */
 export function readMaze(text: string): ReadResult<MazeDocument> {
   return readJson(mazeSchema, text, MAX_TEXT_LENGTH);
-}
-
-/** `{columns, rows}` of a maze, in cells. */
-export function sizeOf(maze: MazeDocument): { columns: number; rows: number } {
-  return { columns: maze.blocks[0]?.length ?? 0, rows: maze.blocks.length };
-}
-
-/** Whether a cell holds a block; outside the grid is solid. */
-export function isBlock(maze: MazeDocument, column: number, row: number): boolean {
-  return (maze.blocks[row]?.[column] ?? BLOCK) === BLOCK;
 }

@@ -1,7 +1,8 @@
 import { describeProblem } from "@corridor/protocol";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { MAX_GOALS, parseMaze, type MazeDocument } from "./maze-document.ts";
+import { parseMaze, type MazeDocument } from "./maze-document.ts";
+import { MAX_GOALS } from "./maze-limits.ts";
 import {
   clearBlocks,
   rename,

@@ -4,18 +4,16 @@
  * same document. An edit that would break the document is refused with a code, never an exception:
  * the page turns the code into a sentence.
  */
+import { isBlock, sizeOf } from "./maze-cells.ts";
+import { type Cell, type MazeDocument } from "./maze-document.ts";
 import {
   BLOCK,
-  isBlock,
   MAX_GOALS,
   MAX_NAME_LENGTH,
   MAX_SIDE,
   OPEN,
-  sizeOf,
-  type Cell,
   type HeadingName,
-  type MazeDocument,
-} from "./maze-document.ts";
+} from "./maze-limits.ts";
 
 /** Why an edit was refused. */
 export type MazeRefusal =

@@ -1,7 +1,9 @@
 import { describe, expect, it } from "vitest";
 import { isReachable } from "./flood-fill.ts";
 import { generateTree } from "./generate.ts";
-import { isBlock, parseMaze, type HeadingName } from "./maze-document.ts";
+import { isBlock } from "./maze-cells.ts";
+import { parseMaze } from "./maze-document.ts";
+import { type HeadingName } from "./maze-limits.ts";
 import { mazePresets } from "./presets.ts";
 
 /** The step to the cell ahead; the one on the right is that of the next heading. */

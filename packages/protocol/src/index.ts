@@ -36,15 +36,10 @@ export {
   type Resume,
 } from "./messages.ts";
 export { problemSchema, type ProblemDocument } from "./problem.ts";
-export {
-  sensorNames,
-  type DriverName,
-  type Pose,
-  type SensorName,
-  type SensorReadings,
-} from "./quantities.ts";
+export { type DriverName, type Pose, type SensorReadings } from "./quantities.ts";
 export { registrationSchema, robotIdSchema, type Registration } from "./registration.ts";
 export { snapshotSchema, type LineRef, type RobotReport, type Snapshot } from "./snapshot.ts";
 export type { SocketEvents, SocketFactory, SocketPort } from "./socket-port.ts";
 export { PROTOCOL_VERSION } from "./version.ts";
 export { timedCommandsSchema, type TimedCommand } from "./timed-command.ts";
+export { sensorNames, type SensorName } from "./sensor-names.ts";

@@ -27,9 +27,6 @@ const heading = z
 export const poseSchema = z.strictObject({ x: length, y: length, heading });
 export type Pose = z.infer<typeof poseSchema>;
 
-export const sensorNames = ["front", "right", "back", "left"] as const;
-export type SensorName = (typeof sensorNames)[number];
-
 /** The four range sensors, in units from the robot's centre. */
 export const sensorReadingsSchema = z.strictObject({
   front: reading,

@@ -1,6 +1,7 @@
 /** Random legal mazes for property tests: sides skewed small, any share of blocks, any name. */
 import fc from "fast-check";
-import { headingNames, MAX_GOALS, MAX_NAME_LENGTH, type MazeDocument } from "../maze-document.ts";
+import { type MazeDocument } from "../maze-document.ts";
+import { headingNames, MAX_GOALS, MAX_NAME_LENGTH } from "../maze-limits.ts";
 import { createRandom } from "../random.ts";
 
 const side = fc.oneof(
