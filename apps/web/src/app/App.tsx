@@ -1,4 +1,92 @@
-/** Layout of the page: bar, stage, transport, panel. */
+/** Layout of the page: bar, stage, panel and transport; on phones bar, stage, transport and sheet. */
+import "../ui/base.css";
+import { useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { DriverChoice } from "../features/drive/DriverChoice.tsx";
+import { Messages } from "../features/messages/Messages.tsx";
+import { RemotePanel } from "../features/remote/RemotePanel.tsx";
+import { Stage } from "../features/stage/Stage.tsx";
+import { Transport } from "../features/transport/Transport.tsx";
+import { Button } from "../ui/Button.tsx";
+import { Dialog } from "../ui/Dialog.tsx";
+import { useMediaQuery } from "../ui/use-media-query.ts";
+import styles from "./app.module.css";
+import { ErrorBoundary } from "./ErrorBoundary.tsx";
+import { PhoneSheet } from "./PhoneSheet.tsx";
+import { useServices } from "./services.ts";
+import { ShortcutsDialog } from "./ShortcutsDialog.tsx";
+import { SidePanel } from "./SidePanel.tsx";
+import { TopBar } from "./TopBar.tsx";
+import { useKeyboard } from "./use-keyboard.ts";
+
 export function App() {
-  return <main />;
+  const { works } = useServices();
+  return (
+    <ErrorBoundary onError={() => works.autosave.flush()}>
+      <Page />
+    </ErrorBoundary>
+  );
+}
+
+/** The order of the regions is the order of the Tab key; the stage keeps its place in every layout. */
+function Page() {
+  const { t } = useTranslation();
+  const isPhone = useMediaQuery("(max-width: 599px)");
+  const [opened, setOpened] = useState<"keys" | "remote" | null>(null);
+  const hold = useKeyboard(() => setOpened("keys"));
+  const close = () => setOpened(null);
+  return (
+    <div className={styles["page"]}>
+      <TopBar
+        isPhone={isPhone}
+        onKeys={() => setOpened("keys")}
+        onRemote={() => setOpened("remote")}
+      />
+      <main className={styles["stage"]}>
+        <Stage />
+        <FaultNotice />
+        <Messages />
+      </main>
+      {isPhone ? (
+        <>
+          <div className={styles["footer"]}>
+            <Transport />
+          </div>
+          <PhoneSheet hold={hold} />
+        </>
+      ) : (
+        <>
+          <SidePanel hold={hold} />
+          <div className={styles["footer"]}>
+            <Transport />
+          </div>
+        </>
+      )}
+      <ShortcutsDialog isOpen={opened === "keys"} onClose={close} />
+      <Dialog isOpen={opened === "remote"} onClose={close} title={t("drive.remote")}>
+        <DriverChoice />
+        <RemotePanel />
+      </Dialog>
+    </div>
+  );
+}
+
+/** The simulator stopped for good: what is on the screen is saved, a reload starts a new one. */
+function FaultNotice() {
+  const { t } = useTranslation();
+  const { run } = useServices();
+  const fault = useStore(run, (state) => state.fault);
+  return (
+    <div role="alert">
+      {fault !== null && (
+        <div className={styles["fault"]}>
+          <p>{t("shell.failure.simulator", { reason: fault })}</p>
+          <Button size="small" onClick={() => location.reload()}>
+            {t("shell.failure.reload")}
+          </Button>
+        </div>
+      )}
+    </div>
+  );
 }

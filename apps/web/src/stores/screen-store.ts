@@ -22,6 +22,8 @@ export interface ScreenState {
   showTrail: boolean;
   showRulers: boolean;
   messages: readonly Message[];
+  /** whether keys without Ctrl drive and open things (WCAG 2.1.4 asks for a switch) */
+  singleKeys: boolean;
   /** whether the newest edit has reached the device's storage */
   saved: "saved" | "saving" | "blocked";
 }
@@ -34,6 +36,7 @@ export function createScreenStore() {
     showTrail: true,
     showRulers: true,
     messages: [],
+    singleKeys: true,
     saved: "saved",
   }));
 }

@@ -1,0 +1,43 @@
+/** What stands on the screen when drawing it failed: the work is saved, and how to go on. */
+import { Component, type ReactNode } from "react";
+import { useTranslation } from "react-i18next";
+import { Button } from "../ui/Button.tsx";
+import styles from "./app.module.css";
+
+interface ErrorBoundaryProps {
+  /** saves the documents now, before the reader reloads */
+  onError: () => void;
+  children: ReactNode;
+}
+
+/** Stays quiet until a component below fails. */
+export class ErrorBoundary extends Component<ErrorBoundaryProps, { reason: string | null }> {
+  override state: { reason: string | null } = { reason: null };
+
+  static getDerivedStateFromError(error: unknown): { reason: string } {
+    return { reason: error instanceof Error ? error.message : String(error) };
+  }
+
+  override componentDidCatch(): void {
+    this.props.onError();
+  }
+
+  override render(): ReactNode {
+    const { reason } = this.state;
+    return reason === null ? this.props.children : <Failure reason={reason} />;
+  }
+}
+
+function Failure({ reason }: { reason: string }) {
+  const { t } = useTranslation();
+  return (
+    <main className={styles["failure"]} role="alert">
+      <h1>{t("shell.failure.title")}</h1>
+      <p>{t("shell.failure.text")}</p>
+      <Button kind="primary" size="large" onClick={() => location.reload()}>
+        {t("shell.failure.reload")}
+      </Button>
+      <p className={styles["reason"]}>{reason}</p>
+    </main>
+  );
+}

@@ -1,0 +1,84 @@
+/** The sheet of the phone: Drive, Program and Presets behind tabs, as far open as the reader wants. */
+import { LayoutGrid, List, User } from "lucide-react";
+import { useRef, useState, type ReactNode } from "react";
+import { useTranslation } from "react-i18next";
+import { DriveTab } from "../features/drive/DriveTab.tsx";
+import type { HoldStore } from "../features/drive/hold-store.ts";
+import { PresetsPanel } from "../features/presets/PresetsPanel.tsx";
+import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
+import { Tabs } from "../ui/Tabs.tsx";
+import styles from "./app.module.css";
+import { dragged, pressed, type SheetPosition } from "./sheet.ts";
+
+const icons: Readonly<Record<SheetTab, ReactNode>> = {
+  drive: <User aria-hidden="true" />,
+  program: <List aria-hidden="true" />,
+  presets: <LayoutGrid aria-hidden="true" />,
+};
+const tabs = ["drive", "program", "presets"] as const;
+type SheetTab = (typeof tabs)[number];
+
+export function PhoneSheet({ hold }: { hold: HoldStore }) {
+  const { t } = useTranslation();
+  const [tab, setTab] = useState<SheetTab>("program");
+  const [position, setPosition] = useState<SheetPosition>("half");
+  return (
+    <aside className={styles["sheet"]} data-position={position} aria-label={t("shell.panel")}>
+      <GrabBar position={position} onChange={setPosition} />
+      <Tabs
+        label={t("shell.panel")}
+        value={tab}
+        tabs={tabs.map((each) => ({
+          value: each,
+          label: t(`shell.tabs.${each}`),
+          icon: icons[each],
+        }))}
+        onChange={(next) => {
+          setTab(next);
+          if (position === "closed") setPosition("half");
+        }}
+        panelClassName={styles["sheetContent"]}
+      >
+        {tab === "drive" && <DriveTab hold={hold} />}
+        {tab === "program" && <ProgramEditor />}
+        {tab === "presets" && <PresetsPanel />}
+      </Tabs>
+    </aside>
+  );
+}
+
+interface GrabBarProps {
+  position: SheetPosition;
+  onChange: (position: SheetPosition) => void;
+}
+
+/** A button as well as a handle: a press goes to the next position, a drag one step its way. */
+function GrabBar({ position, onChange }: GrabBarProps) {
+  const { t } = useTranslation();
+  const startY = useRef<number | null>(null);
+  const wasDragged = useRef(false);
+  return (
+    <button
+      type="button"
+      className={styles["grab"]}
+      aria-label={t(`shell.sheet.${position}`)}
+      onPointerDown={(event) => {
+        event.currentTarget.setPointerCapture(event.pointerId);
+        startY.current = event.clientY;
+        wasDragged.current = false;
+      }}
+      onPointerUp={(event) => {
+        if (startY.current === null) return;
+        const next = dragged(position, event.clientY - startY.current);
+        startY.current = null;
+        wasDragged.current = next !== position;
+        if (wasDragged.current) onChange(next);
+      }}
+      onPointerCancel={() => (startY.current = null)}
+      onClick={() => {
+        if (!wasDragged.current) onChange(pressed(position));
+        wasDragged.current = false;
+      }}
+    />
+  );
+}

@@ -1,0 +1,33 @@
+/** The panel beside the stage: who drives, what they drive with, sensors and keys at its foot. */
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { DriveFoot } from "../features/drive/DriveFoot.tsx";
+import { DriverChoice } from "../features/drive/DriverChoice.tsx";
+import type { HoldStore } from "../features/drive/hold-store.ts";
+import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
+import { RemotePanel } from "../features/remote/RemotePanel.tsx";
+import styles from "./app.module.css";
+import { useServices } from "./services.ts";
+
+export function SidePanel({ hold }: { hold: HoldStore }) {
+  const { t } = useTranslation();
+  const { run } = useServices();
+  const isRemote = useStore(run, ({ snapshot }) => snapshot?.driver === "remote");
+  return (
+    <aside className={styles["panel"]} aria-label={t("shell.panel")}>
+      <div className={styles["who"]}>
+        <DriverChoice />
+      </div>
+      {isRemote ? (
+        <RemotePanel />
+      ) : (
+        <>
+          <div className={styles["program"]}>
+            <ProgramEditor />
+          </div>
+          <DriveFoot hold={hold} />
+        </>
+      )}
+    </aside>
+  );
+}

@@ -1,0 +1,66 @@
+/** The bar at the top: the mark, the maze, and what can be done with it. */
+import { Ellipsis, Keyboard, RadioTower } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { PresetsButton } from "../features/presets/PresetsButton.tsx";
+import { ShareButton } from "../features/share/ShareButton.tsx";
+import { ThemeButton } from "../features/theme/ThemeButton.tsx";
+import { ThemeChoice } from "../features/theme/ThemeChoice.tsx";
+import { MazeMenu } from "../features/works/MazeMenu.tsx";
+import { IconButton } from "../ui/Button.tsx";
+import { MenuItem, Popover, usePopover } from "../ui/Popover.tsx";
+import styles from "./app.module.css";
+import { Brand } from "./Brand.tsx";
+
+interface TopBarProps {
+  isPhone: boolean;
+  onKeys: () => void;
+  onRemote: () => void;
+}
+
+export function TopBar({ isPhone, onKeys, onRemote }: TopBarProps) {
+  const { t } = useTranslation();
+  return (
+    <header className={styles["bar"]}>
+      <Brand />
+      <MazeMenu />
+      <div className={styles["barEnd"]}>
+        {!isPhone && <PresetsButton />}
+        <ShareButton />
+        {isPhone ? (
+          <More onKeys={onKeys} onRemote={onRemote} />
+        ) : (
+          <div className={styles["barLast"]}>
+            <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
+              <Keyboard aria-hidden="true" />
+            </IconButton>
+            <ThemeButton />
+          </div>
+        )}
+      </div>
+    </header>
+  );
+}
+
+/** What a phone's bar has no room for. */
+function More({ onKeys, onRemote }: Omit<TopBarProps, "isPhone">) {
+  const { t } = useTranslation();
+  const menu = usePopover();
+  return (
+    <>
+      <IconButton label={t("shell.more")} size="large" {...menu.trigger}>
+        <Ellipsis aria-hidden="true" />
+      </IconButton>
+      <Popover {...menu.panel} label={t("shell.more")} align="right">
+        <MenuItem icon={<RadioTower aria-hidden="true" />} onSelect={onRemote}>
+          {t("drive.remote")}
+        </MenuItem>
+        <MenuItem icon={<Keyboard aria-hidden="true" />} onSelect={onKeys}>
+          {t("shell.keys.title")}
+        </MenuItem>
+        <div className={styles["moreTheme"]}>
+          <ThemeChoice />
+        </div>
+      </Popover>
+    </>
+  );
+}

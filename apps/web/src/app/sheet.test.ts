@@ -1,0 +1,22 @@
+import { describe, expect, it } from "vitest";
+import { dragged, pressed } from "./sheet.ts";
+
+describe("the phone's sheet", () => {
+  it("goes through all positions by presses", () => {
+    expect(pressed("closed")).toBe("half");
+    expect(pressed("half")).toBe("open");
+    expect(pressed("open")).toBe("closed");
+  });
+
+  it.each([
+    ["half", -100, "open"],
+    ["half", 100, "closed"],
+    ["open", 100, "half"],
+    ["closed", -100, "half"],
+    ["open", -100, "open"],
+    ["closed", 100, "closed"],
+    ["half", 10, "half"],
+  ] as const)("from %s, a drag by %d px leads to %s", (from, by, to) => {
+    expect(dragged(from, by)).toBe(to);
+  });
+});

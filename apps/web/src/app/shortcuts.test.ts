@@ -1,0 +1,86 @@
+import { describe, expect, it } from "vitest";
+import { shortcutOf, type KeyPress, type Place } from "./shortcuts.ts";
+
+function press(key: string, changes: Partial<KeyPress> = {}): KeyPress {
+  const code = /^[a-z]$/i.test(key) ? `Key${key.toUpperCase()}` : key;
+  return { key, code, command: false, shift: false, alt: false, ...changes };
+}
+
+const everywhere: readonly Place[] = ["text", "choice", "grid", "radio", "button", "page"];
+
+describe("shortcutOf", () => {
+  it.each([
+    ["w", "forward"],
+    ["a", "left"],
+    ["s", "reverse"],
+    ["d", "right"],
+    ["W", "forward"],
+    ["ArrowUp", "forward"],
+    ["ArrowLeft", "left"],
+    ["ArrowDown", "reverse"],
+    ["ArrowRight", "right"],
+    [" ", "stop"],
+  ])("drives with %j: %s", (key, drive) => {
+    expect(shortcutOf(press(key), "page", true)).toEqual({ kind: "drive", key: drive });
+  });
+
+  it("drives by the place of the keys on a keyboard without Latin letters", () => {
+    expect(shortcutOf(press("ц", { code: "KeyW" }), "page", true)).toEqual({
+      kind: "drive",
+      key: "forward",
+    });
+  });
+
+  it.each<[string, Place]>([
+    ["w", "text"],
+    ["w", "choice"],
+    ["w", "grid"],
+    ["ArrowUp", "text"],
+    ["ArrowUp", "choice"],
+    ["ArrowUp", "grid"],
+    ["ArrowUp", "radio"],
+    [" ", "button"],
+    [" ", "radio"],
+    [" ", "grid"],
+    ["?", "text"],
+    ["x", "page"],
+  ])("leaves %j to a focused %s", (key, place) => {
+    expect(shortcutOf(press(key), place, true)).toBeNull();
+  });
+
+  it("drives with W while a button or a radio has the focus", () => {
+    expect(shortcutOf(press("w"), "button", true)).not.toBeNull();
+    expect(shortcutOf(press("w"), "radio", true)).not.toBeNull();
+  });
+
+  it.each(everywhere)("runs, steps and stops from anywhere: %s", (place) => {
+    expect(shortcutOf(press("Enter", { command: true }), place, false)).toEqual({
+      kind: "run-or-pause",
+    });
+    expect(shortcutOf(press("Enter", { command: true, shift: true }), place, false)).toEqual({
+      kind: "step",
+    });
+    expect(shortcutOf(press("Escape"), place, false)).toEqual({ kind: "escape" });
+  });
+
+  it("takes back and redoes, but leaves a text field its own undo", () => {
+    expect(shortcutOf(press("z", { command: true }), "grid", true)).toEqual({ kind: "undo" });
+    expect(shortcutOf(press("Z", { command: true, shift: true }), "page", true)).toEqual({
+      kind: "redo",
+    });
+    expect(shortcutOf(press("z", { command: true }), "text", true)).toBeNull();
+  });
+
+  it.each(["w", "ArrowUp", " ", "?"])("does nothing on %j when single keys are off", (key) => {
+    expect(shortcutOf(press(key), "page", false)).toBeNull();
+  });
+
+  it("opens the list with ? wherever nothing is typed", () => {
+    expect(shortcutOf(press("?", { shift: true }), "grid", true)).toEqual({ kind: "help" });
+  });
+
+  it("leaves combinations with Alt and other Ctrl keys to the browser", () => {
+    expect(shortcutOf(press("ArrowLeft", { alt: true }), "page", true)).toBeNull();
+    expect(shortcutOf(press("s", { command: true }), "page", true)).toBeNull();
+  });
+});

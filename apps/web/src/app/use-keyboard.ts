@@ -1,0 +1,118 @@
+/**
+ * The page's keys: driving while one is held, Run, Step, undo, help, Escape. One listener on the
+ * window; what a press means is decided in `shortcuts.ts`.
+ */
+import { useEffect, useState } from "react";
+import { createHoldStore, type HoldStore } from "../features/drive/hold-store.ts";
+import { runOrPause } from "../features/transport/run-button.ts";
+import { redo, undo } from "../stores/workspace-store.ts";
+import { useServices, type Services } from "./services.ts";
+import { shortcutOf, type Place, type Shortcut } from "./shortcuts.ts";
+
+/**
+ * @param openHelp opens the list of keys
+ * @returns the drive keys that are held, for the buttons on the screen too
+ */
+export function useKeyboard(openHelp: () => void): HoldStore {
+  const services = useServices();
+  const [hold] = useState(() =>
+    createHoldStore((key) => services.simulator.send({ type: "hold", key })),
+  );
+  useEffect(() => listen(services, hold, openHelp), [services, hold, openHelp]);
+  return hold;
+}
+
+function listen(services: Services, hold: HoldStore, openHelp: () => void): () => void {
+  const end = new AbortController();
+  const { signal } = end;
+  const { run, screen } = services;
+
+  window.addEventListener(
+    "keydown",
+    (event) => {
+      if (event.defaultPrevented || event.isComposing) return;
+      const isCovered = document.querySelector("dialog:modal, :popover-open") !== null;
+      const shortcut = shortcutOf(
+        {
+          key: event.key,
+          code: event.code,
+          command: event.ctrlKey || event.metaKey,
+          shift: event.shiftKey,
+          alt: event.altKey,
+        },
+        placeOf(event.target),
+        screen.getState().singleKeys,
+      );
+      // What lies on top of the page has the keys to itself; Escape closes it.
+      if (shortcut === null || isCovered) return;
+      if (shortcut.kind === "drive") {
+        if (run.getState().snapshot?.driver !== "me") return;
+        event.preventDefault();
+        hold.press(event.code, shortcut.key);
+        return;
+      }
+      if (shortcut.kind !== "escape") event.preventDefault();
+      if (!event.repeat) obey(services, hold, shortcut.kind, openHelp);
+    },
+    { signal },
+  );
+  window.addEventListener("keyup", (event) => hold.release(event.code), { signal });
+
+  // Wherever a release could be missed, the robot stops.
+  const stop = () => hold.releaseAll();
+  window.addEventListener("blur", stop, { signal });
+  document.addEventListener("visibilitychange", stop, { signal });
+  document.addEventListener(
+    "focusin",
+    (event) => {
+      if (["text", "choice", "grid"].includes(placeOf(event.target))) stop();
+    },
+    { signal },
+  );
+  const endWatch = run.subscribe(({ snapshot }, before) => {
+    if (before.snapshot?.driver === "me" && snapshot?.driver !== "me") hold.forget();
+  });
+  return () => {
+    end.abort();
+    endWatch();
+    stop();
+  };
+}
+
+function obey(
+  { simulator, workspace, run }: Services,
+  hold: HoldStore,
+  kind: Exclude<Shortcut["kind"], "drive">,
+  openHelp: () => void,
+): void {
+  switch (kind) {
+    case "run-or-pause":
+      return simulator.send(runOrPause(run.getState().snapshot));
+    case "step":
+      return simulator.send({ type: "step" });
+    case "undo":
+      return undo(workspace);
+    case "redo":
+      return redo(workspace);
+    case "help":
+      return openHelp();
+    case "escape":
+      hold.releaseAll();
+      if (run.getState().snapshot?.state === "running") simulator.send({ type: "pause" });
+  }
+}
+
+/** What kind of place an event came from. */
+function placeOf(target: EventTarget | null): Place {
+  if (!(target instanceof Element)) return "page";
+  if (target.closest("[role=grid]") !== null) return "grid";
+  if (target.closest("select, [role=listbox], [role=slider], [role=tablist]") !== null) {
+    return "choice";
+  }
+  if (target instanceof HTMLInputElement) {
+    if (target.type === "radio") return "radio";
+    return target.type === "checkbox" ? "button" : "text";
+  }
+  if (target.closest("textarea, [contenteditable]") !== null) return "text";
+  return target.closest("button, a, summary") === null ? "page" : "button";
+}

@@ -1,0 +1,82 @@
+/** The drive keys on the screen, drawn as the keys of a keyboard: hold one to drive. */
+import { ArrowDown, ArrowUp, CornerUpLeft, CornerUpRight, Square } from "lucide-react";
+import type { ReactNode } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { classNames } from "../../ui/class-names.ts";
+import type { DriveKey } from "../../worker/worker-messages.ts";
+import styles from "./drive.module.css";
+import { activeKey, type HoldStore } from "./hold-store.ts";
+
+const keys: readonly { key: DriveKey; cap: string; icon: ReactNode }[] = [
+  { key: "forward", cap: "W", icon: <ArrowUp aria-hidden="true" /> },
+  { key: "left", cap: "A", icon: <CornerUpLeft aria-hidden="true" /> },
+  { key: "stop", cap: "Space", icon: <Square aria-hidden="true" fill="currentColor" /> },
+  { key: "right", cap: "D", icon: <CornerUpRight aria-hidden="true" /> },
+  { key: "reverse", cap: "S", icon: <ArrowDown aria-hidden="true" /> },
+];
+
+/** @param caps keyboard: W A S D on the keys; words: forward, left, stop, right, reverse */
+export function DrivePad({ hold, caps }: { hold: HoldStore; caps: "keyboard" | "words" }) {
+  const { t } = useTranslation();
+  const active = useStore(hold, activeKey);
+  return (
+    <fieldset
+      aria-label={t("drive.hold")}
+      className={classNames(styles["pad"], caps === "words" && styles["big"])}
+    >
+      {keys.map(({ key, cap, icon }) => (
+        <button
+          key={key}
+          type="button"
+          className={classNames(styles["key"], styles[key])}
+          aria-label={t(`drive.key.${key}`)}
+          aria-pressed={active === key}
+          {...holdHandlers(hold, key)}
+        >
+          {icon}
+          <span aria-hidden="true">{caps === "words" ? t(`drive.key.${key}`) : cap}</span>
+        </button>
+      ))}
+    </fieldset>
+  );
+}
+
+/** Down is hold, up or lost is release: for pointers, for Space and Enter, and for voice control. */
+function holdHandlers(hold: HoldStore, key: DriveKey) {
+  const byKeyboard = `button ${key}`;
+  const byClick = `click ${key}`;
+  const release = (event: React.PointerEvent) => hold.release(`pointer ${event.pointerId}`);
+  const isPressKey = (event: React.KeyboardEvent) => event.key === " " || event.key === "Enter";
+  return {
+    onPointerDown: (event: React.PointerEvent<HTMLElement>) => {
+      if (event.button !== 0) return;
+      event.currentTarget.setPointerCapture(event.pointerId);
+      hold.press(`pointer ${event.pointerId}`, key);
+    },
+    onPointerUp: release,
+    onPointerCancel: release,
+    onLostPointerCapture: release,
+    // A long touch must not open a menu over the key that is held.
+    onContextMenu: (event: React.MouseEvent) => event.preventDefault(),
+    onKeyDown: (event: React.KeyboardEvent) => {
+      if (!isPressKey(event) || event.ctrlKey || event.metaKey) return;
+      event.preventDefault();
+      hold.press(byKeyboard, key);
+    },
+    onKeyUp: (event: React.KeyboardEvent) => {
+      if (!isPressKey(event)) return;
+      event.preventDefault();
+      hold.release(byKeyboard);
+    },
+    onBlur: () => hold.release(byKeyboard),
+    // A click that no finger, mouse or key made (voice control, a screen reader) cannot be held:
+    // the first presses, the second lets go.
+    onClick: (event: React.MouseEvent) => {
+      if (event.detail !== 0) return;
+      const isHeld = hold.getState().held.some(({ source }) => source === byClick);
+      if (isHeld) hold.release(byClick);
+      else hold.press(byClick, key);
+    },
+  };
+}

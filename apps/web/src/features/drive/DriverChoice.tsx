@@ -1,0 +1,30 @@
+/** "Who drives?" Shows what the simulator says, and asks it to hand the robot over. */
+import { List, RadioTower, User } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Segmented } from "../../ui/Segmented.tsx";
+
+export function DriverChoice() {
+  const { t } = useTranslation();
+  const { simulator, run } = useServices();
+  const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
+  return (
+    <Segmented
+      label={t("drive.who")}
+      showLabel
+      value={driver}
+      options={[
+        { value: "me", label: t("drive.me"), icon: <User aria-hidden="true" /> },
+        { value: "program", label: t("drive.program"), icon: <List aria-hidden="true" /> },
+        { value: "remote", label: t("drive.remote"), icon: <RadioTower aria-hidden="true" /> },
+      ]}
+      onChange={(next) => {
+        simulator.send({ type: "driver", driver: next });
+        // Chosen with the mouse: leave the radio, so that the arrow keys drive and do not choose.
+        const focused = document.activeElement;
+        if (focused instanceof HTMLElement && !focused.matches(":focus-visible")) focused.blur();
+      }}
+    />
+  );
+}

@@ -1,0 +1,50 @@
+/** The four readings around the robot, in cm, where the sensors are. */
+import type { SensorName } from "@corridor/protocol";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { formatReading } from "../../text/numbers.ts";
+import { classNames } from "../../ui/class-names.ts";
+import { RobotFace } from "../../ui/RobotFace.tsx";
+import styles from "./drive.module.css";
+import { readSensors, touchingSensor } from "./sensor-roles.ts";
+
+const order: readonly SensorName[] = ["front", "left", "right", "back"];
+
+/** @param look cross: around the robot; row: one line of words, for phones */
+export function SensorCross({ look }: { look: "cross" | "row" }) {
+  const { t } = useTranslation();
+  const { run, workspace } = useServices();
+  const snapshot = useStore(run, (state) => state.snapshot);
+  const program = useStore(workspace, (state) => state.program);
+  const read = readSensors(program, snapshot);
+  const touching = touchingSensor(snapshot);
+  const isCross = look === "cross";
+  return (
+    <dl
+      className={isCross ? styles["cross"] : styles["row"]}
+      aria-label={t("drive.sensorsIn")}
+      data-mood={touching === null ? undefined : "bumped"}
+    >
+      {order.map((sensor) => (
+        <div
+          key={sensor}
+          className={classNames(
+            styles["sensor"],
+            styles[sensor],
+            read.includes(sensor) && styles["read"],
+            touching === sensor && styles["touching"],
+          )}
+        >
+          <dt>{t(`drive.sensor.${sensor}`)}</dt>
+          <dd>{snapshot === null ? "–" : formatReading(snapshot.sensors[sensor])}</dd>
+        </div>
+      ))}
+      {isCross && (
+        <div className={styles["robot"]} aria-hidden="true">
+          <RobotFace size={42} mood={touching === null ? "driving" : "bumped"} />
+        </div>
+      )}
+    </dl>
+  );
+}

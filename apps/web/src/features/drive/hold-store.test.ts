@@ -1,0 +1,85 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { activeKey, createHoldStore } from "./hold-store.ts";
+import type { DriveKey } from "../../worker/worker-messages.ts";
+
+function setUp() {
+  const sent: DriveKey[] = [];
+  return { sent, hold: createHoldStore((key) => sent.push(key)) };
+}
+
+describe("holding drive keys", () => {
+  it("drives while a key is held and stops when it is let go", () => {
+    const { sent, hold } = setUp();
+    hold.press("w", "forward");
+    hold.release("w");
+    expect(sent).toEqual(["forward", "stop"]);
+  });
+
+  it("follows the key pressed last, and returns to the other when it is let go", () => {
+    const { sent, hold } = setUp();
+    hold.press("w", "forward");
+    hold.press("a", "left");
+    hold.release("a");
+    hold.release("w");
+    expect(sent).toEqual(["forward", "left", "forward", "stop"]);
+  });
+
+  it("keeps on when the key pressed first is let go first", () => {
+    const { sent, hold } = setUp();
+    hold.press("w", "forward");
+    hold.press("a", "left");
+    hold.release("w");
+    expect(sent).toEqual(["forward", "left"]);
+  });
+
+  it("sends nothing again while the keyboard repeats a held key", () => {
+    const { sent, hold } = setUp();
+    hold.press("w", "forward");
+    hold.press("w", "forward");
+    expect(sent).toEqual(["forward"]);
+  });
+
+  it("drives on while one of two fingers still holds the same key", () => {
+    const { sent, hold } = setUp();
+    hold.press("w", "forward");
+    hold.press("pointer 1", "forward");
+    hold.release("w");
+    expect(sent).toEqual(["forward"]);
+    hold.release("pointer 1");
+    expect(sent).toEqual(["forward", "stop"]);
+  });
+
+  it("stops once when the window loses its focus", () => {
+    const { sent, hold } = setUp();
+    hold.press("w", "forward");
+    hold.press("d", "right");
+    hold.releaseAll();
+    hold.release("w");
+    hold.releaseAll();
+    expect(sent).toEqual(["forward", "right", "stop"]);
+  });
+
+  it("says nothing when another driver has taken over", () => {
+    const { sent, hold } = setUp();
+    hold.press("w", "forward");
+    hold.forget();
+    hold.release("w");
+    expect(sent).toEqual(["forward"]);
+  });
+
+  it("has stopped the robot whenever no key is held, whatever was pressed", () => {
+    const source = fc.constantFrom("w", "a", "s", "d", "pointer");
+    const key = fc.constantFrom<DriveKey>("forward", "reverse", "left", "right", "stop");
+    fc.assert(
+      fc.property(fc.array(fc.tuple(fc.boolean(), source, key)), (events) => {
+        const { sent, hold } = setUp();
+        for (const [isPress, from, what] of events) {
+          if (isPress) hold.press(from, what);
+          else hold.release(from);
+        }
+        expect(sent.at(-1) ?? "stop").toBe(activeKey(hold.getState()) ?? "stop");
+      }),
+    );
+  });
+});

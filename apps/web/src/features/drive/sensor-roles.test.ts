@@ -1,0 +1,61 @@
+import type { ProgramDocument } from "@corridor/program";
+import type { Snapshot } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import { readSensors, touchingSensor } from "./sensor-roles.ts";
+
+const program: ProgramDocument = {
+  format: "corridor/program",
+  version: 1,
+  name: "",
+  default: "forward",
+  rules: [
+    { when: { sensor: "front", is: "<", than: 50 }, do: "left 90" },
+    { when: { sensor: "left", is: ">", than: "right", plus: 1 }, do: "left 90" },
+    { when: null, do: "forward" },
+  ],
+};
+
+function at(changes: Partial<Snapshot>): Snapshot {
+  return {
+    seq: 1,
+    tick: 1,
+    state: "running",
+    driver: "program",
+    sensors: { front: 50, right: 50, back: 50, left: 50 },
+    pose: { x: 50, y: 50, heading: 0 },
+    motion: "forward",
+    bumps: 0,
+    bumping: false,
+    goalReached: false,
+    line: null,
+    command: null,
+    ...changes,
+  };
+}
+
+describe("readSensors", () => {
+  it.each([
+    { name: "no line decides", line: null, sensors: [] },
+    { name: "otherwise decides", line: "default" as const, sensors: [] },
+    { name: "a line with one sensor decides", line: 0, sensors: ["front"] },
+    { name: "a line that compares decides", line: 1, sensors: ["left", "right"] },
+    { name: "the deciding line was just deleted", line: 9, sensors: [] },
+  ])("lights $sensors when $name", ({ line, sensors }) => {
+    expect(readSensors(program, at({ line }))).toEqual(sensors);
+  });
+
+  it("lights nothing before the first snapshot", () => {
+    expect(readSensors(program, null)).toEqual([]);
+  });
+});
+
+describe("touchingSensor", () => {
+  it.each([
+    { motion: "forward", bumping: true, sensor: "front" },
+    { motion: "delayed left 90", bumping: true, sensor: "front" },
+    { motion: "reverse", bumping: true, sensor: "back" },
+    { motion: "forward", bumping: false, sensor: null },
+  ])("is $sensor with $motion, bumping $bumping", ({ motion, bumping, sensor }) => {
+    expect(touchingSensor(at({ motion, bumping }))).toBe(sensor);
+  });
+});

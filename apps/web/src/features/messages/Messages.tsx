@@ -1,0 +1,84 @@
+/** Messages that can be dismissed. Information leaves after 6 s; what went wrong stays. */
+import { CircleAlert, X } from "lucide-react";
+import { useEffect, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { dismiss, type Message } from "../../stores/screen-store.ts";
+import { Button, IconButton } from "../../ui/Button.tsx";
+import { classNames } from "../../ui/class-names.ts";
+import styles from "./messages.module.css";
+
+/** How long information stays, in ms; it waits while it has the focus or the pointer. */
+const STAYS_MS = 6000;
+
+export function Messages() {
+  const { t } = useTranslation();
+  const { screen } = useServices();
+  const messages = useStore(screen, (state) => state.messages);
+  // Both regions are always there: a live region that comes with its text is not read out.
+  return (
+    <section className={styles["messages"]} aria-label={t("shell.messages")}>
+      <div role="alert" className={styles["list"]}>
+        {messages
+          .filter(({ tone }) => tone === "bad")
+          .map((message) => (
+            <MessageCard key={message.id} message={message} />
+          ))}
+      </div>
+      <output className={styles["list"]}>
+        {messages
+          .filter(({ tone }) => tone === "info")
+          .map((message) => (
+            <MessageCard key={message.id} message={message} />
+          ))}
+      </output>
+    </section>
+  );
+}
+
+function MessageCard({ message }: { message: Message }) {
+  const { t } = useTranslation();
+  const { screen } = useServices();
+  const [isHeld, setIsHeld] = useState(false);
+  const { id, tone, text, action } = message;
+
+  useEffect(() => {
+    if (tone === "bad" || isHeld) return;
+    const timer = setTimeout(() => dismiss(screen, id), STAYS_MS);
+    return () => clearTimeout(timer);
+  }, [screen, id, tone, isHeld]);
+
+  return (
+    <div
+      className={classNames(styles["card"], styles[tone])}
+      onPointerEnter={() => setIsHeld(true)}
+      onPointerLeave={() => setIsHeld(false)}
+      onFocus={() => setIsHeld(true)}
+      onBlur={() => setIsHeld(false)}
+    >
+      {tone === "bad" && <CircleAlert size={18} aria-hidden="true" />}
+      <span className={styles["text"]}>{text}</span>
+      {action !== undefined && (
+        <Button
+          size="small"
+          kind="quiet"
+          className={styles["action"]}
+          onClick={() => {
+            dismiss(screen, id);
+            action.run();
+          }}
+        >
+          {action.label}
+        </Button>
+      )}
+      <IconButton
+        label={t("shell.dismiss")}
+        className={styles["close"]}
+        onClick={() => dismiss(screen, id)}
+      >
+        <X aria-hidden="true" />
+      </IconButton>
+    </div>
+  );
+}

@@ -1,0 +1,86 @@
+/** What a line asks: the condition menu and its number. */
+import {
+  conditionKinds,
+  kindOf,
+  numberOf,
+  numberRange,
+  setNumber,
+  type Condition,
+} from "@corridor/program";
+import { useEffect, useRef } from "react";
+import { useTranslation } from "react-i18next";
+import { useServices } from "../../app/services.ts";
+import { beginStroke } from "../../stores/workspace-store.ts";
+import { FieldError, NumberInput } from "../../ui/NumberField.tsx";
+import { Select } from "../../ui/Select.tsx";
+import { useNumberDraft } from "../../ui/use-number-draft.ts";
+import { choiceOf, DO_NOTHING, kindOfChoice } from "./condition-menu.ts";
+import { applyEdit, chooseCondition, type RememberedNumbers } from "./program-actions.ts";
+import { SensorIcon } from "./ProgramIcons.tsx";
+import styles from "./program.module.css";
+
+interface ConditionMenuProps {
+  index: number;
+  condition: Condition | null;
+  remembered: RememberedNumbers;
+}
+
+/** The menu of the paper's conditions. */
+export function ConditionMenu({ index, condition, remembered }: ConditionMenuProps) {
+  const { t } = useTranslation();
+  const { workspace } = useServices();
+  const options = [
+    { value: DO_NOTHING, label: t("program.doNothing") },
+    ...conditionKinds.map((kind, at) => ({
+      value: String(at),
+      label:
+        kind.than === "right"
+          ? `${t("program.sensor.left")} ${kind.is} ${t("program.sensor.right")} +`
+          : `${t(`program.sensor.${kind.sensor}`)} ${kind.is}`,
+    })),
+  ];
+  return (
+    <Select
+      label={t("program.conditionOf", { line: index + 1 })}
+      className={styles["condition"]}
+      value={choiceOf(condition)}
+      options={options}
+      icon={<SensorIcon kind={condition === null ? null : kindOf(condition)} />}
+      onChange={(choice) => chooseCondition(workspace, index, kindOfChoice(choice), remembered)}
+    />
+  );
+}
+
+/** The number of a condition. All that is typed in one visit is one step of the history. */
+export function ConditionNumber({ index, condition }: { index: number; condition: Condition }) {
+  const { t } = useTranslation();
+  const { workspace } = useServices();
+  const endStroke = useRef<(() => void) | null>(null);
+  const range = numberRange(kindOf(condition));
+  const draft = useNumberDraft(numberOf(condition), range, (number) => {
+    endStroke.current ??= beginStroke(workspace);
+    applyEdit(workspace, setNumber(workspace.getState().program, index, number));
+  });
+  // A line can go away while its number is being typed; the history must not stay on hold.
+  useEffect(() => () => endStroke.current?.(), []);
+  const errorId = `line-${index}-number-error`;
+  return (
+    <>
+      <NumberInput
+        draft={draft}
+        errorId={errorId}
+        className={styles["number"]}
+        aria-label={t("program.numberOf", { line: index + 1 })}
+        onBlur={() => {
+          endStroke.current?.();
+          endStroke.current = null;
+        }}
+      />
+      {draft.isInvalid && (
+        <div className={styles["error"]}>
+          <FieldError id={errorId}>{t("program.badNumber", range)}</FieldError>
+        </div>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,78 @@
+/** Move up, move down, delete: three small buttons, or one big one that opens them under a finger. */
+import { ArrowDown, ArrowUp, Ellipsis, Trash2 } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useMediaQuery } from "../../ui/use-media-query.ts";
+import { IconButton } from "../../ui/Button.tsx";
+import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
+import styles from "./program.module.css";
+
+interface LineToolsProps {
+  line: number;
+  isFirst: boolean;
+  isLast: boolean;
+  onMove: (by: -1 | 1) => void;
+  onDelete: () => void;
+}
+
+export function LineTools(props: LineToolsProps) {
+  const isBig = useMediaQuery("(max-width: 599px), (pointer: coarse)");
+  return isBig ? <ToolMenu {...props} /> : <ToolButtons {...props} />;
+}
+
+function ToolButtons({ line, isFirst, isLast, onMove, onDelete }: LineToolsProps) {
+  const { t } = useTranslation();
+  return (
+    <div className={styles["tools"]}>
+      <IconButton
+        label={t("program.moveUp", { line })}
+        data-move="up"
+        disabled={isFirst}
+        onClick={() => onMove(-1)}
+      >
+        <ArrowUp aria-hidden="true" />
+      </IconButton>
+      <IconButton
+        label={t("program.moveDown", { line })}
+        data-move="down"
+        disabled={isLast}
+        onClick={() => onMove(1)}
+      >
+        <ArrowDown aria-hidden="true" />
+      </IconButton>
+      <IconButton label={t("program.delete", { line })} onClick={onDelete}>
+        <Trash2 aria-hidden="true" />
+      </IconButton>
+    </div>
+  );
+}
+
+function ToolMenu({ line, isFirst, isLast, onMove, onDelete }: LineToolsProps) {
+  const { t } = useTranslation();
+  const menu = usePopover();
+  return (
+    <>
+      <IconButton label={t("program.lineMenu", { line })} size="large" {...menu.trigger}>
+        <Ellipsis aria-hidden="true" />
+      </IconButton>
+      <Popover {...menu.panel} label={t("program.lineMenu", { line })} align="right">
+        <MenuItem
+          icon={<ArrowUp aria-hidden="true" />}
+          disabled={isFirst}
+          onSelect={() => onMove(-1)}
+        >
+          {t("program.up")}
+        </MenuItem>
+        <MenuItem
+          icon={<ArrowDown aria-hidden="true" />}
+          disabled={isLast}
+          onSelect={() => onMove(1)}
+        >
+          {t("program.down")}
+        </MenuItem>
+        <MenuItem icon={<Trash2 aria-hidden="true" />} onSelect={onDelete}>
+          {t("program.remove")}
+        </MenuItem>
+      </Popover>
+    </>
+  );
+}

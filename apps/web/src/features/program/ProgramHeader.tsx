@@ -1,0 +1,105 @@
+/** The program's name, undo and redo, and the ready-made algorithms. */
+import { MAX_NAME_LENGTH, programPresets, rename } from "@corridor/program";
+import { BookOpen, Redo2, Undo2 } from "lucide-react";
+import { useRef } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { tell } from "../../stores/screen-store.ts";
+import { beginStroke, redo, undo } from "../../stores/workspace-store.ts";
+import { IconButton } from "../../ui/Button.tsx";
+import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
+import { applyEdit, loadProgram } from "./program-actions.ts";
+import styles from "./program.module.css";
+
+export function ProgramHeader() {
+  const { t } = useTranslation();
+  const { workspace } = useServices();
+  const canUndo = useStore(workspace.temporal, (state) => state.pastStates.length > 0);
+  const canRedo = useStore(workspace.temporal, (state) => state.futureStates.length > 0);
+  return (
+    <header>
+      <div className={styles["header"]}>
+        <h2 className="visually-hidden">{t("program.program")}</h2>
+        <ProgramName />
+        <AlgorithmMenu />
+        <IconButton label={t("program.undo")} disabled={!canUndo} onClick={() => undo(workspace)}>
+          <Undo2 aria-hidden="true" />
+        </IconButton>
+        <IconButton label={t("program.redo")} disabled={!canRedo} onClick={() => redo(workspace)}>
+          <Redo2 aria-hidden="true" />
+        </IconButton>
+      </div>
+      <p className={styles["explanation"]}>{t("program.explanation")}</p>
+    </header>
+  );
+}
+
+/** The title is a field: all that is typed in one visit is one step of the history. */
+function ProgramName() {
+  const { t } = useTranslation();
+  const { workspace } = useServices();
+  const name = useStore(workspace, ({ program }) => program.name);
+  const endStroke = useRef<(() => void) | null>(null);
+  return (
+    <input
+      className={styles["name"]}
+      aria-label={t("program.nameLabel")}
+      placeholder={t("program.unnamed")}
+      maxLength={MAX_NAME_LENGTH}
+      autoComplete="off"
+      spellCheck={false}
+      value={name}
+      onChange={(event) => {
+        endStroke.current ??= beginStroke(workspace);
+        applyEdit(workspace, rename(workspace.getState().program, event.target.value));
+      }}
+      onKeyDown={(event) => {
+        if (event.key === "Enter") event.currentTarget.blur();
+      }}
+      onBlur={() => {
+        endStroke.current?.();
+        endStroke.current = null;
+      }}
+    />
+  );
+}
+
+function AlgorithmMenu() {
+  const { t } = useTranslation();
+  const { workspace, screen } = useServices();
+  const menu = usePopover();
+  return (
+    <>
+      <IconButton label={t("program.algorithms")} {...menu.trigger}>
+        <BookOpen aria-hidden="true" />
+      </IconButton>
+      <Popover {...menu.panel} label={t("program.algorithms")} align="right">
+        <h3 className={styles["menuTitle"]}>{t("program.algorithms")}</h3>
+        {programPresets.map(({ id, program }) => (
+          <MenuItem
+            key={id}
+            note={t(`program.preset.${id}.note`)}
+            onSelect={() => {
+              const name = t(`program.preset.${id}.name`);
+              loadProgram(workspace, { ...program, name });
+              const loaded = workspace.getState().program;
+              tell(screen, {
+                tone: "info",
+                text: t("program.loaded", { name }),
+                action: {
+                  label: t("program.undo"),
+                  run: () => {
+                    if (workspace.getState().program === loaded) undo(workspace);
+                  },
+                },
+              });
+            }}
+          >
+            {t(`program.preset.${id}.name`)}
+          </MenuItem>
+        ))}
+      </Popover>
+    </>
+  );
+}

@@ -1,0 +1,26 @@
+/**
+ * A comparison as text: short numbers, but never so short that they would contradict the truth.
+ * 250.46 > 60 is "250.5 > 60"; 50.04 > 50 is "50.04 > 50", because "50 > 50" reads as false.
+ */
+import type { Comparator, Truth } from "@corridor/program";
+
+/** Digits after the point that are enough for any reading in a maze of legal size. */
+const MOST_DECIMALS = 12;
+
+/** @returns for example "250.5 > 60", in cm */
+export function truthText({ left, is, right, isTrue }: Truth): string {
+  for (let decimals = 1; decimals <= MOST_DECIMALS; decimals++) {
+    const shownLeft = round(left, decimals);
+    const shownRight = round(right, decimals);
+    if (holds(shownLeft, is, shownRight) === isTrue) return `${shownLeft} ${is} ${shownRight}`;
+  }
+  return `${left} ${is} ${right}`;
+}
+
+function round(value: number, decimals: number): number {
+  return Number(value.toFixed(decimals));
+}
+
+function holds(left: number, is: Comparator, right: number): boolean {
+  return is === ">" ? left > right : left < right;
+}

@@ -1,0 +1,24 @@
+/** The theme in the top bar: its picture opens the choice. */
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { IconButton } from "../../ui/Button.tsx";
+import { Popover, usePopover } from "../../ui/Popover.tsx";
+import { ThemeChoice, themeIcons } from "./ThemeChoice.tsx";
+
+export function ThemeButton() {
+  const { t } = useTranslation();
+  const { screen } = useServices();
+  const theme = useStore(screen, (state) => state.theme);
+  const menu = usePopover();
+  return (
+    <>
+      <IconButton label={t("works.theme")} size="medium" {...menu.trigger}>
+        {themeIcons[theme]}
+      </IconButton>
+      <Popover {...menu.panel} label={t("works.theme")} align="right">
+        <ThemeChoice />
+      </Popover>
+    </>
+  );
+}

@@ -1,0 +1,30 @@
+/** Goal reached and bumps, told in words once each; the place of the timeline. */
+import { Flag, Sparkle } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { classNames } from "../../ui/class-names.ts";
+import { storyOf } from "./story.ts";
+import styles from "./transport.module.css";
+
+export function RunStory() {
+  const { t } = useTranslation();
+  const { run } = useServices();
+  const moment = useStore(run, (state) => state.moment);
+  const isFresh = useStore(run, ({ snapshot }) => (snapshot?.tick ?? 0) === 0);
+  const story = moment === null ? null : storyOf(moment);
+  return (
+    <output className={classNames(styles["story"], story !== null && styles[story.kind])}>
+      {story?.kind === "goal" && <Flag size={18} aria-hidden="true" />}
+      {story?.kind === "bump" && <Sparkle size={18} aria-hidden="true" />}
+      {story !== null && (
+        <span>
+          {story.kind === "goal"
+            ? t("shell.story.goal", { ...story })
+            : t(`shell.story.bump.${story.teller}`, { ...story })}
+        </span>
+      )}
+      {story === null && isFresh && <span className={styles["hint"]}>{t("shell.story.hint")}</span>}
+    </output>
+  );
+}

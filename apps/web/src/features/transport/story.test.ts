@@ -1,0 +1,34 @@
+import { describe, expect, it } from "vitest";
+import type { Moment } from "../../worker/worker-messages.ts";
+import { storyOf } from "./story.ts";
+
+const bump: Moment = {
+  kind: "bump",
+  tick: 786,
+  pose: { x: 448, y: 326, heading: 0 },
+  line: 2,
+  driver: "program",
+  bumps: 1,
+};
+
+describe("storyOf", () => {
+  it("tells time, tick and square of a bump, and the line as its badge has it", () => {
+    expect(storyOf(bump)).toEqual({
+      kind: "bump",
+      teller: "line",
+      line: 3,
+      seconds: "13.1",
+      tick: 786,
+      column: 4,
+      row: 3,
+    });
+  });
+
+  it.each([
+    { name: "otherwise", changes: { line: "default" as const }, teller: "otherwise" },
+    { name: "a hand", changes: { line: null, driver: "me" as const }, teller: "me" },
+    { name: "a script", changes: { line: null, driver: "remote" as const }, teller: "remote" },
+  ])("names $name where no numbered line drove", ({ changes, teller }) => {
+    expect(storyOf({ ...bump, ...changes }).teller).toBe(teller);
+  });
+});

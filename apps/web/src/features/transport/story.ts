@@ -1,0 +1,35 @@
+/** The one-line story of the run: which sentence tells the newest goal or bump, and its numbers. */
+import type { Moment } from "../../worker/worker-messages.ts";
+import { formatSeconds } from "../../text/numbers.ts";
+
+/** Side of a square of the maze, in cm. */
+const SQUARE = 100;
+
+/** Who or what was in charge; the sentence names it. */
+export type Teller = "line" | "otherwise" | "me" | "program" | "remote";
+
+export interface Story {
+  kind: Moment["kind"];
+  teller: Teller;
+  /** 1 for the first line; 0 when no numbered line was in charge */
+  line: number;
+  seconds: string;
+  tick: number;
+  /** square of the maze, from 0, as in documents */
+  column: number;
+  row: number;
+}
+
+/** What there is to tell about a moment. */
+export function storyOf({ kind, line, driver, tick, pose }: Moment): Story {
+  const isNumbered = typeof line === "number";
+  return {
+    kind,
+    teller: isNumbered ? "line" : line === "default" ? "otherwise" : driver,
+    line: isNumbered ? line + 1 : 0,
+    seconds: formatSeconds(tick),
+    tick,
+    column: Math.floor(pose.x / SQUARE),
+    row: Math.floor(pose.y / SQUARE),
+  };
+}
