@@ -2,18 +2,56 @@
 import { createRoot } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
 import { App } from "./app/App.tsx";
+import { flushWhenHidden } from "./app/autosave.ts";
 import { createServices, ServicesProvider } from "./app/services.ts";
+import { keepSingleKeys } from "./app/single-keys.ts";
+import { startTheme } from "./app/theme.ts";
+import { followAddress } from "./app/url-sync.ts";
+import { storageOrNone } from "./app/works.ts";
+import { openEmptyMaze } from "./features/works/empty-maze.ts";
 import { createI18n } from "./text/i18n.ts";
-import { firstMaze, firstProgram } from "./app/first-visit.ts";
 
-const worker = new Worker(new URL("./worker/simulator.worker.ts", import.meta.url), {
-  type: "module",
+const words = createI18n();
+const device = storageOrNone(() => localStorage);
+const services = createServices({
+  worker: new Worker(new URL("./worker/simulator.worker.ts", import.meta.url), { type: "module" }),
+  device,
+  tab: storageOrNone(() => sessionStorage),
+  words,
 });
+
+startTheme({
+  screen: services.screen,
+  storage: device,
+  systemDark: matchMedia("(prefers-color-scheme: dark)"),
+  apply: (theme) => (document.documentElement.dataset["theme"] = theme),
+});
+keepSingleKeys(services.screen, device);
+flushWhenHidden(services.works.autosave, {
+  isHidden: () => document.visibilityState === "hidden",
+  listen: (type, listener) => {
+    (type === "pagehide" ? window : document).addEventListener(type, listener);
+  },
+});
+
+function follow(): void {
+  followAddress({
+    ...services,
+    words,
+    maze: () => services.workspace.getState().maze,
+    location,
+    replaceAddress: (address) => history.replaceState(history.state, "", address),
+    openEmptyMaze: () => openEmptyMaze(services, words),
+  });
+}
+follow();
+window.addEventListener("hashchange", follow);
+
 const root = document.getElementById("root");
 if (root === null) throw new Error("index.html has no #root");
 createRoot(root).render(
-  <I18nextProvider i18n={createI18n()}>
-    <ServicesProvider value={createServices(worker, firstMaze, firstProgram)}>
+  <I18nextProvider i18n={words}>
+    <ServicesProvider value={services}>
       <App />
     </ServicesProvider>
   </I18nextProvider>,

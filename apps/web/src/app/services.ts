@@ -2,14 +2,28 @@
  * Composition root of the page: the only place that builds the stores and the worker.
  * Components reach them through `useServices`.
  */
-import type { MazeDocument } from "@corridor/maze";
-import type { ProgramDocument } from "@corridor/program";
+import type { i18n } from "i18next";
 import { createContext, useContext } from "react";
 import { createRemoteStore, type RemoteStore } from "../stores/remote-store.ts";
 import { createRunStore, isDue, type RunStore } from "../stores/run-store.ts";
 import { createScreenStore, type ScreenStore } from "../stores/screen-store.ts";
 import { createWorkspaceStore, type WorkspaceStore } from "../stores/workspace-store.ts";
 import { SimulatorClient, type WorkerPort } from "../worker/simulator-client.ts";
+import { CurrentWork } from "./current-work.ts";
+import { firstMaze, firstProgram } from "./first-visit.ts";
+import { RemoteConnection } from "./remote-session.ts";
+import { WorksService } from "./works-service.ts";
+import { WorkShelf, type KeyValueStorage } from "./works.ts";
+
+/** What the page is given by the browser; tests give other ones. */
+export interface Browser {
+  worker: WorkerPort;
+  /** localStorage: what stays on the device */
+  device: KeyValueStorage;
+  /** sessionStorage: what stays in this tab */
+  tab: KeyValueStorage;
+  words: Pick<i18n, "t">;
+}
 
 export interface Services {
   simulator: SimulatorClient;
@@ -17,14 +31,19 @@ export interface Services {
   run: RunStore;
   remote: RemoteStore;
   screen: ScreenStore;
+  works: WorksService;
+  connection: RemoteConnection;
 }
 
 /** Builds everything and connects it: documents flow to the worker, what it tells flows to the stores. */
-export function createServices(
-  worker: WorkerPort,
-  maze: MazeDocument,
-  program: ProgramDocument,
-): Services {
+export function createServices({ worker, device, tab, words }: Browser): Services {
+  const shelf = new WorkShelf(device);
+  const current = new CurrentWork(
+    { shelf, tab, now: Date.now, newId: newTextId },
+    firstMaze,
+    firstProgram,
+  );
+  const { maze, program } = current.work;
   const simulator = new SimulatorClient(worker);
   const workspace = createWorkspaceStore(maze, program);
   const run = createRunStore();
@@ -64,7 +83,16 @@ export function createServices(
       simulator.send({ type: "edit-program", program: next.program });
     }
   });
-  return { simulator, workspace, run, remote, screen };
+  const later = (action: () => void, milliseconds: number) => setTimeout(action, milliseconds);
+  const works = new WorksService({ shelf, current, workspace, screen, words, later });
+  const connection = new RemoteConnection({ simulator, remote, run, tab });
+  return { simulator, workspace, run, remote, screen, works, connection };
+}
+
+/** A random id. Not crypto.randomUUID: pages that are not secure do not have it. */
+function newTextId(): string {
+  const bytes = crypto.getRandomValues(new Uint8Array(12));
+  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
 const ServicesContext = createContext<Services | null>(null);

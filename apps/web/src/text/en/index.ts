@@ -6,5 +6,6 @@ import remote from "./remote.json" with { type: "json" };
 import share from "./share.json" with { type: "json" };
 import shell from "./shell.json" with { type: "json" };
 import stage from "./stage.json" with { type: "json" };
+import works from "./works.json" with { type: "json" };
 
-export const en = { drive, presets, program, remote, share, shell, stage };
+export const en = { drive, presets, program, remote, share, shell, stage, works };

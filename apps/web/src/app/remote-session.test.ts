@@ -1,0 +1,95 @@
+import type { Snapshot } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import { createRemoteStore } from "../stores/remote-store.ts";
+import { createRunStore } from "../stores/run-store.ts";
+import type { RemoteSession, ToWorker } from "../worker/worker-messages.ts";
+import { readSession, RemoteConnection } from "./remote-session.ts";
+import { MemoryStorage } from "./testing/memory-storage.ts";
+
+const session: RemoteSession = {
+  id: "r1",
+  ownerKey: "owner",
+  driverKey: "driver",
+  address: "https://host/r/r1#driver",
+  lastApplied: 0,
+};
+
+function openPage(tab = new MemoryStorage()) {
+  const sent: ToWorker[] = [];
+  const run = createRunStore();
+  const remote = createRemoteStore();
+  const simulator = { send: (message: ToWorker) => void sent.push(message) };
+  const connection = new RemoteConnection({ simulator, remote, run, tab });
+  const drive = (driver: Snapshot["driver"]) => run.setState({ snapshot: { driver } as Snapshot });
+  return { sent, run, remote, connection, tab, drive };
+}
+
+describe("RemoteConnection", () => {
+  it("asks for a new robot when remote drives for the first time, and not again", () => {
+    const page = openPage();
+    page.drive("program");
+    expect(page.sent).toEqual([]);
+    page.drive("remote");
+    page.remote.setState({ status: { kind: "connecting" } });
+    page.drive("remote");
+    page.drive("me");
+    page.drive("remote");
+    expect(page.sent).toEqual([{ type: "remote-open", session: null, fresh: true }]);
+  });
+
+  it("stays off after the reader disconnected, until remote is chosen again", () => {
+    const page = openPage();
+    page.drive("remote");
+    page.remote.setState({ status: { kind: "waiting" }, session });
+    page.connection.disconnect();
+    page.remote.setState({ status: { kind: "off" } });
+    page.drive("remote");
+    expect(page.sent.map(({ type }) => type)).toEqual(["remote-open", "remote-close"]);
+    page.drive("me");
+    page.drive("remote");
+    expect(page.sent.at(-1)).toEqual({ type: "remote-open", session, fresh: false });
+  });
+
+  it("keeps the robot's address over a reload, with the newest command that was started", () => {
+    const page = openPage();
+    page.remote.setState({ status: { kind: "waiting" }, session });
+    page.remote.setState({ session: { ...session, lastApplied: 7 } });
+    const reloaded = openPage(page.tab);
+    reloaded.connection.connect();
+    expect(reloaded.sent).toEqual([
+      { type: "remote-open", session: { ...session, lastApplied: 7 }, fresh: true },
+    ]);
+  });
+
+  it("asks for another robot once the session is over", () => {
+    const page = openPage();
+    page.remote.setState({ status: { kind: "waiting" }, session });
+    page.remote.setState({ status: { kind: "over", reason: "Two hours without use." } });
+    page.connection.connect();
+    expect(page.sent).toEqual([{ type: "remote-open", session: null, fresh: true }]);
+  });
+
+  it("works without an address to keep where storage is full", () => {
+    const tab = new MemoryStorage();
+    tab.isFull = true;
+    const page = openPage(tab);
+    page.remote.setState({ status: { kind: "waiting" }, session });
+    expect(readSession(tab)).toBeNull();
+  });
+});
+
+describe("readSession", () => {
+  it.each([
+    { name: "nonsense", text: "{" },
+    { name: "null", text: "null" },
+    { name: "a key that is no text", text: JSON.stringify({ ...session, ownerKey: 1 }) },
+    { name: "an empty id", text: JSON.stringify({ ...session, id: "" }) },
+    { name: "a huge address", text: JSON.stringify({ ...session, address: "x".repeat(9_999) }) },
+    { name: "a negative count", text: JSON.stringify({ ...session, lastApplied: -1 }) },
+    { name: "a count that is no number", text: JSON.stringify({ ...session, lastApplied: null }) },
+  ])("takes $name for no session", ({ text }) => {
+    const tab = new MemoryStorage();
+    tab.setItem("corridor.remote", text);
+    expect(readSession(tab)).toBeNull();
+  });
+});

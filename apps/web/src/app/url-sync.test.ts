@@ -1,0 +1,191 @@
+import { encodeLink, type LinkContent } from "@corridor/link";
+import { describe, expect, it } from "vitest";
+import { createScreenStore } from "../stores/screen-store.ts";
+import { createWorkspaceStore, setMaze } from "../stores/workspace-store.ts";
+import { createI18n } from "../text/i18n.ts";
+import { CurrentWork } from "./current-work.ts";
+import { firstMaze, firstProgram } from "./first-visit.ts";
+import { MemoryStorage } from "./testing/memory-storage.ts";
+import { followAddress } from "./url-sync.ts";
+import { WorksService } from "./works-service.ts";
+import { WorkShelf } from "./works.ts";
+
+const sharedMaze = { ...firstMaze, name: "Shared" };
+const sharedProgram = { ...firstProgram, name: "Shared rules" };
+
+function linkOf(content: LinkContent): string {
+  const result = encodeLink(content);
+  if (!result.ok) throw new Error(`no link: ${result.code}`);
+  return result.text;
+}
+
+const mazeLink = linkOf({ maze: sharedMaze });
+const fullLink = linkOf({ maze: sharedMaze, program: sharedProgram });
+
+let lastId = 0;
+
+function openPage(device: MemoryStorage, tab = new MemoryStorage()) {
+  const shelf = new WorkShelf(device);
+  const current = new CurrentWork(
+    { shelf, tab, now: () => ++lastId, newId: () => `id-${++lastId}` },
+    firstMaze,
+    firstProgram,
+  );
+  const workspace = createWorkspaceStore(current.work.maze, current.work.program);
+  const screen = createScreenStore();
+  const words = createI18n();
+  const later = () => undefined;
+  const works = new WorksService({ shelf, current, workspace, screen, words, later });
+  const addresses: string[] = [];
+  const emptied: string[] = [];
+  const go = (pathname: string, hash: string) =>
+    followAddress({
+      works,
+      screen,
+      words,
+      maze: () => workspace.getState().maze,
+      location: { pathname, search: "", hash },
+      replaceAddress: (address) => addresses.push(address),
+      openEmptyMaze: () => emptied.push("empty"),
+    });
+  const rename = (name: string) => {
+    setMaze(workspace, { ...workspace.getState().maze, name });
+    works.autosave.flush();
+  };
+  const shown = () => workspace.getState().maze.name;
+  const message = () => screen.getState().messages[0];
+  const names = () =>
+    works
+      .list()
+      .map(({ maze }) => maze.name)
+      .toSorted();
+  return { workspace, screen, works, addresses, emptied, go, rename, shown, message, names, tab };
+}
+
+describe("opening a shared link", () => {
+  it("shows the maze beside the reader's own work, and leads back", () => {
+    const page = openPage(new MemoryStorage());
+    page.rename("Mine");
+    page.go("/", `#${fullLink}`);
+    expect(page.shown()).toBe("Shared");
+    expect(page.workspace.getState().program.name).toBe("Shared rules");
+    expect(page.names()).toEqual(["Mine", "Shared"]);
+    expect(page.message()?.text).toBe("You opened a shared maze. Your own work is kept.");
+    page.message()?.action?.run();
+    expect(page.shown()).toBe("Mine");
+    expect(page.screen.getState().messages).toEqual([]);
+  });
+
+  it("leads back to a maze that could not be saved", () => {
+    const device = new MemoryStorage();
+    device.isFull = true;
+    const page = openPage(device);
+    page.rename("Unsaved");
+    page.go("/", `#${mazeLink}`);
+    page.message()?.action?.run();
+    expect(page.shown()).toBe("Unsaved");
+  });
+
+  it("keeps the reader's program when the link has none", () => {
+    const page = openPage(new MemoryStorage());
+    page.go("/", `#${mazeLink}`);
+    expect(page.workspace.getState().program).toBe(firstProgram);
+  });
+
+  it("takes the link out of the address, so that a reload keeps the reader's edits", () => {
+    const device = new MemoryStorage();
+    const page = openPage(device);
+    page.go("/", `#${mazeLink}`);
+    expect(page.addresses).toEqual(["/"]);
+    page.rename("Shared, my way");
+    expect(openPage(device, page.tab).shown()).toBe("Shared, my way");
+  });
+
+  it.each([
+    { name: "of a maze", link: mazeLink },
+    { name: "of a maze and a program", link: fullLink },
+  ])("does not pile up works when a link $name is opened again", ({ link }) => {
+    const page = openPage(new MemoryStorage());
+    page.rename("Mine");
+    for (let time = 0; time < 3; time++) page.go("/", `#${link}`);
+    expect(page.names()).toEqual(["Mine", "Shared"]);
+  });
+
+  it("opens a fresh copy when the reader has changed the first one", () => {
+    const page = openPage(new MemoryStorage());
+    page.go("/", `#${mazeLink}`);
+    page.rename("Changed");
+    page.go("/", `#${mazeLink}`);
+    expect(page.shown()).toBe("Shared");
+    expect(page.names()).toEqual(["Changed", "Shared"]);
+  });
+
+  it("opens a program alone in a copy of the reader's maze", () => {
+    const page = openPage(new MemoryStorage());
+    page.rename("Mine");
+    page.go("/", `#${linkOf({ program: sharedProgram })}`);
+    expect(page.shown()).toBe("Mine");
+    expect(page.workspace.getState().program.name).toBe("Shared rules");
+    expect(page.names()).toEqual(["Mine", "Mine"]);
+  });
+
+  it.each([
+    { name: "cut off", link: fullLink.slice(0, -8), text: "This link is cut off." },
+    { name: "changed", link: `${fullLink.slice(0, -1)}~`, text: "This link was changed" },
+    { name: "of another version", link: `9${fullLink.slice(1)}`, text: "This is no link" },
+    { name: "too long", link: "1".repeat(9_000), text: "This link is longer" },
+  ])("keeps what it had when the link is $name, and offers an empty maze", ({ link, text }) => {
+    const page = openPage(new MemoryStorage());
+    page.rename("Mine");
+    page.go("/", `#${link}`);
+    expect(page.shown()).toBe("Mine");
+    expect(page.names()).toEqual(["Mine"]);
+    expect(page.message()?.tone).toBe("bad");
+    expect(page.message()?.text).toContain(text);
+    page.message()?.action?.run();
+    expect(page.emptied).toEqual(["empty"]);
+  });
+
+  it.each(["", "#"])("does nothing for an address with the fragment '%s'", (hash) => {
+    const page = openPage(new MemoryStorage());
+    page.go("/", hash);
+    expect(page.addresses).toEqual([]);
+    expect(page.message()).toBeUndefined();
+  });
+});
+
+describe("opening a robot's address", () => {
+  it("takes the key out of the address bar and says what the address is for", () => {
+    const page = openPage(new MemoryStorage());
+    page.go("/r/abc", `#${mazeLink}`);
+    expect(page.addresses).toEqual(["/"]);
+    expect(page.shown()).toBe(firstMaze.name);
+    expect(page.message()?.text).toContain("Give it to a script");
+  });
+});
+
+describe("deleting a work", () => {
+  it("can be taken back", () => {
+    const page = openPage(new MemoryStorage());
+    page.rename("Mine");
+    page.go("/", `#${mazeLink}`);
+    const mine = page.works.list().find(({ maze }) => maze.name === "Mine");
+    if (mine === undefined) throw new Error("the work is not on the shelf");
+    page.works.remove(mine);
+    expect(page.names()).toEqual(["Shared"]);
+    page.message()?.action?.run();
+    expect(page.names()).toEqual(["Mine", "Shared"]);
+  });
+});
+
+describe("a damaged work", () => {
+  it("is told once, with the field that is wrong", () => {
+    const device = new MemoryStorage();
+    device.setItem("corridor.work.x", JSON.stringify({ maze: { ...firstMaze, version: 9 } }));
+    const page = openPage(device);
+    page.works.list();
+    const texts = page.screen.getState().messages.map(({ text }) => text);
+    expect(texts).toHaveLength(1);
+    expect(texts[0]).toContain("maze.version: found 9");
+  });
+});

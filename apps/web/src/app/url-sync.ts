@@ -1,0 +1,73 @@
+/**
+ * What the address bar asks for: a shared link opens as a new work beside the reader's own, and a
+ * robot's address is taken out of sight, since it ends in a key.
+ */
+import { decodeLink, type LinkContent } from "@corridor/link";
+import type { MazeDocument } from "@corridor/maze";
+import type { i18n } from "i18next";
+import { dismiss, tell, type ScreenStore } from "../stores/screen-store.ts";
+import type { WorksService } from "./works-service.ts";
+
+export interface UrlPorts {
+  works: Pick<WorksService, "begin">;
+  /** the maze on the screen, for links that bring only a program */
+  maze: () => MazeDocument;
+  screen: ScreenStore;
+  words: Pick<i18n, "t">;
+  location: Pick<Location, "pathname" | "search" | "hash">;
+  /** replaces the address without a reload: history.replaceState */
+  replaceAddress: (address: string) => void;
+  openEmptyMaze: () => void;
+}
+
+/**
+ * Does what the address asks for, once, and cleans it, so that a reload keeps the reader's edits.
+ * Called when the page opens and whenever the fragment changes.
+ */
+export function followAddress(ports: UrlPorts): void {
+  const { location, replaceAddress, screen, words } = ports;
+  if (location.pathname.startsWith("/r/")) {
+    // First of all: from here on nobody reads the key over the reader's shoulder.
+    replaceAddress("/");
+    tell(screen, { tone: "info", text: words.t("share.robotAddress") });
+    return;
+  }
+  const { hash } = location;
+  if (hash === "" || hash === "#") return;
+  replaceAddress(location.pathname + location.search);
+  const result = decodeLink(hash.slice(1));
+  if (result.ok) openShared(ports, result.value);
+  else {
+    const id = tell(screen, {
+      tone: "bad",
+      text: words.t(`share.linkProblems.${result.code}`),
+      action: {
+        label: words.t("share.emptyMaze"),
+        run: () => {
+          dismiss(screen, id);
+          ports.openEmptyMaze();
+        },
+      },
+    });
+  }
+}
+
+function openShared(ports: UrlPorts, content: LinkContent): void {
+  const { screen, words } = ports;
+  const back = ports.works.begin(
+    content.maze ?? ports.maze(),
+    // A maze alone is to be solved with whatever program the reader has.
+    content.program ?? null,
+  );
+  const id = tell(screen, {
+    tone: "info",
+    text: words.t("share.opened"),
+    action: {
+      label: words.t("share.back"),
+      run: () => {
+        dismiss(screen, id);
+        back();
+      },
+    },
+  });
+}

@@ -1,0 +1,118 @@
+/**
+ * What the reader does with works: open another, begin a new one, delete one and take that back.
+ * Joins the shelf, this tab's current work, the documents on the screen and the messages.
+ */
+import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
+import type { i18n } from "i18next";
+import { dismiss, tell, type ScreenStore } from "../stores/screen-store.ts";
+import { openWork, type WorkspaceStore } from "../stores/workspace-store.ts";
+import { startAutosave, type Autosave } from "./autosave.ts";
+import type { CurrentWork } from "./current-work.ts";
+import type { Work, WorkShelf } from "./works.ts";
+
+export interface WorksPorts {
+  shelf: WorkShelf;
+  current: CurrentWork;
+  workspace: WorkspaceStore;
+  screen: ScreenStore;
+  words: Pick<i18n, "t">;
+  /** runs a function later, such as `setTimeout` */
+  later: (run: () => void, milliseconds: number) => void;
+}
+
+export class WorksService {
+  readonly #ports: WorksPorts;
+  readonly autosave: Autosave;
+
+  constructor(ports: WorksPorts) {
+    this.#ports = ports;
+    const { screen, words } = ports;
+    this.autosave = startAutosave({
+      ...ports,
+      onFork: () => tell(screen, { tone: "info", text: words.t("works.forked") }),
+      onBlocked: () => tell(screen, { tone: "bad", text: words.t("works.blocked") }),
+    });
+    this.#tellDamage();
+  }
+
+  /** The works on this device, newest first, with the one that is open as it is now. */
+  list(): Work[] {
+    this.autosave.flush();
+    this.#tellDamage();
+    return this.#ports.shelf.list();
+  }
+
+  currentId(): string {
+    return this.#ports.current.work.id;
+  }
+
+  /** Opens another work of the shelf; what is open is saved first. */
+  open(work: Work): void {
+    this.autosave.flush();
+    this.#show(work);
+  }
+
+  /**
+   * Opens documents as a new work, or the work of the shelf that already holds exactly them.
+   * @param program null: the reader's own program is copied along, whatever it is
+   * @returns a way back to what was open, which also brings back what could not be saved
+   */
+  begin(maze: MazeDocument, program: ProgramDocument | null): () => void {
+    const { current, workspace, shelf } = this.#ports;
+    this.autosave.flush();
+    const { maze: oldMaze, program: oldProgram } = workspace.getState();
+    const before: Work = { ...current.work, maze: oldMaze, program: oldProgram };
+    const found = shelf.list().find((work) => isCopy(work, maze, program));
+    if (found === undefined) {
+      current.begin(maze, program ?? oldProgram);
+      openWork(workspace, current.work.maze, current.work.program);
+    } else this.#show(found);
+    return () => this.open(before);
+  }
+
+  /** Deletes a work that is not open, with a message that takes it back. */
+  remove(work: Work): void {
+    const { shelf, screen, words } = this.#ports;
+    shelf.remove(work.id);
+    const id = tell(screen, {
+      tone: "info",
+      text: words.t("works.deleted", { name: work.maze.name }),
+      action: {
+        label: words.t("works.undo"),
+        run: () => {
+          try {
+            shelf.write(work);
+          } catch {
+            tell(screen, { tone: "bad", text: words.t("works.blocked") });
+          }
+          dismiss(screen, id);
+        },
+      },
+    });
+  }
+
+  #show(work: Work): void {
+    const { current, workspace } = this.#ports;
+    current.open(work);
+    openWork(workspace, work.maze, work.program);
+  }
+
+  #tellDamage(): void {
+    const { shelf, screen, words } = this.#ports;
+    for (const { reason } of shelf.sweep()) {
+      tell(screen, { tone: "bad", text: words.t("works.damaged", { reason }) });
+    }
+  }
+}
+
+/** Whether a work is the very thing that is being opened, so that it need not be made again. */
+function isCopy(work: Work, maze: MazeDocument, program: ProgramDocument | null): boolean {
+  if (!isSame(work.maze, maze)) return false;
+  return program === null ? !work.edited : isSame(work.program, program);
+}
+
+/** Parsed documents have their fields in the order of the schema, so their texts can be compared. */
+function isSame(a: unknown, b: unknown): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
+}

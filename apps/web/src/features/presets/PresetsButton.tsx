@@ -1,0 +1,28 @@
+/** Opens the presets at the top bar. */
+import { ChevronDown, LayoutGrid } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { Button } from "../../ui/Button.tsx";
+import { Popover, usePopover } from "../../ui/Popover.tsx";
+import { PresetsPanel } from "./PresetsPanel.tsx";
+import styles from "./presets.module.css";
+
+export function PresetsButton() {
+  const { t } = useTranslation();
+  const menu = usePopover();
+  return (
+    <>
+      <Button kind="quiet" icon={<LayoutGrid aria-hidden="true" />} {...menu.trigger}>
+        {t("presets.presets")}
+        <ChevronDown aria-hidden="true" />
+      </Button>
+      <Popover
+        {...menu.panel}
+        label={t("presets.presets")}
+        align="right"
+        className={styles["popover"]}
+      >
+        <PresetsPanel onChosen={menu.close} />
+      </Popover>
+    </>
+  );
+}

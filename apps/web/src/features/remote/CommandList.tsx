@@ -1,0 +1,103 @@
+/** What scripts asked of the robot, newest first, and how each ended. */
+import type { CommandRecord, CommandState } from "@corridor/protocol";
+import {
+  ArrowRight,
+  Asterisk,
+  Ban,
+  Check,
+  Inbox,
+  LoaderCircle,
+  ListX,
+  type LucideIcon,
+} from "lucide-react";
+import type { ComponentProps } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Button } from "../../ui/Button.tsx";
+import { Chip } from "../../ui/Chip.tsx";
+import { classNames } from "../../ui/class-names.ts";
+import { commandText, cutShortAfter } from "./command-text.ts";
+import styles from "./remote.module.css";
+
+type Tone = ComponentProps<typeof Chip>["tone"];
+
+const looks: Record<CommandState, { tone: Tone; Icon: LucideIcon }> = {
+  accepted: { tone: "ring", Icon: Inbox },
+  delivered: { tone: "ring", Icon: ArrowRight },
+  started: { tone: "live", Icon: LoaderCircle },
+  completed: { tone: "good", Icon: Check },
+  collided: { tone: "bad", Icon: Asterisk },
+  cancelled: { tone: "dashed", Icon: Ban },
+  superseded: { tone: "dashed", Icon: ListX },
+};
+
+export function CommandList() {
+  const { t } = useTranslation();
+  const { remote, simulator } = useServices();
+  const commands = useStore(remote, (state) => state.commands);
+  return (
+    <section className={styles["section"]} aria-labelledby="commands-heading">
+      <div className={styles["bar"]}>
+        <h2 id="commands-heading" className={styles["heading"]}>
+          {t("remote.commands")}
+        </h2>
+        <span className={styles["order"]}>{t("remote.newestFirst")}</span>
+        <Button
+          kind="quiet"
+          size="small"
+          disabled={commands.length === 0}
+          onClick={() => simulator.send({ type: "remote-clear" })}
+        >
+          {t("remote.clear")}
+        </Button>
+      </div>
+      {commands.length === 0 ? (
+        <p className={styles["note"]}>{t("remote.noCommands")}</p>
+      ) : (
+        <table className={styles["commands"]}>
+          <thead className="visually-hidden">
+            <tr>
+              <th scope="col">{t("remote.seq")}</th>
+              <th scope="col">{t("remote.command")}</th>
+              <th scope="col">{t("remote.state")}</th>
+              <th scope="col">{t("remote.time")}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {commands.map((record) => (
+              <CommandRow key={record.seq} record={record} />
+            ))}
+          </tbody>
+        </table>
+      )}
+    </section>
+  );
+}
+
+function CommandRow({ record }: { record: CommandRecord }) {
+  const { t, i18n } = useTranslation();
+  const { tone, Icon } = looks[record.state];
+  const distance = cutShortAfter(record);
+  const time = new Intl.DateTimeFormat(i18n.language, { timeStyle: "medium", hour12: false });
+  return (
+    <tr className={classNames(styles["row"], record.state === "started" && styles["running"])}>
+      <td className={styles["seq"]}>{record.seq}</td>
+      <td className={styles["command"]}>
+        <span className={styles["mono"]}>{commandText(record.command)}</span>
+        {distance !== null && (
+          <span className={styles["detail"]}>{t("remote.after", { distance })}</span>
+        )}
+        {record.reason !== null && <p className={styles["reason"]}>{record.reason}</p>}
+      </td>
+      <td className={styles["state"]}>
+        <Chip tone={tone} icon={<Icon aria-hidden="true" />}>
+          {t(`remote.${record.state}`)}
+        </Chip>
+      </td>
+      <td className={styles["time"]}>
+        <time dateTime={record.acceptedAt}>{time.format(new Date(record.acceptedAt))}</time>
+      </td>
+    </tr>
+  );
+}

@@ -1,0 +1,62 @@
+/** Scripts to copy. What is shown hides the key, so that a projector does not give it away. */
+import { useId, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { CopyButton } from "../share/CopyButton.tsx";
+import { maskKey, type RobotAddress } from "./robot-address.ts";
+import { snippet, snippetLanguages, type SnippetLanguage } from "./snippets.ts";
+import styles from "./remote.module.css";
+
+/** How many lines are seen at once; the others scroll. */
+const SHOWN_LINES = 11;
+
+export function Snippets({ address }: { address: RobotAddress }) {
+  const { t } = useTranslation();
+  const [language, setLanguage] = useState<SnippetLanguage>("python");
+  const [isRefused, setRefused] = useState(false);
+  const name = useId();
+  const full = snippet(language, address.api, address.key);
+  return (
+    <section className={styles["section"]} aria-label={t("remote.script")}>
+      <div className={styles["bar"]}>
+        <fieldset className={styles["tabs"]}>
+          <legend className="visually-hidden">{t("remote.scriptLanguage")}</legend>
+          {snippetLanguages.map((each) => (
+            <label key={each} className={styles["tab"]}>
+              <input
+                type="radio"
+                name={name}
+                className={styles["radio"]}
+                checked={each === language}
+                onChange={() => setLanguage(each)}
+              />
+              {t(`remote.${each}`)}
+            </label>
+          ))}
+        </fieldset>
+        <CopyButton
+          text={full}
+          label={t("remote.copyScript")}
+          done={t("remote.copied")}
+          kind="quiet"
+          size="small"
+          onRefused={() => setRefused(true)}
+        />
+      </div>
+      {/* A field, not a pre: it can be scrolled and selected by keyboard in every browser. */}
+      <textarea
+        className={styles["code"]}
+        readOnly
+        rows={SHOWN_LINES}
+        wrap="off"
+        spellCheck={false}
+        aria-label={t("remote.script")}
+        value={isRefused ? full : snippet(language, address.api, maskKey(address.key))}
+      />
+      <p className={styles["note"]}>
+        {isRefused
+          ? t("remote.copyByHand")
+          : t("remote.scriptNote", { language: t(`remote.${language}`) })}
+      </p>
+    </section>
+  );
+}

@@ -1,0 +1,21 @@
+/** The state of the connection as the panel names it. */
+import type { RemoteStatus } from "../../worker/worker-messages.ts";
+
+/** A script that was heard less long ago than this is connected; after that it is quiet. In ms. */
+export const QUIET_AFTER_MS = 5_000;
+
+export type ConnectionView =
+  | { kind: "off" | "connecting" | "waiting" }
+  | { kind: "connected" | "quiet"; client: string; seconds: number }
+  | { kind: "lost" | "over"; reason: string };
+
+/** @param now milliseconds since 1970 */
+export function viewConnection(status: RemoteStatus, now: number): ConnectionView {
+  if (status.kind !== "connected") return status;
+  const silence = Math.max(0, now - status.heardAt);
+  return {
+    kind: silence < QUIET_AFTER_MS ? "connected" : "quiet",
+    client: status.client,
+    seconds: silence / 1_000,
+  };
+}

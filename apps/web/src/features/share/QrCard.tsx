@@ -1,0 +1,41 @@
+/** The link as a QR code, drawn as elements (never as markup), and saved as a picture. */
+import { Download } from "lucide-react";
+import { useRef } from "react";
+import { useTranslation } from "react-i18next";
+import { Button } from "../../ui/Button.tsx";
+import { qrPath } from "./qr-path.ts";
+import { savePicture } from "./save-picture.ts";
+import styles from "./share.module.css";
+
+export function QrCard({ link, name }: { link: string; name: string }) {
+  const { t } = useTranslation();
+  const picture = useRef<SVGSVGElement>(null);
+  const code = qrPath(link);
+  if (code === null) return <p className={styles["noQr"]}>{t("share.noQr")}</p>;
+  return (
+    <figure className={styles["qr"]} aria-label={t("share.qr")}>
+      <svg
+        ref={picture}
+        className={styles["code"]}
+        viewBox={`0 0 ${code.size} ${code.size}`}
+        shapeRendering="crispEdges"
+        aria-hidden="true"
+      >
+        {/* Black on white in both themes: many scanners cannot read a light code on dark. */}
+        <rect width={code.size} height={code.size} fill="white" />
+        <path d={code.path} fill="black" />
+      </svg>
+      <h3 className={styles["scan"]}>{t("share.scan")}</h3>
+      <p className={styles["note"]}>{t("share.scanNote")}</p>
+      <Button
+        size="small"
+        icon={<Download aria-hidden="true" />}
+        onClick={() => {
+          if (picture.current !== null) savePicture(picture.current, name);
+        }}
+      >
+        {t("share.savePicture")}
+      </Button>
+    </figure>
+  );
+}

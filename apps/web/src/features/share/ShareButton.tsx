@@ -1,0 +1,26 @@
+/** Opens the share dialog: the one primary button of the top bar. */
+import { Share } from "lucide-react";
+import { useState } from "react";
+import { useTranslation } from "react-i18next";
+import { Button } from "../../ui/Button.tsx";
+import { ShareDialog } from "./ShareDialog.tsx";
+import styles from "./share.module.css";
+
+export function ShareButton() {
+  const { t } = useTranslation();
+  const [isOpen, setOpen] = useState(false);
+  return (
+    <>
+      <Button
+        kind="primary"
+        className={styles["trigger"]}
+        icon={<Share aria-hidden="true" />}
+        aria-haspopup="dialog"
+        onClick={() => setOpen(true)}
+      >
+        <span className={styles["triggerWord"]}>{t("share.share")}</span>
+      </Button>
+      <ShareDialog isOpen={isOpen} onClose={() => setOpen(false)} />
+    </>
+  );
+}

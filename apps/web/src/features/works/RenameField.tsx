@@ -1,0 +1,37 @@
+/** The maze's name as a field; all that is typed in one go is one step of undo. */
+import { MAX_NAME_LENGTH, rename } from "@corridor/maze";
+import { useEffect, useRef } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { beginStroke, setMaze } from "../../stores/workspace-store.ts";
+import { TextField } from "../../ui/TextField.tsx";
+import styles from "./maze-menu.module.css";
+
+export function RenameField() {
+  const { t } = useTranslation();
+  const { workspace } = useServices();
+  const name = useStore(workspace, (state) => state.maze.name);
+  const endStroke = useRef<(() => void) | null>(null);
+  const end = (): void => {
+    endStroke.current?.();
+    endStroke.current = null;
+  };
+  // The menu may close, and the field go, without a blur.
+  useEffect(() => () => endStroke.current?.(), []);
+  return (
+    <div className={styles["rename"]}>
+      <TextField
+        label={t("works.name")}
+        value={name}
+        maxLength={MAX_NAME_LENGTH}
+        onFocus={() => (endStroke.current ??= beginStroke(workspace))}
+        onBlur={end}
+        onChange={(text) => {
+          const edit = rename(workspace.getState().maze, text);
+          if (edit.ok) setMaze(workspace, edit.maze);
+        }}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,67 @@
+/** The works on this device, newest first: open one, delete one. */
+import { sizeOf } from "@corridor/maze";
+import { Trash2 } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useServices } from "../../app/services.ts";
+import type { Work } from "../../app/works.ts";
+import { IconButton } from "../../ui/Button.tsx";
+import { MazePicture } from "../presets/MazePicture.tsx";
+import styles from "./maze-menu.module.css";
+
+interface WorksListProps {
+  works: readonly Work[];
+  onOpen: (work: Work) => void;
+  onDelete: (work: Work) => void;
+}
+
+export function WorksList({ works, onOpen, onDelete }: WorksListProps) {
+  const { t, i18n } = useTranslation();
+  const currentId = useServices().works.currentId();
+  const when = new Intl.DateTimeFormat(i18n.language, { dateStyle: "medium", timeStyle: "short" });
+  return (
+    <section className={styles["works"]} aria-labelledby="works-heading">
+      <h3 id="works-heading" className={styles["heading"]}>
+        {t("works.onThisDevice")}
+      </h3>
+      {works.length === 0 && <p className={styles["note"]}>{t("works.empty")}</p>}
+      <ul className={styles["list"]}>
+        {works.map((work) => {
+          const name = work.maze.name === "" ? t("works.unnamed") : work.maze.name;
+          const isOpen = work.id === currentId;
+          return (
+            <li key={work.id} className={styles["row"]}>
+              <button
+                type="button"
+                className={styles["work"]}
+                aria-label={t("works.open", { name })}
+                aria-current={isOpen}
+                disabled={isOpen}
+                onClick={() => onOpen(work)}
+              >
+                <span className={styles["thumbnail"]}>
+                  <MazePicture maze={work.maze} />
+                </span>
+                <span className={styles["words"]}>
+                  <span className={styles["workName"]}>{name}</span>
+                  <span className={styles["note"]}>
+                    {isOpen
+                      ? t("works.isOpen")
+                      : t("works.openNote", {
+                          ...sizeOf(work.maze),
+                          when: when.format(work.savedAt),
+                        })}
+                  </span>
+                </span>
+              </button>
+              {!isOpen && (
+                <IconButton label={t("works.delete", { name })} onClick={() => onDelete(work)}>
+                  <Trash2 aria-hidden="true" />
+                </IconButton>
+              )}
+            </li>
+          );
+        })}
+      </ul>
+    </section>
+  );
+}
