@@ -8,15 +8,17 @@ import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { Snapshot } from "@corridor/protocol";
 import type { Frame } from "../worker/worker-messages.ts";
-import { drawBeams, drawReadings } from "./layers/beams.ts";
+import { drawBeams } from "./layers/beams.ts";
+import { bumpMark, drawBumps, type BumpMark } from "./layers/bumps.ts";
 import { drawGhost, type Ghost } from "./layers/ghost.ts";
 import { drawPlaces, type PlaceWords } from "./layers/places.ts";
 import { drawRobot, faceOf } from "./layers/robot.ts";
 import { drawRulerMarks, drawRulers } from "./layers/rulers.ts";
+import { drawTags } from "./layers/tags.ts";
 import { drawTrail } from "./layers/trail.ts";
 import { drawWalls } from "./layers/walls.ts";
 import type { Palette } from "./palette.ts";
-import { litSensors } from "./running-line.ts";
+import { limitsOf, litSensors } from "./running-line.ts";
 import { Trail } from "./trail.ts";
 import { followScroll, viewportAt, type Layout, type Scroll, type Viewport } from "./viewport.ts";
 
@@ -51,6 +53,9 @@ export interface RendererPort {
   scrollTo: (scroll: Scroll) => void;
 }
 
+/** Bumps that stay marked, the newest. */
+const MAX_BUMPS = 100;
+
 type Layer = keyof LayerCanvases;
 
 /** Fields of the scene that make each layer's picture. */
@@ -65,6 +70,7 @@ const parts: Record<Layer, readonly (keyof Scene)[]> = {
     "startWord",
     "goalWord",
     "showBeams",
+    "showTrail",
     "showRulers",
     "ghost",
   ],
@@ -78,6 +84,7 @@ export class StageRenderer {
   #scene: Scene | null = null;
   #scroll: Scroll = { x: 0, y: 0 };
   #snapshot: Snapshot | null = null;
+  #bumps: BumpMark[] = [];
   #request: number | null = null;
 
   constructor(canvases: LayerCanvases, port: RendererPort) {
@@ -107,6 +114,14 @@ export class StageRenderer {
 
   /** A new frame waits at the port. */
   frameArrived(): void {
+    this.#ask();
+  }
+
+  /** The robot has touched a wall. */
+  bumped(pose: Snapshot["pose"]): void {
+    if (this.#scene === null) return;
+    this.#bumps = [...this.#bumps, bumpMark(this.#scene.maze, pose)].slice(-MAX_BUMPS);
+    this.#stale.add("live");
     this.#ask();
   }
 
@@ -145,6 +160,7 @@ export class StageRenderer {
     const before = this.#snapshot;
     this.#snapshot = frame.snapshot;
     const change = this.#trail.add(frame.corners, frame.snapshot.pose, frame.trailReset);
+    if (frame.trailReset) this.#bumps = [];
     if (before !== frame.snapshot) this.#stale.add("live");
     if (change.kind === "none") return;
     this.#follow(scene.layout, frame.snapshot.pose);
@@ -153,7 +169,7 @@ export class StageRenderer {
     } else if (scene.showTrail && !this.#stale.has("trail")) {
       const context = contextOf(this.#canvases.trail);
       clipped(context, viewport, () => {
-        drawTrail(context, viewport, scene.palette, change.points);
+        drawTrail(context, viewport, scene.palette, change.points, "butt");
       });
     }
   }
@@ -177,7 +193,7 @@ export class StageRenderer {
     const context = fresh(this.#canvases.trail, scene);
     if (!scene.showTrail) return;
     clipped(context, viewport, () => {
-      drawTrail(context, viewport, scene.palette, this.#trail.points());
+      drawTrail(context, viewport, scene.palette, this.#trail.points(), "round");
     });
   }
 
@@ -189,10 +205,14 @@ export class StageRenderer {
         drawGhost(context, viewport, scene.palette, scene.ghost, scene);
       }
       if (snapshot === null) return;
+      if (scene.showTrail) drawBumps(context, viewport, scene.palette, this.#bumps);
       const lit = litSensors(scene.program, snapshot);
       if (scene.showBeams) drawBeams(context, viewport, scene.palette, snapshot, lit);
       drawRobot(context, viewport, scene.palette, snapshot.pose, faceOf(snapshot));
-      if (scene.showBeams) drawReadings(context, viewport, scene.palette, snapshot, lit);
+      if (scene.showBeams) {
+        const limits = limitsOf(scene.program, snapshot);
+        drawTags(context, viewport, scene.palette, snapshot, lit, limits);
+      }
     });
     if (snapshot !== null && scene.showRulers) {
       drawRulerMarks(context, viewport, scene.palette, snapshot.pose);

@@ -1,6 +1,19 @@
-/** Which sensors the running line of the program reads, so that their beams light up. */
+/** What of the program shows on the beams: the sensors that the running line reads, and the limits. */
 import type { ProgramDocument } from "@corridor/program";
 import type { SensorName, Snapshot } from "@corridor/protocol";
+
+/** A line's number on the beam of the sensor that it reads. */
+export interface Limit {
+  /** index of the line from 0 */
+  line: number;
+  sensor: SensorName;
+  /** units from the robot's centre */
+  distance: number;
+  isRunning: boolean;
+}
+
+/** More marks than this would be a thicket; the running line's is always among them. */
+const MAX_LIMITS = 6;
 
 /** Empty when no line decides, or when the line reads nothing ("otherwise"). */
 export function litSensors(
@@ -11,4 +24,18 @@ export function litSensors(
   const when = program.rules[snapshot.line]?.when ?? null;
   if (when === null) return [];
   return when.than === "right" ? [when.sensor, "right"] : [when.sensor];
+}
+
+/** The numbers that lines compare their sensors with, the running line first; empty unless the program drives. */
+export function limitsOf(
+  program: ProgramDocument,
+  snapshot: Pick<Snapshot, "driver" | "line">,
+): Limit[] {
+  if (snapshot.driver !== "program") return [];
+  const limits = program.rules.flatMap(({ when }, line): Limit[] => {
+    if (when === null || when.than === "right" || when.than === 0) return [];
+    const isRunning = line === snapshot.line;
+    return [{ line, sensor: when.sensor, distance: when.than, isRunning }];
+  });
+  return limits.sort((a, b) => Number(b.isRunning) - Number(a.isRunning)).slice(0, MAX_LIMITS);
 }

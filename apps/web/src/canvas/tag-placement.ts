@@ -1,94 +1,133 @@
 /**
- * Where the readings stand: at the wall end of their beam, inside the maze that shows, never over the
- * robot and never over each other. Pure; pixels of the view.
+ * Where little tags stand beside a beam: inside the maze that shows, never over the robot and never
+ * over each other. Pure; pixels of the view.
  */
 import type { Box } from "./viewport.ts";
 
-/** A reading that wants a place. */
+interface Point {
+  x: number;
+  y: number;
+}
+
+/** A tag that wants a place, and the centres that would suit it, best first. */
 export interface TagRequest<Name> {
   name: Name;
-  /** direction of its beam, a unit vector */
-  dx: number;
-  dy: number;
-  /** pixels from the robot's centre to the wall */
-  length: number;
   width: number;
   height: number;
+  centres: readonly Point[];
 }
 
 export interface PlacedTag<Name> extends Box {
   name: Name;
 }
 
-/** Pixels between a tag and what it must not touch. */
+/** A beam from the robot's centre. */
+export interface Beam {
+  origin: Point;
+  /** unit vector along it */
+  dx: number;
+  dy: number;
+}
+
+/** Pixels between a tag and what it belongs to. */
 const GAP = 4;
 
 /**
  * Finds a place for each tag, the first in the list first. One that fits nowhere is left out: a
- * covered robot would be worse, and the reading stands in the panel too.
- * @param robot centre of the robot and half its side, in pixels
+ * covered robot would be worse, and every number of the stage stands in the panel too.
+ * @param taken what no tag may touch
  * @param bounds where tags may stand
  */
 export function placeTags<Name>(
   requests: readonly TagRequest<Name>[],
-  robot: { x: number; y: number; radius: number },
+  taken: readonly Box[],
   bounds: Box,
 ): PlacedTag<Name>[] {
-  const taken: Box[] = [
-    {
-      x: robot.x - robot.radius,
-      y: robot.y - robot.radius,
-      width: 2 * robot.radius,
-      height: 2 * robot.radius,
-    },
-  ];
+  const occupied = [...taken];
   const placed: PlacedTag<Name>[] = [];
-  for (const request of requests) {
-    const box = candidates(request, robot).find(
-      (each) => isWithin(each, bounds) && taken.every((other) => !areTouching(each, other)),
-    );
+  for (const { name, width, height, centres } of requests) {
+    const box = centres
+      .map(({ x, y }) => ({
+        x: Math.round(x - width / 2),
+        y: Math.round(y - height / 2),
+        width,
+        height,
+      }))
+      .find(
+        (each) => isWithin(each, bounds) && !occupied.some((other) => areTouching(each, other)),
+      );
     if (box === undefined) continue;
-    taken.push(box);
-    placed.push({ ...box, name: request.name });
+    occupied.push(box);
+    placed.push({ ...box, name });
   }
   return placed;
 }
 
-/** Places to try, best first: on the beam before the wall, beyond the wall, beside the beam. */
-function* places<Name>(
-  { dx, dy, length, width, height }: TagRequest<Name>,
-  robot: { x: number; y: number; radius: number },
-): Generator<{ x: number; y: number }> {
-  const halfAlong = (Math.abs(dx) * width + Math.abs(dy) * height) / 2;
-  const halfAcross = (Math.abs(dy) * width + Math.abs(dx) * height) / 2;
-  const on = (along: number, across: number) => ({
-    x: robot.x + dx * along - dy * across,
-    y: robot.y + dy * along + dx * across,
-  });
-  yield on(length - halfAlong - GAP, 0);
-  yield on(length + halfAlong + GAP + 2, 0);
+/**
+ * Places for a reading: on the beam before its wall, beyond the wall, beside the beam, beside the robot.
+ * @param length pixels from the robot's centre to the wall
+ * @param radius pixels around the robot's centre that it needs
+ */
+export function readingCentres(
+  beam: Beam,
+  length: number,
+  radius: number,
+  width: number,
+  height: number,
+): Point[] {
+  const { along: halfAlong, across: halfAcross } = halfExtents(beam, width, height);
   const beside = halfAcross + GAP + 4;
-  yield on(Math.max(length - halfAlong, 0), beside);
-  yield on(Math.max(length - halfAlong, 0), -beside);
-  const clear = robot.radius + halfAcross + GAP + 2;
-  for (const along of [length - halfAlong, 0, robot.radius + halfAlong]) {
-    yield on(along, clear);
-    yield on(along, -clear);
-  }
-  yield on(robot.radius + halfAlong + GAP, 0);
+  const clear = radius + halfAcross + GAP + 2;
+  const atWall = length - halfAlong;
+  const steps: readonly (readonly [along: number, across: number])[] = [
+    [atWall - GAP, 0],
+    [length + halfAlong + GAP + 2, 0],
+    [Math.max(atWall, 0), beside],
+    [Math.max(atWall, 0), -beside],
+    [atWall, clear],
+    [atWall, -clear],
+    [0, clear],
+    [0, -clear],
+    [radius + halfAlong + GAP, 0],
+  ];
+  return steps.map(([along, across]) => pointOn(beam, along, across));
 }
 
-function candidates<Name>(
-  request: TagRequest<Name>,
-  robot: { x: number; y: number; radius: number },
-): Box[] {
-  const { width, height } = request;
-  return [...places(request, robot)].map(({ x, y }) => ({
-    x: Math.round(x - width / 2),
-    y: Math.round(y - height / 2),
-    width,
-    height,
-  }));
+/**
+ * Places for the tag of a mark on a beam: beside it on either side, then farther out.
+ * @param distance pixels from the robot's centre to the mark
+ * @param reach half the length of the mark's bar in pixels
+ */
+export function markCentres(
+  beam: Beam,
+  distance: number,
+  reach: number,
+  width: number,
+  height: number,
+): Point[] {
+  const { along: halfAlong, across: halfAcross } = halfExtents(beam, width, height);
+  const across = reach + halfAcross;
+  return [0, halfAlong - GAP, GAP - halfAlong].flatMap((shift) => [
+    pointOn(beam, distance + shift, across),
+    pointOn(beam, distance + shift, -across),
+  ]);
+}
+
+/** A point so many pixels along a beam and to its right. */
+function pointOn({ origin, dx, dy }: Beam, along: number, across: number): Point {
+  return { x: origin.x + dx * along - dy * across, y: origin.y + dy * along + dx * across };
+}
+
+/** Half the size of an upright box as a beam sees it. */
+function halfExtents(
+  { dx, dy }: Beam,
+  width: number,
+  height: number,
+): { along: number; across: number } {
+  return {
+    along: (Math.abs(dx) * width + Math.abs(dy) * height) / 2,
+    across: (Math.abs(dy) * width + Math.abs(dx) * height) / 2,
+  };
 }
 
 function isWithin(inner: Box, outer: Box): boolean {

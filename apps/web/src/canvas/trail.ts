@@ -19,10 +19,7 @@ export type TrailChange =
   /** draw everything anew */
   | { kind: "replaced" };
 
-/**
- * Units that a new piece goes back over the old one: the round end of its line would otherwise cover
- * the last dots.
- */
+/** Units that a new piece goes back over the old one, so that no seam shows and no dot is lost. */
 const OVERLAP = 15;
 
 export class Trail {

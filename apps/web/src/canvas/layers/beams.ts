@@ -1,18 +1,15 @@
 /**
- * The four range beams as tape measures, from the robot's centre to the wall, and their readings.
+ * The four range beams as tape measures, from the robot's centre to the wall.
  * Ticks every 10 cm, longer at 50 and 100. The sensors that the running line reads are lit.
  */
 import { sensorNames, type SensorName, type Snapshot } from "@corridor/protocol";
 import type { Palette } from "../palette.ts";
-import { placeTags, type PlacedTag, type TagRequest } from "../tag-placement.ts";
 import { viewX, viewY, type Viewport } from "../viewport.ts";
 import { ROBOT_RADIUS } from "./robot.ts";
 
 const TICK = 10;
 /** Ticks closer than this many pixels would be a grey band; only every fifth is drawn then. */
-const TICKS_FROM_PX = 3;
-const TAG_HEIGHT = 22;
-const TAG_PADDING = 7;
+const TICKS_FROM_PX = 2.5;
 
 /** A unit vector along a sensor's beam. */
 export interface Direction {
@@ -92,61 +89,6 @@ function drawBeam(
   context.lineWidth = isLit ? 3 : 2.5;
   const half = Math.min(8, Math.max(4, 10 * scale));
   line(context, length - 1, -half, length - 1, half);
-}
-
-/** Draws the readings in their tags. */
-export function drawReadings(
-  context: CanvasRenderingContext2D,
-  viewport: Viewport,
-  palette: Palette,
-  snapshot: Snapshot,
-  lit: readonly SensorName[],
-): void {
-  context.font = `600 14px ${palette.font}`;
-  context.textAlign = "center";
-  context.textBaseline = "middle";
-  for (const tag of placeReadings(context, viewport, snapshot, lit)) {
-    const isLit = lit.includes(tag.name);
-    context.beginPath();
-    context.roundRect(tag.x + 0.5, tag.y + 0.5, tag.width - 1, tag.height - 1, 6);
-    context.fillStyle = isLit ? palette.live : palette.surface;
-    context.fill();
-    context.strokeStyle = isLit ? palette.live : palette.edge;
-    context.lineWidth = 1;
-    context.stroke();
-    context.fillStyle = isLit ? palette.onLive : palette.ink;
-    const text = readingText(snapshot.sensors[tag.name]);
-    context.fillText(text, tag.x + tag.width / 2, tag.y + tag.height / 2 + 0.5);
-  }
-}
-
-/** A reading as it is written on the stage: whole centimetres. */
-function readingText(reading: number): string {
-  return String(Math.round(reading));
-}
-
-function placeReadings(
-  context: CanvasRenderingContext2D,
-  viewport: Viewport,
-  snapshot: Snapshot,
-  lit: readonly SensorName[],
-): PlacedTag<SensorName>[] {
-  const { scale, port } = viewport;
-  const requests = sensorNames.map((name): TagRequest<SensorName> => ({
-    name,
-    ...beamDirection(name, snapshot.pose.heading),
-    length: snapshot.sensors[name] * scale,
-    width:
-      Math.ceil(context.measureText(readingText(snapshot.sensors[name])).width) + 2 * TAG_PADDING,
-    height: TAG_HEIGHT,
-  }));
-  requests.sort((a, b) => Number(lit.includes(b.name)) - Number(lit.includes(a.name)));
-  const robot = {
-    x: viewX(viewport, snapshot.pose.x),
-    y: viewY(viewport, snapshot.pose.y),
-    radius: (ROBOT_RADIUS + 3) * scale,
-  };
-  return placeTags(requests, robot, port);
 }
 
 function line(

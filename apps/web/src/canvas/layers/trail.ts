@@ -18,12 +18,18 @@ function widthAt(scale: number): number {
   return Math.min(7, Math.max(3, 7 * scale));
 }
 
-/** Draws a piece of the trail over what is there. `points`: x and y by turns, in units. */
+/**
+ * Draws a piece of the trail over what is there.
+ * @param points x and y by turns, in units
+ * @param cap "round" for the whole trail; "butt" for a piece that goes on, whose round start would
+ *   cover the last dots
+ */
 export function drawTrail(
   context: CanvasRenderingContext2D,
   viewport: Viewport,
   palette: Palette,
   points: Points,
+  cap: "round" | "butt",
 ): void {
   const { port } = viewport;
   const width = widthAt(viewport.scale);
@@ -57,7 +63,7 @@ export function drawTrail(
     context.lineTo(toX, toY);
     if (hasDots) eachDot(x0, y0, x1, y1, put);
   }
-  context.lineCap = "round";
+  context.lineCap = cap;
   context.lineJoin = "round";
   context.lineWidth = width;
   context.strokeStyle = palette.liveSoft;
@@ -73,7 +79,7 @@ export function drawTrail(
 /**
  * Visits every point of a segment whose coordinate along the segment's longer axis is a multiple
  * of 25. A dot at the very end is visited by every segment that touches it, so none gets lost under
- * the round end of the next piece.
+ * the next piece.
  */
 export function eachDot(
   x0: number,

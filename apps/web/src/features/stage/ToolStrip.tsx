@@ -1,14 +1,15 @@
 /** Above the maze: what a press on a square does, and what is done to the whole maze. */
 import { Eraser, Flag, Grid2x2Plus, LocateFixed, Redo2, Scaling, Undo2 } from "lucide-react";
+import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import type { Tool } from "../../stores/screen-store.ts";
 import { redo, undo } from "../../stores/workspace-store.ts";
-import { IconButton } from "../../ui/Button.tsx";
+import { Button, IconButton } from "../../ui/Button.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
-import { ClearMaze } from "./ClearMaze.tsx";
-import { ResizeMaze } from "./ResizeMaze.tsx";
+import { ClearDialog } from "./ClearDialog.tsx";
+import { ResizeDialog } from "./ResizeDialog.tsx";
 import { ViewMenu } from "./ViewMenu.tsx";
 import styles from "./tool-strip.module.css";
 
@@ -22,6 +23,8 @@ export function ToolStrip() {
   const { screen } = useServices();
   const { t } = useTranslation();
   const tool = useStore(screen, (state) => state.tool);
+  const [dialog, setDialog] = useState<"clear" | "resize" | null>(null);
+  const close = (): void => setDialog(null);
   return (
     <div className={styles["strip"]}>
       <div className={styles["tools"]}>
@@ -42,10 +45,28 @@ export function ToolStrip() {
       </div>
       <div className={styles["edits"]}>
         <HistoryButtons />
-        <ClearMaze icon={<Eraser aria-hidden="true" />} />
-        <ResizeMaze icon={<Scaling aria-hidden="true" />} />
+        <Button
+          kind="quiet"
+          size="small"
+          className={styles["whole"]}
+          icon={<Eraser aria-hidden="true" />}
+          onClick={() => setDialog("clear")}
+        >
+          <span className={styles["word"]}>{t("stage.clear")}</span>
+        </Button>
+        <Button
+          kind="quiet"
+          size="small"
+          className={styles["whole"]}
+          icon={<Scaling aria-hidden="true" />}
+          onClick={() => setDialog("resize")}
+        >
+          <span className={styles["word"]}>{t("stage.resize")}</span>
+        </Button>
       </div>
-      <ViewMenu />
+      <ViewMenu onClear={() => setDialog("clear")} onResize={() => setDialog("resize")} />
+      <ClearDialog isOpen={dialog === "clear"} onClose={close} />
+      <ResizeDialog isOpen={dialog === "resize"} onClose={close} />
     </div>
   );
 }

@@ -1,16 +1,22 @@
 /** What the stage shows besides maze and robot, and the figures that its measures rest on. */
-import { ChevronDown, Eye } from "lucide-react";
+import { ChevronDown, Eraser, Eye, Scaling } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
-import { Popover, usePopover } from "../../ui/Popover.tsx";
+import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
 import styles from "./tool-strip.module.css";
 
 const choices = ["showBeams", "showTrail", "showRulers"] as const;
 
-export function ViewMenu() {
+interface ViewMenuProps {
+  onClear: () => void;
+  onResize: () => void;
+}
+
+/** On a phone the strip has no room for Clear and Resize; there they stand here. */
+export function ViewMenu({ onClear, onResize }: ViewMenuProps) {
   const { screen } = useServices();
   const { t } = useTranslation();
   const state = useStore(screen);
@@ -19,7 +25,7 @@ export function ViewMenu() {
     <div className={styles["view"]}>
       <Button {...menu.trigger} kind="quiet" size="small" icon={<Eye aria-hidden="true" />}>
         <span className={styles["word"]}>{t("stage.view")}</span>
-        <ChevronDown aria-hidden="true" />
+        <ChevronDown className={styles["caret"]} aria-hidden="true" />
       </Button>
       <Popover {...menu.panel} label={t("stage.view")} align="right">
         <div className={styles["choices"]}>
@@ -31,6 +37,14 @@ export function ViewMenu() {
               onChange={(isShown) => screen.setState({ [choice]: isShown })}
             />
           ))}
+          <div className={styles["wholeItems"]}>
+            <MenuItem icon={<Scaling aria-hidden="true" />} onSelect={onResize}>
+              {t("stage.resize")}
+            </MenuItem>
+            <MenuItem icon={<Eraser aria-hidden="true" />} onSelect={onClear}>
+              {t("stage.clear")}
+            </MenuItem>
+          </div>
           <p className={styles["figures"]}>{t("stage.figures")}</p>
         </div>
       </Popover>

@@ -95,6 +95,9 @@ export class StageController {
       }),
       simulator.listen((message) => {
         if (message.type === "frame") renderer.frameArrived();
+        if (message.type === "moment" && message.moment.kind === "bump") {
+          renderer.bumped(message.moment.pose);
+        }
       }),
       workspace.subscribe(() => this.#divide()),
       screen.subscribe(() => this.#divide()),

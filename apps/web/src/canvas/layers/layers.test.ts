@@ -1,0 +1,62 @@
+import type { MazeDocument } from "@corridor/maze";
+import { describe, expect, it } from "vitest";
+import { beamDirection } from "./beams.ts";
+import { bumpMark } from "./bumps.ts";
+import { faceOf } from "./robot.ts";
+import { numberStep } from "./rulers.ts";
+
+const maze: MazeDocument = {
+  format: "corridor/maze",
+  version: 1,
+  name: "",
+  blocks: ["..#", "...", "..."],
+  start: { column: 0, row: 0, heading: "east" },
+  goals: [],
+};
+
+describe("a bump", () => {
+  it.each([
+    { name: "ahead", pose: { x: 175, y: 50, heading: 90 }, mark: { x: 200, y: 50 } },
+    { name: "behind", pose: { x: 175, y: 50, heading: 270 }, mark: { x: 200, y: 50 } },
+    { name: "at the edge", pose: { x: 150, y: 275, heading: 180 }, mark: { x: 150, y: 300 } },
+    { name: "aside", pose: { x: 150, y: 150, heading: 0 }, mark: { x: 150, y: 150 } },
+  ])("$name is marked where the robot touches", ({ pose, mark }) => {
+    const { x, y } = bumpMark(maze, pose);
+    expect(x).toBeCloseTo(mark.x, 6);
+    expect(y).toBeCloseTo(mark.y, 6);
+  });
+});
+
+describe("a beam", () => {
+  it.each([
+    { sensor: "front", heading: 0, dx: 0, dy: -1 },
+    { sensor: "right", heading: 0, dx: 1, dy: 0 },
+    { sensor: "back", heading: 90, dx: -1, dy: 0 },
+    { sensor: "left", heading: 180, dx: 1, dy: 0 },
+  ] as const)("of $sensor at heading $heading goes $dx, $dy", ({ sensor, heading, dx, dy }) => {
+    const direction = beamDirection(sensor, heading);
+    expect(direction.dx).toBeCloseTo(dx, 12);
+    expect(direction.dy).toBeCloseTo(dy, 12);
+  });
+});
+
+describe("the robot's face", () => {
+  it.each([
+    { bumping: false, goalReached: false, face: "driving" },
+    { bumping: false, goalReached: true, face: "solved" },
+    { bumping: true, goalReached: false, face: "bumped" },
+    { bumping: true, goalReached: true, face: "bumped" },
+  ])("is $face", ({ face, ...snapshot }) => {
+    expect(faceOf(snapshot)).toBe(face);
+  });
+});
+
+describe("the rulers", () => {
+  it.each([
+    { cellPx: 84, step: 1 },
+    { cellPx: 30, step: 2 },
+    { cellPx: 10, step: 5 },
+  ])("number every $step squares of $cellPx px", ({ cellPx, step }) => {
+    expect(numberStep(cellPx, 44)).toBe(step);
+  });
+});

@@ -1,0 +1,178 @@
+/**
+ * The tags on the beams: the reading at each wall, and the numbers of the program's lines with the
+ * line's badge, on a bar across the beam: whole where the beam reaches it, dashed where a wall is nearer.
+ */
+import { sensorNames, type SensorName, type Snapshot } from "@corridor/protocol";
+import type { Palette } from "../palette.ts";
+import type { Limit } from "../running-line.ts";
+import {
+  markCentres,
+  placeTags,
+  readingCentres,
+  type Beam,
+  type PlacedTag,
+  type TagRequest,
+} from "../tag-placement.ts";
+import { viewX, viewY, type Box, type Viewport } from "../viewport.ts";
+import { beamDirection } from "./beams.ts";
+import { ROBOT_RADIUS } from "./robot.ts";
+
+const READING = { height: 22, padding: 7, font: 14 };
+const MARK = { height: 18, padding: 6, font: 12, badge: 16, reach: 13 };
+/** Below this only the running line's mark is drawn, pixels per unit. */
+const ALL_MARKS_FROM = 0.45;
+
+/** Draws readings and marks; `lit` are the sensors that the running line reads. */
+export function drawTags(
+  context: CanvasRenderingContext2D,
+  viewport: Viewport,
+  palette: Palette,
+  snapshot: Snapshot,
+  lit: readonly SensorName[],
+  limits: readonly Limit[],
+): void {
+  const origin = { x: viewX(viewport, snapshot.pose.x), y: viewY(viewport, snapshot.pose.y) };
+  const beamOf = (sensor: SensorName): Beam => ({
+    origin,
+    ...beamDirection(sensor, snapshot.pose.heading),
+  });
+  const radius = (ROBOT_RADIUS + 3) * viewport.scale;
+  const robot: Box = {
+    x: origin.x - radius,
+    y: origin.y - radius,
+    width: 2 * radius,
+    height: 2 * radius,
+  };
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+
+  context.font = `600 ${READING.font}px ${palette.font}`;
+  const requests = sensorNames.map((name): TagRequest<SensorName> => {
+    const width = textWidth(context, readingText(snapshot.sensors[name])) + 2 * READING.padding;
+    const length = snapshot.sensors[name] * viewport.scale;
+    const { height } = READING;
+    const centres = readingCentres(beamOf(name), length, radius, width, height);
+    return { name, width, height, centres };
+  });
+  requests.sort((a, b) => Number(lit.includes(b.name)) - Number(lit.includes(a.name)));
+  const readings = placeTags(requests, [robot], viewport.port);
+
+  const shown = limits.filter((each) => each.isRunning || viewport.scale >= ALL_MARKS_FROM);
+  drawMarks(context, viewport, palette, snapshot, shown, beamOf, [robot, ...readings]);
+
+  context.font = `600 ${READING.font}px ${palette.font}`;
+  for (const tag of readings) {
+    drawReading(
+      context,
+      palette,
+      tag,
+      readingText(snapshot.sensors[tag.name]),
+      lit.includes(tag.name),
+    );
+  }
+}
+
+/** A reading as it is written on the stage: whole centimetres. */
+function readingText(reading: number): string {
+  return String(Math.round(reading));
+}
+
+function textWidth(context: CanvasRenderingContext2D, text: string): number {
+  return Math.ceil(context.measureText(text).width);
+}
+
+function drawReading(
+  context: CanvasRenderingContext2D,
+  palette: Palette,
+  box: Box,
+  text: string,
+  isLit: boolean,
+): void {
+  context.beginPath();
+  context.roundRect(box.x + 0.5, box.y + 0.5, box.width - 1, box.height - 1, 6);
+  context.fillStyle = isLit ? palette.live : palette.surface;
+  context.fill();
+  context.strokeStyle = isLit ? palette.live : palette.edge;
+  context.lineWidth = 1;
+  context.stroke();
+  context.fillStyle = isLit ? palette.onLive : palette.ink;
+  context.fillText(text, box.x + box.width / 2, box.y + box.height / 2 + 0.5);
+}
+
+function drawMarks(
+  context: CanvasRenderingContext2D,
+  viewport: Viewport,
+  palette: Palette,
+  snapshot: Snapshot,
+  limits: readonly Limit[],
+  beamOf: (sensor: SensorName) => Beam,
+  taken: readonly Box[],
+): void {
+  context.font = `600 ${MARK.font}px ${palette.font}`;
+  const requests = limits.map((limit): TagRequest<Limit> => {
+    const beam = beamOf(limit.sensor);
+    const width = MARK.badge + textWidth(context, String(limit.distance)) + 2 * MARK.padding;
+    const distance = limit.distance * viewport.scale;
+    drawBar(
+      context,
+      palette,
+      beam,
+      distance,
+      limit,
+      limit.distance <= snapshot.sensors[limit.sensor],
+    );
+    const centres = markCentres(beam, distance, MARK.reach, width, MARK.height);
+    return { name: limit, width, height: MARK.height, centres };
+  });
+  for (const tag of placeTags(requests, taken, viewport.port)) {
+    drawMark(context, palette, tag, tag.name.distance <= snapshot.sensors[tag.name.sensor]);
+  }
+}
+
+function drawBar(
+  context: CanvasRenderingContext2D,
+  palette: Palette,
+  { origin, dx, dy }: Beam,
+  distance: number,
+  { isRunning }: Limit,
+  isReached: boolean,
+): void {
+  const x = origin.x + dx * distance;
+  const y = origin.y + dy * distance;
+  context.beginPath();
+  context.moveTo(x - dy * MARK.reach, y + dx * MARK.reach);
+  context.lineTo(x + dy * MARK.reach, y - dx * MARK.reach);
+  context.strokeStyle = isRunning ? palette.liveInk : palette.ink2;
+  context.lineWidth = 2;
+  context.setLineDash(isReached ? [] : [3, 2]);
+  context.stroke();
+  context.setLineDash([]);
+}
+
+function drawMark(
+  context: CanvasRenderingContext2D,
+  palette: Palette,
+  tag: PlacedTag<Limit>,
+  isReached: boolean,
+): void {
+  const { isRunning, line, distance } = tag.name;
+  const colour = isRunning ? palette.live : palette.ink2;
+  context.beginPath();
+  context.roundRect(tag.x + 0.5, tag.y + 0.5, tag.width - 1, tag.height - 1, 4);
+  context.fillStyle = palette.surface;
+  context.fill();
+  context.strokeStyle = colour;
+  context.lineWidth = 1;
+  context.setLineDash(isReached ? [] : [3, 2]);
+  context.stroke();
+  context.setLineDash([]);
+  context.beginPath();
+  context.roundRect(tag.x, tag.y, MARK.badge, tag.height, [4, 0, 0, 4]);
+  context.fillStyle = colour;
+  context.fill();
+  const middle = tag.y + tag.height / 2 + 0.5;
+  context.fillStyle = isRunning ? palette.onLive : palette.onInk;
+  context.fillText(String(line + 1), tag.x + MARK.badge / 2, middle, MARK.badge - 2);
+  context.fillStyle = palette.ink;
+  context.fillText(String(distance), tag.x + MARK.badge + (tag.width - MARK.badge) / 2, middle);
+}

@@ -1,0 +1,251 @@
+/**
+ * Which canvas is drawn again when. There is no canvas in Node: a recording one stands in, and how the
+ * pictures look is seen in the browser's tests.
+ */
+import type { MazeDocument } from "@corridor/maze";
+import type { Snapshot } from "@corridor/protocol";
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import type { Frame } from "../worker/worker-messages.ts";
+import { readPalette } from "./palette.ts";
+import { StageRenderer, type LayerCanvases, type Scene } from "./renderer.ts";
+import { layOut, type Scroll } from "./viewport.ts";
+
+const maze: MazeDocument = {
+  format: "corridor/maze",
+  version: 1,
+  name: "",
+  blocks: ["...", ".#.", "..."],
+  start: { column: 0, row: 0, heading: "east" },
+  goals: [{ column: 2, row: 2 }],
+};
+const padding = { top: 36, right: 34, bottom: 20, left: 70 };
+const view = { width: 1028, height: 644 };
+
+const scene: Scene = {
+  layout: layOut({ columns: 3, rows: 3 }, view, padding, 30),
+  pixelRatio: 1,
+  palette: readPalette(() => "black"),
+  maze,
+  program: {
+    format: "corridor/program",
+    version: 1,
+    name: "",
+    default: "forward",
+    rules: [{ when: { sensor: "right", is: ">", than: 60 }, do: "right 90" }],
+  },
+  startWord: "Start",
+  goalWord: "Goal",
+  showBeams: true,
+  showTrail: true,
+  showRulers: true,
+  ghost: null,
+};
+
+function snapshotAt(x: number, y: number): Snapshot {
+  return {
+    seq: 1,
+    tick: 1,
+    state: "running",
+    driver: "program",
+    sensors: { front: 250, right: 250, back: 50, left: 50 },
+    pose: { x, y, heading: 90 },
+    motion: "forward",
+    bumps: 0,
+    bumping: false,
+    goalReached: false,
+    line: 0,
+    command: null,
+  };
+}
+
+/** A canvas that counts how often it is emptied and stroked. */
+function recordingCanvas() {
+  const counts = { cleared: 0, strokes: 0 };
+  const context = new Proxy(
+    {},
+    {
+      get: (_, name) => {
+        if (name === "clearRect") return () => counts.cleared++;
+        if (name === "stroke") return () => counts.strokes++;
+        if (name === "measureText") return () => ({ width: 20 });
+        return () => undefined;
+      },
+      set: () => true,
+    },
+  );
+  const canvas = { width: 0, height: 0, getContext: () => context };
+  return { canvas: canvas as unknown as HTMLCanvasElement, counts };
+}
+
+function newStage() {
+  const layers = { maze: recordingCanvas(), trail: recordingCanvas(), live: recordingCanvas() };
+  const canvases: LayerCanvases = {
+    maze: layers.maze.canvas,
+    trail: layers.trail.canvas,
+    live: layers.live.canvas,
+  };
+  let frame: Frame | null = null;
+  let waiting: (() => void) | null = null;
+  const scrolls: Scroll[] = [];
+  const requestFrame = vi.fn<(paint: () => void) => number>((paint: () => void) => {
+    waiting = paint;
+    return 1;
+  });
+  const renderer = new StageRenderer(canvases, {
+    takeFrame: () => {
+      const taken = frame;
+      if (taken !== null) frame = { ...taken, corners: [], trailReset: false };
+      return taken;
+    },
+    requestFrame,
+    cancelFrame: () => (waiting = null),
+    scrollTo: (scroll) => scrolls.push(scroll),
+  });
+  const paint = (): void => {
+    const next = waiting;
+    waiting = null;
+    next?.();
+  };
+  const drive = (x: number, y: number, isReset = false): void => {
+    frame = { snapshot: snapshotAt(x, y), corners: isReset ? [x, y] : [], trailReset: isReset };
+    renderer.frameArrived();
+    paint();
+  };
+  /** How often each canvas has been emptied since the last call. */
+  const cleared = (): { maze: number; trail: number; live: number } => {
+    const now = {
+      maze: layers.maze.counts.cleared,
+      trail: layers.trail.counts.cleared,
+      live: layers.live.counts.cleared,
+    };
+    for (const { counts } of Object.values(layers)) counts.cleared = 0;
+    return now;
+  };
+  return { renderer, layers, canvases, requestFrame, paint, drive, cleared, scrolls };
+}
+
+beforeEach(() => {
+  vi.stubGlobal("Path2D", class {});
+  return () => vi.unstubAllGlobals();
+});
+
+describe("the stage", () => {
+  it("draws all three layers once at first, at the size of the screen's pixels", () => {
+    const { renderer, canvases, paint, cleared } = newStage();
+    renderer.show({ ...scene, pixelRatio: 2 });
+    paint();
+    expect(cleared()).toEqual({ maze: 1, trail: 1, live: 1 });
+    expect(canvases.maze).toMatchObject({ width: 2056, height: 1288 });
+  });
+
+  it("touches neither maze nor old trail while the robot drives", () => {
+    const { renderer, layers, paint, drive, cleared } = newStage();
+    renderer.show(scene);
+    drive(50, 50, true);
+    paint();
+    cleared();
+    const strokes = layers.trail.counts.strokes;
+    for (let x = 51; x <= 60; x++) drive(x, 50);
+    expect(cleared()).toEqual({ maze: 0, trail: 0, live: 10 });
+    expect(layers.trail.counts.strokes - strokes).toBe(10);
+  });
+
+  it.each([
+    {
+      name: "another block",
+      change: { maze: { ...maze } },
+      redrawn: { maze: 1, trail: 0, live: 0 },
+    },
+    {
+      name: "another theme",
+      change: { palette: readPalette(() => "white") },
+      redrawn: { maze: 1, trail: 1, live: 1 },
+    },
+    {
+      name: "another size",
+      change: { layout: layOut({ columns: 3, rows: 3 }, { width: 500, height: 500 }, padding, 30) },
+      redrawn: { maze: 1, trail: 1, live: 1 },
+    },
+    {
+      name: "a hovered square",
+      change: { ghost: { kind: "block", cell: { column: 1, row: 0 } } },
+      redrawn: { maze: 0, trail: 0, live: 1 },
+    },
+    { name: "beams hidden", change: { showBeams: false }, redrawn: { maze: 0, trail: 0, live: 1 } },
+    {
+      name: "rulers hidden",
+      change: { showRulers: false },
+      redrawn: { maze: 1, trail: 0, live: 1 },
+    },
+    { name: "nothing", change: {}, redrawn: { maze: 0, trail: 0, live: 0 } },
+  ] satisfies { name: string; change: Partial<Scene>; redrawn: object }[])(
+    "redraws only what shows it: $name",
+    ({ change, redrawn }) => {
+      const { renderer, paint, cleared } = newStage();
+      renderer.show(scene);
+      paint();
+      cleared();
+      renderer.show({ ...scene, ...change });
+      paint();
+      expect(cleared()).toEqual(redrawn);
+    },
+  );
+
+  it("asks for one animation frame, however much changes, and for none while nothing does", () => {
+    const { renderer, requestFrame, paint } = newStage();
+    renderer.show(scene);
+    renderer.show({ ...scene, showBeams: false });
+    renderer.frameArrived();
+    expect(requestFrame).toHaveBeenCalledTimes(1);
+    paint();
+    renderer.show({ ...scene, showBeams: false });
+    expect(requestFrame).toHaveBeenCalledTimes(1);
+  });
+
+  it("draws the trail anew when the robot goes back to its start", () => {
+    const { renderer, drive, cleared } = newStage();
+    renderer.show(scene);
+    drive(50, 50, true);
+    drive(80, 50);
+    cleared();
+    drive(50, 50, true);
+    expect(cleared()).toMatchObject({ maze: 0, trail: 1 });
+  });
+
+  it("draws nothing any more once it is gone", () => {
+    const { renderer, paint, drive, cleared } = newStage();
+    renderer.show(scene);
+    renderer.destroy();
+    paint();
+    drive(50, 50, true);
+    expect(cleared()).toEqual({ maze: 0, trail: 0, live: 0 });
+  });
+});
+
+describe("a maze larger than the stage", () => {
+  const large = {
+    ...scene,
+    layout: layOut({ columns: 256, rows: 256 }, view, padding, 30),
+    maze: { ...maze, blocks: Array.from({ length: 256 }, () => ".".repeat(256)) },
+  };
+
+  it("follows the robot out of sight, and stands still while it is well in sight", () => {
+    const { renderer, drive, scrolls } = newStage();
+    renderer.show(large);
+    drive(12_000, 12_000, true);
+    expect(scrolls).toHaveLength(1);
+    renderer.scrollTo(scrolls[0] ?? { x: 0, y: 0 });
+    drive(12_001, 12_000);
+    expect(scrolls).toHaveLength(1);
+  });
+
+  it("draws every layer again where it has been scrolled", () => {
+    const { renderer, paint, cleared } = newStage();
+    renderer.show(large);
+    paint();
+    cleared();
+    renderer.scrollTo({ x: 100, y: 0 });
+    paint();
+    expect(cleared()).toEqual({ maze: 1, trail: 1, live: 1 });
+  });
+});

@@ -1,0 +1,101 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { markCentres, placeTags, readingCentres, type TagRequest } from "./tag-placement.ts";
+import type { Box } from "./viewport.ts";
+
+const bounds: Box = { x: 70, y: 36, width: 924, height: 588 };
+const sides = ["front", "right", "back", "left"] as const;
+type Side = (typeof sides)[number];
+const directions: Record<Side, { dx: number; dy: number }> = {
+  front: { dx: 0, dy: -1 },
+  right: { dx: 1, dy: 0 },
+  back: { dx: 0, dy: 1 },
+  left: { dx: -1, dy: 0 },
+};
+
+/** Four readings of 36 x 22 pixels around a robot, as the stage asks for them. */
+function readings(x: number, y: number, radius: number, lengths: Record<Side, number>) {
+  const robot: Box = { x: x - radius, y: y - radius, width: 2 * radius, height: 2 * radius };
+  const requests = sides.map((name): TagRequest<Side> => {
+    const beam = { origin: { x, y }, ...directions[name] };
+    return {
+      name,
+      width: 36,
+      height: 22,
+      centres: readingCentres(beam, lengths[name], radius, 36, 22),
+    };
+  });
+  return { robot, placed: placeTags(requests, [robot], bounds) };
+}
+
+function overlap(a: Box, b: Box): boolean {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+describe("the readings", () => {
+  it("stand at the wall end of long beams", () => {
+    const { placed } = readings(500, 300, 22, { front: 200, right: 210, back: 300, left: 400 });
+    expect(placed).toEqual([
+      { name: "front", x: 482, y: 104, width: 36, height: 22 },
+      { name: "right", x: 670, y: 289, width: 36, height: 22 },
+      { name: "back", x: 482, y: 574, width: 36, height: 22 },
+      { name: "left", x: 104, y: 289, width: 36, height: 22 },
+    ]);
+  });
+
+  it("stand beyond the wall where the beam is shorter than the tag", () => {
+    const { placed } = readings(500, 300, 22, { front: 200, right: 42, back: 300, left: 42 });
+    expect(placed.find(({ name }) => name === "right")?.x).toBe(548);
+    expect(placed.find(({ name }) => name === "left")?.x).toBe(416);
+  });
+
+  it("are all there for a robot in a corner", () => {
+    const { placed } = readings(112, 78, 22, { front: 42, right: 800, back: 500, left: 42 });
+    expect(placed.map(({ name }) => name)).toEqual([...sides]);
+  });
+
+  it("never cover the robot or each other and never leave the maze", () => {
+    const along = (from: number, length: number) =>
+      fc.double({ min: from + 21, max: from + length - 21, noNaN: true });
+    const length = fc.double({ min: 21, max: 2000, noNaN: true });
+    fc.assert(
+      fc.property(
+        along(bounds.x, bounds.width),
+        along(bounds.y, bounds.height),
+        fc.double({ min: 7, max: 60, noNaN: true }),
+        fc.record({ front: length, right: length, back: length, left: length }),
+        (x, y, radius, lengths) => {
+          const { robot, placed } = readings(x, y, radius, lengths);
+          for (const [index, tag] of placed.entries()) {
+            expect(overlap(tag, robot)).toBe(false);
+            for (const other of placed.slice(index + 1)) expect(overlap(tag, other)).toBe(false);
+            expect(tag.x).toBeGreaterThanOrEqual(bounds.x);
+            expect(tag.y).toBeGreaterThanOrEqual(bounds.y);
+            expect(tag.x + tag.width).toBeLessThanOrEqual(bounds.x + bounds.width);
+            expect(tag.y + tag.height).toBeLessThanOrEqual(bounds.y + bounds.height);
+          }
+        },
+      ),
+    );
+  });
+});
+
+describe("the number of a line", () => {
+  const beam = { origin: { x: 500, y: 300 }, dx: 1, dy: 0 };
+  const request = { name: 1, width: 42, height: 18, centres: markCentres(beam, 60, 13, 42, 18) };
+
+  it("stands below its bar", () => {
+    expect(placeTags([request], [], bounds)).toEqual([
+      { name: 1, x: 539, y: 313, width: 42, height: 18 },
+    ]);
+  });
+
+  it("changes sides where a reading stands", () => {
+    const reading: Box = { x: 520, y: 310, width: 80, height: 22 };
+    expect(placeTags([request], [reading], bounds)[0]).toMatchObject({ x: 539, y: 269 });
+  });
+
+  it("is left out where there is no room", () => {
+    expect(placeTags([request], [bounds], bounds)).toEqual([]);
+  });
+});

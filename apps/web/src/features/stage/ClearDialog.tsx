@@ -1,0 +1,40 @@
+/** Clear maze, the one edit that asks first. */
+import { clearBlocks } from "@corridor/maze";
+import { useTranslation } from "react-i18next";
+import { useServices } from "../../app/services.ts";
+import { setMaze } from "../../stores/workspace-store.ts";
+import { Button } from "../../ui/Button.tsx";
+import { Dialog } from "../../ui/Dialog.tsx";
+
+interface ClearDialogProps {
+  isOpen: boolean;
+  onClose: () => void;
+}
+
+export function ClearDialog({ isOpen, onClose }: ClearDialogProps) {
+  const { workspace, simulator } = useServices();
+  const { t } = useTranslation();
+  function clear(): void {
+    setMaze(workspace, clearBlocks(workspace.getState().maze));
+    simulator.send({ type: "reset" });
+    onClose();
+  }
+  return (
+    <Dialog
+      isOpen={isOpen}
+      onClose={onClose}
+      title={t("stage.clearTitle")}
+      width="narrow"
+      footer={
+        <>
+          <Button onClick={onClose}>{t("stage.keep")}</Button>
+          <Button kind="primary" onClick={clear}>
+            {t("stage.clear")}
+          </Button>
+        </>
+      }
+    >
+      <p>{t("stage.clearText")}</p>
+    </Dialog>
+  );
+}

@@ -1,0 +1,97 @@
+import type { MazeDocument } from "@corridor/maze";
+import { describe, expect, it } from "vitest";
+import { firstProgram } from "../../app/first-visit.ts";
+import { createScreenStore } from "../../stores/screen-store.ts";
+import { createWorkspaceStore, redo, undo } from "../../stores/workspace-store.ts";
+import { MazeEditor } from "./maze-editor.ts";
+import type { ToolRefusal } from "./tool-edit.ts";
+
+const maze: MazeDocument = {
+  format: "corridor/maze",
+  version: 1,
+  name: "",
+  blocks: ["....", "...."],
+  start: { column: 0, row: 0, heading: "east" },
+  goals: [],
+};
+const at = (column: number, row: number) => ({ column, row });
+
+function newEditor() {
+  const workspace = createWorkspaceStore(maze, firstProgram);
+  const screen = createScreenStore();
+  const refusals: ToolRefusal[] = [];
+  const editor = new MazeEditor({
+    workspace,
+    screen,
+    pose: () => ({ x: 50, y: 150, heading: 0 }),
+    refuse: (code) => refusals.push(code),
+  });
+  const blocks = () => workspace.getState().maze.blocks;
+  return { workspace, screen, refusals, editor, blocks };
+}
+
+describe("a stroke of blocks", () => {
+  it("is one step of undo and of redo, however many squares it fills", () => {
+    const { workspace, editor, blocks } = newEditor();
+    editor.follow({ type: "begin", cell: at(1, 0) });
+    editor.follow({ type: "paint", cells: [at(2, 0), at(3, 0)] });
+    editor.follow({ type: "paint", cells: [at(3, 1)] });
+    editor.follow({ type: "end" });
+    expect(blocks()).toEqual([".###", "...#"]);
+    undo(workspace);
+    expect(workspace.getState().maze).toBe(maze);
+    redo(workspace);
+    expect(blocks()).toEqual([".###", "...#"]);
+  });
+
+  it("does the same to every square: one that began with a block only opens", () => {
+    const { editor, blocks } = newEditor();
+    editor.press(at(1, 1));
+    editor.follow({ type: "begin", cell: at(1, 1) });
+    editor.follow({ type: "paint", cells: [at(2, 1), at(3, 1)] });
+    editor.follow({ type: "end" });
+    expect(blocks()).toEqual(["....", "...."]);
+  });
+
+  it("says once why squares are left out, and fills the others", () => {
+    const { editor, blocks, refusals } = newEditor();
+    editor.follow({ type: "begin", cell: at(1, 0) });
+    editor.follow({ type: "paint", cells: [at(0, 1), at(0, 0), at(0, 1), at(1, 1)] });
+    editor.follow({ type: "end" });
+    expect(blocks()).toEqual([".#..", ".#.."]);
+    expect(refusals).toEqual(["robot-here", "start-here"]);
+  });
+
+  it("that is given up leaves neither blocks nor a step of undo", () => {
+    const { workspace, editor } = newEditor();
+    editor.follow({ type: "begin", cell: at(1, 0) });
+    editor.follow({ type: "paint", cells: [at(2, 0)] });
+    editor.follow({ type: "cancel" });
+    expect(workspace.getState().maze).toBe(maze);
+    expect(workspace.temporal.getState().pastStates).toHaveLength(0);
+  });
+
+  it("that changes nothing is no step of undo", () => {
+    const { workspace, editor } = newEditor();
+    editor.press(at(0, 1));
+    expect(workspace.temporal.getState().pastStates).toHaveLength(0);
+  });
+});
+
+describe("start and goal", () => {
+  it("act on the pressed square only, not on those that the pointer drags over", () => {
+    const { workspace, screen, editor } = newEditor();
+    screen.setState({ tool: "goal" });
+    editor.follow({ type: "begin", cell: at(1, 0) });
+    editor.follow({ type: "paint", cells: [at(2, 0), at(3, 0)] });
+    editor.follow({ type: "end" });
+    expect(workspace.getState().maze.goals).toEqual([at(1, 0)]);
+  });
+
+  it("turns the start by a press on it", () => {
+    const { workspace, screen, editor } = newEditor();
+    screen.setState({ tool: "start" });
+    editor.press(at(0, 0));
+    expect(workspace.getState().maze.start.heading).toBe("south");
+  });
+});

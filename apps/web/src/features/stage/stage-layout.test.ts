@@ -1,0 +1,39 @@
+import { describe, expect, it } from "vitest";
+import { scaleBar } from "./scale-bar.ts";
+import { hasRulers, stageLayout } from "./stage-layout.ts";
+
+const maze = { columns: 11, rows: 7 };
+
+describe("stageLayout", () => {
+  it("leaves room for the rulers on a wide stage", () => {
+    const { cellPx, origin } = stageLayout(maze, { width: 1028, height: 644 }, true);
+    expect({ cellPx, origin }).toEqual({ cellPx: 84, origin: { x: 70, y: 36 } });
+  });
+
+  it("gives the rulers' room to the maze when they are hidden", () => {
+    const { origin } = stageLayout({ columns: 30, rows: 7 }, { width: 1028, height: 644 }, false);
+    expect(origin.x).toBeLessThan(70);
+  });
+
+  it.each([
+    { width: 390, cellPx: 34 },
+    { width: 320, cellPx: 27 },
+  ])("shows the whole maze on a phone of $width px", ({ width, cellPx }) => {
+    const layout = stageLayout(maze, { width, height: 300 }, true);
+    expect(layout).toMatchObject({ cellPx, overflows: false });
+    expect(hasRulers(width, true)).toBe(false);
+  });
+});
+
+describe("scaleBar", () => {
+  it.each([
+    { cellPx: 200, units: 50, width: 100 },
+    { cellPx: 84, units: 100, width: 84 },
+    { cellPx: 49, units: 200, width: 98 },
+    { cellPx: 30, units: 500, width: 150 },
+  ])("is $units cm long at $cellPx px a square", ({ cellPx, units, width }) => {
+    const bar = scaleBar(cellPx);
+    expect(bar).toMatchObject({ units, width });
+    expect(bar.ticks.at(-1)).toBe(width);
+  });
+});
