@@ -5,7 +5,7 @@
  * An ending is for ever. Times are ISO 8601 in UTC.
  */
 import { z } from "zod";
-import { commandSchema, type ActionName } from "./command.ts";
+import { actionNames, commandSchema } from "./command.ts";
 import { poseSchema } from "./quantities.ts";
 
 export const endingStates = ["completed", "collided", "cancelled", "superseded"] as const;
@@ -23,7 +23,7 @@ export const commandRecordSchema = z.strictObject({
   seq: z.int().min(1).max(Number.MAX_SAFE_INTEGER),
   /** the idempotency key, or null when the sender gave none */
   key: idempotencyKeySchema.nullable(),
-  action: z.string().max(40),
+  action: z.enum(actionNames),
   /** the whole request, with its numbers */
   command: commandSchema,
   state: z.enum(commandStates),
@@ -37,9 +37,7 @@ export const commandRecordSchema = z.strictObject({
   /** true in the answer to a retry of a command that was already stored */
   duplicate: z.boolean(),
 });
-export type CommandRecord = Omit<z.infer<typeof commandRecordSchema>, "action"> & {
-  action: ActionName;
-};
+export type CommandRecord = z.infer<typeof commandRecordSchema>;
 
 /** Whether the life of the command is over. */
 export function hasEnded(state: CommandState): state is EndingState {

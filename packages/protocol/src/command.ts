@@ -16,8 +16,7 @@ export const plainActions = [
 ] as const;
 export type PlainAction = (typeof plainActions)[number];
 
-const actionNames = [...plainActions, "move", "turn", "drive"] as const;
-export type ActionName = (typeof actionNames)[number];
+export const actionNames = [...plainActions, "move", "turn", "drive"] as const;
 
 const MAX_MOVE = 25_600;
 const MAX_TURN = 3_600;

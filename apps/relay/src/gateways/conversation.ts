@@ -1,0 +1,30 @@
+/**
+ * What is said on one socket after its first message: a page's or a script's part of the protocol.
+ * Knows the messages, not the WebSocket.
+ */
+import type { CloseReason } from "@corridor/protocol";
+
+export interface Conversation {
+  /** One message of the client. Calls do not overlap in effect: the session puts them in order. */
+  received(text: string): Promise<void>;
+  /** Keeps the client sure that the line is alive. */
+  heartbeat(): void;
+  /** The socket is closed. */
+  closed(): void;
+}
+
+/** Closes a socket with a known reason, in words that a student can act on. */
+export function closeWith(
+  port: { close(code: number, reason: string): void },
+  reason: CloseReason,
+  detail?: string,
+): void {
+  port.close(reason.code, shortReason(detail ?? `${reason.cause}. ${reason.remedy}`));
+}
+
+/** A close reason may have 123 bytes of UTF-8. */
+function shortReason(text: string): string {
+  const bytes = new TextEncoder().encode(text);
+  if (bytes.length <= 123) return text;
+  return new TextDecoder().decode(bytes.slice(0, 120)).replace(/\uFFFD+$/, "") + "…";
+}

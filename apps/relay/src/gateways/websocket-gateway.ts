@@ -1,0 +1,178 @@
+/**
+ * WebSockets of pages and scripts: who may connect, who they are, and that they are alive.
+ *
+ * Nothing is trusted before the first message: one message of at most 1 KiB within 5 seconds, with a
+ * key. After that the socket speaks as a page or as a script (see the conversations beside this).
+ */
+import type { IncomingMessage } from "node:http";
+import type { Duplex } from "node:stream";
+import {
+  closeReasons,
+  decodeFrame,
+  helloSchema,
+  MAX_FRAME_BYTES,
+  MAX_HELLO_BYTES,
+  robotIdSchema,
+  type CloseReason,
+} from "@corridor/protocol";
+import type { Logger } from "pino";
+import { WebSocketServer, type WebSocket } from "ws";
+import { clientName } from "../client-name.ts";
+import type { Clock } from "../clock.ts";
+import { asRefusal, Refusal, type ProblemKind } from "../problems.ts";
+import { limits } from "../sessions/limits.ts";
+import type { SessionHub } from "../sessions/session-hub.ts";
+import { closeWith, type Conversation } from "./conversation.ts";
+import { DriverConversation } from "./driver-conversation.ts";
+import { PageConversation } from "./page-conversation.ts";
+import { refuseUpgrade } from "./refuse-upgrade.ts";
+import { wsPort } from "./ws-port.ts";
+
+const PATH = /^\/api\/v1\/robots\/([^/]{1,64})\/socket$/;
+
+const closeReasonByProblem = new Map<ProblemKind, CloseReason>([
+  ["no-robot", closeReasons.noRobot],
+  ["not-authorised", closeReasons.notAuthorised],
+  ["forbidden", closeReasons.forbidden],
+  ["too-many-readers", closeReasons.tooMany],
+]);
+
+interface Guest {
+  socket: WebSocket;
+  address: string;
+  heardAt: number;
+  conversation: Conversation | null;
+}
+
+export interface GatewayOptions {
+  hub: SessionHub;
+  clock: Clock;
+  log: Logger;
+  /** origin of the service where it stands behind a proxy, or null */
+  publicOrigin: string | null;
+}
+
+export class WebSocketGateway {
+  readonly #options: GatewayOptions;
+  readonly #server = new WebSocketServer({
+    noServer: true,
+    maxPayload: MAX_FRAME_BYTES,
+    perMessageDeflate: false,
+    clientTracking: false,
+  });
+  readonly #guests = new Set<Guest>();
+  #cancelTimer: () => void;
+
+  constructor(options: GatewayOptions) {
+    this.#options = options;
+    this.#cancelTimer = options.clock.after(limits.heartbeatMs, () => this.#beat());
+  }
+
+  /** Takes an upgrade request of the HTTP server; a wrong one gets a problem document. */
+  upgrade(request: IncomingMessage, socket: Duplex, head: Buffer): void {
+    const id = PATH.exec((request.url ?? "").split("?")[0] ?? "")?.[1];
+    if (id === undefined) {
+      return refuseUpgrade(
+        socket,
+        new Refusal("not-found", "WebSockets are at /api/v1/robots/ID/socket only."),
+      );
+    }
+    if (!this.#isAllowedOrigin(request)) {
+      return refuseUpgrade(
+        socket,
+        new Refusal("forbidden", "Pages of other sites cannot open this socket. Use the HTTP API."),
+      );
+    }
+    this.#server.handleUpgrade(request, socket, head, (webSocket) => {
+      this.#welcome(webSocket, request, id);
+    });
+  }
+
+  /** Closes every socket because the relay stops. */
+  close(): void {
+    this.#cancelTimer();
+    for (const { socket } of this.#guests) closeWith(socket, closeReasons.restart);
+    this.#server.close();
+  }
+
+  /** Browsers always send Origin; without one it is a program, which needs a key anyway. */
+  #isAllowedOrigin({ headers }: IncomingMessage): boolean {
+    if (headers.origin === undefined) return true;
+    if (headers.origin === this.#options.publicOrigin) return true;
+    return URL.canParse(headers.origin) && new URL(headers.origin).host === headers.host;
+  }
+
+  #welcome(socket: WebSocket, request: IncomingMessage, id: string): void {
+    const { clock } = this.#options;
+    const address = request.socket.remoteAddress ?? "";
+    const guest: Guest = { socket, address, heardAt: clock.now(), conversation: null };
+    this.#guests.add(guest);
+    const cancelTimer = clock.after(limits.helloMs, () => {
+      if (guest.conversation === null) closeWith(socket, closeReasons.notAuthorised);
+    });
+    // Messages are taken one after the other, so that nothing overtakes the first.
+    let work: Promise<void> = Promise.resolve();
+    socket.on("message", (data: Buffer, isBinary) => {
+      guest.heardAt = clock.now();
+      if (isBinary) return closeWith(socket, closeReasons.badFrame, "Send text, not bytes.");
+      const text = data.toString("utf8");
+      if (guest.conversation !== null) return this.#hear(guest, text);
+      work = work
+        .then(() => this.#hello(guest, request, id, text))
+        .catch((error: unknown) => this.#refuse(guest, error));
+      return undefined;
+    });
+    socket.on("pong", () => (guest.heardAt = clock.now()));
+    // Too large a message or broken framing: ws closes the socket itself, with 1009 or 1002.
+    socket.on("error", (error) => this.#options.log.debug({ err: error }, "a socket broke"));
+    socket.on("close", () => {
+      cancelTimer();
+      this.#guests.delete(guest);
+      guest.conversation?.closed();
+    });
+    const ofAddress = [...this.#guests].filter((other) => other.address === address).length;
+    if (ofAddress > limits.socketsPerAddress) closeWith(socket, closeReasons.tooMany);
+  }
+
+  async #hello(guest: Guest, request: IncomingMessage, id: string, text: string): Promise<void> {
+    // Messages that came while the first was still being checked.
+    if (guest.conversation !== null) return this.#hear(guest, text);
+    const { socket } = guest;
+    if (socket.readyState !== socket.OPEN) return;
+    const hello = decodeFrame(helloSchema, text, MAX_HELLO_BYTES);
+    if (!hello.ok) return closeWith(socket, closeReasons.notAuthorised);
+    if (!robotIdSchema.safeParse(id).success) return closeWith(socket, closeReasons.noRobot);
+    const { role, key } = hello.value;
+    const grant = await this.#options.hub.authorise(id, key, [role]);
+    if (socket.readyState !== socket.OPEN) return;
+    const port = wsPort(socket);
+    guest.conversation =
+      role === "own"
+        ? new PageConversation(grant.session, port)
+        : new DriverConversation(grant, port, clientName(request.headers["user-agent"]));
+  }
+
+  #hear(guest: Guest, text: string): void {
+    guest.conversation?.received(text).catch((error: unknown) => this.#refuse(guest, error));
+  }
+
+  #refuse({ socket }: Guest, error: unknown): void {
+    const refusal = asRefusal(error);
+    const reason = closeReasonByProblem.get(refusal.kind) ?? closeReasons.busy;
+    if (reason === closeReasons.busy) this.#options.log.error({ err: error }, "a message failed");
+    closeWith(socket, reason);
+  }
+
+  #beat(): void {
+    const now = this.#options.clock.now();
+    for (const guest of this.#guests) {
+      if (now - guest.heardAt > limits.silenceMs) {
+        guest.socket.terminate();
+      } else if (guest.socket.readyState === guest.socket.OPEN) {
+        guest.socket.ping();
+        guest.conversation?.heartbeat();
+      }
+    }
+    this.#cancelTimer = this.#options.clock.after(limits.heartbeatMs, () => this.#beat());
+  }
+}

@@ -1,0 +1,35 @@
+/** Robot ids and bearer keys: 128 random bits each. Keys are stored only as their SHA-256. */
+import { createHash, randomBytes, timingSafeEqual } from "node:crypto";
+import type { KeyKind, StoredKey } from "./store/session-store.ts";
+
+const PREFIX: Record<KeyKind, string> = { own: "own_", drive: "drv_" };
+
+function randomText(): string {
+  return randomBytes(16).toString("base64url");
+}
+
+/** A new robot id: 22 characters. It is no secret. */
+export function mintId(): string {
+  return randomText();
+}
+
+/** A new key, with a prefix that names its kind. */
+export function mintKey(kind: KeyKind): string {
+  return PREFIX[kind] + randomText();
+}
+
+/** What is stored of a key. */
+export function hashKey(key: string): string {
+  return createHash("sha256").update(key).digest("base64url");
+}
+
+/** Finds the stored key that belongs to the given one, in a time that does not depend on the match. */
+export function matchKey(key: string, stored: readonly StoredKey[]): StoredKey | null {
+  const given = Buffer.from(hashKey(key));
+  let match: StoredKey | null = null;
+  for (const candidate of stored) {
+    const hash = Buffer.from(candidate.hash);
+    if (hash.length === given.length && timingSafeEqual(hash, given)) match = candidate;
+  }
+  return match;
+}

@@ -1,0 +1,83 @@
+/**
+ * Everything that the relay refuses, as problem documents (RFC 9457). The same document answers an
+ * HTTP request and a WebSocket message, and it never tells more than the client may know.
+ */
+import type { FieldProblem, ProblemDocument } from "@corridor/protocol";
+
+interface Kind {
+  status: number;
+  title: string;
+}
+
+const kinds = {
+  "bad-request": { status: 400, title: "The request cannot be read" },
+  "not-authorised": { status: 401, title: "A valid key is missing" },
+  forbidden: { status: 403, title: "This key does not allow that" },
+  "not-found": { status: 404, title: "There is nothing here" },
+  "no-robot": { status: 404, title: "There is no such robot" },
+  "no-command": { status: 404, title: "There is no such command" },
+  "method-not-allowed": { status: 405, title: "This address does not know the method" },
+  "key-conflict": { status: 409, title: "The idempotency key was used for another command" },
+  "no-snapshot": { status: 409, title: "The robot has not reported yet" },
+  "too-large": { status: 413, title: "The body is too large" },
+  "not-json": { status: 415, title: "The body is not JSON" },
+  "queue-full": { status: 429, title: "Too many commands wait" },
+  "too-fast": { status: 429, title: "Too many requests" },
+  "too-many-readers": { status: 429, title: "Too many connections" },
+  internal: { status: 500, title: "The relay made a mistake" },
+  "page-not-built": { status: 503, title: "The page has not been built" },
+  "storage-full": { status: 507, title: "The relay's disk is full" },
+} as const satisfies Record<string, Kind>;
+
+export type ProblemKind = keyof typeof kinds;
+
+export interface RefusalOptions {
+  errors?: FieldProblem[];
+  /** further HTTP headers, such as Retry-After */
+  headers?: Record<string, string>;
+}
+
+/** A refusal on its way to whoever asked. */
+export class Refusal extends Error {
+  override readonly name = "Refusal";
+  readonly kind: ProblemKind;
+  readonly problem: ProblemDocument;
+  readonly headers: Record<string, string>;
+
+  /** @param detail what happened and how to mend it, in one or two sentences */
+  constructor(kind: ProblemKind, detail: string, options: RefusalOptions = {}) {
+    super(detail);
+    const { status, title } = kinds[kind];
+    this.kind = kind;
+    this.headers = options.headers ?? {};
+    this.problem = {
+      type: `/problems/${kind}`,
+      title,
+      status,
+      detail,
+      errors: options.errors ?? [],
+    };
+  }
+}
+
+/** A refusal of input that breaks a schema. */
+export function badRequest(what: string, errors: FieldProblem[]): Refusal {
+  return new Refusal("bad-request", `${what} See "errors" for each field.`, { errors });
+}
+
+/** "Come back in so many seconds." */
+export function retryAfter(milliseconds: number): Record<string, string> {
+  return { "Retry-After": String(Math.max(1, Math.ceil(milliseconds / 1000))) };
+}
+
+/** Turns whatever was thrown into a refusal; what is not ours becomes "internal" without a detail. */
+export function asRefusal(error: unknown): Refusal {
+  if (error instanceof Refusal) return error;
+  // SQLITE_FULL: the disk, not the request, is at fault, and waiting may help.
+  if (error instanceof Error && "errcode" in error && error.errcode === 13) {
+    return new Refusal("storage-full", "Nothing was stored. Try again in a minute.", {
+      headers: retryAfter(60_000),
+    });
+  }
+  return new Refusal("internal", "It was noted in the relay's log. Try again in a moment.");
+}

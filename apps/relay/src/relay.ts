@@ -1,0 +1,98 @@
+/** A whole relay: store, sessions, HTTP and WebSockets on one port, from start to shutdown. */
+import { createServer, type Server } from "node:http";
+import type { AddressInfo } from "node:net";
+import { join } from "node:path";
+import type { Router } from "express";
+import type { Logger } from "pino";
+import { createApp } from "./app.ts";
+import type { Clock } from "./clock.ts";
+import type { Config } from "./config.ts";
+import { WebSocketGateway } from "./gateways/websocket-gateway.ts";
+import { builtPage } from "./routes/built-page.ts";
+import { developmentPage, HOT_RELOAD_PROTOCOL } from "./routes/development-page.ts";
+import { SessionHub } from "./sessions/session-hub.ts";
+import { SqliteStore } from "./store/sqlite-store.ts";
+
+/** Requests that are still open after this are cut off. */
+const SHUTDOWN_MS = 5_000;
+
+export interface RelayOptions {
+  config: Pick<Config, "port" | "host" | "dataDir" | "publicOrigin">;
+  clock: Clock;
+  log: Logger;
+  /** folder of the web app, with `dist` when it was built */
+  webRoot: string;
+  /** serve the page from its sources, with hot reload */
+  isDevelopment: boolean;
+}
+
+export interface Relay {
+  /** the port it listens on */
+  port: number;
+  /** Tells everyone, ends what is open and closes the store. */
+  close(): Promise<void>;
+}
+
+/**
+ * Starts a relay and waits until it listens.
+ * @throws the error of `listen`, such as EADDRINUSE
+ */
+export async function startRelay(options: RelayOptions): Promise<Relay> {
+  const { config, clock, log, webRoot, isDevelopment } = options;
+  const store = new SqliteStore(join(config.dataDir, "corridor.sqlite"));
+  const hub = new SessionHub(store, clock, log);
+  const gateway = new WebSocketGateway({ hub, clock, log, publicOrigin: config.publicOrigin });
+  const server = createServer({
+    // Old HTTP clients offer "Upgrade: h2c"; that is an ordinary request, not a WebSocket.
+    shouldUpgradeCallback: (request) => request.headers.upgrade?.toLowerCase() === "websocket",
+    maxHeaderSize: 8 * 1024,
+    headersTimeout: 10_000,
+    requestTimeout: 15_000,
+  });
+  const development = isDevelopment ? await developmentPage(webRoot, server) : null;
+  const page: Router = development?.router ?? builtPage(join(webRoot, "dist"));
+  const { publicOrigin } = config;
+  server.on("request", createApp({ hub, clock, log, publicOrigin, page, isDevelopment }));
+  server.on("upgrade", (request, socket, head) => {
+    // Vite listens for its own socket by itself.
+    const isHotReload = request.headers["sec-websocket-protocol"] === HOT_RELOAD_PROTOCOL;
+    if (!(isDevelopment && isHotReload)) gateway.upgrade(request, socket, head);
+  });
+
+  const close = async (): Promise<void> => {
+    gateway.close();
+    await hub.close();
+    await development?.close();
+    await closeServer(server);
+    await store.close();
+  };
+  try {
+    await listen(server, config.port, config.host);
+  } catch (error) {
+    await close();
+    throw error;
+  }
+  return { port: (server.address() as AddressInfo).port, close };
+}
+
+function listen(server: Server, port: number, host: string | null): Promise<void> {
+  return new Promise((resolve, reject) => {
+    server.once("error", reject);
+    server.listen({ port, ...(host !== null && { host }) }, () => {
+      server.off("error", reject);
+      resolve();
+    });
+  });
+}
+
+function closeServer(server: Server): Promise<void> {
+  if (!server.listening) return Promise.resolve();
+  return new Promise((resolve) => {
+    const timer = setTimeout(() => server.closeAllConnections(), SHUTDOWN_MS);
+    server.close(() => {
+      clearTimeout(timer);
+      resolve();
+    });
+    server.closeIdleConnections();
+  });
+}

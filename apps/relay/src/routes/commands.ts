@@ -1,0 +1,69 @@
+/** Commands of scripts: send one, follow it, read the log, stop everything. */
+import type { CommandRecord } from "@corridor/protocol";
+import { Router, type Request, type Response } from "express";
+import type { SessionHub } from "../sessions/session-hub.ts";
+import { methodNotAllowed } from "./fallbacks.ts";
+import {
+  jsonText,
+  patienceOf,
+  readAfter,
+  readBearer,
+  readClient,
+  readCommandRequest,
+  readIdempotencyKey,
+  readSeq,
+  readWait,
+} from "./reading.ts";
+
+export function commandRoutes(hub: SessionHub): Router {
+  const router = Router();
+
+  async function script(request: Request<{ id: string }>) {
+    const grant = await hub.authorise(request.params.id, readBearer(request), ["drive"]);
+    grant.session.heard(readClient(request));
+    return grant;
+  }
+
+  router
+    .route("/robots/:id/commands")
+    .post(
+      // Who may not is told so before the body is read.
+      async (request, _response, next) => {
+        await script(request);
+        next();
+      },
+      jsonText(),
+      async (request, response) => {
+        const { session, key } = await script(request);
+        const command = readCommandRequest(request);
+        await session.submit(key, command, (record) => accepted(response, session.id, record));
+      },
+    )
+    .get(async (request, response) => {
+      const { session } = await script(request);
+      const { after } = readAfter(request);
+      response.json({ commands: await session.commandsAfter(after) });
+    })
+    .delete(async (request, response) => {
+      const { session, key } = await script(request);
+      const stop = { key: readIdempotencyKey(request), command: { action: "stop" as const } };
+      await session.submit(key, stop, (record) => accepted(response, session.id, record));
+    })
+    .all(methodNotAllowed("POST, GET, DELETE"));
+
+  router
+    .route("/robots/:id/commands/:seq")
+    .get(async (request, response) => {
+      const { session } = await script(request);
+      const { wait } = readWait(request);
+      const seq = readSeq(request.params.seq);
+      response.json(await session.endOf(seq, patienceOf(response, wait)));
+    })
+    .all(methodNotAllowed("GET"));
+
+  return router;
+}
+
+function accepted(response: Response, id: string, record: CommandRecord): void {
+  response.status(202).location(`/api/v1/robots/${id}/commands/${record.seq}`).json(record);
+}

@@ -1,0 +1,33 @@
+/** The page straight from its sources, with hot reload, on the relay's own port. */
+import type { Server } from "node:http";
+import { readFile } from "node:fs/promises";
+import { join } from "node:path";
+import { Router } from "express";
+
+/** The subprotocol by which the hot-reload socket of the page is known. */
+export const HOT_RELOAD_PROTOCOL = "vite-hmr";
+
+/**
+ * @param root folder of the web app, with index.html and vite.config.ts
+ * @param server whose port hot reload shares
+ */
+export async function developmentPage(
+  root: string,
+  server: Server,
+): Promise<{ router: Router; close(): Promise<void> }> {
+  // Only here, because a relay that serves the built page runs without development tools.
+  const { createServer } = await import("vite");
+  const vite = await createServer({
+    root,
+    configFile: join(root, "vite.config.ts"),
+    appType: "custom",
+    server: { middlewareMode: true, ws: { server } },
+  });
+  const router = Router();
+  router.use(vite.middlewares);
+  router.get(["/", "/r/:id"], async (request, response) => {
+    const html = await readFile(join(root, "index.html"), "utf8");
+    response.type("html").send(await vite.transformIndexHtml(request.originalUrl, html));
+  });
+  return { router, close: () => vite.close() };
+}

@@ -1,0 +1,121 @@
+/** What a request carries, checked: bearer key, JSON body, query, patience for a long poll. */
+import {
+  commandSchema,
+  idempotencyKeySchema,
+  MAX_FRAME_BYTES,
+  problem,
+  readJson,
+  readValue,
+  type Command,
+} from "@corridor/protocol";
+import express, { type Request, type RequestHandler, type Response } from "express";
+import { z } from "zod";
+import { clientName } from "../client-name.ts";
+import { badRequest, Refusal } from "../problems.ts";
+import { limits } from "../sessions/limits.ts";
+import type { Patience } from "../sessions/session.ts";
+
+const waitError = `seconds to wait, from 0 to ${limits.longPollSeconds}`;
+const waitSchema = z
+  .string({ error: waitError })
+  .regex(/^\d{1,2}(\.\d{1,3})?$/, { error: waitError })
+  .transform(Number)
+  .refine((seconds) => seconds <= limits.longPollSeconds, { error: waitError })
+  .default(0);
+
+const numberError = "a whole number of at most 15 digits";
+const wholeNumber = z
+  .string({ error: numberError })
+  .regex(/^\d{1,15}$/, { error: numberError })
+  .transform(Number);
+
+const waitQuery = z.object({ wait: waitSchema });
+const newerQuery = z.object({ after: wholeNumber.optional(), wait: waitSchema });
+const logQuery = z.object({ after: wholeNumber.default(0) });
+
+function read<T>(schema: z.ZodType<T>, input: unknown, what: string): T {
+  const result = readValue(schema, input);
+  if (!result.ok) throw badRequest(what, result.problems);
+  return result.value;
+}
+
+/** `?wait=S` */
+export function readWait(request: Request): { wait: number } {
+  return read(waitQuery, request.query, "The query is wrong.");
+}
+
+/** `?after=SEQ&wait=S` of snapshots; without `after` any snapshot will do */
+export function readNewer(request: Request): { after?: number | undefined; wait: number } {
+  return read(newerQuery, request.query, "The query is wrong.");
+}
+
+/** `?after=SEQ` of the log */
+export function readAfter(request: Request): { after: number } {
+  return read(logQuery, request.query, "The query is wrong.");
+}
+
+/** The number of a command in the path. */
+export function readSeq(text: unknown): number {
+  return read(z.object({ command: wholeNumber }), { command: text }, "The path is wrong.").command;
+}
+
+/** The key of `Authorization: Bearer KEY`; null when there is none. */
+export function readBearer(request: Request): string | null {
+  const header = request.get("authorization") ?? "";
+  const space = header.indexOf(" ");
+  if (space < 0 || header.slice(0, space).toLowerCase() !== "bearer") return null;
+  return header.slice(space + 1).trim();
+}
+
+/** The script's language, for the page. */
+export function readClient(request: Request): string {
+  return clientName(request.get("user-agent"));
+}
+
+/** Takes the body in as text; what is not JSON or too large is refused by the error handler. */
+export function jsonText(): RequestHandler {
+  const text = express.text({ type: isJson, limit: MAX_FRAME_BYTES, inflate: false });
+  return (request, response, next) => {
+    if (request.headers["content-type"] === undefined || !isJson(request)) {
+      throw new Refusal(
+        "not-json",
+        'Send the body as JSON, with the header "Content-Type: application/json".',
+      );
+    }
+    text(request, response, next);
+  };
+}
+
+function isJson(request: { headers: Record<string, string | string[] | undefined> }): boolean {
+  const type = String(request.headers["content-type"] ?? "");
+  return type.split(";")[0]?.trim().toLowerCase() === "application/json";
+}
+
+/** The command in the body, and the idempotency key in the header. */
+export function readCommandRequest(request: Request): { key: string | null; command: Command } {
+  const body: unknown = request.body;
+  const text = typeof body === "string" ? body : "";
+  const command = readJson(commandSchema, text, MAX_FRAME_BYTES);
+  if (!command.ok) throw badRequest("The command is wrong.", command.problems);
+  return { key: readIdempotencyKey(request), command: command.value };
+}
+
+/** The header Idempotency-Key; null when there is none. */
+export function readIdempotencyKey(request: Request): string | null {
+  const given = request.get("idempotency-key");
+  if (given === undefined) return null;
+  const key = readValue(idempotencyKeySchema, given);
+  if (key.ok) return key.value;
+  const [found] = key.problems;
+  throw badRequest(
+    "The header Idempotency-Key is wrong.",
+    problem("Idempotency-Key", found?.found ?? "", found?.expected ?? "").problems,
+  );
+}
+
+/** Waits as long as asked, or until the client hangs up. */
+export function patienceOf(response: Response, seconds: number): Patience {
+  const controller = new AbortController();
+  response.once("close", () => controller.abort());
+  return { milliseconds: seconds * 1000, signal: controller.signal };
+}

@@ -1,0 +1,44 @@
+/** Every limit of the relay, with its unit and its reason. Excess is answered, never ignored. */
+export const limits = {
+  /** commands of one robot that are accepted and wait: a script far ahead of its robot is a mistake */
+  waitingCommands: 64,
+  /** commands delivered to the page and not yet started: enough to hide the line's delay */
+  deliveredWindow: 8,
+  /** commands of one driver key: faster than any robot can follow */
+  commandRate: { perSecond: 20, burst: 40 },
+  /** registrations from one address: a class of 40 shares one, and everybody reloads at once */
+  registrationRate: { perSecond: 0.5, burst: 200 },
+  /** open sockets and event streams of one driver key */
+  readersPerKey: 4,
+  /** open sockets, event streams and waiting requests of one robot */
+  readersPerRobot: 60,
+  /** sockets from one address: a whole school may share one */
+  socketsPerAddress: 400,
+  /** snapshots pushed to one reader: 20 a second */
+  snapshotIntervalMs: 50,
+  /** a reader with more unsent bytes gets no snapshot until it has caught up */
+  slowReaderBytes: 64 * 1024,
+  /** a reader with more unsent bytes is closed: it does not read at all */
+  stuckReaderBytes: 1024 * 1024,
+  /** time for the first message of a socket */
+  helloMs: 5_000,
+  /** a ping and a heartbeat each so often; silence of more than twice that closes the socket */
+  heartbeatMs: 20_000,
+  silenceMs: 45_000,
+  /** a page that connects but does not tick for so long sleeps */
+  asleepMs: 4_000,
+  /** a page away for so long has lost what it ran */
+  pageAwayMs: 120_000,
+  /** the page hears of its scripts at most so often */
+  driversIntervalMs: 1_000,
+  /** "in use" is written down at most so often */
+  touchMs: 60_000,
+  sessionIdleMs: 2 * 60 * 60 * 1000,
+  sessionLifeMs: 24 * 60 * 60 * 1000,
+  /** longest wait of a long poll: below the 30 s at which many proxies give up */
+  longPollSeconds: 25,
+  /** commands in one answer of the log */
+  logPage: 200,
+  /** unreadable messages of one script before its socket is closed */
+  badFrames: 10,
+} as const;

@@ -1,0 +1,164 @@
+/**
+ * All robot sessions of this relay: makes them, finds them, forgets them when their time is over.
+ * A session is held in memory while somebody uses it; the store has the rest.
+ */
+import type { Registration } from "@corridor/protocol";
+import type { Logger } from "pino";
+import type { Clock } from "../clock.ts";
+import { hashKey, mintId, mintKey } from "../keys.ts";
+import { Refusal, retryAfter } from "../problems.ts";
+import type { KeyKind, SessionStore, StoredKey } from "../store/session-store.ts";
+import { limits } from "./limits.ts";
+import { noRobot, Session } from "./session.ts";
+import { TokenBucket } from "./token-bucket.ts";
+
+const LIFE_CHECK_MS = 1_000;
+const EXPIRY_CHECK_MS = 60_000;
+
+export interface Grant {
+  session: Session;
+  key: StoredKey;
+}
+
+export class SessionHub {
+  readonly #store: SessionStore;
+  readonly #clock: Clock;
+  readonly #log: Logger;
+  readonly #sessions = new Map<string, Promise<Session | null>>();
+  /** by address; kept in memory only */
+  readonly #registrations = new Map<string, TokenBucket>();
+  #cancelTimer: () => void;
+  #expiryAt: number;
+
+  constructor(store: SessionStore, clock: Clock, log: Logger) {
+    this.#store = store;
+    this.#clock = clock;
+    this.#log = log;
+    this.#expiryAt = clock.now();
+    this.#cancelTimer = clock.after(LIFE_CHECK_MS, () => void this.#check());
+  }
+
+  /**
+   * Registers a new robot.
+   * @param from address of who asks, for the limit only
+   * @param origin of the service as its users see it, such as https://host
+   */
+  async register(from: string, origin: string): Promise<Registration> {
+    const now = this.#clock.now();
+    const bucket = this.#registrations.get(from) ?? new TokenBucket(limits.registrationRate, now);
+    this.#registrations.set(from, bucket);
+    const waitMs = bucket.take(now);
+    if (waitMs > 0) {
+      throw new Refusal(
+        "too-fast",
+        "Too many robots were registered from this network. Wait a moment, then try again.",
+        { headers: retryAfter(waitMs) },
+      );
+    }
+    const id = mintId();
+    const ownerKey = mintKey("own");
+    const driverKey = mintKey("drive");
+    const keys: StoredKey[] = [
+      { kind: "own", hash: hashKey(ownerKey) },
+      { kind: "drive", hash: hashKey(driverKey) },
+    ];
+    await this.#store.create({ id, createdAt: now, keys });
+    return { id, ownerKey, driverKey, address: `${origin}/r/${id}#${driverKey}` };
+  }
+
+  /**
+   * Finds the session and checks that the key may do one of the given things there.
+   * @throws Refusal no-robot, not-authorised or forbidden
+   */
+  async authorise(id: string, key: string | null, kinds: readonly KeyKind[]): Promise<Grant> {
+    const session = await this.#find(id);
+    if (session === null) throw noRobot();
+    const stored = key === null ? null : session.grantOf(key);
+    if (stored === null) {
+      throw new Refusal(
+        "not-authorised",
+        "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY",
+        { headers: { "WWW-Authenticate": "Bearer" } },
+      );
+    }
+    if (!kinds.includes(stored.kind)) {
+      throw new Refusal(
+        "forbidden",
+        stored.kind === "own"
+          ? "The owner key is for the robot's page only. Use the driver key, the part of the address after the #."
+          : "The driver key cannot do this. Only the robot's own page can.",
+      );
+    }
+    return { session, key: stored };
+  }
+
+  /** Deletes a session with all that is stored of it, and sends everyone away. */
+  async remove(session: Session): Promise<void> {
+    session.close("over");
+    this.#sessions.delete(session.id);
+    await this.#store.remove(session.id);
+  }
+
+  /** Sends everyone away because the relay stops; what is stored stays. */
+  async close(): Promise<void> {
+    this.#cancelTimer();
+    const sessions = [...this.#sessions.values()];
+    this.#sessions.clear();
+    for (const session of await Promise.all(sessions)) session?.close("restart");
+  }
+
+  async #find(id: string): Promise<Session | null> {
+    let found = this.#sessions.get(id);
+    if (found === undefined) {
+      found = this.#load(id);
+      this.#sessions.set(id, found);
+      // Ids that nobody has, and failed reads, are not remembered.
+      const forget = (): void => void this.#sessions.delete(id);
+      void found.then((session) => session === null && forget(), forget);
+    }
+    return found;
+  }
+
+  async #load(id: string): Promise<Session | null> {
+    const stored = await this.#store.find(id);
+    return stored === null ? null : new Session(stored, this.#store, this.#clock);
+  }
+
+  async #check(): Promise<void> {
+    try {
+      await this.#checkLife();
+      if (this.#clock.now() >= this.#expiryAt) await this.#checkExpiry();
+    } catch (error) {
+      this.#log.error({ err: error }, "the sweep over the sessions failed");
+    }
+    this.#cancelTimer = this.#clock.after(LIFE_CHECK_MS, () => void this.#check());
+  }
+
+  async #checkLife(): Promise<void> {
+    for (const [id, found] of this.#sessions) {
+      const session = await found.catch(() => null);
+      if (session === null) continue;
+      await session.noteUse();
+      await session.checkLife();
+      if (session.isQuiet) this.#sessions.delete(id);
+    }
+  }
+
+  async #checkExpiry(): Promise<void> {
+    const now = this.#clock.now();
+    this.#expiryAt = now + EXPIRY_CHECK_MS;
+    for (const [from, bucket] of this.#registrations) {
+      if (bucket.isFull(now)) this.#registrations.delete(from);
+    }
+    const ids = await this.#store.removeExpired({
+      lastUsedAt: now - limits.sessionIdleMs,
+      createdAt: now - limits.sessionLifeMs,
+    });
+    for (const id of ids) {
+      const session = await this.#sessions.get(id);
+      session?.close("over");
+      this.#sessions.delete(id);
+    }
+    if (ids.length > 0) this.#log.info({ count: ids.length }, "forgot sessions that ran out");
+  }
+}

@@ -1,0 +1,409 @@
+/**
+ * One robot session: who may do what, and the life of its commands between scripts and page.
+ *
+ * Knows neither WebSocket nor HTTP. Whatever changes commands goes through one queue, so the order in
+ * the store is the order on the line. A command is marked delivered before it is sent; from then on
+ * only the robot ends it, or this session once the page is away for good.
+ */
+import {
+  closeReasons,
+  hasEnded,
+  PROTOCOL_VERSION,
+  type Command,
+  type CommandRecord,
+  type Ending,
+  type PageToRelay,
+  type Resume,
+  type Snapshot,
+} from "@corridor/protocol";
+import type { Clock } from "../clock.ts";
+import { matchKey } from "../keys.ts";
+import { Refusal, retryAfter } from "../problems.ts";
+import type { SessionStore, StoredKey, StoredSession } from "../store/session-store.ts";
+import { DriverRoster } from "./driver-roster.ts";
+import { limits } from "./limits.ts";
+import type { PageLink } from "./page-link.ts";
+import { ReaderFeed, type ReaderSink } from "./reader-feed.ts";
+import { RobotView } from "./robot-view.ts";
+import { TokenBucket } from "./token-bucket.ts";
+
+interface Page {
+  link: PageLink;
+  epoch: number;
+}
+
+/** Whoever follows the robot: a reader's feed, or a request that waits. */
+interface Watcher {
+  snapshot(snapshot: Snapshot): void;
+  state(record: CommandRecord): void;
+  over(reason: "over" | "restart"): void;
+}
+
+/** How long somebody waits, and what makes them stop earlier. */
+export interface Patience {
+  milliseconds: number;
+  signal: AbortSignal;
+}
+
+export class Session {
+  readonly id: string;
+  readonly createdAt: number;
+  readonly roster: DriverRoster;
+  readonly #keys: readonly StoredKey[];
+  readonly #store: SessionStore;
+  readonly #clock: Clock;
+  readonly #view = new RobotView();
+  /** with the key that counts for the limit, or null for a request that waits */
+  readonly #watchers = new Set<{ watcher: Watcher; key: string | null }>();
+  readonly #buckets = new Map<string, TokenBucket>();
+  #page: Page | null = null;
+  #awaySince: number | null;
+  #lastUsedAt: number;
+  #touchedAt: number;
+  #work: Promise<unknown> = Promise.resolve();
+  #isOver = false;
+
+  constructor(stored: StoredSession, store: SessionStore, clock: Clock) {
+    this.id = stored.id;
+    this.createdAt = stored.createdAt;
+    this.#keys = stored.keys;
+    this.#lastUsedAt = stored.lastUsedAt;
+    this.#touchedAt = stored.lastUsedAt;
+    this.#store = store;
+    this.#clock = clock;
+    this.#awaySince = clock.now();
+    this.roster = new DriverRoster(clock, (drivers) => {
+      this.#page?.link.send({ type: "drivers", ...drivers });
+    });
+  }
+
+  /** The stored key that belongs to a bearer key; null when it is none of this robot's. */
+  grantOf(key: string): StoredKey | null {
+    if (this.#isOver) return null;
+    const grant = matchKey(key, this.#keys);
+    if (grant !== null) this.#used();
+    return grant;
+  }
+
+  get isOver(): boolean {
+    return this.#isOver;
+  }
+
+  get lastUsedAt(): number {
+    return this.#lastUsedAt;
+  }
+
+  get newest(): Snapshot | null {
+    return this.#view.newest;
+  }
+
+  /** Whether nobody has used it for a while and nothing is due, so that it need not stay in memory. */
+  get isQuiet(): boolean {
+    const isUnused = this.#clock.now() - this.#lastUsedAt > limits.touchMs;
+    const isAlone = this.#page === null && this.#watchers.size === 0;
+    return isUnused && isAlone && this.#awaySince === null;
+  }
+
+  // --- the page ---
+
+  /** A page takes the robot; the page before it is sent away. */
+  async takePage(link: PageLink, resume: Resume): Promise<void> {
+    await this.#inOrder(async () => {
+      const taken = await this.#store.takeOver(this.id, resume);
+      if (taken === null || this.#isOver) return link.close(closeReasons.over);
+      this.#page?.link.close(closeReasons.replaced);
+      this.#page = { link, epoch: taken.epoch };
+      this.#awaySince = null;
+      this.#used();
+      this.#view.pageCame(this.#clock.now());
+      link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch });
+      for (const { seq } of resume.endings) link.send({ type: "stored", seq });
+      link.send({ type: "drivers", ...this.roster.now() });
+      this.#tellStates(taken.changed);
+      await this.#deliver();
+    });
+  }
+
+  /** The page's connection is gone. Does nothing when another page has taken over. */
+  leavePage(link: PageLink): void {
+    if (this.#page?.link !== link) return;
+    this.#page = null;
+    this.#awaySince = this.#clock.now();
+    this.#view.pageLeft();
+    this.#tellSnapshot();
+  }
+
+  /** A message of the page. Frames of a page that was replaced or of an older epoch are refused. */
+  async hearPage(link: PageLink, message: PageToRelay): Promise<void> {
+    if (this.#page?.link !== link) return;
+    if (message.epoch !== this.#page.epoch) return link.close(closeReasons.replaced);
+    this.#used();
+    if (message.type === "snapshot") {
+      this.#view.report(message.snapshot, this.#clock.now());
+      return this.#tellSnapshot();
+    }
+    await this.#inOrder(async () => {
+      if (this.#page?.link !== link) return;
+      if (message.type === "started") return this.#started(message.seq);
+      const { type: _type, epoch: _epoch, ...ending } = message;
+      await this.#ended(link, ending);
+    });
+  }
+
+  async #started(seq: number): Promise<void> {
+    const record = await this.#store.start(this.id, seq);
+    if (record !== null) this.#tellStates([record]);
+    await this.#deliver();
+  }
+
+  async #ended(link: PageLink, ending: Ending): Promise<void> {
+    const record = await this.#store.end(this.id, ending);
+    // Also when it had ended before: the page need not tell it again.
+    link.send({ type: "stored", seq: ending.seq });
+    if (record !== null) this.#tellStates([record]);
+    await this.#deliver();
+  }
+
+  async #deliver(): Promise<void> {
+    if (this.#page === null) return;
+    const { link, epoch } = this.#page;
+    let records: CommandRecord[];
+    try {
+      records = await this.#store.deliver(this.id, epoch, limits.deliveredWindow);
+    } catch {
+      // What is stored stays stored; the page comes back in a moment and gets it then.
+      return link.close(closeReasons.busy);
+    }
+    for (const { seq, key, command, acceptedAt } of records) {
+      const type = command.action === "stop" ? "stop" : "command";
+      link.send({ type, seq, key, command, acceptedAt });
+    }
+    this.#tellStates(records);
+  }
+
+  // --- scripts ---
+
+  /**
+   * Stores a command and sends it on when its turn comes. A stop overtakes everything.
+   * @param acknowledge gets the record once it is stored, before anything else is said about it;
+   *   `duplicate` when the key and the command were stored before
+   * @throws Refusal when it comes too fast, too many wait, or the key had another command
+   */
+  async submit(
+    grant: StoredKey,
+    request: { key: string | null; command: Command },
+    acknowledge: (record: CommandRecord) => void,
+  ): Promise<void> {
+    if (request.command.action !== "stop") this.#takeToken(grant);
+    await this.#inOrder(async () => {
+      if (this.#isOver) throw noRobot();
+      const result = await this.#store.add(this.id, {
+        ...request,
+        driver: grant.hash,
+        acceptedAt: this.#clock.now(),
+        maxWaiting: limits.waitingCommands,
+      });
+      switch (result.outcome) {
+        case "no-session":
+          throw noRobot();
+        case "full":
+          throw new Refusal(
+            "queue-full",
+            `${limits.waitingCommands} commands wait at this robot. Wait until one has ended, then send this one again.`,
+            { headers: retryAfter(1000) },
+          );
+        case "conflict":
+          throw new Refusal(
+            "key-conflict",
+            `This key belongs to command ${result.record.seq} (${result.record.action}). Use a new key for each command.`,
+          );
+        case "duplicate":
+          return acknowledge({ ...result.record, duplicate: true });
+        case "stored":
+          acknowledge(result.record);
+          this.#tellStates(result.ended);
+          return this.#deliver();
+      }
+    });
+  }
+
+  #takeToken(grant: StoredKey): void {
+    const now = this.#clock.now();
+    const bucket = this.#buckets.get(grant.hash) ?? new TokenBucket(limits.commandRate, now);
+    this.#buckets.set(grant.hash, bucket);
+    const waitMs = bucket.take(now);
+    if (waitMs === 0) return;
+    const { perSecond, burst } = limits.commandRate;
+    throw new Refusal(
+      "too-fast",
+      `One script may send ${perSecond} commands a second, ${burst} at once. Wait a moment, then send this one again.`,
+      { headers: retryAfter(waitMs) },
+    );
+  }
+
+  /** @throws Refusal when there is no command with this number */
+  async command(seq: number): Promise<CommandRecord> {
+    const record = await this.#store.command(this.id, seq);
+    if (record !== null) return record;
+    throw new Refusal(
+      "no-command",
+      `This robot has no command ${seq}. GET .../commands lists those that it has.`,
+    );
+  }
+
+  async commandsAfter(seq: number): Promise<CommandRecord[]> {
+    return this.#store.commandsAfter(this.id, seq, limits.logPage);
+  }
+
+  /** A script was heard by HTTP or socket. */
+  heard(client: string): void {
+    this.#used();
+    this.roster.heard(client);
+  }
+
+  /**
+   * Joins a reader of snapshots and states.
+   * @returns a function that lets it go
+   * @throws Refusal when too many read already
+   */
+  join(grant: StoredKey, sink: ReaderSink): () => void {
+    const ofKey = [...this.#watchers].filter(({ key }) => key === grant.hash).length;
+    if (ofKey >= limits.readersPerKey) {
+      throw new Refusal(
+        "too-many-readers",
+        `${limits.readersPerKey} scripts are connected with this key. End one of them first.`,
+        { headers: retryAfter(5000) },
+      );
+    }
+    const feed = new ReaderFeed(sink, this.#clock);
+    const leave = this.#watch(feed, grant.hash);
+    this.roster.connected(1);
+    return () => {
+      feed.close();
+      if (leave()) this.roster.connected(-1);
+    };
+  }
+
+  /** Waits for a snapshot newer than `after`, or for the robot to go. @returns the newest then */
+  async nextSnapshot(after: number, patience: Patience): Promise<Snapshot | null> {
+    const before = this.newest;
+    if ((before?.seq ?? -1) > after) return before;
+    await this.#until(patience, (done) => ({
+      snapshot: ({ seq, state }) => {
+        if (seq > after || state !== before?.state) done();
+      },
+      state: () => undefined,
+    }));
+    return this.newest;
+  }
+
+  /** Waits for the command to end. @returns its record then, whether it has ended or not */
+  async endOf(seq: number, patience: Patience): Promise<CommandRecord> {
+    // Begun between two changes, so that no ending falls between asking and listening.
+    const { record, end } = await this.#inOrder(async () => {
+      const now = await this.command(seq);
+      return { record: now, end: hasEnded(now.state) ? null : this.#nextEnd(seq, patience) };
+    });
+    if (end === null) return record;
+    await end;
+    return this.command(seq);
+  }
+
+  #nextEnd(seq: number, patience: Patience): Promise<void> {
+    return this.#until(patience, (done) => ({
+      snapshot: () => undefined,
+      state: (changed) => {
+        if (changed.seq === seq && hasEnded(changed.state)) done();
+      },
+    }));
+  }
+
+  async #until(
+    { milliseconds, signal }: Patience,
+    listen: (done: () => void) => Pick<Watcher, "snapshot" | "state">,
+  ): Promise<void> {
+    if (milliseconds === 0 || signal.aborted) return;
+    const { promise, resolve } = Promise.withResolvers<void>();
+    const leave = this.#watch({ ...listen(resolve), over: () => resolve() }, null);
+    const cancelTimer = this.#clock.after(milliseconds, resolve);
+    signal.addEventListener("abort", () => resolve(), { once: true });
+    await promise;
+    cancelTimer();
+    leave();
+  }
+
+  #watch(watcher: Watcher, key: string | null): () => boolean {
+    if (this.#watchers.size >= limits.readersPerRobot) {
+      throw new Refusal(
+        "too-many-readers",
+        `${limits.readersPerRobot} connections read this robot already. End some of them first.`,
+        { headers: retryAfter(5000) },
+      );
+    }
+    const entry = { watcher, key };
+    this.#watchers.add(entry);
+    return () => this.#watchers.delete(entry);
+  }
+
+  // --- time and end ---
+
+  /** Called about once a second: finds pages that sleep or that are away for good. */
+  async checkLife(): Promise<void> {
+    const now = this.#clock.now();
+    if (this.#page !== null && this.#view.checkAsleep(now)) this.#tellSnapshot();
+    if (this.#awaySince === null || now - this.#awaySince < limits.pageAwayMs) return;
+    await this.#inOrder(async () => {
+      if (this.#page !== null) return;
+      this.#awaySince = null;
+      this.#tellStates(await this.#store.cancelOpen(this.id, "the robot's page is gone"));
+    });
+  }
+
+  /** Writes down that the session is in use, at most once a minute. */
+  async noteUse(): Promise<void> {
+    if (this.#lastUsedAt - this.#touchedAt < limits.touchMs) return;
+    this.#touchedAt = this.#lastUsedAt;
+    await this.#store.touch(this.id, this.#lastUsedAt);
+  }
+
+  /** Ends the session for everyone who is connected. */
+  close(reason: "over" | "restart"): void {
+    this.#isOver = true;
+    this.roster.close();
+    this.#page?.link.close(closeReasons[reason]);
+    this.#page = null;
+    for (const { watcher } of this.#watchers) watcher.over(reason);
+    this.#watchers.clear();
+  }
+
+  #used(): void {
+    this.#lastUsedAt = Math.max(this.#lastUsedAt, this.#clock.now());
+  }
+
+  #tellSnapshot(): void {
+    const { newest } = this;
+    if (newest === null) return;
+    for (const { watcher } of this.#watchers) watcher.snapshot(newest);
+  }
+
+  #tellStates(records: readonly CommandRecord[]): void {
+    for (const record of records) {
+      for (const { watcher } of this.#watchers) watcher.state(record);
+    }
+  }
+
+  /** Runs one change after the other; a failed one does not stop the next. */
+  #inOrder<T>(change: () => Promise<T>): Promise<T> {
+    const result = this.#work.then(change);
+    this.#work = result.catch(() => undefined);
+    return result;
+  }
+}
+
+/** The answer where no session has the id. */
+export function noRobot(): Refusal {
+  return new Refusal(
+    "no-robot",
+    "There is no robot with this id. Robots are forgotten after 2 hours without use: open the page and copy the new address.",
+  );
+}

@@ -1,0 +1,310 @@
+/**
+ * The default store: one SQLite file, by the SQLite that is built into Node.
+ *
+ * The calls are synchronous inside, so each transaction is over before anything else runs. They are
+ * short on purpose: rows of one robot by index, never a scan.
+ */
+import { mkdirSync } from "node:fs";
+import { dirname } from "node:path";
+import { DatabaseSync, type SQLInputValue, type StatementSync } from "node:sqlite";
+import { commandRecordSchema, type CommandRecord, type Ending } from "@corridor/protocol";
+import { z } from "zod";
+import type {
+  AddResult,
+  NewCommand,
+  PageState,
+  SessionStore,
+  StoredSession,
+} from "./session-store.ts";
+import { prepareDatabase } from "./sqlite-schema.ts";
+
+const sessionRow = z.object({
+  id: z.string(),
+  epoch: z.int(),
+  last_seq: z.int(),
+  created_at: z.int(),
+  last_used_at: z.int(),
+});
+const keyRow = z.object({ hash: z.string(), kind: z.enum(["own", "drive"]) });
+const commandRow = z.object({
+  seq: z.int(),
+  key: z.string().nullable(),
+  command: z.string(),
+  state: z.string(),
+  reason: z.string().nullable(),
+  accepted_at: z.int(),
+  pose: z.string().nullable(),
+  distance: z.number().nullable(),
+});
+
+const COLUMNS = "seq, key, command, state, reason, accepted_at, pose, distance";
+const STOP = '{"action":"stop"}';
+
+export class SqliteStore implements SessionStore {
+  readonly #db: DatabaseSync;
+  readonly #statements = new Map<string, StatementSync>();
+
+  /** @param file path of the database, made with its folder when it is missing */
+  constructor(file: string) {
+    mkdirSync(dirname(file), { recursive: true });
+    this.#db = new DatabaseSync(file);
+    prepareDatabase(this.#db);
+  }
+
+  async create({ id, createdAt, keys }: Omit<StoredSession, "epoch" | "lastUsedAt">) {
+    this.#transaction(() => {
+      this.#run("INSERT INTO sessions (id, created_at, last_used_at) VALUES (?, ?, ?)", [
+        id,
+        createdAt,
+        createdAt,
+      ]);
+      for (const { hash, kind } of keys) {
+        this.#run("INSERT INTO keys (robot, hash, kind) VALUES (?, ?, ?)", [id, hash, kind]);
+      }
+    });
+  }
+
+  async find(id: string): Promise<StoredSession | null> {
+    const row = this.#session(id);
+    if (row === null) return null;
+    const keys = this.#all("SELECT hash, kind FROM keys WHERE robot = ?", [id]);
+    return {
+      id,
+      epoch: row.epoch,
+      createdAt: row.created_at,
+      lastUsedAt: row.last_used_at,
+      keys: keys.map((key) => keyRow.parse(key)),
+    };
+  }
+
+  async touch(id: string, now: number): Promise<void> {
+    this.#run("UPDATE sessions SET last_used_at = max(last_used_at, ?) WHERE id = ?", [now, id]);
+  }
+
+  async remove(id: string): Promise<boolean> {
+    const removed = this.#run("DELETE FROM sessions WHERE id = ?", [id]) > 0;
+    if (removed) this.#forgetDeleted();
+    return removed;
+  }
+
+  async removeExpired(before: { lastUsedAt: number; createdAt: number }): Promise<string[]> {
+    const rows = this.#all(
+      "DELETE FROM sessions WHERE last_used_at < ? OR created_at < ? RETURNING id",
+      [before.lastUsedAt, before.createdAt],
+    );
+    if (rows.length > 0) this.#forgetDeleted();
+    return rows.map((row) => z.object({ id: z.string() }).parse(row).id);
+  }
+
+  async add(id: string, command: NewCommand): Promise<AddResult> {
+    const text = JSON.stringify(command.command);
+    return this.#transaction((): AddResult => {
+      const session = this.#session(id);
+      if (session === null) return { outcome: "no-session" };
+      const earlier = this.#records(
+        `SELECT ${COLUMNS} FROM commands WHERE robot = ? AND driver = ? AND key = ?`,
+        [id, command.driver, command.key],
+      )[0];
+      if (earlier !== undefined) {
+        const same = JSON.stringify(earlier.command) === text;
+        return { outcome: same ? "duplicate" : "conflict", record: earlier };
+      }
+      const seq = session.last_seq + 1;
+      const ended = text === STOP ? this.#overtake(id, seq) : [];
+      if (text !== STOP && this.#count(id, "accepted") >= command.maxWaiting) {
+        return { outcome: "full" };
+      }
+      this.#run("UPDATE sessions SET last_seq = ? WHERE id = ?", [seq, id]);
+      const [record] = this.#records(
+        `INSERT INTO commands (robot, seq, driver, key, command, state, accepted_at)
+         VALUES (?, ?, ?, ?, ?, 'accepted', ?) RETURNING ${COLUMNS}`,
+        [id, seq, command.driver, command.key, text, command.acceptedAt],
+      );
+      if (record === undefined) throw new Error("SQLite did not return the stored command");
+      return { outcome: "stored", record, ended };
+    });
+  }
+
+  async deliver(id: string, epoch: number, window: number): Promise<CommandRecord[]> {
+    return this.#transaction(() => {
+      const free = Math.max(0, window - this.#count(id, "delivered"));
+      return this.#records(
+        `UPDATE commands SET state = 'delivered', epoch = ?1
+         WHERE robot = ?2 AND state = 'accepted' AND (command = '${STOP}' OR seq IN (
+           SELECT seq FROM commands WHERE robot = ?2 AND state = 'accepted' ORDER BY seq LIMIT ?3))
+         RETURNING ${COLUMNS}`,
+        [epoch, id, free],
+      );
+    });
+  }
+
+  async start(id: string, seq: number): Promise<CommandRecord | null> {
+    const [record] = this.#records(
+      `UPDATE commands SET state = 'started'
+       WHERE robot = ? AND seq = ? AND state = 'delivered' RETURNING ${COLUMNS}`,
+      [id, seq],
+    );
+    return record ?? null;
+  }
+
+  async end(id: string, ending: Ending): Promise<CommandRecord | null> {
+    return this.#end(id, ending);
+  }
+
+  async cancelOpen(id: string, reason: string): Promise<CommandRecord[]> {
+    return this.#records(
+      `UPDATE commands SET state = 'cancelled', reason = ?
+       WHERE robot = ? AND state IN ('delivered', 'started') RETURNING ${COLUMNS}`,
+      [reason, id],
+    );
+  }
+
+  async takeOver(id: string, page: PageState) {
+    return this.#transaction(() => {
+      const session = this.#session(id);
+      if (session === null) return null;
+      const epoch = session.epoch + 1;
+      // A page that knows of later commands than this file saw a store that lost its newest rows.
+      this.#run("UPDATE sessions SET epoch = ?, last_seq = max(last_seq, ?) WHERE id = ?", [
+        epoch,
+        page.lastApplied,
+        id,
+      ]);
+      const changed = page.endings.flatMap((ending) => this.#end(id, ending) ?? []);
+      changed.push(
+        ...this.#records(
+          `UPDATE commands SET state = CASE WHEN seq > ? THEN 'accepted' ELSE 'started' END
+           WHERE robot = ? AND state = 'delivered' RETURNING ${COLUMNS}`,
+          [page.lastApplied, id],
+        ),
+      );
+      if (page.fresh) changed.push(...this.#endLostWithPage(id));
+      return { epoch, changed: lastOfEach(changed) };
+    });
+  }
+
+  async command(id: string, seq: number): Promise<CommandRecord | null> {
+    const [record] = this.#records(`SELECT ${COLUMNS} FROM commands WHERE robot = ? AND seq = ?`, [
+      id,
+      seq,
+    ]);
+    return record ?? null;
+  }
+
+  async commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
+    return this.#records(
+      `SELECT ${COLUMNS} FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?`,
+      [id, seq, limit],
+    );
+  }
+
+  async close(): Promise<void> {
+    this.#statements.clear();
+    this.#db.close();
+  }
+
+  /** What ran in a page that is gone, and what a later stop had overtaken, can only end here. */
+  #endLostWithPage(id: string): CommandRecord[] {
+    const lost = this.#records(
+      `UPDATE commands SET state = 'cancelled', reason = 'the page was reloaded'
+       WHERE robot = ? AND state = 'started' RETURNING ${COLUMNS}`,
+      [id],
+    );
+    const stop = this.#all(
+      `SELECT max(seq) AS seq FROM commands
+       WHERE robot = ? AND state = 'accepted' AND command = '${STOP}'`,
+      [id],
+    )[0]?.["seq"];
+    return typeof stop === "number" ? [...lost, ...this.#overtake(id, stop)] : lost;
+  }
+
+  #overtake(id: string, stop: number): CommandRecord[] {
+    return this.#records(
+      `UPDATE commands SET state = 'cancelled', reason = ?
+       WHERE robot = ? AND state = 'accepted' AND seq < ? RETURNING ${COLUMNS}`,
+      [`stopped by command ${stop}`, id, stop],
+    );
+  }
+
+  #end(id: string, { seq, state, reason, pose, distance }: Ending): CommandRecord | null {
+    const [record] = this.#records(
+      `UPDATE commands SET state = ?, reason = ?, pose = ?, distance = ?
+       WHERE robot = ? AND seq = ? AND state IN ('delivered', 'started') RETURNING ${COLUMNS}`,
+      [state, reason, pose === null ? null : JSON.stringify(pose), distance, id, seq],
+    );
+    return record ?? null;
+  }
+
+  #count(id: string, state: "accepted" | "delivered"): number {
+    const sql = `SELECT count(*) AS n FROM commands
+      WHERE robot = ? AND state = '${state}' AND command <> '${STOP}'`;
+    return Number(this.#all(sql, [id])[0]?.["n"] ?? 0);
+  }
+
+  #session(id: string): z.infer<typeof sessionRow> | null {
+    const [row] = this.#all("SELECT * FROM sessions WHERE id = ?", [id]);
+    return row === undefined ? null : sessionRow.parse(row);
+  }
+
+  #records(sql: string, values: SQLInputValue[]): CommandRecord[] {
+    // RETURNING gives rows in no promised order.
+    return this.#all(sql, values)
+      .map(readRecord)
+      .toSorted((a, b) => a.seq - b.seq);
+  }
+
+  #all(sql: string, values: SQLInputValue[]) {
+    return this.#statement(sql).all(...values);
+  }
+
+  #run(sql: string, values: SQLInputValue[]): number {
+    return Number(this.#statement(sql).run(...values).changes);
+  }
+
+  #statement(sql: string): StatementSync {
+    let statement = this.#statements.get(sql);
+    if (statement === undefined) {
+      statement = this.#db.prepare(sql);
+      this.#statements.set(sql, statement);
+    }
+    return statement;
+  }
+
+  #transaction<T>(work: () => T): T {
+    this.#db.exec("BEGIN IMMEDIATE");
+    try {
+      const result = work();
+      this.#db.exec("COMMIT");
+      return result;
+    } catch (error) {
+      // A full disk may have rolled back already; then there is nothing left to undo.
+      if (this.#db.isTransaction) this.#db.exec("ROLLBACK");
+      throw error;
+    }
+  }
+
+  /** Deleted rows were overwritten in the pages; this takes their copies out of the log as well. */
+  #forgetDeleted(): void {
+    this.#db.exec("PRAGMA wal_checkpoint(TRUNCATE)");
+  }
+}
+
+function readRecord(row: unknown): CommandRecord {
+  const { command, pose, accepted_at, ...rest } = commandRow.parse(row);
+  const parsed: unknown = JSON.parse(command);
+  const action = z.object({ action: z.string() }).parse(parsed).action;
+  return commandRecordSchema.parse({
+    ...rest,
+    action,
+    command: parsed,
+    acceptedAt: new Date(accepted_at).toISOString(),
+    pose: pose === null ? null : JSON.parse(pose),
+    duplicate: false,
+  });
+}
+
+/** A command that changed twice in one step is reported once, with its last state. */
+function lastOfEach(records: CommandRecord[]): CommandRecord[] {
+  const bySeq = new Map(records.map((record) => [record.seq, record]));
+  return [...bySeq.values()].toSorted((a, b) => a.seq - b.seq);
+}

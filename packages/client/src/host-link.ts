@@ -1,0 +1,213 @@
+/**
+ * The robot's side of the line: the page that owns a robot takes commands and reports what becomes
+ * of them. It can run in a worker.
+ *
+ * Whatever ended is kept until the relay says that it is stored, across any number of lost lines, so
+ * that each command has exactly one ending. A command that this link has handed on is never handed on
+ * again: the relay may repeat itself, the robot may not.
+ */
+import {
+  closeReasons,
+  decodeFrame,
+  encodeFrame,
+  MAX_RESUMED_ENDINGS,
+  PROTOCOL_VERSION,
+  relayToPageSchema,
+  type CloseReason,
+  type DeliveredCommand,
+  type Drivers,
+  type Ending,
+  type PageToRelay,
+  type RelayToPage,
+  type Snapshot,
+} from "@corridor/protocol";
+import { Connection, type ConnectionStatus } from "./connection.ts";
+import { globalPlatform, type Platform } from "./platform.ts";
+import { socketUrl } from "./robot-address.ts";
+
+/** A snapshot is left out while so many bytes wait: a newer one will do. */
+const CROWDED_BYTES = 64 * 1024;
+
+export type HostStatus =
+  | { kind: "connecting" }
+  | { kind: "connected" }
+  /** the link tries again by itself after `retryMs` */
+  | { kind: "lost"; reason: CloseReason; retryMs: number }
+  /** the session is gone: register again */
+  | { kind: "over"; reason: CloseReason }
+  /** another page took the robot */
+  | { kind: "replaced"; reason: CloseReason };
+
+export interface HostLinkOptions {
+  /** of the service, such as https://robots.example.org */
+  origin: string;
+  credentials: { id: string; ownerKey: string };
+  /** highest seq that this page has ever started or ended; 0 when none */
+  lastApplied: number;
+  /** true when the page was loaded anew and no longer runs what it had started */
+  fresh: boolean;
+  /** The robot as it is now: sent before each ending, so that who waits for it reads fresh sensors. */
+  snapshot(): Snapshot | null;
+  /** A new command. Commands come in the order of their seq; start them in that order. */
+  onCommand(command: DeliveredCommand): void;
+  /** End all that was handed on, by `ended`, before this returns. The stop itself ends by itself. */
+  onStop(stop: DeliveredCommand): void;
+  onStatus(status: HostStatus): void;
+  /** Scripts came, went or were heard; at most once a second. */
+  onDrivers(drivers: Drivers): void;
+  /** default: what browsers, workers and Node offer */
+  platform?: Omit<Platform, "uniqueText">;
+}
+
+export class HostLink {
+  readonly #options: HostLinkOptions;
+  readonly #connection: Connection<RelayToPage>;
+  /** endings that are not known to be stored, by seq, oldest first */
+  readonly #endings = new Map<number, Ending>();
+  /** endings that the newest greeting carried */
+  #resumed = new Set<number>();
+  #epoch = 1;
+  #fresh: boolean;
+  #lastApplied: number;
+  #handedOn: number;
+
+  /** Opens the link at once. */
+  constructor(options: HostLinkOptions) {
+    this.#options = options;
+    this.#fresh = options.fresh;
+    this.#lastApplied = options.lastApplied;
+    this.#handedOn = options.lastApplied;
+    const { origin, credentials } = options;
+    this.#connection = new Connection({
+      url: socketUrl(origin, credentials.id),
+      platform: options.platform ?? globalPlatform(),
+      greeting: () => this.#greeting(),
+      decode: (text) => decodeFrame(relayToPageSchema, text),
+      received: (message) => this.#received(message),
+      changed: (status) => options.onStatus(hostStatus(status)),
+    });
+    this.#connection.open();
+  }
+
+  /** Highest seq that was started or ended; keep it with the credentials for after a reload. */
+  get lastApplied(): number {
+    return this.#lastApplied;
+  }
+
+  get isConnected(): boolean {
+    return this.#connection.isConnected;
+  }
+
+  /**
+   * Reports the robot. Call it up to 20 times a second while it moves, and at least once a second
+   * while it stands or is paused: silence of 4 s counts as a page that sleeps.
+   */
+  sendSnapshot(snapshot: Snapshot): void {
+    if (this.#connection.waitingBytes > CROWDED_BYTES) return;
+    this.#send({ type: "snapshot", epoch: this.#epoch, snapshot });
+  }
+
+  /** The robot has begun with a command. */
+  started(seq: number): void {
+    this.#lastApplied = Math.max(this.#lastApplied, seq);
+    this.#send({ type: "started", epoch: this.#epoch, seq });
+  }
+
+  /** A command is over: its one and only ending. */
+  ended(seq: number, ending: Omit<Ending, "seq">): void {
+    this.#lastApplied = Math.max(this.#lastApplied, seq);
+    const { state, reason, pose, distance } = ending;
+    const kept: Ending = { seq, state, reason, pose, distance };
+    this.#endings.set(seq, kept);
+    if (!this.#connection.isConnected) return;
+    const snapshot = this.#options.snapshot();
+    if (snapshot !== null) this.#send({ type: "snapshot", epoch: this.#epoch, snapshot });
+    this.#sendEnding(kept);
+  }
+
+  /** Leaves the relay. Scripts are told that the robot is gone; what waits there goes on waiting. */
+  close(): void {
+    this.#connection.close();
+  }
+
+  #greeting(): string[] {
+    const endings = [...this.#endings.values()].slice(0, MAX_RESUMED_ENDINGS);
+    this.#resumed = new Set(endings.map(({ seq }) => seq));
+    const { ownerKey } = this.#options.credentials;
+    return [
+      encodeFrame({ type: "hello", version: PROTOCOL_VERSION, role: "own", key: ownerKey }),
+      encodeFrame({
+        type: "resume",
+        lastApplied: this.#lastApplied,
+        fresh: this.#fresh,
+        endings,
+      }),
+    ];
+  }
+
+  #received(message: RelayToPage): void {
+    switch (message.type) {
+      case "welcome":
+        this.#epoch = message.epoch;
+        this.#fresh = false;
+        for (const ending of this.#endings.values()) {
+          if (!this.#resumed.has(ending.seq)) this.#sendEnding(ending);
+        }
+        return;
+      case "command": {
+        const { type: _type, ...command } = message;
+        if (this.#isNew(command.seq)) this.#options.onCommand(command);
+        return;
+      }
+      case "stop": {
+        const { type: _type, ...stop } = message;
+        if (this.#isNew(stop.seq)) this.#stop(stop);
+        return;
+      }
+      case "stored":
+        this.#endings.delete(message.seq);
+        return;
+      case "drivers": {
+        const { type: _type, ...drivers } = message;
+        return this.#options.onDrivers(drivers);
+      }
+      case "heartbeat":
+        return;
+    }
+  }
+
+  /** Whether the command is handed on for the first time; a repeated one is answered from memory. */
+  #isNew(seq: number): boolean {
+    if (seq > this.#handedOn) {
+      this.#handedOn = seq;
+      return true;
+    }
+    const ending = this.#endings.get(seq);
+    if (ending !== undefined) this.#sendEnding(ending);
+    else if (seq <= this.#lastApplied) this.started(seq);
+    return false;
+  }
+
+  #stop(stop: DeliveredCommand): void {
+    this.#options.onStop(stop);
+    this.started(stop.seq);
+    const pose = this.#options.snapshot()?.pose ?? null;
+    this.ended(stop.seq, { state: "completed", reason: null, pose, distance: 0 });
+  }
+
+  #sendEnding(ending: Ending): void {
+    this.#send({ type: "ended", epoch: this.#epoch, ...ending });
+  }
+
+  #send(message: PageToRelay): void {
+    this.#connection.send(encodeFrame(message));
+  }
+}
+
+function hostStatus(status: ConnectionStatus): HostStatus {
+  if (status.kind !== "over") return status;
+  return {
+    kind: status.reason.code === closeReasons.replaced.code ? "replaced" : "over",
+    reason: status.reason,
+  };
+}

@@ -1,0 +1,87 @@
+/**
+ * The few things that the client takes from where it runs: a WebSocket, HTTP, time and randomness.
+ * Browsers, workers and Node have them under the same names; tests pass their own.
+ */
+import type { SocketEvents, SocketFactory } from "@corridor/protocol";
+
+export interface Clock {
+  /** ms by a clock that is never set back */
+  now(): number;
+  /** Calls once after so many ms. @returns a function that calls it off */
+  after(ms: number, call: () => void): () => void;
+}
+
+/** The part of `fetch` that registering a robot needs. */
+export type Fetch = (
+  url: string,
+  request: { method: string },
+) => Promise<{ status: number; text(): Promise<string> }>;
+
+/** How a connection reaches the world; each piece may be replaced in tests. */
+export interface Platform {
+  connect: SocketFactory;
+  clock: Clock;
+  /** a number from 0 to below 1, for the pauses between tries */
+  random(): number;
+  /** text that nobody else has, for idempotency keys */
+  uniqueText(): string;
+}
+
+interface GlobalWebSocket {
+  onopen: (() => void) | null;
+  onmessage: ((event: { data: unknown }) => void) | null;
+  onclose: ((event: { code: number }) => void) | null;
+  readonly readyState: number;
+  readonly bufferedAmount: number;
+  send(text: string): void;
+  close(code: number, reason: string): void;
+}
+
+interface Globals {
+  WebSocket: new (url: string) => GlobalWebSocket;
+  performance: { now(): number };
+  setTimeout(call: () => void, ms: number): unknown;
+  clearTimeout(timer: unknown): void;
+  crypto: { getRandomValues(into: Uint32Array): Uint32Array };
+}
+
+const OPEN = 1;
+
+/** What browsers, workers and Node 22 and later offer. */
+export function globalPlatform(): Platform {
+  const globals = globalThis as unknown as Globals;
+  const randomWord = (): number => globals.crypto.getRandomValues(new Uint32Array(1))[0] ?? 0;
+  return {
+    connect: (url, events) => openSocket(new globals.WebSocket(url), events),
+    clock: {
+      now: () => globals.performance.now(),
+      after: (ms, call) => {
+        const timer = globals.setTimeout(call, ms);
+        return () => globals.clearTimeout(timer);
+      },
+    },
+    random: () => randomWord() / 2 ** 32,
+    uniqueText: () =>
+      Array.from({ length: 4 }, () => randomWord().toString(36).padStart(7, "0")).join(""),
+  };
+}
+
+function openSocket(socket: GlobalWebSocket, events: SocketEvents) {
+  socket.onopen = () => events.opened();
+  socket.onmessage = ({ data }) => {
+    if (typeof data === "string") events.received(data);
+  };
+  socket.onclose = ({ code }) => events.closed(code);
+  return {
+    send: (text: string) => {
+      if (socket.readyState === OPEN) socket.send(text);
+    },
+    close: (code: number, reason: string) => socket.close(code, reason),
+    get isOpen() {
+      return socket.readyState === OPEN;
+    },
+    get waitingBytes() {
+      return socket.bufferedAmount;
+    },
+  };
+}

@@ -1,0 +1,44 @@
+/** The address of a robot, `https://HOST/r/ID#KEY`: all that a script needs. */
+import { ClientError } from "./client-error.ts";
+
+export interface RobotAddress {
+  /** such as https://robots.example.org */
+  origin: string;
+  id: string;
+  key: string;
+}
+
+const MAX_LENGTH = 400;
+const ADDRESS = /^(https?:\/\/[^/?#\s]+)\/r\/([A-Za-z0-9_-]{22})#([A-Za-z0-9_-]{8,64})$/;
+
+/**
+ * Takes a robot's address apart.
+ * @throws ClientError bad-address, with a hint for the usual mistakes of copying
+ */
+export function parseRobotAddress(text: string): RobotAddress {
+  const address = text.trim();
+  const match = address.length <= MAX_LENGTH ? ADDRESS.exec(address) : null;
+  const [, origin, id, key] = match ?? [];
+  if (origin === undefined || id === undefined || key === undefined) {
+    throw new ClientError("bad-address", "This is not a robot's address", hintFor(address));
+  }
+  return { origin, id, key };
+}
+
+/** Where the robot's WebSocket is. The key is not part of it. */
+export function socketUrl(origin: string, id: string): string {
+  return `${origin.replace(/^http/, "ws")}/api/v1/robots/${id}/socket`;
+}
+
+function hintFor(address: string): string {
+  if (/^https?:\/\/[^/]+\/r\/[^#]+#?$/.test(address.slice(0, MAX_LENGTH))) {
+    return 'The key after the # is missing: copy the whole address, and put it in "quotes" on a command line.';
+  }
+  if (address === "") {
+    return "It is empty: copy the address from the page, under Remote.";
+  }
+  if (!/^https?:\/\//.test(address)) {
+    return "It begins with http:// or https://: copy the whole address from the page, under Remote.";
+  }
+  return "It looks like http://HOST/r/ID#KEY: copy it again from the page, under Remote.";
+}

@@ -1,0 +1,334 @@
+/**
+ * A robot in the hands of a script.
+ *
+ * Every command carries an idempotency key and is sent again with it after a lost line, so a retry
+ * never moves the robot twice. Commands are sent one after the other; a manoeuvre's promise is kept
+ * when the robot has finished it, that of a motion without an end when the robot has begun.
+ */
+import {
+  commandSchema,
+  decodeFrame,
+  describeProblem,
+  encodeFrame,
+  hasEnded,
+  PROTOCOL_VERSION,
+  readValue,
+  relayToDriverSchema,
+  type CloseReason,
+  type Command,
+  type CommandRecord,
+  type ProblemDocument,
+  type RelayToDriver,
+  type SensorReadings,
+  type Snapshot,
+} from "@corridor/protocol";
+import { ClientError } from "./client-error.ts";
+import { Connection, type ConnectionStatus } from "./connection.ts";
+import { globalPlatform, type Platform } from "./platform.ts";
+import { parseRobotAddress, socketUrl } from "./robot-address.ts";
+import { SnapshotInbox } from "./snapshot-inbox.ts";
+
+export interface RobotClientOptions {
+  /** ms to wait for the relay's answer, reconnecting included; default 30 s */
+  answerTimeout?: number;
+  /** ms to wait until the robot has done a command; default 10 minutes */
+  finishTimeout?: number;
+  /** default: what browsers and Node offer */
+  platform?: Platform;
+}
+
+interface Pending {
+  key: string;
+  command: Command;
+  /** what keeps the promise */
+  until: "started" | "ended";
+  resolve(record: CommandRecord): void;
+  reject(error: ClientError): void;
+  cancelTimer(): void;
+}
+
+const DEFAULT_ANSWER_MS = 30_000;
+const DEFAULT_FINISH_MS = 600_000;
+/** Pause before a command is sent again that the relay could not take yet. */
+const BUSY_PAUSE_MS = 500;
+
+export class RobotClient {
+  readonly #platform: Platform;
+  readonly #answerMs: number;
+  readonly #finishMs: number;
+  readonly #connection: Connection<RelayToDriver>;
+  readonly #inbox: SnapshotInbox;
+  #welcomed: () => void = () => undefined;
+  #notWelcomed: (reason: ClientError) => void = () => undefined;
+  /** not yet acknowledged on this line, in order; only the first is on its way */
+  #queue: Pending[] = [];
+  /** acknowledged and not yet done, by seq */
+  readonly #running = new Map<number, Pending>();
+  #cancelRetry: () => void = () => undefined;
+  #end: ClientError | null = null;
+
+  private constructor(address: string, options: RobotClientOptions) {
+    const { origin, id, key } = parseRobotAddress(address);
+    this.#platform = options.platform ?? globalPlatform();
+    this.#answerMs = options.answerTimeout ?? DEFAULT_ANSWER_MS;
+    this.#finishMs = options.finishTimeout ?? DEFAULT_FINISH_MS;
+    this.#inbox = new SnapshotInbox(this.#platform.clock);
+    this.#connection = new Connection({
+      url: socketUrl(origin, id),
+      platform: this.#platform,
+      greeting: () => [
+        encodeFrame({ type: "hello", version: PROTOCOL_VERSION, role: "drive", key }),
+      ],
+      decode: (text) => decodeFrame(relayToDriverSchema, text),
+      received: (message) => this.#received(message),
+      changed: (status) => this.#changed(status),
+    });
+  }
+
+  /**
+   * Connects to a robot.
+   * @param address `http://HOST/r/ID#KEY`, as the page shows it under Remote
+   * @throws ClientError bad-address, not-authorised, no-robot or timeout
+   */
+  static async connect(address: string, options: RobotClientOptions = {}): Promise<RobotClient> {
+    const robot = new RobotClient(address, options);
+    await robot.#open();
+    return robot;
+  }
+
+  /** Drives until something else is chosen; resolves when the robot has begun. */
+  forward(): Promise<CommandRecord> {
+    return this.#do({ action: "forward" }, "started");
+  }
+
+  /** Drives backward until something else is chosen; resolves when the robot has begun. */
+  reverse(): Promise<CommandRecord> {
+    return this.#do({ action: "reverse" }, "started");
+  }
+
+  /** Stops at once: ends what runs, and drops what waits, whoever sent it. */
+  stop(): Promise<CommandRecord> {
+    return this.#do({ action: "stop" }, "ended");
+  }
+
+  /** Turns left by 90 degrees on the spot. */
+  left90(): Promise<CommandRecord> {
+    return this.#do({ action: "left 90" }, "ended");
+  }
+
+  /** Turns right by 90 degrees on the spot. */
+  right90(): Promise<CommandRecord> {
+    return this.#do({ action: "right 90" }, "ended");
+  }
+
+  /** Turns round on the spot. */
+  turn180(): Promise<CommandRecord> {
+    return this.#do({ action: "turn 180" }, "ended");
+  }
+
+  /** Drives on 50 cm, turns left, drives 60 cm out of the junction. */
+  delayedLeft90(): Promise<CommandRecord> {
+    return this.#do({ action: "delayed left 90" }, "ended");
+  }
+
+  /** Drives on 50 cm, turns right, drives 60 cm out of the junction. */
+  delayedRight90(): Promise<CommandRecord> {
+    return this.#do({ action: "delayed right 90" }, "ended");
+  }
+
+  /** Drives so many cm; negative is backward. The record says `collided` where a wall was in the way. */
+  move(distance: number): Promise<CommandRecord> {
+    return this.#do({ action: "move", distance }, "ended");
+  }
+
+  /** Turns by so many degrees on the spot; negative is left. */
+  turn(degrees: number): Promise<CommandRecord> {
+    return this.#do({ action: "turn", degrees }, "ended");
+  }
+
+  /**
+   * Sets the wheel powers, each from -1 to 1, for so many milliseconds or until something else is
+   * chosen. Resolves when the time is over; without a time when the robot has begun.
+   */
+  drive(left: number, right: number, milliseconds?: number): Promise<CommandRecord> {
+    if (milliseconds === undefined) return this.#do({ action: "drive", left, right }, "started");
+    return this.#do({ action: "drive", left, right, milliseconds }, "ended");
+  }
+
+  /** The four distances in cm, newer than those of the last call. */
+  async sensors(): Promise<SensorReadings> {
+    return (await this.snapshot()).sensors;
+  }
+
+  /**
+   * All that the robot reports, newer than at the last call: after a command has ended it is never
+   * from before the end.
+   * @throws ClientError robot-gone when the robot stays silent
+   */
+  snapshot(): Promise<Snapshot> {
+    return this.#inbox.next(this.#answerMs);
+  }
+
+  /** Every snapshot as it comes (about 20 a second); a slow reader gets the newest each time. */
+  async *snapshots(): AsyncGenerator<Snapshot, void, void> {
+    let seq = -1;
+    for (;;) {
+      const snapshot = await this.#inbox.newerThan(seq);
+      if (snapshot === null) return;
+      seq = snapshot.seq;
+      yield snapshot;
+    }
+  }
+
+  /** Leaves the robot as it is. What was not done yet is rejected with the code `closed`. */
+  close(): void {
+    this.#finish(new ClientError("closed", "The client was closed", "Connect again to go on."));
+  }
+
+  async #open(): Promise<void> {
+    const cancelTimer = this.#platform.clock.after(this.#answerMs, () =>
+      this.#finish(
+        new ClientError(
+          "timeout",
+          "The service does not answer",
+          "Check that it runs, that the address is right and that this network lets WebSockets through.",
+        ),
+      ),
+    );
+    try {
+      await new Promise<void>((resolve, reject) => {
+        this.#welcomed = resolve;
+        this.#notWelcomed = reject;
+        this.#connection.open();
+      });
+    } finally {
+      cancelTimer();
+    }
+  }
+
+  #do(command: Command, until: Pending["until"]): Promise<CommandRecord> {
+    const checked = readValue(commandSchema, command);
+    if (!checked.ok) {
+      const hint = `Mend this: ${checked.problems.map(describeProblem).join("; ")}.`;
+      return Promise.reject(new ClientError("bad-command", "The command is wrong", hint));
+    }
+    if (this.#end !== null) return Promise.reject(this.#end);
+    return new Promise((resolve, reject) => {
+      const key = this.#platform.uniqueText();
+      const pending = { key, command, until, resolve, reject, cancelTimer: () => undefined };
+      this.#limit(pending, this.#answerMs, "The relay does not answer");
+      this.#queue.push(pending);
+      if (this.#queue.length === 1) this.#sendFirst();
+    });
+  }
+
+  #sendFirst(): void {
+    const [first] = this.#queue;
+    if (first === undefined) return;
+    const { key, command } = first;
+    this.#connection.send(encodeFrame({ type: "command", key, command }));
+  }
+
+  #limit(pending: Pending, ms: number, what: string): void {
+    pending.cancelTimer();
+    pending.cancelTimer = this.#platform.clock.after(ms, () => {
+      this.#forget(pending);
+      const hint = "Check that the robot's page is open, connected and not paused.";
+      pending.reject(new ClientError("timeout", what, hint));
+    });
+  }
+
+  #forget(pending: Pending): void {
+    pending.cancelTimer();
+    const wasFirst = this.#queue[0] === pending;
+    this.#queue = this.#queue.filter((other) => other !== pending);
+    for (const [seq, other] of this.#running) if (other === pending) this.#running.delete(seq);
+    if (wasFirst) this.#sendFirst();
+  }
+
+  #received(message: RelayToDriver): void {
+    switch (message.type) {
+      case "welcome":
+        if (message.snapshot !== null) this.#inbox.put(message.snapshot);
+        return;
+      case "snapshot":
+        return this.#inbox.put(message.snapshot);
+      case "ack":
+        return this.#acknowledged(message.record);
+      case "state":
+        return this.#progressed(message.record);
+      case "problem":
+        return this.#refused(message.problem, message.key);
+      case "heartbeat":
+        return;
+    }
+  }
+
+  #acknowledged(record: CommandRecord): void {
+    const [first] = this.#queue;
+    if (first === undefined || first.key !== record.key) return;
+    this.#queue.shift();
+    this.#limit(first, this.#finishMs, "The robot does not finish");
+    this.#running.set(record.seq, first);
+    this.#progressed(record);
+    this.#sendFirst();
+  }
+
+  #progressed(record: CommandRecord): void {
+    const pending = this.#running.get(record.seq);
+    if (pending === undefined) return;
+    const { state } = record;
+    if (state === "cancelled" || (state === "superseded" && pending.until === "ended")) {
+      this.#forget(pending);
+      const what = `Command ${record.seq} (${record.action}) was ${state}`;
+      const hint = record.reason ?? "Somebody else drives this robot too.";
+      return pending.reject(new ClientError(state, what, hint));
+    }
+    if (hasEnded(state) || (state === "started" && pending.until === "started")) {
+      this.#forget(pending);
+      pending.resolve(record);
+    }
+  }
+
+  #refused(problem: ProblemDocument, key: string | null): void {
+    const [first] = this.#queue;
+    if (first === undefined || (key !== null && key !== first.key)) return;
+    if (problem.status === 429 || problem.status >= 500) {
+      this.#cancelRetry();
+      this.#cancelRetry = this.#platform.clock.after(BUSY_PAUSE_MS, () => this.#sendFirst());
+      return;
+    }
+    this.#forget(first);
+    first.reject(new ClientError("refused", problem.title, problem.detail));
+  }
+
+  #changed(status: ConnectionStatus): void {
+    if (status.kind === "over") return this.#finish(errorOf(status.reason));
+    if (status.kind !== "connected") return;
+    this.#welcomed();
+    // The line may have lost answers: asking again with the same key gives the record as it is now.
+    this.#queue = [...this.#running.values(), ...this.#queue];
+    this.#running.clear();
+    this.#sendFirst();
+  }
+
+  #finish(error: ClientError): void {
+    if (this.#end !== null) return;
+    this.#end = error;
+    this.#connection.close();
+    this.#cancelRetry();
+    this.#notWelcomed(error);
+    for (const pending of [...this.#running.values(), ...this.#queue]) {
+      pending.cancelTimer();
+      pending.reject(error);
+    }
+    this.#running.clear();
+    this.#queue = [];
+    this.#inbox.close(error);
+  }
+}
+
+function errorOf({ code, cause, remedy }: CloseReason): ClientError {
+  const isKey = code === 4401 || code === 4403;
+  return new ClientError(isKey ? "not-authorised" : "no-robot", `Not connected: ${cause}`, remedy);
+}

@@ -1,0 +1,66 @@
+/** The newest snapshot of a robot, and whoever waits for a newer one. */
+import type { Snapshot } from "@corridor/protocol";
+import { ClientError } from "./client-error.ts";
+import type { Clock } from "./platform.ts";
+
+interface Waiter {
+  after: number;
+  resolve(snapshot: Snapshot | null): void;
+}
+
+export class SnapshotInbox {
+  readonly #clock: Clock;
+  #newest: Snapshot | null = null;
+  #given = -1;
+  #waiters: Waiter[] = [];
+  #end: ClientError | null = null;
+
+  constructor(clock: Clock) {
+    this.#clock = clock;
+  }
+
+  put(snapshot: Snapshot): void {
+    this.#newest = snapshot;
+    const due = this.#waiters.filter(({ after }) => snapshot.seq > after);
+    this.#waiters = this.#waiters.filter((waiter) => !due.includes(waiter));
+    for (const waiter of due) waiter.resolve(snapshot);
+  }
+
+  /**
+   * A snapshot that no earlier call of this method has given.
+   * @param patience ms to wait for it
+   * @throws ClientError robot-gone when none comes, or the reason why the client has ended
+   */
+  async next(patience: number): Promise<Snapshot> {
+    let cancelTimer: () => void = () => undefined;
+    const tooLate = new Promise<null>((resolve) => {
+      cancelTimer = this.#clock.after(patience, () => resolve(null));
+    });
+    const snapshot = await Promise.race([this.newerThan(this.#given), tooLate]);
+    cancelTimer();
+    if (this.#end !== null) throw this.#end;
+    if (snapshot === null) {
+      throw new ClientError(
+        "robot-gone",
+        "The robot does not report",
+        "Check that its page is open, connected under Remote, and not asleep.",
+      );
+    }
+    this.#given = Math.max(this.#given, snapshot.seq);
+    return snapshot;
+  }
+
+  /** The newest snapshot once its seq is higher than `after`; null when the client has ended. */
+  newerThan(after: number): Promise<Snapshot | null> {
+    if (this.#end !== null) return Promise.resolve(null);
+    if (this.#newest !== null && this.#newest.seq > after) return Promise.resolve(this.#newest);
+    return new Promise((resolve) => this.#waiters.push({ after, resolve }));
+  }
+
+  /** Lets everyone go who waits. */
+  close(reason: ClientError): void {
+    this.#end = reason;
+    for (const waiter of this.#waiters) waiter.resolve(null);
+    this.#waiters = [];
+  }
+}

@@ -1,0 +1,149 @@
+/**
+ * Messages on the robot's WebSocket, by direction. One message is one JSON text.
+ *
+ * Both kinds of client begin with `hello`. A page goes on with `resume`, without waiting; the relay
+ * answers each of them with one `welcome`. Field names are camelCase; lengths in units, times in ms.
+ */
+import { z } from "zod";
+import { commandRecordSchema, endingStates, idempotencyKeySchema } from "./command-record.ts";
+import { commandSchema } from "./command.ts";
+import { problemSchema } from "./problem.ts";
+import { poseSchema } from "./quantities.ts";
+import { keySchema } from "./registration.ts";
+import { snapshotSchema } from "./snapshot.ts";
+import { PROTOCOL_VERSION } from "./version.ts";
+
+const count = z
+  .int({ error: "a whole number" })
+  .min(0, { error: "0 or more" })
+  .max(Number.MAX_SAFE_INTEGER, { error: "a whole number below 2^53" });
+/** number of a command at its robot: 1, 2, 3 */
+const seq = count.min(1, { error: "1 or more" });
+/** rises each time a page takes the robot; frames of an older epoch are refused */
+const epoch = count.min(1, { error: "1 or more" });
+const version = z.literal(PROTOCOL_VERSION, { error: `protocol version ${PROTOCOL_VERSION}` });
+
+/** More endings than a page can have open; the rest of a longer list follows as `ended` messages. */
+export const MAX_RESUMED_ENDINGS = 32;
+
+/** How a command ended, as only the robot can tell. */
+export const endingSchema = z.strictObject({
+  seq,
+  state: z.enum(endingStates, { error: `one of ${endingStates.join(", ")}` }),
+  reason: z.string().max(200).nullable(),
+  pose: poseSchema.nullable(),
+  /** cm driven by the command */
+  distance: z.number().min(0).nullable(),
+});
+export type Ending = z.infer<typeof endingSchema>;
+
+/** The first message of every connection, at most 1 KiB: who speaks, and by what right. */
+export const helloSchema = z.strictObject({
+  type: z.literal("hello"),
+  version,
+  /** own: the page that is the robot; drive: a script */
+  role: z.enum(["own", "drive"], { error: "one of own, drive" }),
+  key: keySchema,
+});
+export type Hello = z.infer<typeof helloSchema>;
+
+/** The second message of a page: what it has done so far. Nothing new is sent before it is stored. */
+export const resumeSchema = z.strictObject({
+  type: z.literal("resume"),
+  /** highest seq that this page has started or ended; 0 when none */
+  lastApplied: count,
+  /** true when the page was loaded anew and no longer runs what it had started */
+  fresh: z.boolean(),
+  /** endings of which the page does not know that they are stored, oldest first */
+  endings: z.array(endingSchema).max(MAX_RESUMED_ENDINGS),
+});
+export type Resume = z.infer<typeof resumeSchema>;
+
+const heartbeat = z.strictObject({ type: z.literal("heartbeat") });
+
+export const pageToRelaySchema = z.discriminatedUnion(
+  "type",
+  [
+    z.strictObject({ type: z.literal("snapshot"), epoch, snapshot: snapshotSchema }),
+    z.strictObject({ type: z.literal("started"), epoch, seq }),
+    endingSchema.extend({ type: z.literal("ended"), epoch }),
+  ],
+  { error: "one of snapshot, started, ended" },
+);
+export type PageToRelay = z.infer<typeof pageToRelaySchema>;
+
+/** A command on its way to the robot. */
+const deliveredCommand = z.strictObject({
+  seq,
+  key: idempotencyKeySchema.nullable(),
+  command: commandSchema,
+  acceptedAt: z.iso.datetime(),
+});
+export type DeliveredCommand = z.infer<typeof deliveredCommand>;
+
+/** Scripts as the page shows them. */
+const driversSchema = z.strictObject({
+  /** open sockets of scripts */
+  connected: count,
+  /** such as "Python"; null while none was heard */
+  client: z.string().max(40).nullable(),
+  /** ms since a script was last heard; null while none was */
+  silentMs: count.nullable(),
+});
+export type Drivers = z.infer<typeof driversSchema>;
+
+export const relayToPageSchema = z.discriminatedUnion(
+  "type",
+  [
+    z.strictObject({ type: z.literal("welcome"), version, epoch }),
+    deliveredCommand.extend({ type: z.literal("command") }),
+    /** overtakes: ends what runs and what waits in the page, then ends itself as completed */
+    deliveredCommand.extend({ type: z.literal("stop") }),
+    /** the ending of this command is stored: the page may forget it */
+    z.strictObject({ type: z.literal("stored"), seq }),
+    driversSchema.extend({ type: z.literal("drivers") }),
+    heartbeat,
+  ],
+  { error: "one of welcome, command, stop, stored, drivers, heartbeat" },
+);
+export type RelayToPage = z.infer<typeof relayToPageSchema>;
+
+export const driverToRelaySchema = z.discriminatedUnion(
+  "type",
+  [
+    z.strictObject({
+      type: z.literal("command"),
+      /** makes a retry safe: the same key and command is never run twice */
+      key: idempotencyKeySchema.optional(),
+      command: commandSchema,
+    }),
+  ],
+  { error: "command" },
+);
+export type DriverToRelay = z.infer<typeof driverToRelaySchema>;
+
+export const relayToDriverSchema = z.discriminatedUnion(
+  "type",
+  [
+    z.strictObject({
+      type: z.literal("welcome"),
+      version,
+      /** the newest snapshot; null while the robot has not reported */
+      snapshot: snapshotSchema.nullable(),
+    }),
+    /** the command is stored: the answer to `command` */
+    z.strictObject({ type: z.literal("ack"), record: commandRecordSchema }),
+    /** a command of this robot, whoever sent it, has a new state */
+    z.strictObject({ type: z.literal("state"), record: commandRecordSchema }),
+    z.strictObject({ type: z.literal("snapshot"), snapshot: snapshotSchema }),
+    /** the message could not be served; `key` is that of the command, where it had one */
+    z.strictObject({
+      type: z.literal("problem"),
+      problem: problemSchema,
+      key: idempotencyKeySchema.nullable(),
+    }),
+    heartbeat,
+  ],
+  { error: "one of welcome, ack, state, snapshot, problem, heartbeat" },
+);
+export type RelayToDriver = z.infer<typeof relayToDriverSchema>;
