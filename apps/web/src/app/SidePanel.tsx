@@ -19,7 +19,9 @@ export function SidePanel({ hold }: { hold: HoldStore }) {
         <DriverChoice />
       </div>
       {isRemote ? (
-        <RemotePanel />
+        <div className={styles["remote"]}>
+          <RemotePanel />
+        </div>
       ) : (
         <>
           <div className={styles["program"]}>

@@ -37,6 +37,17 @@ describe("RemoteConnection", () => {
     expect(page.sent).toEqual([{ type: "remote-open", session: null, fresh: true }]);
   });
 
+  it("lets Remote drive when the reader connects while another driver has the robot", () => {
+    const page = openPage();
+    page.drive("program");
+    page.connection.connect();
+    page.drive("remote");
+    expect(page.sent).toEqual([
+      { type: "remote-open", session: null, fresh: true },
+      { type: "driver", driver: "remote" },
+    ]);
+  });
+
   it("stays off after the reader disconnected, until remote is chosen again", () => {
     const page = openPage();
     page.drive("remote");
@@ -55,16 +66,42 @@ describe("RemoteConnection", () => {
     page.remote.setState({ status: { kind: "waiting" }, session });
     page.remote.setState({ session: { ...session, lastApplied: 7 } });
     const reloaded = openPage(page.tab);
-    reloaded.connection.connect();
+    expect(reloaded.sent).toEqual([]);
+    reloaded.drive("remote");
     expect(reloaded.sent).toEqual([
       { type: "remote-open", session: { ...session, lastApplied: 7 }, fresh: true },
     ]);
+  });
+
+  it("goes on by itself after a reload in the middle of remote driving", () => {
+    const page = openPage();
+    page.drive("remote");
+    page.remote.setState({ status: { kind: "waiting" }, session });
+    // Twice, and the second page's worker begins with its own driver.
+    for (let reload = 0; reload < 2; reload++) {
+      const reloaded = openPage(page.tab);
+      reloaded.drive("program");
+      reloaded.drive("remote");
+      expect(reloaded.sent).toEqual([
+        { type: "remote-open", session, fresh: true },
+        { type: "driver", driver: "remote" },
+      ]);
+    }
+  });
+
+  it.each(["me", "program"] as const)("leaves a reload alone when %s drove last", (driver) => {
+    const page = openPage();
+    page.drive("remote");
+    page.remote.setState({ status: { kind: "waiting" }, session });
+    page.drive(driver);
+    expect(openPage(page.tab).sent).toEqual([]);
   });
 
   it("asks for another robot once the session is over", () => {
     const page = openPage();
     page.remote.setState({ status: { kind: "waiting" }, session });
     page.remote.setState({ status: { kind: "over", reason: "Two hours without use." } });
+    page.drive("remote");
     page.connection.connect();
     expect(page.sent).toEqual([{ type: "remote-open", session: null, fresh: true }]);
   });

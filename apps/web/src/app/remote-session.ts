@@ -9,6 +9,8 @@ import type { RemoteSession } from "../worker/worker-messages.ts";
 import type { KeyValueStorage } from "./works.ts";
 
 const SESSION_KEY = "corridor.remote";
+/** There while Remote drives and is connected, so that a reload goes on with both. */
+const DRIVING_KEY = "corridor.remote.driving";
 const MAX_TEXT_LENGTH = 512;
 
 export interface RemotePorts {
@@ -23,31 +25,51 @@ export class RemoteConnection {
   readonly #ports: RemotePorts;
   /** the simulation began with this page: nothing that a session knows of is still running */
   #isFresh = true;
+  /** asked for, and no word from the worker yet */
+  #isOpening = false;
 
-  /** Connects by itself whenever the driver becomes remote and nothing is connected. */
+  /**
+   * Connects by itself whenever the driver becomes remote and nothing is connected, and when the page
+   * was reloaded while Remote drove.
+   */
   constructor(ports: RemotePorts) {
     this.#ports = ports;
     const { run, remote, tab } = ports;
     run.subscribe(({ snapshot }, before) => {
-      if (snapshot?.driver !== "remote" || before.snapshot?.driver === "remote") return;
-      if (remote.getState().status.kind === "off") this.connect();
+      const driver = snapshot?.driver;
+      if (driver === undefined || driver === before.snapshot?.driver) return;
+      if (driver !== "remote") return tab.removeItem(DRIVING_KEY);
+      keep(tab, DRIVING_KEY, "yes");
+      if (remote.getState().status.kind === "off" && !this.#isOpening) this.connect();
     });
     remote.subscribe(({ session, status }, before) => {
-      if (status.kind === "over") forgetSession(tab);
-      else if (session !== null && session !== before.session) keepSession(tab, session);
+      if (status.kind !== "off") this.#isOpening = false;
+      if (status.kind === "over") tab.removeItem(SESSION_KEY);
+      else if (session !== null && session !== before.session) {
+        keep(tab, SESSION_KEY, JSON.stringify(session));
+      }
     });
+    if (tab.getItem(DRIVING_KEY) !== null && readSession(tab) !== null) this.connect();
   }
 
-  /** Opens the robot of this tab again, or asks for a new one. */
+  /** Lets Remote drive, and opens the robot of this tab again or asks for a new one. */
   connect(): void {
-    const { simulator, tab } = this.#ports;
+    const { simulator, run, tab } = this.#ports;
+    this.#isOpening = true;
     simulator.send({ type: "remote-open", session: readSession(tab), fresh: this.#isFresh });
     this.#isFresh = false;
+    // Commands are refused while another driver has the robot.
+    if (run.getState().snapshot?.driver !== "remote") {
+      simulator.send({ type: "driver", driver: "remote" });
+    }
   }
 
   /** Ends the connection; the address stays this tab's own and works again after connecting. */
   disconnect(): void {
-    this.#ports.simulator.send({ type: "remote-close" });
+    const { simulator, tab } = this.#ports;
+    this.#isOpening = false;
+    tab.removeItem(DRIVING_KEY);
+    simulator.send({ type: "remote-close" });
   }
 }
 
@@ -68,16 +90,12 @@ export function readSession(tab: KeyValueStorage): RemoteSession | null {
   return lastApplied < 0 ? null : { id, ownerKey, driverKey, address, lastApplied };
 }
 
-function keepSession(tab: KeyValueStorage, session: RemoteSession): void {
+function keep(tab: KeyValueStorage, key: string, text: string): void {
   try {
-    tab.setItem(SESSION_KEY, JSON.stringify(session));
+    tab.setItem(key, text);
   } catch {
     // A reload then asks for a new address; until then this one works.
   }
-}
-
-function forgetSession(tab: KeyValueStorage): void {
-  tab.removeItem(SESSION_KEY);
 }
 
 function isText(value: unknown): value is string {

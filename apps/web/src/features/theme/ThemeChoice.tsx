@@ -20,9 +20,9 @@ export function ThemeChoice() {
       label={t("works.theme")}
       value={theme}
       options={[
-        { value: "system", label: t("works.themeSystem"), icon: themeIcons.system },
-        { value: "light", label: t("works.themeLight"), icon: themeIcons.light },
-        { value: "dark", label: t("works.themeDark"), icon: themeIcons.dark },
+        { value: "system", label: t("works.themeSystem") },
+        { value: "light", label: t("works.themeLight") },
+        { value: "dark", label: t("works.themeDark") },
       ]}
       onChange={(choice) => screen.setState({ theme: choice })}
     />
