@@ -12,8 +12,9 @@ import type { FromWorker, ToWorker } from "./worker-messages.ts";
 
 /** Twice as often as a screen repaints, so that no frame waits for a whole interval. */
 const INTERVAL_MS = 8;
-/** Snapshots to the relay: at most this often. */
+/** Snapshots to the relay: at most this often while the robot moves, and so often while it stands. */
 const RELAY_INTERVAL_MS = 50;
+const RELAY_HEARTBEAT_MS = 1000;
 /** Held while a robot runs, so that browsers do not freeze the hidden page. */
 const LOCK_NAME = "corridor-simulation";
 
@@ -24,9 +25,12 @@ const now = (): number => performance.now();
 let loop: RunLoop | null = null;
 let releaseLock: (() => void) | null = null;
 let sentToRelayAt = Number.NEGATIVE_INFINITY;
+let hasUnsentNews = false;
 
 const remote = new RemoteHost({
   origin: worker.location.origin,
+  now: () => Date.now(),
+  snapshot: () => loop?.snapshot() ?? null,
   onView: (view) => post({ type: "remote", remote: view }),
   onDelivery: (delivery) => loop?.accept(delivery),
   onStop: () => loop?.cancelRemote("A stop came."),
@@ -100,9 +104,12 @@ function tellNews(): void {
     post({ type: "frame", frame: news.frame });
     if (news.moment !== null) post({ type: "moment", moment: news.moment });
   }
-  if (remote.isOpen && now() - sentToRelayAt >= RELAY_INTERVAL_MS) {
+  hasUnsentNews ||= news !== null;
+  const wait = hasUnsentNews ? RELAY_INTERVAL_MS : RELAY_HEARTBEAT_MS;
+  if (remote.isOpen && now() - sentToRelayAt >= wait) {
     sentToRelayAt = now();
-    remote.sendSnapshot(news?.frame.snapshot ?? loop.snapshot());
+    hasUnsentNews = false;
+    remote.sendSnapshot(loop.snapshot());
   }
 }
 
