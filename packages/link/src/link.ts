@@ -1,0 +1,215 @@
+/**
+ * Share links: what follows `#` in the URL. A maze, a program or both travel inside the link itself, so
+ * they need no server and reach none.
+ *
+ * A link is the version (one character), its length (one), a check (four), and the documents through a
+ * range coder. It is read in full or refused: characters, length and check are looked at before anything
+ * is built, every size is bounded before memory is taken, and the result passes its schemas.
+ */
+import { parseMaze, type MazeDocument } from "@corridor/maze";
+import { parseProgram, type ProgramDocument } from "@corridor/program";
+import type { FieldProblem } from "@corridor/protocol";
+import { CHECK_LENGTH, checkOf, digitsOf, textOf } from "./digits.ts";
+import { codeMaze } from "./maze-coder.ts";
+import { codeProgram } from "./program-coder.ts";
+import { Decoder, Encoder, type BitCoder } from "./range-coder.ts";
+import { isShorterPlain, shortestBlockWay } from "./shortest-way.ts";
+
+/** What a link carries; at least one of the two. */
+export interface LinkContent {
+  maze?: MazeDocument;
+  program?: ProgramDocument;
+}
+
+/** Why there is no link for a content. */
+export type EncodeRefusal =
+  /** neither a maze nor a program was given */
+  | "empty"
+  /** the link would be longer than any reader takes; share it as a file */
+  | "too-big";
+
+/** Why a link cannot be read. */
+export type LinkRefusal =
+  /** there is nothing behind the # */
+  | "empty"
+  /** it is no Corridor link, or one of a newer Corridor */
+  | "unknown-version"
+  /** its length is not the one that it tells: most likely its end is missing */
+  | "cut-off"
+  /** a character is wrong, missing or in another place */
+  | "damaged"
+  /** it is longer than 8,192 characters */
+  | "too-long";
+
+export type EncodeResult =
+  | { ok: true; text: string }
+  | { ok: false; code: EncodeRefusal; problems: FieldProblem[] };
+
+export type DecodeResult =
+  | { ok: true; value: LinkContent }
+  | { ok: false; code: LinkRefusal; problems: FieldProblem[] };
+
+/** Longest link that is written or read, in characters. */
+export const MAX_LINK_LENGTH = 8_192;
+
+const VERSION = 1;
+/** Version, length and check stand in front of the documents. */
+const HEAD_LENGTH = 2 + CHECK_LENGTH;
+/** The length is told modulo this, in one character. */
+const LENGTH_CYCLE = 64;
+/** A link that would lack more than this has more likely a few characters too many. */
+const MAX_LACKING = 56;
+
+/** What a decoder hands to the functions that also write; none of it is read. */
+const anyMaze: MazeDocument = {
+  format: "corridor/maze",
+  version: 1,
+  name: "",
+  blocks: ["."],
+  start: { column: 0, row: 0, heading: "north" },
+  goals: [],
+};
+const anyProgram: ProgramDocument = {
+  format: "corridor/program",
+  version: 1,
+  name: "",
+  default: "forward",
+  rules: [],
+};
+
+/**
+ * The text of a link.
+ * @param content documents that passed their schemas
+ * @returns what follows `#`: letters, digits, "-" and "_"
+ */
+export function encodeLink({ maze, program }: LinkContent): EncodeResult {
+  if (maze === undefined && program === undefined) {
+    return refuse("empty", "neither of both", "a maze, a program or both");
+  }
+  const encoder = new Encoder();
+  codeHead(encoder, { more: false, maze: maze !== undefined, program: program !== undefined });
+  if (maze !== undefined) {
+    const isPlainName = isShorterPlain(maze.name);
+    codeMaze(encoder, maze, { blocks: shortestBlockWay(maze), isPlainName });
+  }
+  if (program !== undefined) codeProgram(encoder, program, isShorterPlain(program.name));
+  const digits = encoder.finish();
+  const length = digits.length % LENGTH_CYCLE;
+  const text = VERSION + textOf([length, ...checkOf(VERSION, [length, ...digits]), ...digits]);
+  if (text.length > MAX_LINK_LENGTH) {
+    const expected = `at most ${MAX_LINK_LENGTH} characters: share it as a file instead`;
+    return refuse("too-big", `${text.length} characters`, expected);
+  }
+  return { ok: true, text };
+}
+
+/**
+ * Reads what follows `#`.
+ * @returns the documents exactly as they were given to `encodeLink`; or a code, and the problem in words
+ */
+export function decodeLink(text: string): DecodeResult {
+  if (text === "") return refuse("empty", "nothing", "a link");
+  if (text.length > MAX_LINK_LENGTH) {
+    const expected = `at most ${MAX_LINK_LENGTH} characters`;
+    return refuse("too-long", `${text.length} characters`, expected);
+  }
+  const digits: number[] = [];
+  for (const [at, digit] of digitsOf(text.slice(1)).entries()) {
+    if (digit === null) {
+      const found = `${JSON.stringify(Array.from(text)[at + 1])} as character ${at + 2}`;
+      return refuse("damaged", found, "letters, digits, - and _ only");
+    }
+    digits.push(digit);
+  }
+  if (text[0] !== String(VERSION)) {
+    const found = `a link that begins with ${JSON.stringify(text[0])}`;
+    return refuse("unknown-version", found, `one that begins with ${VERSION}`);
+  }
+  if (text.length <= HEAD_LENGTH) {
+    return refuse("cut-off", `${text.length} characters`, `more than ${HEAD_LENGTH}`);
+  }
+  const [length = 0, ...rest] = digits;
+  const body = rest.slice(CHECK_LENGTH);
+  const lacking = (length - body.length + text.length * LENGTH_CYCLE) % LENGTH_CYCLE;
+  if (lacking > 0 && lacking <= MAX_LACKING) {
+    return refuse(
+      "cut-off",
+      `${text.length} characters`,
+      "another number: copy it again, to its last character",
+    );
+  }
+  const check = textOf(checkOf(VERSION, [length, ...body]));
+  if (lacking > 0 || check !== text.slice(2, HEAD_LENGTH)) {
+    const found = "characters that are wrong or not in their places";
+    return refuse("damaged", found, "the link as it was made: copy it again");
+  }
+  const decoder = new Decoder(body);
+  const content = readBody(decoder);
+  if (content === "more") {
+    return refuse("unknown-version", "more than a maze and a program", "a link of this version");
+  }
+  if (content === null || decoder.missing() !== 0) {
+    return refuse("damaged", "what no Corridor writes", "a link made by Corridor");
+  }
+  return checkContent(content);
+}
+
+function refuse<Code extends string>(
+  code: Code,
+  found: string,
+  expected: string,
+): { ok: false; code: Code; problems: FieldProblem[] } {
+  return { ok: false, code, problems: [{ path: "link", found, expected }] };
+}
+
+/** Which parts follow. `more` is kept for a later version to say that there is something else. */
+function codeHead(
+  coder: BitCoder,
+  parts: { more: boolean; maze: boolean; program: boolean },
+): { more: boolean; maze: boolean; program: boolean } {
+  const more = coder.bit(31, 1, parts.more ? 1 : 0) === 1;
+  const maze = coder.bit(1, 3, parts.maze ? 1 : 0) === 1;
+  const program = coder.bit(1, 1, parts.program ? 1 : 0) === 1;
+  return { more, maze, program };
+}
+
+function readBody(decoder: Decoder): LinkContent | "more" | null {
+  const parts = codeHead(decoder, { more: false, maze: false, program: false });
+  if (parts.more) return "more";
+  if (!parts.maze && !parts.program) return null;
+  const content: LinkContent = {};
+  if (parts.maze) {
+    const maze = codeMaze(decoder, anyMaze, { blocks: 0, isPlainName: false });
+    if (maze === null) return null;
+    content.maze = maze;
+  }
+  if (parts.program) {
+    const program = codeProgram(decoder, anyProgram, false);
+    if (program === null) return null;
+    content.program = program;
+  }
+  return content;
+}
+
+/** The schemas have the last word, whatever a link says. */
+function checkContent({ maze, program }: LinkContent): DecodeResult {
+  const value: LinkContent = {};
+  if (maze !== undefined) {
+    const read = parseMaze(maze);
+    if (!read.ok) return { ok: false, code: "damaged", problems: inside("maze", read.problems) };
+    value.maze = read.value;
+  }
+  if (program !== undefined) {
+    const read = parseProgram(program);
+    if (!read.ok) return { ok: false, code: "damaged", problems: inside("program", read.problems) };
+    value.program = read.value;
+  }
+  return { ok: true, value };
+}
+
+function inside(part: string, problems: readonly FieldProblem[]): FieldProblem[] {
+  return problems.map((each) => ({
+    ...each,
+    path: each.path === "" ? part : `${part}.${each.path}`,
+  }));
+}

@@ -1,0 +1,80 @@
+/**
+ * A program as bits, written and read by one function: default, rules, name.
+ */
+import {
+  conditionKinds,
+  conditionOf,
+  kindOf,
+  MAX_NAME_LENGTH,
+  MAX_RULES,
+  numberOf,
+  type Condition,
+  type ProgramDocument,
+} from "@corridor/program";
+import { plainActions } from "@corridor/protocol";
+import { codeName } from "./name-coder.ts";
+import { codeFloat, NumberModel, SymbolModel } from "./numbers.ts";
+import { BitModel, type BitCoder } from "./range-coder.ts";
+
+/** Condition of a line: 0 is `[Do nothing]`, then the menu in its order. */
+const KIND_BITS = 4;
+const ACTION_BITS = 3;
+
+/**
+ * Writes or reads a program.
+ * @param program what to write; a decoder is given any legal program and ignores it
+ * @returns the program as a decoder will read it, still to be checked by its schema; null where a link
+ * asks for what no encoder writes
+ */
+export function codeProgram(
+  coder: BitCoder,
+  program: ProgramDocument,
+  isPlainName: boolean,
+): ProgramDocument | null {
+  const actions = new SymbolModel(ACTION_BITS);
+  const codeAction = (action: (typeof plainActions)[number]) =>
+    plainActions[actions.code(coder, plainActions.indexOf(action))];
+  const conditions = new ConditionCoder();
+
+  const byDefault = codeAction(program.default);
+  if (byDefault === undefined) return null;
+  const count = new NumberModel().code(coder, program.rules.length);
+  if (count > MAX_RULES) return null;
+  const rules: ProgramDocument["rules"] = [];
+  for (let at = 0; at < count; at += 1) {
+    const rule = program.rules[at] ?? { when: null, do: "forward" };
+    const when = conditions.code(coder, rule.when);
+    const action = codeAction(rule.do);
+    if (when === undefined || action === undefined) return null;
+    rules.push({ when, do: action });
+  }
+  const name = codeName(coder, program.name, MAX_NAME_LENGTH, isPlainName);
+  return { format: "corridor/program", version: 1, name, default: byDefault, rules };
+}
+
+/** Conditions, learning which kinds and numbers a program uses. */
+class ConditionCoder {
+  readonly #kinds = new SymbolModel(KIND_BITS);
+  readonly #wholes = new NumberModel();
+  /** is it no small whole number, is it negative */
+  readonly #forms = new BitModel(2, 4);
+
+  /** @returns undefined where a link asks for a kind that there is not */
+  code(coder: BitCoder, condition: Condition | null): Condition | null | undefined {
+    const place = condition === null ? 0 : conditionKinds.indexOf(kindOf(condition)) + 1;
+    const symbol = this.#kinds.code(coder, place);
+    if (symbol === 0) return null;
+    const kind = conditionKinds[symbol - 1];
+    const number = this.#codeNumber(coder, condition === null ? 0 : numberOf(condition));
+    return kind === undefined ? undefined : conditionOf(kind, number);
+  }
+
+  #codeNumber(coder: BitCoder, number: number): number {
+    // -0 is a legal number in JSON; its sign would be lost on the short way.
+    const isWhole = Number.isInteger(number) && !Object.is(number, -0);
+    if (this.#forms.code(coder, 0, isWhole ? 0 : 1) === 1) return codeFloat(coder, number);
+    const isNegative = this.#forms.code(coder, 1, number < 0 ? 1 : 0) === 1;
+    const size = this.#wholes.code(coder, Math.abs(number));
+    return isNegative ? -size : size;
+  }
+}
