@@ -8,7 +8,7 @@ import type { KeyValueStorage } from "./works.ts";
 /** Also read by `public/theme.js`. */
 const THEME_KEY = "corridor.theme";
 
-export const themes: readonly Theme[] = ["system", "light", "dark"];
+const themes: readonly Theme[] = ["system", "light", "dark"];
 
 export interface ThemePorts {
   screen: ScreenStore;

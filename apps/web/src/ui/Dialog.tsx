@@ -53,7 +53,7 @@ export function Dialog({
     >
       {isOpen && (
         <div className={styles["frame"]}>
-          <header className={styles["header"]}>
+          <div className={styles["header"]}>
             <div>
               <h2 id={titleId} className={styles["title"]}>
                 {title}
@@ -63,9 +63,9 @@ export function Dialog({
             <IconButton label={t("shell.close")} size="medium" onClick={onClose}>
               <X aria-hidden="true" />
             </IconButton>
-          </header>
+          </div>
           <div className={styles["content"]}>{children}</div>
-          {footer !== undefined && <footer className={styles["footer"]}>{footer}</footer>}
+          {footer !== undefined && <div className={styles["footer"]}>{footer}</div>}
         </div>
       )}
     </dialog>

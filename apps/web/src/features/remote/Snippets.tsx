@@ -7,7 +7,7 @@ import { snippet, snippetLanguages, type SnippetLanguage } from "./snippets.ts";
 import styles from "./remote.module.css";
 
 /** How many lines are seen at once; the others scroll. */
-const SHOWN_LINES = 11;
+const SHOWN_LINES = 8;
 
 export function Snippets({ address }: { address: RobotAddress }) {
   const { t } = useTranslation();

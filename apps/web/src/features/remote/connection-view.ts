@@ -2,7 +2,7 @@
 import type { RemoteStatus } from "../../worker/worker-messages.ts";
 
 /** A script that was heard less long ago than this is connected; after that it is quiet. In ms. */
-export const QUIET_AFTER_MS = 5_000;
+const QUIET_AFTER_MS = 5_000;
 
 export type ConnectionView =
   | { kind: "off" | "connecting" | "waiting" }

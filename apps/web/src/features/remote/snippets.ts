@@ -78,10 +78,10 @@ console.log("Goal reached");
 }
 
 function curl(api: string, key: string): string {
-  return `curl ${api}/sensors \\
+  return `curl -s ${api}/sensors \\
   -H "Authorization: Bearer ${key}"
 
-curl ${api}/commands \\
+curl -s ${api}/commands \\
   -H "Authorization: Bearer ${key}" \\
   -H "Content-Type: application/json" \\
   -d '{"action":"left 90"}'

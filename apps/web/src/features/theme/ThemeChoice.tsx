@@ -4,6 +4,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Segmented } from "../../ui/Segmented.tsx";
+import styles from "./theme.module.css";
 
 export const themeIcons = {
   system: <Monitor aria-hidden="true" />,
@@ -16,15 +17,17 @@ export function ThemeChoice() {
   const { screen } = useServices();
   const theme = useStore(screen, (state) => state.theme);
   return (
-    <Segmented
-      label={t("works.theme")}
-      value={theme}
-      options={[
-        { value: "system", label: t("works.themeSystem") },
-        { value: "light", label: t("works.themeLight") },
-        { value: "dark", label: t("works.themeDark") },
-      ]}
-      onChange={(choice) => screen.setState({ theme: choice })}
-    />
+    <div className={styles["choice"]}>
+      <Segmented
+        label={t("works.theme")}
+        value={theme}
+        options={[
+          { value: "system", label: t("works.themeSystem") },
+          { value: "light", label: t("works.themeLight") },
+          { value: "dark", label: t("works.themeDark") },
+        ]}
+        onChange={(choice) => screen.setState({ theme: choice })}
+      />
+    </div>
   );
 }

@@ -27,6 +27,11 @@ export function RenameField() {
         maxLength={MAX_NAME_LENGTH}
         onFocus={() => (endStroke.current ??= beginStroke(workspace))}
         onBlur={end}
+        onKeyDown={(event) => {
+          if (event.key === "Enter") {
+            event.currentTarget.closest<HTMLElement>("[popover]")?.hidePopover();
+          }
+        }}
         onChange={(text) => {
           const edit = rename(workspace.getState().maze, text);
           if (edit.ok) setMaze(workspace, edit.maze);

@@ -20,9 +20,9 @@ export function WorksList({ works, onOpen, onDelete }: WorksListProps) {
   const when = new Intl.DateTimeFormat(i18n.language, { dateStyle: "medium", timeStyle: "short" });
   return (
     <section className={styles["works"]} aria-labelledby="works-heading">
-      <h3 id="works-heading" className={styles["heading"]}>
+      <h2 id="works-heading" className={styles["heading"]}>
         {t("works.onThisDevice")}
-      </h3>
+      </h2>
       {works.length === 0 && <p className={styles["note"]}>{t("works.empty")}</p>}
       <ul className={styles["list"]}>
         {works.map((work) => {
