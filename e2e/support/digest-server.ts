@@ -1,0 +1,76 @@
+/**
+ * A page that runs the product's simulator worker on given inputs and posts the digest back. Any
+ * browser that can open an address can take part; it needs no driver.
+ */
+import { readFileSync, readdirSync } from "node:fs";
+import { createServer, type Server } from "node:http";
+import type { AddressInfo } from "node:net";
+
+const assets = new URL("../../apps/web/dist/assets/", import.meta.url);
+
+/** What the worker is asked: messages of type "digest". */
+export type DigestMessage = Record<string, unknown>;
+
+const page = `<!doctype html><meta charset="utf-8"><title>Digest</title>
+<script type="module" src="/digest.js"></script>`;
+
+const script = `
+const messages = await (await fetch("/messages")).json();
+const worker = new Worker("/assets/" + messages.worker, { type: "module" });
+const digests = [];
+worker.onmessage = ({ data }) => {
+  if (data.type === "digest") digests.push(data.digest);
+  if (data.type === "fault") digests.push("fault: " + data.reason);
+  if (digests.length === messages.list.length) {
+    fetch("/digests", { method: "POST", body: JSON.stringify(digests) });
+  }
+};
+for (const message of messages.list) worker.postMessage(message);
+`;
+
+export class DigestServer {
+  readonly #server: Server;
+  /** the digests in the order of the messages, once a browser has run them */
+  readonly digests: Promise<string[]>;
+
+  private constructor(server: Server, digests: Promise<string[]>) {
+    this.#server = server;
+    this.digests = digests;
+  }
+
+  static async start(list: DigestMessage[]): Promise<DigestServer> {
+    const worker = readdirSync(assets).find((name) => /^simulator\.worker-.*\.js$/.test(name));
+    if (worker === undefined) throw new Error("no worker in apps/web/dist: run npm run build");
+    const { promise, resolve } = Promise.withResolvers<string[]>();
+    const server = createServer((request, response) => {
+      const path = request.url ?? "/";
+      const answer = (type: string, body: string): void => {
+        response.writeHead(200, { "content-type": type }).end(body);
+      };
+      if (path === "/digests") {
+        let body = "";
+        request.on("data", (chunk) => (body += chunk));
+        request.on("end", () => {
+          answer("text/plain", "");
+          resolve(JSON.parse(body));
+        });
+      } else if (path === "/digest.js") answer("text/javascript", script);
+      else if (path === "/messages") answer("application/json", JSON.stringify({ worker, list }));
+      else if (path === `/assets/${worker}`) {
+        answer("text/javascript", readFileSync(new URL(worker, assets), "utf8"));
+      } else if (path === "/") answer("text/html", page);
+      else response.writeHead(404).end();
+    });
+    await new Promise<void>((listening) => server.listen(0, "127.0.0.1", listening));
+    return new DigestServer(server, promise);
+  }
+
+  get url(): string {
+    return `http://127.0.0.1:${(this.#server.address() as AddressInfo).port}/`;
+  }
+
+  close(): void {
+    this.#server.close();
+    this.#server.closeAllConnections();
+  }
+}
