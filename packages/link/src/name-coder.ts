@@ -17,7 +17,7 @@ const LESSON =
 const END = 128;
 const OTHER = 129;
 const SYMBOL_BITS = 8;
-const SYMBOLS = 2 ** SYMBOL_BITS;
+const SYMBOLS = 1 << SYMBOL_BITS;
 /** What a bit in the same place after the same letter counts more than one after any letter. */
 const PAIR_WEIGHT = 8;
 /** How many bits after any letter are remembered. */

@@ -23,7 +23,7 @@ export class SymbolModel {
 
   constructor(bits: number) {
     this.#bits = bits;
-    this.#model = new BitModel(2 ** bits, 4);
+    this.#model = new BitModel(1 << bits, 4);
   }
 
   code(coder: BitCoder, symbol: number): number {
@@ -31,7 +31,7 @@ export class SymbolModel {
     for (let shift = this.#bits - 1; shift >= 0; shift -= 1) {
       node = node * 2 + this.#model.code(coder, node, (symbol >> shift) & 1);
     }
-    return node - 2 ** this.#bits;
+    return node - (1 << this.#bits);
   }
 }
 
@@ -50,7 +50,7 @@ export class NumberModel {
     const wanted = value + 1;
     let length = 1;
     while (length < MAX_BITS) {
-      const isLonger = wanted >= 2 ** length ? 1 : 0;
+      const isLonger = wanted >= 1 << length ? 1 : 0;
       if (this.#lengths.code(coder, length, isLonger) === 0) break;
       length += 1;
     }

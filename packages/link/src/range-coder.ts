@@ -9,9 +9,9 @@
 
 const DIGIT = 64;
 /** The range that a coder starts with: five digits. */
-const FULL = DIGIT ** 5;
+const FULL = DIGIT * DIGIT * DIGIT * DIGIT * DIGIT;
 /** Below this the next digit is settled. */
-const SMALL = DIGIT ** 4;
+const SMALL = FULL / DIGIT;
 /** Digits that a decoder reads past the end of an undamaged link; see `Encoder.finish`. */
 const READ_AHEAD = 4;
 
