@@ -1,6 +1,12 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { markCentres, placeTags, readingCentres, type TagRequest } from "./tag-placement.ts";
+import {
+  lengthInside,
+  markCentres,
+  placeTags,
+  readingCentres,
+  type TagRequest,
+} from "./tag-placement.ts";
 import type { Box } from "./viewport.ts";
 
 const bounds: Box = { x: 70, y: 36, width: 924, height: 588 };
@@ -97,5 +103,17 @@ describe("the number of a line", () => {
 
   it("is left out where there is no room", () => {
     expect(placeTags([request], [bounds], bounds)).toEqual([]);
+  });
+});
+
+describe("lengthInside", () => {
+  it.each([
+    { dx: 0, dy: -1, length: 264 },
+    { dx: 1, dy: 0, length: 494 },
+    { dx: 0, dy: 1, length: 324 },
+    { dx: -1, dy: 0, length: 430 },
+    { dx: 0.6, dy: 0.8, length: 405 },
+  ])("along $dx, $dy is $length", ({ dx, dy, length }) => {
+    expect(lengthInside({ origin: { x: 500, y: 300 }, dx, dy }, bounds)).toBeCloseTo(length, 9);
   });
 });

@@ -113,6 +113,18 @@ export function markCentres(
   ]);
 }
 
+/** Pixels from a beam's origin, which lies inside a box, to where the beam leaves it. */
+export function lengthInside({ origin, dx, dy }: Beam, box: Box): number {
+  const along = (at: number, step: number, from: number, to: number): number => {
+    if (step === 0) return Number.POSITIVE_INFINITY;
+    return Math.max(0, ((step > 0 ? to : from) - at) / step);
+  };
+  return Math.min(
+    along(origin.x, dx, box.x, box.x + box.width),
+    along(origin.y, dy, box.y, box.y + box.height),
+  );
+}
+
 /** A point so many pixels along a beam and to its right. */
 function pointOn({ origin, dx, dy }: Beam, along: number, across: number): Point {
   return { x: origin.x + dx * along - dy * across, y: origin.y + dy * along + dx * across };

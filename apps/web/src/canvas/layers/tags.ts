@@ -6,6 +6,7 @@ import { sensorNames, type SensorName, type Snapshot } from "@corridor/protocol"
 import type { Palette } from "../palette.ts";
 import type { Limit } from "../running-line.ts";
 import {
+  lengthInside,
   markCentres,
   placeTags,
   readingCentres,
@@ -49,9 +50,14 @@ export function drawTags(
   context.font = `600 ${READING.font}px ${palette.font}`;
   const requests = sensorNames.map((name): TagRequest<SensorName> => {
     const width = textWidth(context, readingText(snapshot.sensors[name])) + 2 * READING.padding;
-    const length = snapshot.sensors[name] * viewport.scale;
+    const beam = beamOf(name);
+    // Where the wall is out of sight, the reading stands at the edge of what shows.
+    const length = Math.min(
+      snapshot.sensors[name] * viewport.scale,
+      lengthInside(beam, viewport.port),
+    );
     const { height } = READING;
-    const centres = readingCentres(beamOf(name), length, radius, width, height);
+    const centres = readingCentres(beam, length, radius, width, height);
     return { name, width, height, centres };
   });
   requests.sort((a, b) => Number(lit.includes(b.name)) - Number(lit.includes(a.name)));

@@ -13,6 +13,11 @@ const DOT_EVERY = 25;
 /** Below this many pixels between dots they would be a second line. */
 const DOTS_FROM_PX = 6;
 
+/** Numbers in a trail that may well go over its own places again. */
+const LAPS_FROM = 400;
+/** Segments stroked at once: one path of thousands that cross each other takes far longer. */
+const BATCH = 100;
+
 /** Width of the line in pixels at a scale. */
 function widthAt(scale: number): number {
   return Math.min(7, Math.max(3, 7 * scale));
@@ -35,10 +40,26 @@ export function drawTrail(
   const width = widthAt(viewport.scale);
   const hasDots = DOT_EVERY * viewport.scale >= DOTS_FROM_PX;
   const dots: number[] = [];
+  const columns = Math.ceil(port.width) + 1;
+  const hasLaps = hasDots && points.length > LAPS_FROM;
+  const marked = new Uint8Array(hasLaps ? columns * (Math.ceil(port.height) + 1) : 0);
+  // Laps put their dots onto the same places: a pixel gets one. Outside of the port none is needed.
   const put = (x: number, y: number): void => {
-    dots.push(viewX(viewport, x), viewY(viewport, y));
+    const atX = viewX(viewport, x);
+    const atY = viewY(viewport, y);
+    if (atX < port.x || atX > port.x + port.width) return;
+    if (atY < port.y || atY > port.y + port.height) return;
+    const pixel = Math.floor(atY - port.y) * columns + Math.floor(atX - port.x);
+    if (marked[pixel] === 1) return;
+    marked[pixel] = 1;
+    dots.push(atX, atY);
   };
+  context.lineCap = cap;
+  context.lineJoin = "round";
+  context.lineWidth = width;
+  context.strokeStyle = palette.liveSoft;
   let isPenDown = false;
+  let count = 0;
   context.beginPath();
   for (let at = 0; at + 3 < points.length; at += 2) {
     const x0 = points[at] ?? 0;
@@ -62,11 +83,12 @@ export function drawTrail(
     isPenDown = true;
     context.lineTo(toX, toY);
     if (hasDots) eachDot(x0, y0, x1, y1, put);
+    if (++count % BATCH === 0) {
+      context.stroke();
+      context.beginPath();
+      isPenDown = false;
+    }
   }
-  context.lineCap = cap;
-  context.lineJoin = "round";
-  context.lineWidth = width;
-  context.strokeStyle = palette.liveSoft;
   context.stroke();
 
   const size = width < 5 ? 1.5 : 2;

@@ -1,12 +1,14 @@
 /** Columns and rows of the maze. */
 import { MAX_SIDE, resize, sizeOf } from "@corridor/maze";
-import { useState } from "react";
+import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { setMaze } from "../../stores/workspace-store.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
-import { NumberField } from "../../ui/NumberField.tsx";
+import { FieldError, NumberInput } from "../../ui/NumberField.tsx";
+import { readNumber } from "../../ui/number-text.ts";
 import styles from "./tool-strip.module.css";
 
 interface ResizeDialogProps {
@@ -17,12 +19,13 @@ interface ResizeDialogProps {
 export function ResizeDialog({ isOpen, onClose }: ResizeDialogProps) {
   const { workspace } = useServices();
   const { t } = useTranslation();
+  const maze = useStore(workspace, (state) => state.maze);
   return (
     <Dialog isOpen={isOpen} onClose={onClose} title={t("stage.resizeTitle")} width="narrow">
       <SizeForm
-        before={sizeOf(workspace.getState().maze)}
+        before={sizeOf(maze)}
         onDone={(columns, rows) => {
-          const edit = resize(workspace.getState().maze, columns, rows);
+          const edit = resize(maze, columns, rows);
           if (edit.ok) setMaze(workspace, edit.maze);
           onClose();
         }}
@@ -39,36 +42,58 @@ interface SizeFormProps {
 /** Lives only while the dialog is open, so it begins with the size that the maze has then. */
 function SizeForm({ before, onDone }: SizeFormProps) {
   const { t } = useTranslation();
-  const [columns, setColumns] = useState(before.columns);
-  const [rows, setRows] = useState(before.rows);
-  const sides = [
-    { label: t("stage.columns"), value: columns, onChange: setColumns },
-    { label: t("stage.rows"), value: rows, onChange: setRows },
-  ];
+  const [columns, setColumns] = useState(String(before.columns));
+  const [rows, setRows] = useState(String(before.rows));
   return (
     <form
       noValidate
       className={styles["size"]}
       onSubmit={(event) => {
         event.preventDefault();
-        onDone(columns, rows);
+        const size = [readSide(columns), readSide(rows)] as const;
+        if (size[0] !== null && size[1] !== null) onDone(size[0], size[1]);
+        else event.currentTarget.querySelector<HTMLElement>('[aria-invalid="true"]')?.focus();
       }}
     >
       <p>{t("stage.resizeText")}</p>
       <div className={styles["sides"]}>
-        {sides.map((side) => (
-          <NumberField
-            key={side.label}
-            {...side}
-            min={1}
-            max={MAX_SIDE}
-            errorText={t("stage.sideError", { most: MAX_SIDE })}
-          />
-        ))}
+        <SideField label={t("stage.columns")} text={columns} onChange={setColumns} />
+        <SideField label={t("stage.rows")} text={rows} onChange={setRows} />
       </div>
       <Button kind="primary" type="submit" className={styles["done"]}>
         {t("stage.resizeDone")}
       </Button>
     </form>
   );
+}
+
+interface SideFieldProps {
+  label: string;
+  text: string;
+  onChange: (text: string) => void;
+}
+
+/** Keeps what was typed when it is left: nothing is resized before the button is pressed. */
+function SideField({ label, text, onChange }: SideFieldProps) {
+  const { t } = useTranslation();
+  const id = useId();
+  const isInvalid = readSide(text) === null;
+  return (
+    <div className={styles["side"]}>
+      <label htmlFor={id}>{label}</label>
+      <NumberInput
+        id={id}
+        draft={{ text, isInvalid, type: onChange, leave: () => undefined }}
+        errorId={`${id}-error`}
+      />
+      {isInvalid && (
+        <FieldError id={`${id}-error`}>{t("stage.sideError", { most: MAX_SIDE })}</FieldError>
+      )}
+    </div>
+  );
+}
+
+/** Columns or rows as typed; null where a maze cannot have so many. */
+function readSide(text: string): number | null {
+  return readNumber(text, { min: 1, max: MAX_SIDE, whole: true });
 }

@@ -49,6 +49,7 @@ export function ToolStrip() {
           kind="quiet"
           size="small"
           className={styles["whole"]}
+          title={t("stage.clear")}
           icon={<Eraser aria-hidden="true" />}
           onClick={() => setDialog("clear")}
         >
@@ -58,6 +59,7 @@ export function ToolStrip() {
           kind="quiet"
           size="small"
           className={styles["whole"]}
+          title={t("stage.resize")}
           icon={<Scaling aria-hidden="true" />}
           onClick={() => setDialog("resize")}
         >

@@ -15,7 +15,7 @@ interface ViewMenuProps {
   onResize: () => void;
 }
 
-/** On a phone the strip has no room for Clear and Resize; there they stand here. */
+/** On a phone the strip has no room for Clear and Resize: they stand here. Rulers have none either. */
 export function ViewMenu({ onClear, onResize }: ViewMenuProps) {
   const { screen } = useServices();
   const { t } = useTranslation();
@@ -30,12 +30,13 @@ export function ViewMenu({ onClear, onResize }: ViewMenuProps) {
       <Popover {...menu.panel} label={t("stage.view")} align="right">
         <div className={styles["choices"]}>
           {choices.map((choice) => (
-            <Checkbox
-              key={choice}
-              label={t(`stage.${choice}`)}
-              checked={state[choice]}
-              onChange={(isShown) => screen.setState({ [choice]: isShown })}
-            />
+            <div key={choice} className={styles[choice]}>
+              <Checkbox
+                label={t(`stage.${choice}`)}
+                checked={state[choice]}
+                onChange={(isShown) => screen.setState({ [choice]: isShown })}
+              />
+            </div>
           ))}
           <div className={styles["wholeItems"]}>
             <MenuItem icon={<Scaling aria-hidden="true" />} onSelect={onResize}>

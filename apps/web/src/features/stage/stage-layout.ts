@@ -10,7 +10,7 @@ import {
 /** Below this width the stage is a phone's: the maze takes it whole, without rulers. */
 const COMPACT_BELOW_PX = 600;
 
-const compact: Padding = { top: 8, right: 8, bottom: 8, left: 8 };
+const compact: Padding = { top: 4, right: 8, bottom: 4, left: 8 };
 const withRulers: Padding = { top: 36, right: 34, bottom: 20, left: 70 };
 const withoutRulers: Padding = { top: 16, right: 34, bottom: 20, left: 34 };
 
