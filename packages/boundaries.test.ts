@@ -9,7 +9,7 @@ function sourcesOnDisk(): Sources {
     ["packages/*/src/**/*.ts", "apps/*/src/**/*.{ts,tsx}", "examples/**/*.ts"],
     {
       cwd: root,
-      exclude: ["**/*.test.ts", "**/testing/**", "**/node_modules/**"],
+      exclude: ["**/*.test.ts", "**/*.cases.ts", "**/testing/**", "**/node_modules/**"],
     },
   );
   return new Map(files.map((file) => [file, readFileSync(root + file, "utf8")]));
