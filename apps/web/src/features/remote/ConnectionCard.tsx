@@ -12,6 +12,7 @@ export function ConnectionCard() {
   const { t } = useTranslation();
   const { remote, connection } = useServices();
   const status = useStore(remote, (state) => state.status);
+  const hasSession = useStore(remote, (state) => state.session !== null);
   const now = useNow(status.kind === "connected");
   const view = viewConnection(status, now);
   const { title, note } = useWords(view);
@@ -28,6 +29,9 @@ export function ConnectionCard() {
         <p className={styles["cardTitle"]} aria-hidden={view.kind !== "quiet"}>
           {title}
         </p>
+        {view.kind === "lost" && !hasSession && (
+          <p className={styles["note"]}>{t("remote.noService")}</p>
+        )}
         <p className={styles["note"]}>{note}</p>
       </div>
       {isOpen ? (
