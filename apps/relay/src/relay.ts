@@ -9,7 +9,7 @@ import type { Clock } from "./clock.ts";
 import type { Config } from "./config.ts";
 import { WebSocketGateway } from "./gateways/websocket-gateway.ts";
 import { builtPage } from "./routes/built-page.ts";
-import { developmentPage, HOT_RELOAD_PROTOCOL } from "./routes/development-page.ts";
+import { developmentPage, HOT_RELOAD_PREFIX } from "./routes/development-page.ts";
 import { SessionHub } from "./sessions/session-hub.ts";
 import { SqliteStore } from "./store/sqlite-store.ts";
 
@@ -55,8 +55,9 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   server.on("request", createApp({ hub, clock, log, publicOrigin, page, isDevelopment }));
   server.on("upgrade", (request, socket, head) => {
     // Vite listens for its own socket by itself.
-    const isHotReload = request.headers["sec-websocket-protocol"] === HOT_RELOAD_PROTOCOL;
-    if (!(isDevelopment && isHotReload)) gateway.upgrade(request, socket, head);
+    const protocol = request.headers["sec-websocket-protocol"] ?? "";
+    const isHotReload = isDevelopment && protocol.startsWith(HOT_RELOAD_PREFIX);
+    if (!isHotReload) gateway.upgrade(request, socket, head);
   });
 
   const close = async (): Promise<void> => {

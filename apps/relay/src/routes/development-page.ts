@@ -4,8 +4,8 @@ import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { Router } from "express";
 
-/** The subprotocol by which the hot-reload socket of the page is known. */
-export const HOT_RELOAD_PROTOCOL = "vite-hmr";
+/** How the subprotocols of the hot-reload sockets of the page begin. */
+export const HOT_RELOAD_PREFIX = "vite-";
 
 /**
  * @param root folder of the web app, with index.html and vite.config.ts

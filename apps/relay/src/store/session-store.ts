@@ -3,7 +3,7 @@
  *
  * Each method is one atomic step, so that several relays can share a store. An ending is for ever:
  * every change of state names the states that it may come from, and the first writer wins.
- * Wall-clock times are milliseconds since 1970. Every implementation passes `store.cases.ts`.
+ * Wall-clock times are milliseconds since 1970. Every implementation passes `testing/store.cases.ts`.
  */
 import type { Command, CommandRecord, Ending } from "@corridor/protocol";
 

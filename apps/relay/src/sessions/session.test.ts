@@ -1,0 +1,354 @@
+import { join } from "node:path";
+import {
+  closeReasons,
+  type Command,
+  type CommandRecord,
+  type Ending,
+  type RelayToPage,
+} from "@corridor/protocol";
+import { pino } from "pino";
+import { describe, expect, it, onTestFinished } from "vitest";
+import type { Refusal } from "../problems.ts";
+import { SqliteStore } from "../store/sqlite-store.ts";
+import { FakeClock, settled } from "../testing/fake-clock.ts";
+import { completed, snapshot } from "../testing/messages.ts";
+import { testFolder } from "../testing/test-relay.ts";
+import { limits } from "./limits.ts";
+import type { PageLink } from "./page-link.ts";
+import { SessionHub } from "./session-hub.ts";
+
+const LEFT: Command = { action: "left 90" };
+const patience = (milliseconds: number) => ({ milliseconds, signal: new AbortController().signal });
+
+async function withRobot() {
+  const clock = new FakeClock();
+  const store = new SqliteStore(join(testFolder(), "corridor.sqlite"));
+  onTestFinished(() => store.close());
+  const hub = new SessionHub(store, clock, pino({ level: "silent" }));
+  const robot = await hub.register("10.0.0.1", "http://localhost");
+  const { session, key } = await hub.authorise(robot.id, robot.driverKey, ["drive"]);
+  const submit = async (command: Command, idempotencyKey: string | null = null) => {
+    const records: CommandRecord[] = [];
+    await session.submit(key, { key: idempotencyKey, command }, (record) => records.push(record));
+    return records[0];
+  };
+  const states = async () =>
+    (await session.commandsAfter(0)).map(({ seq, state }) => `${seq} ${state}`);
+  return { clock, hub, robot, session, key, submit, states };
+}
+
+type Robot = Awaited<ReturnType<typeof withRobot>>;
+
+async function page({ session }: Robot, resume: { lastApplied?: number; endings?: Ending[] } = {}) {
+  const told: RelayToPage[] = [];
+  const closed: number[] = [];
+  const link: PageLink = {
+    send: (message) => told.push(message),
+    close: ({ code }) => closed.push(code),
+  };
+  await session.takePage(link, {
+    type: "resume",
+    lastApplied: 0,
+    fresh: false,
+    endings: [],
+    ...resume,
+  });
+  const welcome = told.find((message) => message.type === "welcome");
+  const epoch = welcome?.type === "welcome" ? welcome.epoch : 0;
+  const seqs = (type: "command" | "stop") =>
+    told.flatMap((message) => (message.type === type && "seq" in message ? [message.seq] : []));
+  return {
+    told,
+    closed,
+    link,
+    epoch,
+    seqs,
+    started: (seq: number) => session.hearPage(link, { type: "started", epoch, seq }),
+    ended: (ending: Ending) => session.hearPage(link, { type: "ended", epoch, ...ending }),
+    report: (change = {}) =>
+      session.hearPage(link, { type: "snapshot", epoch, snapshot: snapshot(change) }),
+  };
+}
+
+describe("a robot session: delivery", () => {
+  it("lets commands wait for the page, then gives it eight at a time, in order", async () => {
+    const robot = await withRobot();
+    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
+    const host = await page(robot);
+    expect(host.seqs("command")).toEqual([1, 2, 3, 4, 5, 6, 7, 8]);
+    await host.started(1);
+    await host.ended(completed(1));
+    await host.ended(completed(2));
+    expect(host.seqs("command")).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+  });
+
+  it("acknowledges a command before anything else is said about it", async () => {
+    const robot = await withRobot();
+    await page(robot);
+    const said: string[] = [];
+    robot.session.join(robot.key, {
+      snapshot: () => undefined,
+      state: ({ state }) => said.push(state),
+      over: () => undefined,
+      waitingBytes: () => 0,
+    });
+    await robot.session.submit(robot.key, { key: null, command: LEFT }, ({ state }) =>
+      said.push(`ack ${state}`),
+    );
+    expect(said).toEqual(["ack accepted", "delivered"]);
+  });
+
+  it("gives a page that comes back what it has not begun, and takes its endings first", async () => {
+    const robot = await withRobot();
+    for (let n = 0; n < 3; n++) await robot.submit(LEFT);
+    const before = await page(robot);
+    await before.started(1);
+    robot.session.leavePage(before.link);
+    const after = await page(robot, { lastApplied: 2, endings: [completed(1)] });
+    expect(after.seqs("command")).toEqual([3]);
+    expect(after.told).toContainEqual({ type: "stored", seq: 1 });
+    expect(await robot.states()).toEqual(["1 completed", "2 started", "3 delivered"]);
+  });
+
+  it("sends the page before away, and refuses what it still says", async () => {
+    const robot = await withRobot();
+    await robot.submit(LEFT);
+    const first = await page(robot);
+    const second = await page(robot);
+    expect(first.closed).toEqual([closeReasons.replaced.code]);
+    expect(second.epoch).toBe(first.epoch + 1);
+    await first.started(1);
+    robot.session.leavePage(first.link);
+    expect(await robot.states()).toEqual(["1 delivered"]);
+    await robot.session.hearPage(second.link, { type: "started", epoch: first.epoch, seq: 1 });
+    expect(second.closed).toEqual([closeReasons.replaced.code]);
+    expect(await robot.states()).toEqual(["1 delivered"]);
+  });
+
+  it("tells the page to stop at once, past a full window", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
+    await robot.submit({ action: "stop" });
+    expect(host.seqs("stop")).toEqual([11]);
+    expect((await robot.states()).slice(7)).toEqual([
+      "8 delivered",
+      "9 cancelled",
+      "10 cancelled",
+      "11 delivered",
+    ]);
+  });
+
+  it("ends what runs once the page has been away for two minutes, and says so", async () => {
+    const robot = await withRobot();
+    await robot.submit(LEFT);
+    const host = await page(robot);
+    await host.started(1);
+    robot.session.leavePage(host.link);
+    await robot.clock.pass(limits.pageAwayMs - 2_000);
+    expect(await robot.states()).toEqual(["1 started"]);
+    await robot.clock.pass(5_000);
+    expect(await robot.states()).toEqual(["1 cancelled"]);
+    const late = await page(robot, { lastApplied: 1, endings: [completed(1)] });
+    expect(late.told).toContainEqual({ type: "stored", seq: 1 });
+    expect(await robot.states()).toEqual(["1 cancelled"]);
+  });
+});
+
+describe("a robot session: limits", () => {
+  it("takes 40 commands at once and 20 a second, and always a stop", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    const send = async (): Promise<string> => {
+      try {
+        const record = await robot.submit(LEFT);
+        await host.ended(completed(record?.seq ?? 0));
+        return "stored";
+      } catch (error) {
+        return (error as Refusal).kind;
+      }
+    };
+    const outcomes: string[] = [];
+    for (let n = 0; n < 45; n++) outcomes.push(await send());
+    expect(outcomes.filter((outcome) => outcome === "stored")).toHaveLength(40);
+    expect(outcomes.at(-1)).toBe("too-fast");
+    expect(await robot.submit({ action: "stop" })).toMatchObject({ state: "accepted" });
+    await robot.clock.pass(50);
+    expect([await send(), await send()]).toEqual(["stored", "too-fast"]);
+  });
+
+  it("lets 64 commands wait and names the 65th", async () => {
+    const robot = await withRobot();
+    for (let n = 0; n < 64; n++) {
+      await robot.submit(LEFT);
+      await robot.clock.pass(50);
+    }
+    const refused = robot.submit(LEFT, "key-0001");
+    await expect(refused).rejects.toMatchObject({
+      kind: "queue-full",
+      headers: { "Retry-After": "1" },
+    });
+  });
+
+  it("lets a class register at once, not a flood", async () => {
+    const { hub } = await withRobot();
+    const register = () => hub.register("10.0.0.2", "http://localhost");
+    for (let n = 0; n < 200; n++) await register();
+    await expect(register()).rejects.toMatchObject({ kind: "too-fast" });
+    await expect(hub.register("10.0.0.3", "http://localhost")).resolves.toBeDefined();
+  });
+});
+
+describe("a robot session: what scripts see", () => {
+  it("sends a reader at most 20 snapshots a second, the newest each time", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    const seen: number[] = [];
+    robot.session.join(robot.key, {
+      snapshot: ({ seq }) => seen.push(seq),
+      state: () => undefined,
+      over: () => undefined,
+      waitingBytes: () => 0,
+    });
+    for (let seq = 1; seq <= 100; seq++) {
+      await host.report({ seq });
+      await robot.clock.pass(10);
+    }
+    await robot.clock.pass(100);
+    expect(seen.length).toBeGreaterThan(15);
+    expect(seen.length).toBeLessThanOrEqual(22);
+    expect(seen.at(-1)).toBe(100);
+  });
+
+  it("sends a slow reader nothing old, and drops one that does not read", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    let waiting = limits.slowReaderBytes + 1;
+    const seen: number[] = [];
+    const over: string[] = [];
+    robot.session.join(robot.key, {
+      snapshot: ({ seq }) => seen.push(seq),
+      state: () => undefined,
+      over: (reason) => over.push(reason),
+      waitingBytes: () => waiting,
+    });
+    for (let seq = 1; seq <= 5; seq++) await host.report({ seq });
+    await robot.clock.pass(1_000);
+    expect(seen).toEqual([]);
+    waiting = 0;
+    await robot.clock.pass(limits.snapshotIntervalMs);
+    expect(seen).toEqual([5]);
+    waiting = limits.stuckReaderBytes + 1;
+    await robot.submit(LEFT);
+    expect(over).toEqual(["tooSlow"]);
+  });
+
+  it("shows a newer snapshot before the ending that came after it", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await robot.submit(LEFT);
+    const said: string[] = [];
+    robot.session.join(robot.key, {
+      snapshot: ({ seq }) => said.push(`snapshot ${seq}`),
+      state: ({ state }) => said.push(state),
+      over: () => undefined,
+      waitingBytes: () => 0,
+    });
+    await host.report({ seq: 1 });
+    await host.report({ seq: 2 });
+    await host.ended(completed(1));
+    expect(said).toEqual(["snapshot 1", "snapshot 2", "completed"]);
+  });
+
+  it("tells apart a robot that runs, one that sleeps and one that is gone", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await host.report();
+    expect(robot.session.newest?.state).toBe("running");
+    await robot.clock.pass(limits.asleepMs + 1_500);
+    expect(robot.session.newest?.state).toBe("paused");
+    robot.session.leavePage(host.link);
+    expect(robot.session.newest?.state).toBe("gone");
+  });
+
+  it("keeps counting snapshots when a reloaded page begins at 1 again", async () => {
+    const robot = await withRobot();
+    await (await page(robot)).report({ seq: 900 });
+    await (await page(robot)).report({ seq: 1 });
+    expect(robot.session.newest?.seq).toBe(901);
+  });
+
+  it("answers a long poll when there is news, and after the wait when there is none", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await host.report({ seq: 7 });
+    const newer = robot.session.nextSnapshot(7, patience(25_000));
+    await host.report({ seq: 8 });
+    expect(await newer).toMatchObject({ seq: 8 });
+    const none = robot.session.nextSnapshot(8, patience(25_000));
+    await robot.clock.pass(3_000);
+    await host.report({ seq: 8 });
+    expect(await none).toMatchObject({ seq: 9 });
+    const gone = robot.session.nextSnapshot(9, patience(25_000));
+    robot.session.leavePage(host.link);
+    expect(await gone).toMatchObject({ seq: 9, state: "gone" });
+    const quiet = robot.session.nextSnapshot(9, patience(25_000));
+    await robot.clock.pass(25_000);
+    expect(await quiet).toMatchObject({ seq: 9, state: "gone" });
+  });
+
+  it("waits for the end of a command", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await robot.submit(LEFT);
+    const end = robot.session.endOf(1, patience(25_000));
+    await settled();
+    await host.ended(completed(1));
+    expect(await end).toMatchObject({ state: "completed" });
+    expect(await robot.session.endOf(1, patience(25_000))).toMatchObject({ state: "completed" });
+    await expect(robot.session.endOf(2, patience(0))).rejects.toMatchObject({ kind: "no-command" });
+  });
+
+  it("tells the page about its scripts, at most once a second", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await robot.clock.pass(2_000);
+    const before = host.told.length;
+    for (let n = 0; n < 50; n++) {
+      robot.session.heard("Python");
+      await robot.clock.pass(100);
+    }
+    const drivers = host.told.slice(before).filter(({ type }) => type === "drivers");
+    expect(drivers.length).toBeGreaterThanOrEqual(5);
+    expect(drivers.length).toBeLessThanOrEqual(6);
+    expect(drivers.at(-1)).toMatchObject({ connected: 0, client: "Python" });
+  });
+});
+
+describe("a robot session: its end", () => {
+  it("is forgotten two hours after its last use, with everyone sent away", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await robot.clock.pass(60 * 60 * 1000);
+    await host.report();
+    await robot.clock.pass(90 * 60 * 1000);
+    expect(host.closed).toEqual([]);
+    await robot.clock.pass(35 * 60 * 1000);
+    expect(host.closed).toEqual([closeReasons.over.code]);
+    const { hub, robot: registration } = robot;
+    await expect(
+      hub.authorise(registration.id, registration.driverKey, ["drive"]),
+    ).rejects.toMatchObject({ kind: "no-robot" });
+  });
+
+  it("is forgotten after a day, however busy it is", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let hour = 0; hour < 24; hour++) {
+      await host.report();
+      await robot.clock.pass(60 * 60 * 1000);
+    }
+    await robot.clock.pass(2 * 60 * 1000);
+    expect(host.closed).toEqual([closeReasons.over.code]);
+  });
+});

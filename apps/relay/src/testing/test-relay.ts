@@ -1,0 +1,73 @@
+/** A real relay on a free port with a real database, and the requests that tests make of it. */
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { registrationSchema, type Registration } from "@corridor/protocol";
+import { pino } from "pino";
+import { onTestFinished } from "vitest";
+import { systemClock, type Clock } from "../clock.ts";
+import { startRelay } from "../relay.ts";
+
+export interface TestRelay {
+  origin: string;
+  register(): Promise<Registration>;
+  /** A request with a key, to a path below the robot. */
+  ask(robot: Registration, path: string, request?: AskOptions): Promise<Response>;
+  close(): Promise<void>;
+}
+
+export interface AskOptions {
+  method?: string;
+  key?: string;
+  body?: unknown;
+  headers?: Record<string, string>;
+  signal?: AbortSignal;
+}
+
+/** A folder of its own that goes with the test. */
+export function testFolder(): string {
+  const folder = mkdtempSync(join(tmpdir(), "corridor-"));
+  onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
+  return folder;
+}
+
+/** Starts a relay that ends with the test. */
+export async function startTestRelay(
+  options: { clock?: Clock; dataDir?: string; webRoot?: string; isDevelopment?: boolean } = {},
+): Promise<TestRelay> {
+  const dataDir = options.dataDir ?? testFolder();
+  const relay = await startRelay({
+    config: { port: 0, host: "127.0.0.1", dataDir, publicOrigin: null },
+    clock: options.clock ?? systemClock,
+    log: pino({ level: "silent" }),
+    webRoot: options.webRoot ?? dataDir,
+    isDevelopment: options.isDevelopment ?? false,
+  });
+  let isClosed = false;
+  const close = async (): Promise<void> => {
+    if (isClosed) return;
+    isClosed = true;
+    await relay.close();
+  };
+  onTestFinished(close);
+  const origin = `http://127.0.0.1:${relay.port}`;
+  return {
+    origin,
+    close,
+    register: async () => {
+      const answer = await fetch(`${origin}/api/v1/robots`, { method: "POST" });
+      return registrationSchema.parse(await answer.json());
+    },
+    ask: (robot, path, { method = "GET", key, body, headers, signal } = {}) =>
+      fetch(`${origin}/api/v1/robots/${robot.id}${path}`, {
+        method,
+        headers: {
+          Authorization: `Bearer ${key ?? robot.driverKey}`,
+          ...(body !== undefined && { "Content-Type": "application/json" }),
+          ...headers,
+        },
+        ...(body !== undefined && { body: typeof body === "string" ? body : JSON.stringify(body) }),
+        ...(signal !== undefined && { signal }),
+      }),
+  };
+}

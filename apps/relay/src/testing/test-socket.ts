@@ -1,0 +1,94 @@
+/** A bare WebSocket client: what a page or a script does on the wire, message by message. */
+import type { Registration } from "@corridor/protocol";
+import { onTestFinished } from "vitest";
+import { WebSocket } from "ws";
+import type { TestRelay } from "./test-relay.ts";
+
+export interface Message {
+  type: string;
+  [field: string]: unknown;
+}
+
+export class TestSocket {
+  readonly #socket: WebSocket;
+  readonly #inbox: Message[] = [];
+  #wake: () => void = () => undefined;
+  /** the code and the reason with which the socket was closed */
+  readonly closed: Promise<{ code: number; reason: string }>;
+
+  private constructor(socket: WebSocket) {
+    this.#socket = socket;
+    socket.on("message", (data: Buffer) => {
+      this.#inbox.push(JSON.parse(data.toString()) as Message);
+      this.#wake();
+    });
+    this.closed = new Promise((resolve) => {
+      socket.on("close", (code, reason) => {
+        resolve({ code, reason: reason.toString() });
+        this.#wake();
+      });
+    });
+    onTestFinished(() => socket.terminate());
+  }
+
+  static async open(
+    relay: TestRelay,
+    id: string,
+    headers: Record<string, string> = {},
+  ): Promise<TestSocket> {
+    const url = `${relay.origin.replace("http", "ws")}/api/v1/robots/${id}/socket`;
+    const socket = new WebSocket(url, { headers });
+    const test = new TestSocket(socket);
+    await new Promise((resolve, reject) => {
+      socket.once("open", resolve);
+      socket.once("error", reject);
+    });
+    return test;
+  }
+
+  /** Connects as the robot's page and waits for the welcome. */
+  static async page(
+    relay: TestRelay,
+    robot: Registration,
+    resume: Record<string, unknown> = {},
+  ): Promise<{ socket: TestSocket; epoch: number }> {
+    const socket = await TestSocket.open(relay, robot.id);
+    socket.send({ type: "hello", version: 1, role: "own", key: robot.ownerKey });
+    socket.send({ type: "resume", lastApplied: 0, fresh: false, endings: [], ...resume });
+    const welcome = await socket.next("welcome");
+    return { socket, epoch: Number(welcome["epoch"]) };
+  }
+
+  /** Connects as a script and waits for the welcome. */
+  static async driver(relay: TestRelay, robot: Registration): Promise<TestSocket> {
+    const socket = await TestSocket.open(relay, robot.id, { "User-Agent": "Python-urllib/3.11" });
+    socket.send({ type: "hello", version: 1, role: "drive", key: robot.driverKey });
+    await socket.next("welcome");
+    return socket;
+  }
+
+  send(message: unknown): void {
+    this.#socket.send(JSON.stringify(message));
+  }
+
+  sendRaw(data: string | Uint8Array): void {
+    this.#socket.send(data);
+  }
+
+  /** The next message of this type; others before it are dropped. */
+  async next(type: string): Promise<Message> {
+    for (;;) {
+      const message = this.#inbox.shift();
+      if (message?.type === type) return message;
+      if (message !== undefined) continue;
+      if (this.#socket.readyState === WebSocket.CLOSED) {
+        throw new Error(`The socket was closed before a ${type} came.`);
+      }
+      await new Promise<void>((resolve) => (this.#wake = resolve));
+    }
+  }
+
+  close(): void {
+    this.#socket.close();
+  }
+}
