@@ -65,8 +65,10 @@ function Page() {
       )}
       <ShortcutsDialog isOpen={opened === "keys"} onClose={close} />
       <Dialog isOpen={opened === "remote"} onClose={close} title={t("drive.remote")}>
-        <DriverChoice />
-        <RemotePanel />
+        <div className={styles["remote"]}>
+          <DriverChoice />
+          <RemotePanel />
+        </div>
       </Dialog>
     </div>
   );

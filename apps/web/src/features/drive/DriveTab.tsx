@@ -15,10 +15,10 @@ export function DriveTab({ hold }: { hold: HoldStore }) {
     <div className={styles["tab"]}>
       <div className={styles["tabHead"]}>
         <h2 className={styles["caption"]}>{t("drive.hold")}</h2>
+        <p className={styles["says"]}>{t(`drive.says.${driver}`)}</p>
         <SensorCross look="row" />
       </div>
       <DrivePad hold={hold} caps="words" />
-      <p className={styles["says"]}>{t(`drive.says.${driver}`)}</p>
     </div>
   );
 }

@@ -1,5 +1,5 @@
 /** The four readings around the robot, in cm, where the sensors are. */
-import type { SensorName } from "@corridor/protocol";
+import { sensorNames } from "@corridor/protocol";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -8,8 +8,6 @@ import { classNames } from "../../ui/class-names.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import styles from "./drive.module.css";
 import { readSensors, touchingSensor } from "./sensor-roles.ts";
-
-const order: readonly SensorName[] = ["front", "left", "right", "back"];
 
 /** @param look cross: around the robot; row: one line of words, for phones */
 export function SensorCross({ look }: { look: "cross" | "row" }) {
@@ -26,7 +24,7 @@ export function SensorCross({ look }: { look: "cross" | "row" }) {
       aria-label={t("drive.sensorsIn")}
       data-mood={touching === null ? undefined : "bumped"}
     >
-      {order.map((sensor) => (
+      {sensorNames.map((sensor) => (
         <div
           key={sensor}
           className={classNames(

@@ -7,7 +7,6 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { tell } from "../../stores/screen-store.ts";
-import { Badge } from "../../ui/Badge.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import { ActionMenu } from "./ActionMenu.tsx";
@@ -95,10 +94,6 @@ function Otherwise({ isDeciding }: { isDeciding: boolean }) {
       aria-current={isDeciding ? "step" : undefined}
       className={classNames(styles["otherwise"], isDeciding && styles["deciding"])}
     >
-      <div className={styles["gutter"]}>
-        {isDeciding && <Badge tone="live">–</Badge>}
-        {isDeciding && <RobotFace size={22} className={styles["robot"]} />}
-      </div>
       <span className={styles["otherwiseWord"]}>{t("program.otherwise")}</span>
       <ActionMenu
         label={t("program.otherwise")}
@@ -110,6 +105,7 @@ function Otherwise({ isDeciding }: { isDeciding: boolean }) {
           })
         }
       />
+      {isDeciding && <RobotFace size={22} className={styles["robot"]} />}
     </fieldset>
   );
 }

@@ -81,13 +81,15 @@ export function ProgramLine({ id, index, count, rule, state, remembered }: Progr
         <Badge tone={state.isDeciding ? "live" : "rest"}>{line}</Badge>
         {state.isDeciding && <RobotFace size={22} className={styles["robot"]} />}
       </div>
-      <span className={styles["word"]}>{index === 0 ? t("program.if") : t("program.elseIf")}</span>
-      <div className={styles["ask"]}>
+      <span className={classNames(styles["word"], styles["if"])}>
+        {index === 0 ? t("program.if") : t("program.elseIf")}
+      </span>
+      <div className={classNames(styles["ask"], rule.when?.than === "right" && styles["compares"])}>
         <ConditionMenu index={index} condition={rule.when} remembered={remembered} />
         {rule.when !== null && <ConditionNumber index={index} condition={rule.when} />}
         <TruthMark rule={rule} state={state} />
       </div>
-      <span className={styles["word"]}>{t("program.then")}</span>
+      <span className={classNames(styles["word"], styles["then"])}>{t("program.then")}</span>
       <div className={styles["do"]}>
         <ActionMenu
           label={t("program.actionOf", { line })}
@@ -116,11 +118,15 @@ function TruthMark({ rule, state }: { rule: Rule; state: LineState }) {
   }
   if (state.truth === null) return null;
   const { isTrue } = state.truth;
+  const { left, right } = truthText(state.truth);
   return (
     <span className={classNames(styles["truth"], isTrue && styles["true"])}>
-      {isTrue ? <Check size={14} aria-hidden="true" /> : <X size={14} aria-hidden="true" />}
-      <span className="visually-hidden">{t(isTrue ? "program.true" : "program.false")}</span>
-      {truthText(state.truth)}
+      <span className={styles["mark"]}>
+        {isTrue ? <Check size={14} aria-hidden="true" /> : <X size={14} aria-hidden="true" />}
+        <span className="visually-hidden">{t(isTrue ? "program.true" : "program.false")}</span>
+        {left}
+      </span>{" "}
+      <span>{right}</span>
     </span>
   );
 }

@@ -1,14 +1,19 @@
-import { truthOf } from "@corridor/program";
+import { truthOf, type Truth } from "@corridor/program";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { truthText } from "./truth-text.ts";
 
 const at = (front: number) => ({ front, right: 50, back: 50, left: 250 });
 
+function shown(truth: Truth): string {
+  const { left, right } = truthText(truth);
+  return `${left} ${right}`;
+}
+
 function text(front: number, is: ">" | "<", than: number): string {
   const truth = truthOf({ sensor: "front", is, than }, at(front));
   if (truth === null) throw new Error("expected a condition");
-  return truthText(truth);
+  return shown(truth);
 }
 
 describe("truthText", () => {
@@ -21,13 +26,13 @@ describe("truthText", () => {
     [50, ">", 50, "50 > 50"],
     [50.000001, ">", 50, "50.000001 > 50"],
     [0.3, "<", 12.25, "0.3 < 12.3"],
-  ] as const)("shows %d %s %d as %s", (front, is, than, shown) => {
-    expect(text(front, is, than)).toBe(shown);
+  ] as const)("shows %d %s %d as %s", (front, is, than, expected) => {
+    expect(text(front, is, than)).toBe(expected);
   });
 
   it("shows left against right with the line's number already added", () => {
     const truth = truthOf({ sensor: "left", is: ">", than: "right", plus: 1 }, at(0));
-    expect(truth && truthText(truth)).toBe("250 > 51");
+    expect(truth && shown(truth)).toBe("250 > 51");
   });
 
   it("never shows numbers that contradict the mark before them", () => {

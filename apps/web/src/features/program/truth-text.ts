@@ -7,14 +7,16 @@ import type { Comparator, Truth } from "@corridor/program";
 /** Digits after the point that are enough for any reading in a maze of legal size. */
 const MOST_DECIMALS = 12;
 
-/** @returns for example "250.5 > 60", in cm */
-export function truthText({ left, is, right, isTrue }: Truth): string {
+/** @returns the sides in cm, the right one with its sign before it: "250.5" and "> 60" */
+export function truthText({ left, is, right, isTrue }: Truth): { left: string; right: string } {
   for (let decimals = 1; decimals <= MOST_DECIMALS; decimals++) {
     const shownLeft = round(left, decimals);
     const shownRight = round(right, decimals);
-    if (holds(shownLeft, is, shownRight) === isTrue) return `${shownLeft} ${is} ${shownRight}`;
+    if (holds(shownLeft, is, shownRight) === isTrue) {
+      return { left: String(shownLeft), right: `${is} ${shownRight}` };
+    }
   }
-  return `${left} ${is} ${right}`;
+  return { left: String(left), right: `${is} ${right}` };
 }
 
 function round(value: number, decimals: number): number {

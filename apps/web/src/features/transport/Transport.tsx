@@ -1,5 +1,5 @@
 /** Run or Pause, Step, Reset, speed, the clock, bumps, and the story of the run. */
-import { Pause, Play, RotateCcw, StepForward } from "lucide-react";
+import { Pause, Play, RotateCcw, SkipForward } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -63,7 +63,8 @@ function StepAndReset() {
     <>
       <Button
         size="large"
-        icon={<StepForward aria-hidden="true" />}
+        className={styles["step"]}
+        icon={<SkipForward aria-hidden="true" fill="currentColor" />}
         title={t("shell.run.stepNote")}
         aria-keyshortcuts="Control+Shift+Enter"
         onClick={() => simulator.send({ type: "step" })}
