@@ -14,20 +14,32 @@ export interface BumpMark {
 /** A touching disc ends this far before the wall at the most, in units. */
 const TOUCH = 2;
 
-/** Where a robot that has just bumped touches a wall: ahead, behind or, where neither, at its centre. */
+/**
+ * Where a robot that has just bumped touches a wall: the nearest point of a block around it. Between
+ * two that it touches, the one ahead or behind rather than beside. Its centre where it touches none.
+ */
 export function bumpMark(maze: MazeDocument, pose: Pose): BumpMark {
   const radians = (pose.heading * Math.PI) / 180;
-  const dx = Math.sin(radians);
-  const dy = -Math.cos(radians);
-  for (const side of [1, -1]) {
-    const reach = side * (ROBOT_RADIUS + TOUCH);
-    const column = Math.floor((pose.x + dx * reach) / CELL);
-    const row = Math.floor((pose.y + dy * reach) / CELL);
-    if (isBlock(maze, column, row)) {
-      return { x: pose.x + dx * side * ROBOT_RADIUS, y: pose.y + dy * side * ROBOT_RADIUS };
+  const headingX = Math.sin(radians);
+  const headingY = -Math.cos(radians);
+  const column = Math.floor(pose.x / CELL);
+  const row = Math.floor(pose.y / CELL);
+  let best: BumpMark = { x: pose.x, y: pose.y };
+  let mostAlong = Number.NEGATIVE_INFINITY;
+  for (let c = column - 1; c <= column + 1; c++) {
+    for (let r = row - 1; r <= row + 1; r++) {
+      if (!isBlock(maze, c, r)) continue;
+      const x = Math.min(Math.max(pose.x, c * CELL), (c + 1) * CELL);
+      const y = Math.min(Math.max(pose.y, r * CELL), (r + 1) * CELL);
+      const dx = x - pose.x;
+      const dy = y - pose.y;
+      const along = Math.abs(dx * headingX + dy * headingY);
+      if (dx * dx + dy * dy > (ROBOT_RADIUS + TOUCH) ** 2 || along <= mostAlong) continue;
+      best = { x, y };
+      mostAlong = along;
     }
   }
-  return { x: pose.x, y: pose.y };
+  return best;
 }
 
 const POINTS = 8;

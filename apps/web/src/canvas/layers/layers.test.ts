@@ -19,7 +19,9 @@ describe("a bump", () => {
     { name: "ahead", pose: { x: 175, y: 50, heading: 90 }, mark: { x: 200, y: 50 } },
     { name: "behind", pose: { x: 175, y: 50, heading: 270 }, mark: { x: 200, y: 50 } },
     { name: "at the edge", pose: { x: 150, y: 275, heading: 180 }, mark: { x: 150, y: 300 } },
-    { name: "aside", pose: { x: 150, y: 150, heading: 0 }, mark: { x: 150, y: 150 } },
+    { name: "at a corner", pose: { x: 185, y: 118, heading: 60 }, mark: { x: 200, y: 100 } },
+    { name: "in a nook", pose: { x: 275, y: 275, heading: 90 }, mark: { x: 300, y: 275 } },
+    { name: "nowhere", pose: { x: 150, y: 150, heading: 0 }, mark: { x: 150, y: 150 } },
   ])("$name is marked where the robot touches", ({ pose, mark }) => {
     const { x, y } = bumpMark(maze, pose);
     expect(x).toBeCloseTo(mark.x, 6);
