@@ -29,6 +29,8 @@ export function RenameField() {
         onBlur={end}
         onKeyDown={(event) => {
           if (event.key === "Enter") {
+            // Focus goes back to the menu's button, which the same key would press again.
+            event.preventDefault();
             event.currentTarget.closest<HTMLElement>("[popover]")?.hidePopover();
           }
         }}
