@@ -10,6 +10,9 @@ export interface WorkerPort {
   onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
 }
 
+/** A hidden page draws nothing, perhaps for hours: of what it missed, so many newest corners are kept. */
+const MAX_CORNERS = 20_000;
+
 export class SimulatorClient {
   readonly #port: WorkerPort;
   readonly #listeners = new Set<(message: FromWorker) => void>();
@@ -57,6 +60,12 @@ export class SimulatorClient {
       this.#trailReset = true;
     }
     for (const value of frame.corners) this.#corners.push(value);
+    const tooMany = this.#corners.length - 2 * MAX_CORNERS;
+    if (tooMany > 0) {
+      this.#corners.splice(0, tooMany);
+      // A line across what is missing would be a way that the robot never drove.
+      this.#trailReset = true;
+    }
     this.#frame = frame;
   }
 }
