@@ -7,6 +7,12 @@ const portError = "a port number from 0 to 65535 (0: any free port)";
 const urlError = "an address without a path, such as https://robots.example.org";
 const LOG_LEVELS = ["fatal", "error", "warn", "info", "debug", "silent"] as const;
 
+function isOrigin(text: string): boolean {
+  if (!URL.canParse(text)) return false;
+  const { origin, protocol, href } = new URL(text);
+  return /^https?:$/.test(protocol) && href === `${origin}/`;
+}
+
 const environmentSchema = z.object({
   PORT: z
     .string()
@@ -18,10 +24,8 @@ const environmentSchema = z.object({
   HOST: z.string().min(1, { error: "an address of this machine, such as 127.0.0.1" }).optional(),
   DATA_DIR: z.string().min(1, { error: "a folder" }).default("data"),
   PUBLIC_URL: z
-    .url({ protocol: /^https?$/, error: urlError })
-    .refine((url) => new URL(url).pathname === "/" && !url.includes("?") && !url.includes("#"), {
-      error: urlError,
-    })
+    .string()
+    .refine(isOrigin, { error: urlError })
     .transform((url) => new URL(url).origin)
     .optional(),
   LOG_LEVEL: z.enum(LOG_LEVELS, { error: `one of ${LOG_LEVELS.join(", ")}` }).default("warn"),

@@ -1,0 +1,50 @@
+import { describe, expect, it } from "vitest";
+import { describeConfigProblems, readConfig } from "./config.ts";
+
+describe("readConfig", () => {
+  it("needs no setting at all", () => {
+    expect(readConfig({ PATH: "/bin", PORT: "" })).toEqual({
+      ok: true,
+      config: {
+        port: 8080,
+        host: null,
+        dataDir: "data",
+        publicOrigin: null,
+        logLevel: "warn",
+      },
+    });
+  });
+
+  it("takes each setting", () => {
+    const environment = {
+      PORT: "0",
+      HOST: "127.0.0.1",
+      DATA_DIR: "/var/lib/corridor",
+      PUBLIC_URL: "https://robots.example.org/",
+      LOG_LEVEL: "info",
+    };
+    expect(readConfig(environment)).toMatchObject({
+      config: { port: 0, host: "127.0.0.1", publicOrigin: "https://robots.example.org" },
+    });
+  });
+
+  it.each([
+    { name: "PORT", value: "http" },
+    { name: "PORT", value: "65536" },
+    { name: "PORT", value: "-1" },
+    { name: "PUBLIC_URL", value: "robots.example.org" },
+    { name: "PUBLIC_URL", value: "ftp://robots.example.org" },
+    { name: "PUBLIC_URL", value: "https://robots.example.org/path" },
+    { name: "LOG_LEVEL", value: "loud" },
+  ])("names a wrong $name: $value", ({ name, value }) => {
+    const result = readConfig({ [name]: value });
+    expect(result).toMatchObject({ ok: false, problems: [{ path: name }] });
+  });
+
+  it("names every wrong setting at once, in words", () => {
+    const result = readConfig({ PORT: "x", LOG_LEVEL: "loud" });
+    const text = result.ok ? "" : describeConfigProblems(result.problems);
+    expect(text).toContain('PORT: found "x", expected a port number');
+    expect(text).toContain('LOG_LEVEL: found "loud", expected one of');
+  });
+});

@@ -1,0 +1,103 @@
+/** Golden messages: what the wire looks like, kept in fixtures/, one file for each type and direction. */
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import type { z } from "zod";
+import { decodeFrame, encodeFrame, MAX_FRAME_BYTES } from "./codec.ts";
+import {
+  driverToRelaySchema,
+  helloSchema,
+  MAX_RESUMED_ENDINGS,
+  pageToRelaySchema,
+  relayToDriverSchema,
+  relayToPageSchema,
+  resumeSchema,
+  type Hello,
+  type PageToRelay,
+} from "./messages.ts";
+
+const FIXTURES = join(import.meta.dirname, "fixtures");
+
+const schemas: [beginning: string, schema: z.ZodType][] = [
+  ["hello", helloSchema],
+  ["page-resume", resumeSchema],
+  ["page-", pageToRelaySchema],
+  ["driver-", driverToRelaySchema],
+  ["relay-to-page-", relayToPageSchema],
+  ["relay-to-driver-", relayToDriverSchema],
+];
+
+const golden = readdirSync(FIXTURES).map((file) => ({
+  name: file.replace(".json", ""),
+  text: readFileSync(join(FIXTURES, file), "utf8"),
+  schema: schemas.find(([beginning]) => file.startsWith(beginning))?.[1] ?? helloSchema,
+}));
+
+describe("messages", () => {
+  it.each(golden)("reads the golden $name and writes it again", ({ text, schema }) => {
+    const read = decodeFrame(schema, text);
+    expect(read).toEqual({ ok: true, value: JSON.parse(text) });
+    const written = encodeFrame((read as { value: Hello }).value);
+    expect(JSON.parse(written)).toEqual(JSON.parse(text));
+  });
+
+  it.each(golden)("refuses $name with a field too many or too few, and names it", (message) => {
+    const value = JSON.parse(message.text) as Record<string, unknown>;
+    const more = decodeFrame(message.schema, JSON.stringify({ ...value, extra: 1 }));
+    expect(more).toMatchObject({ ok: false, problems: [{ path: "extra" }] });
+    for (const field of Object.keys(value).filter((key) => key !== "key" || value[key] === null)) {
+      const { [field]: _left, ...less } = value;
+      const read = decodeFrame(message.schema, JSON.stringify(less));
+      expect(read, field).toMatchObject({ ok: false, problems: [{ path: field }] });
+    }
+  });
+
+  it("has a golden message for every type in every direction", () => {
+    const typesOf = (schema: { options: readonly { shape: { type: { value: string } } }[] }) =>
+      schema.options.map(({ shape }) => shape.type.value);
+    const expected = [
+      "hello",
+      "page-resume",
+      ...typesOf(pageToRelaySchema).map((type) => `page-${type}`),
+      ...typesOf(driverToRelaySchema).map((type) => `driver-${type}`),
+      ...typesOf(relayToPageSchema).map((type) => `relay-to-page-${type}`),
+      ...typesOf(relayToDriverSchema).map((type) => `relay-to-driver-${type}`),
+    ];
+    expect(golden.map(({ name }) => name).toSorted()).toEqual(expected.toSorted());
+  });
+
+  it("never throws, whatever text comes", () => {
+    fc.assert(
+      fc.property(fc.oneof(fc.string(), fc.json()), (text) => {
+        for (const [, schema] of schemas) {
+          const read = decodeFrame(schema, text);
+          if (!read.ok && read.problems.length === 0) return false;
+        }
+        return true;
+      }),
+    );
+  });
+
+  it("refuses a message that is too long before it is parsed", () => {
+    const read = decodeFrame(pageToRelaySchema, "[".repeat(MAX_FRAME_BYTES + 1));
+    expect(read).toMatchObject({ ok: false, problems: [{ expected: "at most 16384 characters" }] });
+  });
+
+  it("fits the longest resume into one message", () => {
+    const ending: PageToRelay & { type: "ended" } = {
+      type: "ended",
+      epoch: 1,
+      seq: Number.MAX_SAFE_INTEGER,
+      state: "superseded",
+      reason: "x".repeat(200),
+      pose: { x: 12345.123456789012, y: 12345.123456789012, heading: 359.12345678901234 },
+      distance: 12345.123456789012,
+    };
+    const { type: _type, epoch: _epoch, ...kept } = ending;
+    const endings = Array.from({ length: MAX_RESUMED_ENDINGS }, () => kept);
+    const text = encodeFrame({ type: "resume", lastApplied: 1, fresh: true, endings });
+    expect(text.length).toBeLessThanOrEqual(MAX_FRAME_BYTES);
+    expect(decodeFrame(resumeSchema, text).ok).toBe(true);
+  });
+});
