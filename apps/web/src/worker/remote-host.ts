@@ -6,7 +6,6 @@
 import type { HostLink, HostStatus } from "@corridor/client/host";
 import type { CommandRecord, DeliveredCommand, Drivers, Snapshot } from "@corridor/protocol";
 import type { Delivery, Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
-import { describeFault } from "./describe-fault.ts";
 import type { RemoteSession, RemoteStatus, RemoteView } from "./worker-messages.ts";
 
 /** Commands that the panel lists. */
@@ -53,7 +52,8 @@ export class RemoteHost implements RemoteDriverEvents {
     const attempt = this.#attempt;
     this.#connect(session, fresh, attempt).catch((error: unknown) => {
       if (attempt !== this.#attempt) return;
-      this.#tell({ kind: "lost", reason: describeFault(error) });
+      const reason = error instanceof Error ? error.message : "The service does not answer.";
+      this.#tell({ kind: "lost", reason });
     });
   }
 

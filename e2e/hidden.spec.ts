@@ -1,0 +1,52 @@
+/** A hidden page keeps driving: Playwright keeps pages visible, so this drives Chromium by itself. */
+import { expect, test } from "./fixtures.ts";
+import { RawChromium } from "./support/devtools.ts";
+
+/** A hidden tab's timers are slowed at once; ten seconds show that the robot's are not. */
+const HIDDEN_MS = 10_000;
+
+test("a remotely driven robot keeps moving while its page is hidden", async ({ relay }) => {
+  test.setTimeout(120_000);
+  const browser = await RawChromium.start();
+  try {
+    const page = await browser.open(`${relay}/`);
+    await page.until(`document.querySelector('input[value="remote"]') !== null`);
+    await page.evaluate(`document.querySelector('input[value="remote"]').click()`);
+    const text = await page.until(`sessionStorage.getItem("corridor.remote")`);
+    const { id, driverKey } = JSON.parse(String(text));
+    const robot = `${relay}/api/v1/robots/${id}`;
+    const headers = { authorization: `Bearer ${driverKey}`, "content-type": "application/json" };
+    const ask = async (path: string, body?: unknown) =>
+      (
+        await fetch(robot + path, {
+          method: body === undefined ? "GET" : "POST",
+          headers,
+          ...(body === undefined ? {} : { body: JSON.stringify(body) }),
+        })
+      ).json();
+
+    await browser.open("about:blank");
+    await page.until(`document.visibilityState === "hidden"`);
+    const hiddenAt = performance.now();
+    const before = await ask("/sensors?wait=10");
+    // Back and forth, so that there is room for as long as it takes.
+    let seq = 0;
+    while (performance.now() - hiddenAt < HIDDEN_MS) {
+      for (const distance of [100, -100]) {
+        const posted = await ask("/commands", { action: "move", distance });
+        seq = posted.seq;
+        const record = await ask(`/commands/${seq}?wait=20`);
+        expect(record).toMatchObject({ state: "completed" });
+        expect(record.distance).toBeCloseTo(100, 6);
+      }
+    }
+    expect(await page.evaluate("document.visibilityState")).toBe("hidden");
+    const after = await ask("/sensors");
+    const seconds = (performance.now() - hiddenAt) / 1000;
+    // In step with real time: the page's own timers would give it a tick or a burst a second.
+    expect((after.tick - before.tick) / 60 / seconds).toBeGreaterThan(0.8);
+    expect(seq).toBeGreaterThan(4);
+  } finally {
+    await browser.close();
+  }
+});

@@ -1,0 +1,136 @@
+/** Scripts on the network drive the robot in the page. */
+import { encodeLink } from "@corridor/link";
+import { countOpenCells, generateTree } from "@corridor/maze";
+import type { Locator, Page } from "playwright/test";
+import { expect, test } from "./fixtures.ts";
+import { exampleOf, runScript } from "./support/script.ts";
+
+const tree = generateTree({ columns: 11, rows: 11, seed: 3, name: "Tree" });
+const openCells = countOpenCells(tree);
+
+function linkTo(maze: typeof tree): string {
+  const link = encodeLink({ maze });
+  if (!link.ok) throw new Error(link.code);
+  return `/#${link.text}`;
+}
+
+/** Lets Remote drive and takes the robot's address as the user does: from the clipboard. */
+async function copyAddress(page: Page): Promise<string> {
+  await page.getByRole("radio", { name: "Remote" }).click();
+  await page.getByRole("button", { name: "Copy address with key" }).click();
+  const address = await page.evaluate(() => navigator.clipboard.readText());
+  expect(address).toMatch(/\/r\/[\w-]{22}#\w+/);
+  return address;
+}
+
+/** What a screen reader is told of the connection. */
+function connection(page: Page): Locator {
+  return page.getByRole("region", { name: "Remote" }).getByRole("status");
+}
+
+async function setSpeed(page: Page, speed: string): Promise<void> {
+  await page.getByRole("combobox", { name: "Speed" }).selectOption(speed);
+}
+
+async function api(address: string, path: string, body?: unknown): Promise<Response> {
+  const { origin, pathname, hash } = new URL(address);
+  const id = pathname.slice("/r/".length);
+  return fetch(`${origin}/api/v1/robots/${id}${path}`, {
+    method: body === undefined ? "GET" : "POST",
+    headers: { authorization: `Bearer ${hash.slice(1)}`, "content-type": "application/json" },
+    ...(body === undefined ? {} : { body: JSON.stringify(body) }),
+  });
+}
+
+for (const language of ["Python", "JavaScript"] as const) {
+  test(`the ${language} right-wall follower visits every cell of a tree maze`, async ({ page }) => {
+    test.setTimeout(180_000);
+    await page.goto(linkTo(tree));
+    await setSpeed(page, "16");
+    const address = await copyAddress(page);
+    await expect(connection(page)).toHaveText("Waiting for a script");
+
+    const running = runScript([...exampleOf(language), address, "--until-cells", `${openCells}`]);
+    await expect(connection(page)).toHaveText("Connected");
+    await expect(page.getByRole("cell", { name: "completed" }).first()).toBeVisible();
+    const { code, output } = await running;
+    expect(output).toContain(`${openCells} cells visited`);
+    expect(code).toBe(0);
+    const { bumps } = await (await api(address, "/sensors")).json();
+    expect(bumps).toBe(0);
+  });
+}
+
+for (const tab of ["Python", "JavaScript"] as const) {
+  test(`the ${tab} snippet of the panel runs as it is copied`, async ({ page }) => {
+    test.setTimeout(120_000);
+    await page.goto(linkTo(tree));
+    await setSpeed(page, "16");
+    const address = await copyAddress(page);
+    await page.getByRole("radio", { name: tab }).click();
+    await page.getByRole("button", { name: "Copy", exact: true }).click();
+    const snippet = await page.evaluate(() => navigator.clipboard.readText());
+    const [interpreter = ""] = exampleOf(tab);
+    const words = tab === "Python" ? ["-"] : ["--input-type=module", "-"];
+    // It drives for ever or to the goal; what matters is that its commands are carried out.
+    const script = runScript([interpreter, ...words], snippet);
+    await expect
+      .poll(async () => (await (await api(address, "/sensors")).json()).goalReached, {
+        timeout: 90_000,
+      })
+      .toBe(true);
+    await page.getByRole("radio", { name: "Me" }).click();
+    await script;
+  });
+}
+
+test("the panel lists every command with its state, newest first", async ({ page }) => {
+  await page.goto("/");
+  await setSpeed(page, "16");
+  const address = await copyAddress(page);
+  for (const command of [
+    { action: "move", distance: 100 },
+    { action: "left 90" },
+    { action: "move", distance: 900 },
+  ]) {
+    expect((await api(address, "/commands", command)).status).toBe(202);
+  }
+  const rows = page.getByRole("region", { name: "Commands" }).getByRole("row");
+  await expect(rows.filter({ hasText: "move 100" })).toContainText("completed");
+  await expect(rows.filter({ hasText: "left 90" })).toContainText("completed");
+  await expect(rows.filter({ hasText: "move 900" })).toContainText("collided");
+  const record = await (await api(address, "/commands/3?wait=10")).json();
+  expect(record).toMatchObject({ seq: 3, state: "collided", action: "move" });
+  const log = await (await api(address, "/commands?after=0")).json();
+  expect(JSON.stringify(log)).toContain('"seq":3');
+  await expect(rows.getByRole("cell", { name: /^\d+$/ })).toHaveText(["3", "2", "1"]);
+});
+
+test("a robot keeps its address over a reload, and a running command ends cancelled", async ({
+  page,
+}) => {
+  await page.goto("/");
+  const address = await copyAddress(page);
+  await setSpeed(page, "0.25");
+  await api(address, "/commands", { action: "move", distance: 200 });
+  await expect(page.getByRole("row", { name: /move 200/ })).toContainText("running");
+  await page.reload();
+  const record = await (await api(address, "/commands/1?wait=20")).json();
+  expect(record).toMatchObject({ state: "cancelled" });
+  await setSpeed(page, "16");
+  await api(address, "/commands", { action: "move", distance: 50 });
+  const next = await (await api(address, "/commands/2?wait=20")).json();
+  expect(next).toMatchObject({ state: "completed" });
+});
+
+test("taking over by hand cancels what the script asked for and says why", async ({ page }) => {
+  await page.goto("/");
+  const address = await copyAddress(page);
+  await setSpeed(page, "0.25");
+  await api(address, "/commands", { action: "move", distance: 200 });
+  await expect(page.getByRole("row", { name: /move 200/ })).toContainText("running");
+  await page.getByRole("radio", { name: "Me" }).click();
+  const record = await (await api(address, "/commands/1?wait=20")).json();
+  expect(record).toMatchObject({ state: "cancelled" });
+  expect(record.reason).toContain("took over");
+});
