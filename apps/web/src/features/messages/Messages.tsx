@@ -50,7 +50,7 @@ function MessageCard({ message }: { message: Message }) {
   }, [screen, id, tone, isHeld]);
 
   return (
-    <div
+    <span
       className={classNames(styles["card"], styles[tone])}
       onPointerEnter={() => setIsHeld(true)}
       onPointerLeave={() => setIsHeld(false)}
@@ -79,6 +79,6 @@ function MessageCard({ message }: { message: Message }) {
       >
         <X aria-hidden="true" />
       </IconButton>
-    </div>
+    </span>
   );
 }

@@ -10,7 +10,7 @@ import { tell } from "../../stores/screen-store.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import { ActionMenu } from "./ActionMenu.tsx";
-import { decidingLine, lineStates } from "./line-state.ts";
+import { decidingLine, isPassedOver } from "./line-state.ts";
 import { addLine, applyEdit } from "./program-actions.ts";
 import styles from "./program.module.css";
 import { ProgramHeader } from "./ProgramHeader.tsx";
@@ -31,9 +31,8 @@ function ProgramLines() {
   const { workspace, run, screen } = useServices();
   const program = useStore(workspace, (state) => state.program);
   const lineIds = useStore(workspace, (state) => state.lineIds);
-  const snapshot = useStore(run, (state) => state.snapshot);
+  const deciding = useStore(run, ({ snapshot }) => decidingLine(snapshot));
   const [remembered] = useState(() => new Map<number, number>());
-  const states = lineStates(program, snapshot);
 
   function add() {
     const id = flushSync(() => addLine(workspace));
@@ -50,13 +49,10 @@ function ProgramLines() {
         <ol className={styles["lines"]}>
           {program.rules.map((rule, index) => {
             const id = lineIds[index];
-            const state = states[index];
-            if (id === undefined || state === undefined) return null;
-            const isFirstPassedOver =
-              state.isPassedOver && states[index - 1]?.isPassedOver !== true;
+            if (id === undefined) return null;
             return (
               <Fragment key={id}>
-                {isFirstPassedOver && (
+                {index > 0 && deciding === index - 1 && (
                   <li className={styles["rule"]} aria-hidden="true">
                     {t("program.notRead")}
                   </li>
@@ -66,7 +62,8 @@ function ProgramLines() {
                   index={index}
                   count={program.rules.length}
                   rule={rule}
-                  state={state}
+                  isDeciding={deciding === index}
+                  isPassedOver={isPassedOver(index, deciding)}
                   remembered={remembered}
                 />
               </Fragment>
@@ -74,7 +71,7 @@ function ProgramLines() {
           })}
         </ol>
       )}
-      <Otherwise isDeciding={decidingLine(snapshot) === "default"} />
+      <Otherwise isDeciding={deciding === "default"} />
       <button type="button" className={styles["add"]} onClick={add}>
         <Plus size={18} aria-hidden="true" />
         {t("program.addLine")}

@@ -2,8 +2,11 @@
 import type { Rule } from "@corridor/program";
 import { setAction } from "@corridor/program";
 import { Check, X } from "lucide-react";
+import { memo } from "react";
 import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useShallow } from "zustand/react/shallow";
 import { useServices } from "../../app/services.ts";
 import { tell } from "../../stores/screen-store.ts";
 import { Badge } from "../../ui/Badge.tsx";
@@ -11,11 +14,10 @@ import { classNames } from "../../ui/class-names.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import { ActionMenu } from "./ActionMenu.tsx";
 import { ConditionMenu, ConditionNumber } from "./ConditionField.tsx";
-import type { LineState } from "./line-state.ts";
+import { shownTruth, type ShownTruth } from "./line-state.ts";
 import { LineTools } from "./LineTools.tsx";
 import { applyEdit, deleteLine, moveLine, type RememberedNumbers } from "./program-actions.ts";
 import styles from "./program.module.css";
-import { truthText } from "./truth-text.ts";
 import { useLineName } from "./use-line-name.ts";
 
 interface ProgramLineProps {
@@ -23,14 +25,22 @@ interface ProgramLineProps {
   index: number;
   count: number;
   rule: Rule;
-  state: LineState;
+  isDeciding: boolean;
+  /** a line above decided, so that this one was not read */
+  isPassedOver: boolean;
   remembered: RememberedNumbers;
 }
 
-export function ProgramLine({ id, index, count, rule, state, remembered }: ProgramLineProps) {
+/** Drawn again only when something that it shows has changed: programs can have 200 lines. */
+export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
+  const { id, index, count, rule, isDeciding, isPassedOver, remembered } = props;
   const { t } = useTranslation();
-  const { workspace, screen } = useServices();
-  const name = useLineName(index, rule, state);
+  const { workspace, screen, run } = useServices();
+  const truth = useStore(
+    run,
+    useShallow(({ snapshot }) => shownTruth(rule.when, snapshot)),
+  );
+  const name = useLineName(index, rule, isDeciding, truth);
   const line = index + 1;
 
   function move(by: -1 | 1) {
@@ -51,11 +61,13 @@ export function ProgramLine({ id, index, count, rule, state, remembered }: Progr
   }
 
   function onKeyDown(event: React.KeyboardEvent) {
-    const isTyping = event.target instanceof HTMLInputElement;
-    if (event.altKey && (event.key === "ArrowUp" || event.key === "ArrowDown")) {
+    // Alt+Down on a menu opens the menu, as everywhere.
+    const isMenu = event.target instanceof HTMLSelectElement;
+    const isArrow = event.key === "ArrowUp" || event.key === "ArrowDown";
+    if (event.altKey && isArrow && !isMenu) {
       event.preventDefault();
       move(event.key === "ArrowUp" ? -1 : 1);
-    } else if (event.key === "Delete" && !isTyping) {
+    } else if (event.key === "Delete" && event.target === event.currentTarget) {
       event.preventDefault();
       remove();
     }
@@ -67,19 +79,19 @@ export function ProgramLine({ id, index, count, rule, state, remembered }: Progr
     <li
       id={lineElementId(id)}
       aria-label={name}
-      aria-current={state.isDeciding ? "step" : undefined}
+      aria-current={isDeciding ? "step" : undefined}
       // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex
       tabIndex={0}
       onKeyDown={onKeyDown}
       className={classNames(
         styles["line"],
-        state.isDeciding && styles["deciding"],
-        state.isPassedOver && styles["passedOver"],
+        isDeciding && styles["deciding"],
+        isPassedOver && styles["passedOver"],
       )}
     >
       <div className={styles["gutter"]}>
-        <Badge tone={state.isDeciding ? "live" : "rest"}>{line}</Badge>
-        {state.isDeciding && <RobotFace size={22} className={styles["robot"]} />}
+        <Badge tone={isDeciding ? "live" : "rest"}>{line}</Badge>
+        {isDeciding && <RobotFace size={22} className={styles["robot"]} />}
       </div>
       <span className={classNames(styles["word"], styles["if"])}>
         {index === 0 ? t("program.if") : t("program.elseIf")}
@@ -87,7 +99,7 @@ export function ProgramLine({ id, index, count, rule, state, remembered }: Progr
       <div className={classNames(styles["ask"], rule.when?.than === "right" && styles["compares"])}>
         <ConditionMenu index={index} condition={rule.when} remembered={remembered} />
         {rule.when !== null && <ConditionNumber index={index} condition={rule.when} />}
-        <TruthMark rule={rule} state={state} />
+        <TruthMark hasCondition={rule.when !== null} truth={truth} />
       </div>
       <span className={classNames(styles["word"], styles["then"])}>{t("program.then")}</span>
       <div className={styles["do"]}>
@@ -108,17 +120,16 @@ export function ProgramLine({ id, index, count, rule, state, remembered }: Progr
       </div>
     </li>
   );
-}
+});
 
 /** A tick or a cross with both numbers; a line that does nothing is skipped. */
-function TruthMark({ rule, state }: { rule: Rule; state: LineState }) {
+function TruthMark({ hasCondition, truth }: { hasCondition: boolean; truth: ShownTruth | null }) {
   const { t } = useTranslation();
-  if (rule.when === null) {
+  if (!hasCondition) {
     return <span className={styles["truth"]}>{t("program.skipped")}</span>;
   }
-  if (state.truth === null) return null;
-  const { isTrue } = state.truth;
-  const { left, right } = truthText(state.truth);
+  if (truth === null) return null;
+  const { isTrue, left, right } = truth;
   return (
     <span className={classNames(styles["truth"], isTrue && styles["true"])}>
       <span className={styles["mark"]}>

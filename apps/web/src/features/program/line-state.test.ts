@@ -1,19 +1,6 @@
-import type { ProgramDocument } from "@corridor/program";
 import type { Snapshot } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { decidingLine, lineStates } from "./line-state.ts";
-
-const program: ProgramDocument = {
-  format: "corridor/program",
-  version: 1,
-  name: "",
-  default: "forward",
-  rules: [
-    { when: { sensor: "right", is: ">", than: 60 }, do: "right 90" },
-    { when: null, do: "forward" },
-    { when: { sensor: "front", is: "<", than: 50 }, do: "left 90" },
-  ],
-};
+import { decidingLine, isPassedOver, shownTruth } from "./line-state.ts";
 
 const snapshot: Snapshot = {
   seq: 1,
@@ -30,28 +17,42 @@ const snapshot: Snapshot = {
   command: null,
 };
 
-describe("lineStates", () => {
-  it("lights the deciding line and passes over all lines below it", () => {
-    const states = lineStates(program, snapshot);
-    expect(states.map(({ isDeciding }) => isDeciding)).toEqual([true, false, false]);
-    expect(states.map(({ isPassedOver }) => isPassedOver)).toEqual([false, true, true]);
+describe("decidingLine", () => {
+  it("is the line that drives", () => {
+    expect(decidingLine(snapshot)).toBe(0);
+    expect(decidingLine({ ...snapshot, line: "default" })).toBe("default");
   });
 
-  it("tells the truth of every line with a condition, read or not", () => {
-    const truths = lineStates(program, snapshot).map(({ truth }) => truth?.isTrue);
-    expect(truths).toEqual([true, undefined, true]);
-  });
-
-  it("passes over nothing when otherwise decides", () => {
-    const states = lineStates(program, { ...snapshot, line: "default" });
-    expect(states.some(({ isPassedOver, isDeciding }) => isPassedOver || isDeciding)).toBe(false);
-  });
-
-  it.each(["me", "remote"] as const)("lights nothing while %s drives", (driver) => {
+  it.each(["me", "remote"] as const)("is none while %s drives", (driver) => {
     expect(decidingLine({ ...snapshot, driver })).toBeNull();
   });
 
-  it("knows no truth before the first snapshot", () => {
-    expect(lineStates(program, null).map(({ truth }) => truth)).toEqual([null, null, null]);
+  it("is none before the first snapshot", () => {
+    expect(decidingLine(null)).toBeNull();
+  });
+});
+
+describe("isPassedOver", () => {
+  it("is so for all lines below the deciding one, and only for them", () => {
+    expect([0, 1, 2].map((index) => isPassedOver(index, 1))).toEqual([false, false, true]);
+  });
+
+  it("is so for no line when otherwise decides, or nobody", () => {
+    expect(isPassedOver(2, "default")).toBe(false);
+    expect(isPassedOver(2, null)).toBe(false);
+  });
+});
+
+describe("shownTruth", () => {
+  it("is told of every condition, whoever drives", () => {
+    const condition = { sensor: "right", is: ">", than: 60 } as const;
+    const truth = { isTrue: true, left: "250", right: "> 60" };
+    expect(shownTruth(condition, snapshot)).toEqual(truth);
+    expect(shownTruth(condition, { ...snapshot, driver: "me", line: null })).toEqual(truth);
+  });
+
+  it("is none for a line that does nothing, and before the first snapshot", () => {
+    expect(shownTruth(null, snapshot)).toBeNull();
+    expect(shownTruth({ sensor: "right", is: ">", than: 60 }, null)).toBeNull();
   });
 });

@@ -1,14 +1,18 @@
 /** A line's name for those who hear it: its sentence, whether it runs, and its truth with the numbers. */
 import type { Rule } from "@corridor/program";
 import { useTranslation } from "react-i18next";
-import { formatReading } from "../../text/numbers.ts";
-import type { LineState } from "./line-state.ts";
+import type { ShownTruth } from "./line-state.ts";
 
 /** "Line 1, running: if right is more than 60, delayed right 90. Right is 250, true." */
-export function useLineName(index: number, rule: Rule, state: LineState): string {
+export function useLineName(
+  index: number,
+  rule: Rule,
+  isDeciding: boolean,
+  truth: ShownTruth | null,
+): string {
   const { t } = useTranslation();
   const line = index + 1;
-  const head = state.isDeciding
+  const head = isDeciding
     ? t("program.name.running", { line })
     : t("program.name.resting", { line });
   const action = t(`program.action.${rule.do}`);
@@ -28,10 +32,10 @@ export function useLineName(index: number, rule: Rule, state: LineState): string
           number: when.than,
           action,
         });
-  if (state.truth === null) return `${head} ${sentence}`;
-  const truth = t(state.truth.isTrue ? "program.name.isTrue" : "program.name.isFalse", {
+  if (truth === null) return `${head} ${sentence}`;
+  const told = t(truth.isTrue ? "program.name.isTrue" : "program.name.isFalse", {
     sensor,
-    number: formatReading(state.truth.left),
+    number: truth.left,
   });
-  return `${head} ${sentence} ${truth}`;
+  return `${head} ${sentence} ${told}`;
 }

@@ -2,7 +2,7 @@
 import { MAX_LINK_LENGTH } from "@corridor/link";
 import { useId, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
-import { FieldError } from "../../ui/NumberField.tsx";
+import { FieldError } from "../../ui/FieldError.tsx";
 import { CopyButton } from "./CopyButton.tsx";
 import styles from "./share.module.css";
 

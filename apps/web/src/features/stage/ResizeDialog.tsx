@@ -7,7 +7,8 @@ import { useServices } from "../../app/services.ts";
 import { setMaze } from "../../stores/workspace-store.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
-import { FieldError, NumberInput } from "../../ui/NumberField.tsx";
+import { FieldError } from "../../ui/FieldError.tsx";
+import { NumberInput } from "../../ui/NumberInput.tsx";
 import { readNumber } from "../../ui/number-text.ts";
 import styles from "./tool-strip.module.css";
 

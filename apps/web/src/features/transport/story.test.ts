@@ -19,8 +19,8 @@ describe("storyOf", () => {
       line: 3,
       seconds: "13.1",
       tick: 786,
-      column: 4,
-      row: 3,
+      column: 5,
+      row: 4,
     });
   });
 

@@ -15,7 +15,7 @@ export interface Story {
   line: number;
   seconds: string;
   tick: number;
-  /** square of the maze, from 0, as in documents */
+  /** square of the maze, counted from 1 as the maze's grid says it */
   column: number;
   row: number;
 }
@@ -29,7 +29,7 @@ export function storyOf({ kind, line, driver, tick, pose }: Moment): Story {
     line: isNumbered ? line + 1 : 0,
     seconds: formatSeconds(tick),
     tick,
-    column: Math.floor(pose.x / SQUARE),
-    row: Math.floor(pose.y / SQUARE),
+    column: Math.floor(pose.x / SQUARE) + 1,
+    row: Math.floor(pose.y / SQUARE) + 1,
   };
 }

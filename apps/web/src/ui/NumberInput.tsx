@@ -1,0 +1,31 @@
+/** A field for a number that is being typed; label and error have their places around it. */
+import type { ComponentProps } from "react";
+import { classNames } from "./class-names.ts";
+import styles from "./field.module.css";
+import type { NumberDraft } from "./use-number-draft.ts";
+
+interface NumberInputProps extends Omit<ComponentProps<"input">, "value" | "onChange"> {
+  draft: NumberDraft;
+  /** id of the element that tells the error */
+  errorId: string;
+}
+
+export function NumberInput({ draft, errorId, className, onBlur, ...rest }: NumberInputProps) {
+  return (
+    <input
+      {...rest}
+      type="text"
+      inputMode="decimal"
+      autoComplete="off"
+      className={classNames(styles["field"], styles["number"], className)}
+      value={draft.text}
+      aria-invalid={draft.isInvalid}
+      aria-describedby={draft.isInvalid ? errorId : undefined}
+      onChange={(event) => draft.type(event.target.value)}
+      onBlur={(event) => {
+        draft.leave();
+        onBlur?.(event);
+      }}
+    />
+  );
+}
