@@ -33,7 +33,7 @@ export interface ConnectionOptions<In> {
   /** the first messages of each new socket */
   greeting: () => string[];
   decode: (text: string) => ReadResult<In>;
-  /** A message; the welcome comes after the status has become connected. */
+  /** A message. The welcome is told before the status, so that what it says already holds then. */
   received: (message: In) => void;
   changed: (status: ConnectionStatus) => void;
 }
@@ -97,12 +97,13 @@ export class Connection<In extends { type: string }> {
     const message = decode(text);
     // A message of a newer relay: what cannot be read cannot be acted on.
     if (!message.ok) return;
-    if (message.value.type === "welcome" && !this.#isConnected) {
+    const isWelcome = message.value.type === "welcome" && !this.#isConnected;
+    if (isWelcome) {
       this.#isConnected = true;
       this.#lostInARow = 0;
-      changed({ kind: "connected" });
     }
     received(message.value);
+    if (isWelcome) changed({ kind: "connected" });
   }
 
   /** The next message must come within so many ms, or the line counts as lost. */

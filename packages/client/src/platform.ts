@@ -60,7 +60,7 @@ export function globalPlatform(): Platform {
         return () => globals.clearTimeout(timer);
       },
     },
-    random: () => randomWord() / 2 ** 32,
+    random: () => randomWord() / 4_294_967_296,
     uniqueText: () =>
       Array.from({ length: 4 }, () => randomWord().toString(36).padStart(7, "0")).join(""),
   };

@@ -49,7 +49,7 @@ describe("messages", () => {
     for (const field of Object.keys(value).filter((key) => key !== "key" || value[key] === null)) {
       const { [field]: _left, ...less } = value;
       const read = decodeFrame(message.schema, JSON.stringify(less));
-      expect(read, field).toMatchObject({ ok: false, problems: [{ path: field }] });
+      expect(read).toMatchObject({ ok: false, problems: [{ path: field }] });
     }
   });
 
@@ -91,8 +91,8 @@ describe("messages", () => {
       seq: Number.MAX_SAFE_INTEGER,
       state: "superseded",
       reason: "x".repeat(200),
-      pose: { x: 12345.123456789012, y: 12345.123456789012, heading: 359.12345678901234 },
-      distance: 12345.123456789012,
+      pose: { x: 12345.12345678901, y: 12345.12345678901, heading: 359.1234567890123 },
+      distance: 12345.12345678901,
     };
     const { type: _type, epoch: _epoch, ...kept } = ending;
     const endings = Array.from({ length: MAX_RESUMED_ENDINGS }, () => kept);

@@ -103,13 +103,24 @@ describe("the WebSocket: who may", () => {
     expect(second.epoch).toBe(first.epoch + 1);
   });
 
-  it("is ended when the other side stays silent, and kept when it answers", async () => {
+  it("is ended when the other side is dead, and kept when it answers pings", async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });
     const robot = await relay.register();
-    const driver = await TestSocket.driver(relay, robot);
-    await clock.pass(limits.heartbeatMs);
-    await driver.next("heartbeat");
+    const alive = await TestSocket.driver(relay, robot);
+    const dead = await TestSocket.open(relay, robot.id, {}, { autoPong: false });
+    dead.send({ ...hello, key: robot.driverKey });
+    await dead.next("welcome");
+    for (let beat = 0; beat < 3; beat++) {
+      await clock.pass(limits.heartbeatMs);
+      await alive.next("heartbeat");
+      // A round trip later the relay has the pong too.
+      alive.send({ type: "command", command: { action: "stop" } });
+      await alive.next("ack");
+    }
+    expect((await dead.closed).code).toBe(1006);
+    alive.send({ type: "command", command: { action: "stop" } });
+    expect(await alive.next("ack")).toMatchObject({ record: { seq: 4 } });
   });
 });
 

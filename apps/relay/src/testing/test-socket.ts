@@ -35,9 +35,10 @@ export class TestSocket {
     relay: TestRelay,
     id: string,
     headers: Record<string, string> = {},
+    options: { autoPong?: boolean } = {},
   ): Promise<TestSocket> {
     const url = `${relay.origin.replace("http", "ws")}/api/v1/robots/${id}/socket`;
-    const socket = new WebSocket(url, { headers });
+    const socket = new WebSocket(url, { headers, ...options });
     const test = new TestSocket(socket);
     await new Promise((resolve, reject) => {
       socket.once("open", resolve);

@@ -12,9 +12,9 @@ const nothingDone: PageState = { lastApplied: 0, fresh: false, endings: [] };
 export interface OpenStore {
   store: SessionStore;
   /** The same data, opened again as after a restart. */
-  reopen(): Promise<SessionStore>;
+  reopen: () => Promise<SessionStore>;
   /** Whether the text can still be found in what is on disk. */
-  holds(text: string): Promise<boolean>;
+  holds: (text: string) => Promise<boolean>;
 }
 
 /** @param open makes an empty store that goes with the test */

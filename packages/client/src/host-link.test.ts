@@ -1,0 +1,210 @@
+import type { DeliveredCommand } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import { HostLink, type HostStatus } from "./host-link.ts";
+import { FakePlatform } from "./testing/fake-platform.ts";
+import { snapshot } from "./testing/messages.ts";
+
+const done = { state: "completed" as const, reason: null, pose: null, distance: 100 };
+const command = (seq: number) => ({
+  type: "command",
+  seq,
+  key: null,
+  command: { action: "left 90" },
+  acceptedAt: "2026-01-01T00:00:00.000Z",
+});
+
+function host(start: { lastApplied?: number; fresh?: boolean } = {}) {
+  const platform = new FakePlatform();
+  const commands: number[] = [];
+  const stops: DeliveredCommand[] = [];
+  const statuses: HostStatus[] = [];
+  const link = new HostLink({
+    origin: "http://localhost:8080",
+    credentials: { id: "AAAAAAAAAAAAAAAAAAAAAA", ownerKey: "own_CCCCCCCCCCCCCCCCCCCCCC" },
+    lastApplied: 0,
+    fresh: false,
+    ...start,
+    snapshot: () => snapshot(),
+    onCommand: ({ seq }) => commands.push(seq),
+    onStop: (stop) => {
+      stops.push(stop);
+      for (const seq of commands) link.ended(seq, { ...done, state: "cancelled" });
+    },
+    onStatus: (status) => statuses.push(status),
+    onDrivers: () => undefined,
+    platform,
+  });
+  const welcome = (epoch = 1): void => {
+    platform.socket.open();
+    platform.socket.receive({ type: "welcome", version: 1, epoch });
+  };
+  const reconnect = (epoch: number): void => {
+    platform.socket.cut(1006);
+    platform.pass(10_000);
+    welcome(epoch);
+  };
+  return { platform, link, commands, stops, statuses, welcome, reconnect };
+}
+
+describe("HostLink", () => {
+  it("greets with its key and what it has done", () => {
+    const { platform, link, welcome, statuses } = host({ lastApplied: 7, fresh: true });
+    welcome();
+    expect(platform.socket.sent).toEqual([
+      { type: "hello", version: 1, role: "own", key: "own_CCCCCCCCCCCCCCCCCCCCCC" },
+      { type: "resume", lastApplied: 7, fresh: true, endings: [] },
+    ]);
+    expect(link.isConnected).toBe(true);
+    expect(statuses.map(({ kind }) => kind)).toEqual(["connecting", "connected"]);
+  });
+
+  it("shows the robot before it tells an ending, so that who waits reads fresh sensors", () => {
+    const { platform, link, welcome } = host();
+    welcome(3);
+    platform.socket.receive(command(1));
+    link.started(1);
+    link.ended(1, done);
+    expect(platform.socket.sent.slice(2).map(({ type, epoch }) => [type, epoch])).toEqual([
+      ["started", 3],
+      ["snapshot", 3],
+      ["ended", 3],
+    ]);
+  });
+
+  it("keeps endings over lost lines until they are stored", () => {
+    const { platform, link, welcome, reconnect } = host();
+    welcome();
+    platform.socket.receive(command(1));
+    platform.socket.receive(command(2));
+    link.started(1);
+    link.ended(1, done);
+    platform.socket.cut(1006);
+    link.started(2);
+    platform.pass(10_000);
+    welcome(2);
+    expect(platform.socket.sent[1]).toEqual({
+      type: "resume",
+      lastApplied: 2,
+      fresh: false,
+      endings: [{ seq: 1, ...done }],
+    });
+    platform.socket.receive({ type: "stored", seq: 1 });
+    reconnect(3);
+    expect(platform.socket.sent[1]).toMatchObject({ lastApplied: 2, endings: [] });
+  });
+
+  it("never hands a command on twice, and answers a repeated one from memory", () => {
+    const { platform, link, commands, welcome, reconnect } = host();
+    welcome();
+    for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
+    link.started(1);
+    link.ended(1, done);
+    link.started(2);
+    reconnect(2);
+    for (const seq of [1, 2, 3, 4]) platform.socket.receive(command(seq));
+    expect(commands).toEqual([1, 2, 3, 4]);
+    expect(platform.socket.sent.slice(2)).toEqual([
+      { type: "ended", epoch: 2, seq: 1, ...done },
+      { type: "started", epoch: 2, seq: 2 },
+    ]);
+  });
+
+  it("does not hand on what it did before a reload", () => {
+    const { platform, commands, welcome } = host({ lastApplied: 5, fresh: true });
+    welcome();
+    platform.socket.receive(command(5));
+    platform.socket.receive(command(6));
+    expect(commands).toEqual([6]);
+  });
+
+  it("speaks with the new epoch from the moment on that it says it is connected", () => {
+    const { platform, link, statuses, welcome, reconnect } = host();
+    const push = statuses.push.bind(statuses);
+    statuses.push = (status) => {
+      if (status.kind === "connected") link.sendSnapshot(snapshot());
+      return push(status);
+    };
+    welcome(1);
+    expect(platform.socket.sent.at(-1)).toMatchObject({ type: "snapshot", epoch: 1 });
+    reconnect(2);
+    expect(platform.socket.sent.at(-1)).toMatchObject({ type: "snapshot", epoch: 2 });
+  });
+
+  it("sends endings that came between greeting and welcome", () => {
+    const { platform, link, welcome } = host();
+    welcome();
+    platform.socket.receive(command(1));
+    platform.socket.cut(1006);
+    platform.pass(10_000);
+    platform.socket.open();
+    link.started(1);
+    link.ended(1, done);
+    expect(platform.socket.sent).toHaveLength(2);
+    platform.socket.receive({ type: "welcome", version: 1, epoch: 2 });
+    expect(platform.socket.sent.at(-1)).toMatchObject({ type: "ended", seq: 1, epoch: 2 });
+  });
+
+  it("ends a stop by itself, after all that the robot had", () => {
+    const { platform, link, stops, welcome } = host();
+    welcome();
+    platform.socket.receive(command(1));
+    platform.socket.receive({ ...command(2), type: "stop", command: { action: "stop" } });
+    expect(stops).toHaveLength(1);
+    const endings = platform.socket.sent.filter(({ type }) => type === "ended");
+    expect(endings.map(({ seq, state }) => [seq, state])).toEqual([
+      [1, "cancelled"],
+      [2, "completed"],
+    ]);
+    expect(link.lastApplied).toBe(2);
+  });
+
+  it.each([
+    { code: 4409, kind: "replaced" },
+    { code: 4404, kind: "over" },
+    { code: 4410, kind: "over" },
+    { code: 4401, kind: "over" },
+  ])("gives up for good after close code $code", ({ code, kind }) => {
+    const { platform, statuses, welcome } = host();
+    welcome();
+    platform.socket.cut(code);
+    platform.pass(60_000);
+    expect(platform.sockets).toHaveLength(1);
+    expect(statuses.at(-1)).toMatchObject({ kind, reason: { code } });
+  });
+
+  it("tries again after a pause that doubles from 0.25 to 10 s and is drawn at random", () => {
+    const { platform, statuses } = host();
+    platform.luck = 0.999;
+    for (let n = 0; n < 8; n++) {
+      platform.socket.cut(1006);
+      platform.pass(10_000);
+    }
+    const pauses = statuses.flatMap((status) => (status.kind === "lost" ? [status.retryMs] : []));
+    const limits = [250, 500, 1_000, 2_000, 4_000, 8_000, 10_000, 10_000];
+    expect(pauses.map((pause) => Math.round(pause / 0.999))).toEqual(limits);
+  });
+
+  it("takes silence and a missing welcome for a lost line", () => {
+    const { platform, statuses, welcome } = host();
+    platform.pass(10_000);
+    expect(statuses.at(-1)?.kind).toBe("lost");
+    platform.pass(10_000);
+    welcome();
+    platform.pass(44_000);
+    platform.socket.receive({ type: "heartbeat" });
+    platform.pass(44_000);
+    expect(statuses.at(-1)?.kind).toBe("connected");
+    platform.pass(1_001);
+    expect(statuses.at(-1)?.kind).toBe("lost");
+  });
+
+  it("lives on when the relay says something that it does not know", () => {
+    const { platform, commands, welcome } = host();
+    welcome();
+    for (const text of ["", "null", "{", '{"type":"dance"}', '{"type":"command","seq":-1}']) {
+      platform.socket.receiveText(text);
+    }
+    platform.socket.receive(command(1));
+    expect(commands).toEqual([1]);
+  });
+});

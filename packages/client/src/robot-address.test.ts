@@ -1,0 +1,40 @@
+import { describe, expect, it } from "vitest";
+import { parseRobotAddress, socketUrl } from "./robot-address.ts";
+import { ADDRESS } from "./testing/messages.ts";
+
+describe("parseRobotAddress", () => {
+  it("takes an address apart, with spaces of copying around it", () => {
+    const address = parseRobotAddress(` ${ADDRESS}\n`);
+    expect(address).toEqual({
+      origin: "http://localhost:8080",
+      id: "AAAAAAAAAAAAAAAAAAAAAA",
+      key: "drv_BBBBBBBBBBBBBBBBBBBBBB",
+    });
+    expect(socketUrl(address.origin, address.id)).toBe(
+      "ws://localhost:8080/api/v1/robots/AAAAAAAAAAAAAAAAAAAAAA/socket",
+    );
+    expect(socketUrl("https://http.example", "x")).toMatch(/^wss:\/\/http\.example\//);
+  });
+
+  it.each([
+    { name: "nothing", text: "", hint: "empty" },
+    {
+      name: "an address whose key the shell has eaten",
+      text: ADDRESS.split("#")[0],
+      hint: "quotes",
+    },
+    { name: "an address that ends with #", text: `${ADDRESS.split("#")[0]}#`, hint: "quotes" },
+    { name: "an address without http", text: ADDRESS.slice(7), hint: "http://" },
+    {
+      name: "an address cut in its id",
+      text: "http://localhost:8080/r/AAAA#drv_BBBBBBBB",
+      hint: "copy it again",
+    },
+    { name: "another page", text: "http://localhost:8080/lessons", hint: "copy it again" },
+    { name: "a very long text", text: `http://${"x".repeat(100_000)}`, hint: "copy it again" },
+  ])("says what is missing: $name", ({ text, hint }) => {
+    expect(() => parseRobotAddress(text ?? "")).toThrow(
+      expect.objectContaining({ code: "bad-address", hint: expect.stringContaining(hint) }),
+    );
+  });
+});

@@ -1,0 +1,192 @@
+import type { Command, CommandRecord } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import { RobotClient } from "./robot-client.ts";
+import { FakePlatform } from "./testing/fake-platform.ts";
+import { ADDRESS, record, snapshot } from "./testing/messages.ts";
+
+async function connected() {
+  const platform = new FakePlatform();
+  const opening = RobotClient.connect(ADDRESS, { platform });
+  const welcome = (): void => {
+    platform.socket.open();
+    platform.socket.receive({ type: "welcome", version: 1, snapshot: null });
+  };
+  welcome();
+  const robot = await opening;
+  /** What was sent since the greeting of the newest socket. */
+  const sent = () =>
+    platform.socket.sent.slice(1) as unknown as { key: string; command: Command }[];
+  const tell = (type: "ack" | "state", seq: number, change: Partial<CommandRecord> = {}): void => {
+    const { key, command } = keyed.get(seq) ??
+      sent().at(-1) ?? { key: "", command: { action: "stop" } };
+    keyed.set(seq, { key, command });
+    platform.socket.receive({ type, record: record(seq, key, command, change) });
+  };
+  const keyed = new Map<number, { key: string; command: Command }>();
+  return { platform, robot, sent, tell, welcome };
+}
+
+describe("RobotClient", () => {
+  it("sends its key in the first message, never in the address", async () => {
+    const { platform } = await connected();
+    expect(platform.socket.url).not.toContain("drv_");
+    expect(platform.socket.sent).toEqual([
+      { type: "hello", version: 1, role: "drive", key: "drv_BBBBBBBBBBBBBBBBBBBBBB" },
+    ]);
+  });
+
+  it("keeps the promise of a manoeuvre when the robot has ended it", async () => {
+    const { robot, tell } = await connected();
+    const move = robot.move(120);
+    tell("ack", 1);
+    tell("state", 1, { state: "started" });
+    tell("state", 1, { state: "collided", distance: 80 });
+    expect(await move).toMatchObject({ state: "collided", distance: 80 });
+  });
+
+  it("keeps the promise of a motion without an end when the robot has begun", async () => {
+    const { robot, tell } = await connected();
+    const forward = robot.forward();
+    tell("ack", 1);
+    tell("state", 1, { state: "started" });
+    expect(await forward).toMatchObject({ state: "started" });
+  });
+
+  it.each(["cancelled", "superseded"] as const)("says why a manoeuvre was %s", async (state) => {
+    const { robot, tell } = await connected();
+    const turn = robot.turn(45);
+    tell("ack", 1);
+    tell("state", 1, { state, reason: "stopped by command 2" });
+    await expect(turn).rejects.toMatchObject({ code: state, hint: "stopped by command 2" });
+  });
+
+  it("sends commands one after the other, each with its own key", async () => {
+    const { robot, sent, tell } = await connected();
+    const both = Promise.all([robot.left90(), robot.right90()]);
+    expect(sent()).toHaveLength(1);
+    tell("ack", 1);
+    expect(sent().map(({ command }) => command.action)).toEqual(["left 90", "right 90"]);
+    expect(sent()[0]?.key).not.toBe(sent()[1]?.key);
+    tell("ack", 2);
+    tell("state", 1, { state: "completed" });
+    tell("state", 2, { state: "completed" });
+    expect((await both).map(({ seq }) => seq)).toEqual([1, 2]);
+  });
+
+  it("asks again with the same keys, in order, after a lost line", async () => {
+    const { platform, robot, sent, tell, welcome } = await connected();
+    const all = Promise.all([robot.left90(), robot.right90()]);
+    tell("ack", 1);
+    const keys = sent().map(({ key }) => key);
+    platform.socket.cut(1006);
+    platform.pass(10_000);
+    welcome();
+    expect(sent().map(({ key }) => key)).toEqual([keys[0]]);
+    tell("ack", 1, { state: "completed", duplicate: true });
+    expect(sent().map(({ key }) => key)).toEqual(keys);
+    tell("ack", 2);
+    tell("state", 2, { state: "completed" });
+    expect(await all).toHaveLength(2);
+  });
+
+  it("waits a moment and sends again when the relay is busy", async () => {
+    const { platform, robot, sent, tell } = await connected();
+    const move = robot.move(10);
+    const problem = { type: "/p", title: "t", status: 429, detail: "d", errors: [] };
+    platform.socket.receive({ type: "problem", problem, key: sent()[0]?.key });
+    platform.pass(1_000);
+    expect(sent()).toHaveLength(2);
+    expect(sent()[0]).toEqual(sent()[1]);
+    tell("ack", 1, { state: "completed" });
+    await move;
+  });
+
+  it("rejects what the relay refuses, and goes on with the next", async () => {
+    const { platform, robot, sent, tell } = await connected();
+    const [first, second] = [robot.move(10), robot.move(20)];
+    const problem = { type: "/p", title: "No", status: 409, detail: "Use a new key.", errors: [] };
+    platform.socket.receive({ type: "problem", problem, key: sent()[0]?.key });
+    await expect(first).rejects.toMatchObject({ code: "refused", hint: "Use a new key." });
+    tell("ack", 1, { state: "completed" });
+    await second;
+  });
+
+  it.each([
+    { name: "NaN", ask: (robot: RobotClient) => robot.move(Number.NaN), field: "distance" },
+    { name: "too far", ask: (robot: RobotClient) => robot.move(1e9), field: "distance" },
+    { name: "a power of 2", ask: (robot: RobotClient) => robot.drive(2, 0), field: "left" },
+  ])("refuses a wrong number before it is sent: $name", async ({ ask, field }) => {
+    const { robot, sent } = await connected();
+    await expect(ask(robot)).rejects.toMatchObject({
+      code: "bad-command",
+      hint: expect.stringContaining(field),
+    });
+    expect(sent()).toEqual([]);
+  });
+
+  it("gives each report once: sensors() waits for a newer one", async () => {
+    const { platform, robot } = await connected();
+    const first = robot.sensors();
+    platform.socket.receive({ type: "snapshot", snapshot: snapshot({ seq: 1 }) });
+    expect(await first).toEqual(snapshot().sensors);
+    const second = robot.snapshot();
+    platform.socket.receive({ type: "snapshot", snapshot: snapshot({ seq: 2 }) });
+    platform.socket.receive({ type: "snapshot", snapshot: snapshot({ seq: 3 }) });
+    expect((await second).seq).toBe(2);
+    expect((await robot.snapshot()).seq).toBe(3);
+  });
+
+  it("says that the robot is gone when no report comes", async () => {
+    const { platform, robot } = await connected();
+    const sensors = robot.sensors();
+    platform.pass(20_000);
+    platform.socket.receive({ type: "heartbeat" });
+    platform.pass(10_000);
+    await expect(sensors).rejects.toMatchObject({ code: "robot-gone" });
+  });
+
+  it("follows the robot until the client is closed", async () => {
+    const { platform, robot } = await connected();
+    const seen: number[] = [];
+    platform.socket.receive({ type: "snapshot", snapshot: snapshot({ seq: 1 }) });
+    for await (const { seq } of robot.snapshots()) {
+      seen.push(seq);
+      if (seq === 3) robot.close();
+      else platform.socket.receive({ type: "snapshot", snapshot: snapshot({ seq: seq + 1 }) });
+    }
+    expect(seen).toEqual([1, 2, 3]);
+  });
+
+  it("gives up in time when nobody answers", async () => {
+    const platform = new FakePlatform();
+    const opening = RobotClient.connect(ADDRESS, { platform, answerTimeout: 5_000 });
+    platform.pass(5_000);
+    await expect(opening).rejects.toMatchObject({ code: "timeout" });
+    const { platform: open, robot } = await connected();
+    const move = robot.move(10);
+    open.pass(30_000);
+    await expect(move).rejects.toMatchObject({ code: "timeout" });
+  });
+
+  it.each([
+    { code: 4401, error: "not-authorised" },
+    { code: 4404, error: "no-robot" },
+    { code: 4410, error: "no-robot" },
+  ])("tells close code $code as $error, to everyone who waits", async ({ code, error }) => {
+    const { platform, robot } = await connected();
+    const move = robot.move(10);
+    const sensors = robot.sensors();
+    platform.socket.cut(code);
+    await expect(move).rejects.toMatchObject({ code: error });
+    await expect(sensors).rejects.toMatchObject({ code: error });
+    await expect(robot.move(10)).rejects.toMatchObject({ code: error });
+  });
+
+  it("rejects what is open when it is closed", async () => {
+    const { platform, robot } = await connected();
+    const move = robot.move(10);
+    robot.close();
+    await expect(move).rejects.toMatchObject({ code: "closed" });
+    expect(platform.socket.isClosed).toBe(true);
+  });
+});

@@ -1,0 +1,171 @@
+/** Both ends of the client against the real relay, and the examples as their users run them. */
+import { execFile } from "node:child_process";
+import { join } from "node:path";
+import { promisify } from "node:util";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { HostLink } from "./host-link.ts";
+import { registerRobot } from "./register-robot.ts";
+import { RobotClient } from "./robot-client.ts";
+import { GridRobot } from "./testing/grid-robot.ts";
+import { startRelayProcess } from "./testing/relay-process.ts";
+
+const run = promisify(execFile);
+const EXAMPLES = join(import.meta.dirname, "../../../examples");
+
+const TREE = [
+  "#########",
+  "#.#.....#",
+  "#.#.###.#",
+  "#...#...#",
+  "#.#######",
+  "#.#.#...#",
+  "#.#.#.###",
+  "#.....###",
+  "#########",
+];
+
+const CORRIDOR = ["#".repeat(42), `#${".".repeat(40)}#`, "#".repeat(42)];
+
+async function robotIn(maze: readonly string[]) {
+  const relay = await startRelayProcess();
+  const registration = await registerRobot(relay.origin, fetch);
+  const robot = new GridRobot(relay.origin, registration, maze);
+  onTestFinished(() => robot.link.close());
+  return { relay, robot, registration };
+}
+
+async function scriptFor(address: string): Promise<RobotClient> {
+  const script = await RobotClient.connect(address);
+  onTestFinished(() => script.close());
+  return script;
+}
+
+describe("a script and a robot at the real relay", () => {
+  it("drives, reads and stops", async () => {
+    const { robot, registration } = await robotIn(CORRIDOR);
+    const script = await scriptFor(registration.address);
+    expect(await script.right90()).toMatchObject({ state: "completed", duplicate: false });
+    expect((await script.sensors()).front).toBe(3_950);
+    expect(await script.move(100)).toMatchObject({ distance: 100, pose: { x: 250, heading: 90 } });
+    expect((await script.sensors()).front).toBe(3_850);
+    expect(await script.stop()).toMatchObject({ action: "stop", state: "completed" });
+    expect(robot.done.map(({ action }) => action)).toEqual(["right 90", "move"]);
+  });
+
+  it("loses, doubles and reorders nothing when the relay is killed under way", async () => {
+    const { relay, robot, registration } = await robotIn(CORRIDOR);
+    const script = await scriptFor(registration.address);
+    await script.right90();
+    const records: Promise<{ seq: number; state: string }>[] = [];
+    for (let n = 0; n < 30; n++) records.push(script.move(100));
+    await records[4];
+    await relay.killAndRestart();
+    await records[17];
+    await relay.killAndRestart();
+    const all = await Promise.all(records);
+    expect(all.map(({ state }) => state)).toEqual(Array.from({ length: 30 }, () => "completed"));
+    expect(all.map(({ seq }) => seq)).toEqual(all.map((_record, index) => index + 2));
+    expect(robot.done).toHaveLength(31);
+    expect(robot.snapshot().pose.x).toBe(3_150);
+    expect(robot.statuses.filter((kind) => kind === "lost").length).toBeGreaterThanOrEqual(2);
+  });
+
+  it("lets commands wait while the page is away, and cancels what a reload has lost", async () => {
+    const { relay, robot, registration } = await robotIn(CORRIDOR);
+    const script = await scriptFor(registration.address);
+    await script.right90();
+    robot.link.close();
+    const waiting = script.move(100);
+    const host = (fresh: boolean, onCommand: (seq: number, link: HostLink) => void): HostLink => {
+      const link = new HostLink({
+        origin: relay.origin,
+        credentials: registration,
+        lastApplied: 1,
+        fresh,
+        snapshot: () => robot.snapshot(),
+        onCommand: ({ seq }) => onCommand(seq, link),
+        onStop: () => undefined,
+        onStatus: () => undefined,
+        onDrivers: () => undefined,
+      });
+      onTestFinished(() => link.close());
+      return link;
+    };
+    const begun = Promise.withResolvers<void>();
+    const first = host(false, (seq, link) => {
+      link.started(seq);
+      begun.resolve();
+    });
+    await begun.promise;
+    // The relay has to hear of it before the page goes.
+    for await (const { command } of log(relay.origin, registration))
+      if (command === "started") break;
+    first.close();
+    host(true, () => undefined);
+    await expect(waiting).rejects.toMatchObject({
+      code: "cancelled",
+      hint: "the page was reloaded",
+    });
+  });
+
+  it("tells a script with a wrong key and one without a robot apart", async () => {
+    const { relay, registration } = await robotIn(CORRIDOR);
+    const wrongKey = `${relay.origin}/r/${registration.id}#drv_AAAAAAAAAAAAAAAAAAAAAA`;
+    await expect(RobotClient.connect(wrongKey)).rejects.toMatchObject({ code: "not-authorised" });
+    const noRobot = `${relay.origin}/r/AAAAAAAAAAAAAAAAAAAAAA#${registration.driverKey}`;
+    await expect(RobotClient.connect(noRobot)).rejects.toMatchObject({ code: "no-robot" });
+  });
+});
+
+/** The states of the newest command, asked again and again. */
+async function* log(origin: string, robot: { id: string; driverKey: string }) {
+  for (;;) {
+    const answer = await fetch(`${origin}/api/v1/robots/${robot.id}/commands`, {
+      headers: { Authorization: `Bearer ${robot.driverKey}` },
+    });
+    const { commands } = (await answer.json()) as { commands: { state: string }[] };
+    yield { command: commands.at(-1)?.state };
+  }
+}
+
+describe("the examples", () => {
+  it.each([
+    { name: "Python", program: "python3", file: "python/right_wall.py" },
+    { name: "JavaScript", program: process.execPath, file: "javascript/right-wall.ts" },
+  ])("the right-wall follower in $name visits every cell, without a bump", async (example) => {
+    const { robot, registration } = await robotIn(TREE);
+    const cells = String(robot.openCells);
+    const { stdout } = await run(example.program, [
+      join(EXAMPLES, example.file),
+      registration.address,
+      "--until-cells",
+      cells,
+    ]);
+    expect(robot.visited.size).toBe(robot.openCells);
+    expect(robot.snapshot().bumps).toBe(0);
+    expect(stdout).toMatch(new RegExp(`${cells} cells visited after \\d+ moves\\.\\n$`));
+  });
+
+  it.each([
+    { name: "Python", program: "python3", file: "python/right_wall.py" },
+    { name: "JavaScript", program: process.execPath, file: "javascript/right-wall.ts" },
+  ])("the $name program says in one sentence what is wrong with an address", async (example) => {
+    const failed = run(example.program, [join(EXAMPLES, example.file), "http://localhost/r/abc"]);
+    await expect(failed).rejects.toMatchObject({
+      code: 1,
+      stderr: expect.stringMatching(/^[^\n]*not a robot's address[^\n]*\n$/),
+    });
+  });
+
+  it("the Python program goes on after the relay was killed", async () => {
+    const { relay, robot, registration } = await robotIn(TREE);
+    const cells = String(robot.openCells);
+    const file = join(EXAMPLES, "python/right_wall.py");
+    const program = run("python3", [file, registration.address, "--until-cells", cells]);
+    await expect.poll(() => robot.visited.size, { timeout: 20_000 }).toBeGreaterThan(4);
+    await relay.killAndRestart();
+    const { stdout } = await program;
+    expect(stdout).toContain(`${cells} cells visited`);
+    expect(robot.snapshot().bumps).toBe(0);
+  });
+});
