@@ -14,11 +14,6 @@ import { fileProblems, InputError } from "./problems.ts";
 /** No legal document is longer. */
 const MAX_BYTES = 16 * 1024 * 1024;
 
-export interface Named<T> {
-  file: string;
-  document: T;
-}
-
 /** Files by what they hold; a document comes back for each file, in the same order. */
 export interface Files {
   mazes: readonly string[];
