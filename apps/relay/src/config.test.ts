@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { describeConfigProblems, readConfig } from "./config.ts";
+import { addressToOpen, describeConfigProblems, readConfig } from "./config.ts";
 
 describe("readConfig", () => {
   it("needs no setting at all", () => {
@@ -46,5 +46,21 @@ describe("readConfig", () => {
     const text = result.ok ? "" : describeConfigProblems(result.problems);
     expect(text).toContain('PORT: found "x", expected a port number');
     expect(text).toContain('LOG_LEVEL: found "loud", expected one of');
+  });
+});
+
+describe("addressToOpen", () => {
+  it.each([
+    { environment: {}, address: "http://localhost:8081" },
+    { environment: { HOST: "0.0.0.0" }, address: "http://localhost:8081" },
+    { environment: { HOST: "192.168.1.5" }, address: "http://192.168.1.5:8081" },
+    { environment: { HOST: "fe80::1" }, address: "http://[fe80::1]:8081" },
+    {
+      environment: { PUBLIC_URL: "https://robots.example.org" },
+      address: "https://robots.example.org",
+    },
+  ])("is $address", ({ environment, address }) => {
+    const settings = readConfig(environment);
+    expect(settings.ok && addressToOpen(settings.config, 8081)).toBe(address);
   });
 });

@@ -72,3 +72,13 @@ export function describeConfigProblems(problems: readonly FieldProblem[]): strin
   const lines = problems.map((each) => `  ${describeProblem(each)}`);
   return ["Corridor cannot start: a setting in the environment is wrong.", ...lines].join("\n");
 }
+
+/** Addresses that mean "this machine", for whoever sits at it. */
+const HERE = new Set(["0.0.0.0", "::", "127.0.0.1", "::1", "localhost"]);
+
+/** The address to open in a browser. @param port the one that is really listened on */
+export function addressToOpen({ host, publicOrigin }: Config, port: number): string {
+  if (publicOrigin !== null) return publicOrigin;
+  if (host === null || HERE.has(host)) return `http://localhost:${port}`;
+  return `http://${host.includes(":") ? `[${host}]` : host}:${port}`;
+}

@@ -2,7 +2,7 @@
 import { join } from "node:path";
 import { pino } from "pino";
 import { systemClock } from "./clock.ts";
-import { describeConfigProblems, readConfig, type Config } from "./config.ts";
+import { addressToOpen, describeConfigProblems, readConfig, type Config } from "./config.ts";
 import { startRelay, type Relay } from "./relay.ts";
 
 const PARENT_CHECK_MS = 1_000;
@@ -56,9 +56,7 @@ try {
     isDevelopment: process.argv.includes("--dev"),
   });
   endOrderly(relay);
-  process.stdout.write(
-    `Corridor is ready: ${config.publicOrigin ?? `http://localhost:${relay.port}`}\n`,
-  );
+  process.stdout.write(`Corridor is ready: ${addressToOpen(config, relay.port)}\n`);
 } catch (error) {
   fail(describeStart(error, config), 1);
 }
