@@ -33,11 +33,7 @@ export function RunStory() {
       {story?.kind === "goal" && <Flag size={18} aria-hidden="true" />}
       {story?.kind === "bump" && <Burst />}
       {story !== null && (
-        <span>
-          {story.kind === "goal"
-            ? t("shell.story.goal", { ...story })
-            : t(`shell.story.bump.${story.teller}`, { ...story })}
-        </span>
+        <span>{t(`shell.story.${story.kind}.${story.teller}`, { ...story })}</span>
       )}
       {story === null && isFresh && <span className={styles["hint"]}>{t("shell.story.hint")}</span>}
     </output>
