@@ -13,7 +13,7 @@ import { z } from "zod";
 import { clientName } from "../client-name.ts";
 import { badRequest, Refusal } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
-import type { Patience } from "../sessions/session.ts";
+import type { Patience } from "../sessions/audience.ts";
 
 const waitError = `seconds to wait, from 0 to ${limits.longPollSeconds}`;
 const waitSchema = z

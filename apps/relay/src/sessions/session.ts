@@ -20,6 +20,7 @@ import type { Clock } from "../clock.ts";
 import { matchKey } from "../keys.ts";
 import { Refusal, retryAfter } from "../problems.ts";
 import type { SessionStore, StoredKey, StoredSession } from "../store/session-store.ts";
+import { Audience, type Patience } from "./audience.ts";
 import { DriverRoster } from "./driver-roster.ts";
 import { limits } from "./limits.ts";
 import type { PageLink } from "./page-link.ts";
@@ -32,19 +33,6 @@ interface Page {
   epoch: number;
 }
 
-/** Whoever follows the robot: a reader's feed, or a request that waits. */
-interface Watcher {
-  snapshot(snapshot: Snapshot): void;
-  state(record: CommandRecord): void;
-  over(reason: "over" | "restart"): void;
-}
-
-/** How long somebody waits, and what makes them stop earlier. */
-export interface Patience {
-  milliseconds: number;
-  signal: AbortSignal;
-}
-
 export class Session {
   readonly id: string;
   readonly createdAt: number;
@@ -53,8 +41,7 @@ export class Session {
   readonly #store: SessionStore;
   readonly #clock: Clock;
   readonly #view = new RobotView();
-  /** with the key that counts for the limit, or null for a request that waits */
-  readonly #watchers = new Set<{ watcher: Watcher; key: string | null }>();
+  readonly #audience: Audience;
   readonly #buckets = new Map<string, TokenBucket>();
   #page: Page | null = null;
   #awaySince: number | null;
@@ -71,6 +58,7 @@ export class Session {
     this.#touchedAt = stored.lastUsedAt;
     this.#store = store;
     this.#clock = clock;
+    this.#audience = new Audience(clock);
     this.#awaySince = clock.now();
     this.roster = new DriverRoster(clock, (drivers) => {
       this.#page?.link.send({ type: "drivers", ...drivers });
@@ -100,7 +88,7 @@ export class Session {
   /** Whether nobody has used it for a while and nothing is due, so that it need not stay in memory. */
   get isQuiet(): boolean {
     const isUnused = this.#clock.now() - this.#lastUsedAt > limits.touchMs;
-    const isAlone = this.#page === null && this.#watchers.size === 0;
+    const isAlone = this.#page === null && this.#audience.isEmpty;
     return isUnused && isAlone && this.#awaySince === null;
   }
 
@@ -119,7 +107,7 @@ export class Session {
       link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch });
       for (const { seq } of resume.endings) link.send({ type: "stored", seq });
       link.send({ type: "drivers", ...this.roster.now() });
-      this.#tellStates(taken.changed);
+      this.#audience.tellStates(taken.changed);
       await this.#deliver();
     });
   }
@@ -152,7 +140,7 @@ export class Session {
 
   async #started(seq: number): Promise<void> {
     const record = await this.#store.start(this.id, seq);
-    if (record !== null) this.#tellStates([record]);
+    if (record !== null) this.#audience.tellStates([record]);
     await this.#deliver();
   }
 
@@ -160,7 +148,7 @@ export class Session {
     const record = await this.#store.end(this.id, ending);
     // Also when it had ended before: the page need not tell it again.
     link.send({ type: "stored", seq: ending.seq });
-    if (record !== null) this.#tellStates([record]);
+    if (record !== null) this.#audience.tellStates([record]);
     await this.#deliver();
   }
 
@@ -178,7 +166,7 @@ export class Session {
       const type = command.action === "stop" ? "stop" : "command";
       link.send({ type, seq, key, command, acceptedAt });
     }
-    this.#tellStates(records);
+    this.#audience.tellStates(records);
   }
 
   // --- scripts ---
@@ -221,7 +209,7 @@ export class Session {
           return acknowledge({ ...result.record, duplicate: true });
         case "stored":
           acknowledge(result.record);
-          this.#tellStates(result.ended);
+          this.#audience.tellStates(result.ended);
           return this.#deliver();
       }
     });
@@ -267,16 +255,8 @@ export class Session {
    * @throws Refusal when too many read already
    */
   join(grant: StoredKey, sink: ReaderSink): () => void {
-    const ofKey = [...this.#watchers].filter(({ key }) => key === grant.hash).length;
-    if (ofKey >= limits.readersPerKey) {
-      throw new Refusal(
-        "too-many-readers",
-        `${limits.readersPerKey} scripts are connected with this key. End one of them first.`,
-        { headers: retryAfter(5000) },
-      );
-    }
     const feed = new ReaderFeed(sink, this.#clock);
-    const leave = this.#watch(feed, grant.hash);
+    const leave = this.#audience.join(feed, grant.hash);
     this.roster.connected(1);
     return () => {
       feed.close();
@@ -288,11 +268,10 @@ export class Session {
   async nextSnapshot(after: number, patience: Patience): Promise<Snapshot | null> {
     const before = this.newest;
     if ((before?.seq ?? -1) > after) return before;
-    await this.#until(patience, (done) => ({
+    await this.#audience.until(patience, (done) => ({
       snapshot: ({ seq, state }) => {
         if (seq > after || state !== before?.state) done();
       },
-      state: () => undefined,
     }));
     return this.newest;
   }
@@ -310,39 +289,11 @@ export class Session {
   }
 
   #nextEnd(seq: number, patience: Patience): Promise<void> {
-    return this.#until(patience, (done) => ({
-      snapshot: () => undefined,
+    return this.#audience.until(patience, (done) => ({
       state: (changed) => {
         if (changed.seq === seq && hasEnded(changed.state)) done();
       },
     }));
-  }
-
-  async #until(
-    { milliseconds, signal }: Patience,
-    listen: (done: () => void) => Pick<Watcher, "snapshot" | "state">,
-  ): Promise<void> {
-    if (milliseconds === 0 || signal.aborted) return;
-    const { promise, resolve } = Promise.withResolvers<void>();
-    const leave = this.#watch({ ...listen(resolve), over: () => resolve() }, null);
-    const cancelTimer = this.#clock.after(milliseconds, resolve);
-    signal.addEventListener("abort", () => resolve(), { once: true });
-    await promise;
-    cancelTimer();
-    leave();
-  }
-
-  #watch(watcher: Watcher, key: string | null): () => boolean {
-    if (this.#watchers.size >= limits.readersPerRobot) {
-      throw new Refusal(
-        "too-many-readers",
-        `${limits.readersPerRobot} connections read this robot already. End some of them first.`,
-        { headers: retryAfter(5000) },
-      );
-    }
-    const entry = { watcher, key };
-    this.#watchers.add(entry);
-    return () => this.#watchers.delete(entry);
   }
 
   // --- time and end ---
@@ -355,7 +306,7 @@ export class Session {
     await this.#inOrder(async () => {
       if (this.#page !== null) return;
       this.#awaySince = null;
-      this.#tellStates(await this.#store.cancelOpen(this.id, "the robot's page is gone"));
+      this.#audience.tellStates(await this.#store.cancelOpen(this.id, "the robot's page is gone"));
     });
   }
 
@@ -372,8 +323,7 @@ export class Session {
     this.roster.close();
     this.#page?.link.close(closeReasons[reason]);
     this.#page = null;
-    for (const { watcher } of this.#watchers) watcher.over(reason);
-    this.#watchers.clear();
+    this.#audience.close(reason);
   }
 
   #used(): void {
@@ -381,15 +331,7 @@ export class Session {
   }
 
   #tellSnapshot(): void {
-    const { newest } = this;
-    if (newest === null) return;
-    for (const { watcher } of this.#watchers) watcher.snapshot(newest);
-  }
-
-  #tellStates(records: readonly CommandRecord[]): void {
-    for (const record of records) {
-      for (const { watcher } of this.#watchers) watcher.state(record);
-    }
+    if (this.newest !== null) this.#audience.tellSnapshot(this.newest);
   }
 
   /** Runs one change after the other; a failed one does not stop the next. */

@@ -1,0 +1,102 @@
+/**
+ * Everyone who follows one robot at this moment: the feeds of scripts that are connected, and requests
+ * that wait for something to happen (long polls). They hear every change in the order in which it came.
+ */
+import type { CommandRecord, Snapshot } from "@corridor/protocol";
+import type { Clock } from "../clock.ts";
+import { Refusal, retryAfter } from "../problems.ts";
+import { limits } from "./limits.ts";
+
+/** Whoever follows the robot: a reader's feed, or a request that waits. */
+interface Listener {
+  snapshot(snapshot: Snapshot): void;
+  state(record: CommandRecord): void;
+  over(reason: "over" | "restart"): void;
+}
+
+/** How long somebody waits, and what makes them stop earlier. */
+export interface Patience {
+  milliseconds: number;
+  signal: AbortSignal;
+}
+
+export class Audience {
+  readonly #clock: Clock;
+  /** with the key that counts for the limit, or null for a request that waits */
+  readonly #entries = new Set<{ listener: Listener; key: string | null }>();
+
+  constructor(clock: Clock) {
+    this.#clock = clock;
+  }
+
+  get isEmpty(): boolean {
+    return this.#entries.size === 0;
+  }
+
+  /**
+   * Adds the feed of a connected script.
+   * @param key hash of the script's key
+   * @returns a function that lets it go; false from it: it was gone already
+   * @throws Refusal when too many read already, with this key or at this robot
+   */
+  join(listener: Listener, key: string): () => boolean {
+    const ofKey = [...this.#entries].filter((entry) => entry.key === key).length;
+    if (ofKey >= limits.readersPerKey) {
+      throw new Refusal(
+        "too-many-readers",
+        `${limits.readersPerKey} scripts are connected with this key. End one of them first.`,
+        { headers: retryAfter(5000) },
+      );
+    }
+    return this.#add(listener, key);
+  }
+
+  /**
+   * Waits until `done` is called, until patience ends or until the session does.
+   * @param listen what to listen for; calls `done` when it came
+   * @throws Refusal when too many read already
+   */
+  async until(
+    { milliseconds, signal }: Patience,
+    listen: (done: () => void) => Partial<Pick<Listener, "snapshot" | "state">>,
+  ): Promise<void> {
+    if (milliseconds === 0 || signal.aborted) return;
+    const { promise, resolve } = Promise.withResolvers<void>();
+    const deaf = { snapshot: () => undefined, state: () => undefined };
+    const leave = this.#add({ ...deaf, ...listen(resolve), over: () => resolve() }, null);
+    const cancelTimer = this.#clock.after(milliseconds, resolve);
+    signal.addEventListener("abort", () => resolve(), { once: true });
+    await promise;
+    cancelTimer();
+    leave();
+  }
+
+  tellSnapshot(snapshot: Snapshot): void {
+    for (const { listener } of this.#entries) listener.snapshot(snapshot);
+  }
+
+  tellStates(records: readonly CommandRecord[]): void {
+    for (const record of records) {
+      for (const { listener } of this.#entries) listener.state(record);
+    }
+  }
+
+  /** Sends everyone away. */
+  close(reason: "over" | "restart"): void {
+    for (const { listener } of this.#entries) listener.over(reason);
+    this.#entries.clear();
+  }
+
+  #add(listener: Listener, key: string | null): () => boolean {
+    if (this.#entries.size >= limits.readersPerRobot) {
+      throw new Refusal(
+        "too-many-readers",
+        `${limits.readersPerRobot} connections read this robot already. End some of them first.`,
+        { headers: retryAfter(5000) },
+      );
+    }
+    const entry = { listener, key };
+    this.#entries.add(entry);
+    return () => this.#entries.delete(entry);
+  }
+}
