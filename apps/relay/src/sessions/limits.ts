@@ -2,6 +2,8 @@
 export const limits = {
   /** commands of one robot that are accepted and wait: a script far ahead of its robot is a mistake */
   waitingCommands: 64,
+  /** newest commands of one robot that are kept; an older one is forgotten once it has ended */
+  keptCommands: 10_000,
   /** commands delivered to the page and not yet started: enough to hide the line's delay */
   deliveredWindow: 8,
   /** commands of one driver key: faster than any robot can follow */

@@ -190,6 +190,7 @@ export class Session {
         driver: grant.hash,
         acceptedAt: this.#clock.now(),
         maxWaiting: limits.waitingCommands,
+        keep: limits.keptCommands,
       });
       switch (result.outcome) {
         case "no-session":

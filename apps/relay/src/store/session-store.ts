@@ -34,6 +34,8 @@ export interface NewCommand {
   acceptedAt: number;
   /** refuse when so many commands wait already (a stop is never refused) */
   maxWaiting: number;
+  /** forget what has ended, with its key, before the newest so many commands; at least 1 */
+  keep: number;
 }
 
 export type AddResult =
@@ -63,7 +65,10 @@ export interface SessionStore {
   /** Deletes sessions last used or created before these times. @returns their ids */
   removeExpired(before: { lastUsedAt: number; createdAt: number }): Promise<string[]>;
 
-  /** Stores a command as accepted, with the next seq. A stop cancels all that are accepted. */
+  /**
+   * Stores a command as accepted, with the next seq, and forgets old ones that have ended. A stop
+   * cancels all that are accepted.
+   */
   add(id: string, command: NewCommand): Promise<AddResult>;
   /**
    * Marks the next accepted commands, in order, as delivered, so that at most `window` are delivered

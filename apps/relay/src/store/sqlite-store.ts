@@ -121,6 +121,11 @@ export class SqliteStore implements SessionStore {
         [id, seq, command.driver, command.key, text, command.acceptedAt],
       );
       if (record === undefined) throw new Error("SQLite did not return the stored command");
+      this.#run(
+        `DELETE FROM commands WHERE robot = ? AND seq <= ?
+         AND state NOT IN ('accepted', 'delivered', 'started')`,
+        [id, seq - command.keep],
+      );
       return { outcome: "stored", record, ended };
     });
   }

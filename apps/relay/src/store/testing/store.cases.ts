@@ -24,8 +24,11 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
     const { store } = opened;
     const keys = [{ kind: "drive" as const, hash: "driver-hash-of-this-robot" }];
     await store.create({ id: ID, createdAt: 1_000, keys });
-    const add = (command: Command, key: string | null = null, maxWaiting = 64) =>
-      store.add(ID, { driver: "d", key, command, acceptedAt: 5_000, maxWaiting });
+    const add = (
+      command: Command,
+      key: string | null = null,
+      { maxWaiting = 64, keep = 100 }: { maxWaiting?: number; keep?: number } = {},
+    ) => store.add(ID, { driver: "d", key, command, acceptedAt: 5_000, maxWaiting, keep });
     const states = async (): Promise<string[]> =>
       (await store.commandsAfter(ID, 0, 100)).map(({ seq, state }) => `${seq} ${state}`);
     return { ...opened, add, states };
@@ -64,27 +67,64 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
     it("lets another driver use the same key", async () => {
       const { add, store } = await withRobot();
       await add(LEFT, "key-0001");
-      const other = { driver: "e", key: "key-0001", command: STOP, acceptedAt: 1, maxWaiting: 64 };
-      expect(await store.add(ID, other)).toMatchObject({ outcome: "stored" });
+      const other = { driver: "e", key: "key-0001", command: STOP, acceptedAt: 1 };
+      expect(await store.add(ID, { ...other, maxWaiting: 64, keep: 100 })).toMatchObject({
+        outcome: "stored",
+      });
     });
 
     it("refuses a command too many and leaves its key free, but never a stop", async () => {
       const { add, store } = await withRobot();
-      await add(LEFT, null, 2);
-      await add(LEFT, null, 2);
-      expect(await add(LEFT, "key-0001", 2)).toEqual({ outcome: "full" });
+      const maxWaiting = 2;
+      await add(LEFT, null, { maxWaiting });
+      await add(LEFT, null, { maxWaiting });
+      expect(await add(LEFT, "key-0001", { maxWaiting })).toEqual({ outcome: "full" });
       await store.deliver(ID, 1, 1);
-      expect(await add(LEFT, "key-0001", 2)).toMatchObject({
+      expect(await add(LEFT, "key-0001", { maxWaiting })).toMatchObject({
         outcome: "stored",
         record: { seq: 3 },
       });
-      expect(await add(STOP, null, 2)).toMatchObject({ outcome: "stored" });
+      expect(await add(STOP, null, { maxWaiting })).toMatchObject({ outcome: "stored" });
+    });
+
+    it("forgets old commands once they have ended, with their keys, and never an open one", async () => {
+      const { add, store, states } = await withRobot();
+      const keep = 2;
+      await add(LEFT, "key-0001", { keep });
+      await add(LEFT, "key-0002", { keep });
+      await store.deliver(ID, 1, 8);
+      await store.end(ID, completed(2));
+      await add(LEFT, "key-0003", { keep });
+      expect(await states()).toEqual(["1 delivered", "2 completed", "3 accepted"]);
+      await add(LEFT, "key-0004", { keep });
+      expect(await states()).toEqual(["1 delivered", "3 accepted", "4 accepted"]);
+      expect(await store.command(ID, 2)).toBeNull();
+      expect(await add(LEFT, "key-0003", { keep })).toMatchObject({ outcome: "duplicate" });
+      expect(await add(LEFT, "key-0002", { keep })).toMatchObject({
+        outcome: "stored",
+        record: { seq: 5 },
+      });
+      await store.end(ID, completed(1));
+      await add(STOP, null, { keep });
+      expect(await states()).toEqual(["5 cancelled", "6 accepted"]);
+    });
+
+    it("forgets only the commands of the robot that got a new one", async () => {
+      const { add, store, states } = await withRobot();
+      await add(LEFT);
+      await store.deliver(ID, 1, 8);
+      await store.end(ID, completed(1));
+      const other = "BBBBBBBBBBBBBBBBBBBBBB";
+      await store.create({ id: other, createdAt: 1_000, keys: [] });
+      const command = { driver: "d", key: null, command: LEFT, acceptedAt: 1, maxWaiting: 64 };
+      for (let n = 0; n < 3; n++) await store.add(other, { ...command, keep: 1 });
+      expect(await states()).toEqual(["1 completed"]);
     });
 
     it("stores nothing for a robot that is not there", async () => {
       const { store } = await open();
       const command = { driver: "d", key: null, command: LEFT, acceptedAt: 1, maxWaiting: 64 };
-      expect(await store.add(ID, command)).toEqual({ outcome: "no-session" });
+      expect(await store.add(ID, { ...command, keep: 100 })).toEqual({ outcome: "no-session" });
       expect(await store.takeOver(ID, nothingDone)).toBeNull();
     });
 
