@@ -1,0 +1,29 @@
+/** The product as it ships: simulation, compiled program and snapshot, through their public doors. */
+import type { MazeDocument } from "@corridor/maze";
+import { CompiledProgram, type ProgramDocument } from "@corridor/program";
+import type { RobotReport } from "@corridor/protocol";
+import { ProgramRun, Simulation } from "@corridor/simulation";
+import type { Contender } from "./contender.ts";
+
+export class Product implements Contender {
+  readonly #simulation: Simulation;
+  readonly #run: ProgramRun;
+  latest: RobotReport;
+
+  constructor(maze: MazeDocument, program: ProgramDocument) {
+    this.#simulation = new Simulation(maze);
+    this.#run = new ProgramRun(this.#simulation, new CompiledProgram(program));
+    this.latest = this.#simulation.report();
+  }
+
+  get cell(): number {
+    return this.#simulation.cell;
+  }
+
+  run(ticks: number): void {
+    for (let i = 0; i < ticks; i++) {
+      this.#run.step();
+      this.latest = this.#simulation.report();
+    }
+  }
+}
