@@ -34,7 +34,7 @@ export function useLineName(
         });
   if (truth === null) return `${head} ${sentence}`;
   const told = t(truth.isTrue ? "program.name.isTrue" : "program.name.isFalse", {
-    sensor,
+    sensor: t(`program.sensorFirst.${when.sensor}`),
     number: truth.left,
   });
   return `${head} ${sentence} ${told}`;
