@@ -1,0 +1,298 @@
+/** Everyone can use it: no barrier that axe knows, by keyboard alone, under a finger, on any screen. */
+import type { Locator, Page } from "playwright/test";
+import { expect, test } from "./fixtures.ts";
+import { expectNoBarriers } from "./support/axe.ts";
+import { stickingOut, tooSmallToTouch } from "./support/layout.ts";
+
+const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+
+test("meets no barrier in the program, while it runs and when it bumps", async ({
+  corridor,
+  page,
+}) => {
+  await expectNoBarriers(page, "first visit");
+  await corridor.program.button("Add line").click();
+  await corridor.program.number(1).fill("x");
+  await corridor.program.condition(3).selectOption("left > right +");
+  await expectNoBarriers(page, "a wrong number and a comparison");
+  await corridor.program.number(1).fill("300");
+  await corridor.program.number(2).fill("10");
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(corridor.story).toContainText("Bump");
+  await expectNoBarriers(page, "running into a block");
+});
+
+test("meets no barrier in Me and in Remote, waiting and off", async ({ corridor, page }) => {
+  await corridor.letDrive("Me");
+  await expectNoBarriers(page, "Me");
+  await corridor.letDrive("Remote");
+  await expect(corridor.connection).toHaveText("Waiting for a script");
+  await expectNoBarriers(page, "Remote, waiting");
+  await page.getByRole("button", { name: "Disconnect" }).click();
+  await expect(corridor.connection).toHaveText("Off");
+  await expectNoBarriers(page, "Remote, off");
+});
+
+test("meets no barrier in the dialogs", async ({ corridor, page }) => {
+  await corridor.share.click();
+  await expectNoBarriers(page, "share");
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Keyboard shortcuts" }).click();
+  await expectNoBarriers(page, "shortcuts");
+  await page.keyboard.press("Escape");
+  await corridor.maze.button("Clear maze").click();
+  await expectNoBarriers(page, "clear");
+  await page.keyboard.press("Escape");
+  await corridor.maze.button("Resize").click();
+  await corridor.dialog("Resize the maze").getByRole("textbox", { name: "Rows" }).fill("0");
+  await expectNoBarriers(page, "resize");
+});
+
+test("meets no barrier in the menus and messages", async ({ corridor, page }) => {
+  for (const menu of ["Presets", "View", "Load an algorithm", "Theme"]) {
+    await page.getByRole("button", { name: menu, exact: true }).click();
+    await expect(corridor.dialog(menu)).toBeVisible();
+    await expectNoBarriers(page, menu);
+    await page.keyboard.press("Escape");
+    await expect(corridor.dialog(menu)).toBeHidden();
+  }
+  await corridor.mazeMenu.click();
+  await expectNoBarriers(page, "maze menu");
+  await page.keyboard.press("Escape");
+  await page.evaluate(() => (location.hash = "1cut"));
+  await expect(corridor.message("This link is cut off.")).toBeVisible();
+  await expectNoBarriers(page, "message");
+});
+
+test("meets no barrier on a phone, in each tab and menu", async ({ openWindow }) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { page } = corridor;
+  for (const name of ["Program", "Drive", "Presets"]) {
+    await page.getByRole("tab", { name }).click();
+    await expectNoBarriers(page, `phone, ${name}`);
+  }
+  await page.getByRole("button", { name: "More", exact: true }).click();
+  await expectNoBarriers(page, "phone, More");
+  await corridor.dialog("More").getByRole("button", { name: "Remote" }).click();
+  await expectNoBarriers(page, "phone, Remote");
+});
+
+for (const [width, height] of [
+  [1440, 900],
+  [1024, 768],
+  [390, 844],
+  [320, 700],
+] as const) {
+  test(`finds nothing beyond the edges at ${width} x ${height}`, async ({ openWindow }) => {
+    const corridor = await openWindow({ viewport: { width, height } });
+    await corridor.open();
+    const { page } = corridor;
+    expect(await stickingOut(page), "first visit").toEqual([]);
+    if (width < 600) {
+      for (const name of ["Drive", "Presets", "Program"]) {
+        await page.getByRole("tab", { name }).click();
+        expect(await stickingOut(page), name).toEqual([]);
+      }
+    } else {
+      await corridor.letDrive("Remote");
+      await expect(corridor.connection).toHaveText("Waiting for a script");
+      expect(await stickingOut(page), "Remote").toEqual([]);
+      await corridor.letDrive("Program");
+    }
+    await corridor.program.condition(1).selectOption("left > right +");
+    await corridor.program.number(1).fill("-99999.75");
+    await corridor.program.action(1).selectOption("delayed right 90");
+    await corridor.program.name.fill("A name so long that it has to be cut somewhere ".repeat(2));
+    await corridor.speed.selectOption("max");
+    await corridor.run.click();
+    await expect(corridor.bumps.or(corridor.story.getByText("Goal"))).not.toHaveText("0 bumps");
+    expect(await stickingOut(page), "long words").toEqual([]);
+    await corridor.share.click();
+    expect(await stickingOut(page), "share").toEqual([]);
+    await page.keyboard.press("Escape");
+    await corridor.mazeMenu.click();
+    expect(await stickingOut(page), "maze menu").toEqual([]);
+  });
+}
+
+for (const [width, height] of [
+  [390, 844],
+  [1024, 768],
+] as const) {
+  test(`can press everything with a finger at ${width} x ${height}`, async ({ openWindow }) => {
+    const corridor = await openWindow({ ...phone, viewport: { width, height } });
+    await corridor.open();
+    const { page } = corridor;
+    expect(await page.evaluate(() => matchMedia("(pointer: coarse)").matches)).toBe(true);
+    expect(await tooSmallToTouch(page), "first visit").toEqual([]);
+    if (width < 600) {
+      for (const name of ["Drive", "Presets"]) {
+        await page.getByRole("tab", { name }).tap();
+        expect(await tooSmallToTouch(page), name).toEqual([]);
+      }
+    } else {
+      await corridor.driver("Remote").tap();
+      await expect(corridor.connection).toHaveText("Waiting for a script");
+      expect(await tooSmallToTouch(page), "Remote").toEqual([]);
+    }
+    await corridor.mazeMenu.tap();
+    expect(await tooSmallToTouch(page), "maze menu").toEqual([]);
+    await page.keyboard.press("Escape");
+    await corridor.share.tap();
+    expect(await tooSmallToTouch(page), "share").toEqual([]);
+  });
+}
+
+test("taps a square, holds a drive key and moves a line on a phone", async ({ openWindow }) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { page, program } = corridor;
+  await corridor.maze.tap({ column: 2, row: 6 });
+  await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
+
+  await page.getByRole("button", { name: "Move or delete line 1" }).tap();
+  await corridor.dialog("Move or delete line 1").getByRole("button", { name: "Move down" }).tap();
+  await expect(program.line(2)).toHaveAccessibleName(/if right is more than 60/);
+
+  await page.getByRole("tab", { name: "Drive" }).tap();
+  await expect(corridor.driveKey("forward")).toBeVisible();
+  await expect(page.getByText("The program is driving.")).toBeVisible();
+  const letGo = await holdFinger(corridor.driveKey("left"));
+  await expect(page.getByText("You are driving.")).toBeVisible();
+  await expect(corridor.robotPlace).toHaveText(/facing (up|left|down)/);
+  await letGo();
+  await corridor.robotStands();
+});
+
+test("asks for less motion and gets none but the robot's", async ({ corridor, page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.getByRole("button", { name: "Presets", exact: true }).click();
+  const longest = await page.evaluate(() => {
+    const times = [...document.querySelectorAll("*")].flatMap((element) => {
+      const { transitionDuration, animationDuration } = getComputedStyle(element);
+      return `${transitionDuration}, ${animationDuration}`.split(", ").map(Number.parseFloat);
+    });
+    return Math.max(...times.filter((seconds) => !Number.isNaN(seconds)));
+  });
+  expect(longest).toBeLessThanOrEqual(0.001);
+  await page.keyboard.press("Escape");
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.story).toContainText("Goal reached");
+});
+
+test("goes through everything with Tab in the order of the screen", async ({ corridor, page }) => {
+  const order: string[] = [];
+  await expect(corridor.run).toBeVisible();
+  for (let stop = 0; stop < 80; stop++) {
+    await page.keyboard.press("Tab");
+    const place = await page.evaluate(() => {
+      const focused = document.activeElement;
+      if (focused === null || focused === document.body) return null;
+      if (focused.closest("[role=grid]") !== null) return "maze";
+      const named = focused.closest("header, section[aria-label], fieldset[aria-label], fieldset");
+      if (named?.matches("section > header header, section header")) return "Program";
+      if (named?.tagName === "HEADER") return named.closest("section") === null ? "bar" : "Program";
+      return (
+        named?.getAttribute("aria-label") ?? named?.querySelector("legend")?.textContent ?? "?"
+      );
+    });
+    if (place === null) break;
+    if (order.at(-1) !== place) order.push(place);
+  }
+  expect(order).toEqual([
+    "bar",
+    "Tool",
+    "Maze",
+    "maze",
+    "Who drives?",
+    "Program",
+    "otherwise, running",
+    "Program",
+    "Hold to drive",
+    "Run",
+  ]);
+});
+
+test("opens the list of keys with ?, switches single keys off, and they stay off", async ({
+  corridor,
+  page,
+}) => {
+  await page.keyboard.press("?");
+  const dialog = corridor.dialog("Keyboard shortcuts");
+  await expect(dialog).toBeVisible();
+  await dialog.getByRole("checkbox", { name: /^Single keys/ }).uncheck();
+  await page.keyboard.press("Escape");
+  await expect(dialog).toBeHidden();
+  await corridor.reload();
+  await page.keyboard.press("?");
+  await corridor.letDrive("Me");
+  await page.keyboard.press("w");
+  await corridor.robotStands();
+  await expect(dialog).toBeHidden();
+  await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
+});
+
+/** Lays a finger on an element, as only the browser's own protocol can. @returns lifts it */
+async function holdFinger(target: Locator): Promise<() => Promise<void>> {
+  const box = await target.boundingBox();
+  if (box === null) throw new Error("nothing to lay a finger on");
+  const browser = await target.page().context().newCDPSession(target.page());
+  const touchPoints = [{ x: box.x + box.width / 2, y: box.y + box.height / 2 }];
+  await browser.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints });
+  return async () => {
+    await browser.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  };
+}
+
+/** Presses Tab until something has the focus, as one does who has no mouse. */
+async function tabTo(page: Page, target: Locator): Promise<void> {
+  await expect(target).toBeVisible();
+  for (let stop = 0; stop < 100; stop++) {
+    if (await target.evaluate((element) => element === document.activeElement)) return;
+    await page.keyboard.press("Tab");
+  }
+  await expect(target).toBeFocused();
+}
+
+/** Fills the line that was just added and has the focus in its condition. */
+async function typeLine(page: Page, condition: string, number: string, action: string) {
+  await page.keyboard.type(condition);
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Control+a");
+  await page.keyboard.type(number);
+  await page.keyboard.press("Tab");
+  await page.keyboard.type(action);
+}
+
+test("never touches the mouse: chooses a maze, builds a program, runs it, hears of the goal", async ({
+  corridor,
+  page,
+}) => {
+  const { keyboard } = page;
+  const liveRegion = await corridor.story.elementHandle();
+  await tabTo(page, page.getByRole("button", { name: "Presets", exact: true }));
+  await keyboard.press("Enter");
+  await tabTo(page, corridor.dialog("Presets").getByRole("button", { name: /^Comb/ }));
+  await keyboard.press("Enter");
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Comb, Maze menu");
+  await expect(corridor.dialog("Presets")).toBeHidden();
+
+  await tabTo(page, corridor.program.line(1));
+  await keyboard.press("Delete");
+  await keyboard.press("Delete");
+  await tabTo(page, corridor.program.button("Add line"));
+  await keyboard.press("Enter");
+  await typeLine(page, "right >", "60", "delayed right");
+  await tabTo(page, corridor.program.button("Add line"));
+  await keyboard.press("Enter");
+  await typeLine(page, "front <", "50", "left 90");
+  await tabTo(page, corridor.speed);
+  await keyboard.type("max");
+  await keyboard.press("Control+Enter");
+  await expect(corridor.story).toContainText("Goal reached after 13.3 s (tick 802)");
+  // The region was there before its words, or nobody would have heard them.
+  expect(await liveRegion?.textContent()).toContain("Goal reached");
+});

@@ -1,0 +1,131 @@
+/** Work stays on the device: over a reload, in two tabs, and honestly not at all where it cannot. */
+import { CorridorPage } from "./pages/corridor-page.ts";
+import { expect, test } from "./fixtures.ts";
+
+const square = { column: 2, row: 6 };
+
+test("edits maze and program, reloads, and finds everything as it was", async ({ corridor }) => {
+  await corridor.maze.click(square);
+  await corridor.maze.tool("Goal").check();
+  await corridor.maze.click({ column: 0, row: 0 });
+  await corridor.program.number(1).fill("75");
+  await corridor.program.name.fill("Mine");
+  await corridor.program.button("Add line").click();
+  await corridor.reload();
+  await corridor.maze.expectSquare(square, "block");
+  await corridor.maze.expectSquare({ column: 0, row: 0 }, "open, goal");
+  await expect(corridor.program.name).toHaveValue("Mine");
+  await expect(corridor.program.number(1)).toHaveValue("75");
+  await expect(corridor.program.lines).toHaveCount(3);
+  await expect(corridor.saveState).toHaveText("Saved on this device");
+});
+
+test("renames the maze, begins a new one, and finds both in the menu", async ({
+  corridor,
+  page,
+}) => {
+  await corridor.mazeMenu.click();
+  const menu = corridor.dialog("Maze menu");
+  await menu.getByRole("textbox", { name: "Name of the maze" }).fill("My first maze");
+  await page.keyboard.press("Escape");
+  await expect(corridor.mazeMenu).toHaveAccessibleName("My first maze, Maze menu");
+  await corridor.mazeMenu.click();
+  await menu.getByRole("button", { name: /^New empty maze/ }).click();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("New maze, Maze menu");
+  await corridor.reload();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("New maze, Maze menu");
+
+  await corridor.mazeMenu.click();
+  await menu.getByRole("button", { name: "Open My first maze", exact: true }).click();
+  await corridor.maze.expectSquare({ column: 10, row: 0 }, "open, goal");
+  await corridor.mazeMenu.click();
+  await menu.getByRole("button", { name: "Delete New maze", exact: true }).click();
+  await expect(menu.getByRole("button", { name: "Open New maze", exact: true })).toBeHidden();
+  await page.keyboard.press("Escape");
+  await corridor.messages.getByRole("button", { name: "Undo" }).click();
+  await corridor.mazeMenu.click();
+  await expect(menu.getByRole("button", { name: "Open New maze", exact: true })).toBeVisible();
+});
+
+test("edits the same work in two tabs and loses neither", async ({ corridor, context }) => {
+  await corridor.program.name.fill("In both tabs");
+  await expect(corridor.saveState).toHaveText("Saved on this device");
+  const second = new CorridorPage(await context.newPage());
+  await second.open();
+  await expect(second.program.name).toHaveValue("In both tabs");
+  await second.program.name.fill("Second tab");
+  await expect(second.saveState).toHaveText("Saved on this device");
+  await corridor.program.name.fill("First tab");
+  await expect(corridor.message("Another tab changed this maze too. Both are kept")).toBeVisible();
+
+  await corridor.reload();
+  await expect(corridor.program.name).toHaveValue("First tab");
+  await second.reload();
+  await expect(second.program.name).toHaveValue("Second tab");
+});
+
+test("is told when the device keeps nothing, and works on", async ({ openWindow }) => {
+  const reader = await openWindow();
+  // What a browser does whose user switched storage off.
+  await reader.page.addInitScript(() => {
+    for (const name of ["localStorage", "sessionStorage"]) {
+      Object.defineProperty(window, name, {
+        get() {
+          throw new DOMException("Access is denied.", "SecurityError");
+        },
+      });
+    }
+  });
+  await reader.open();
+  await reader.maze.click(square);
+  await expect(reader.saveState).toHaveText("Not saved");
+  await expect(reader.message("This device does not keep your work")).toBeVisible();
+  await reader.maze.expectSquare(square, "block");
+  await reader.maze.click(square);
+  await reader.speed.selectOption("max");
+  await reader.run.click();
+  await expect(reader.story).toContainText("Goal reached");
+});
+
+test("is told when the storage is full, and saved again once there is room", async ({
+  corridor,
+  page,
+}) => {
+  await page.evaluate(() => {
+    // Fills what a browser gives to a site, down to the last characters.
+    for (let size = 8_000_000; size >= 1; size = Math.floor(size / 2)) {
+      try {
+        for (let part = 0; ; part++) localStorage.setItem(`full-${size}-${part}`, "x".repeat(size));
+      } catch {
+        // That much does not fit any more; half of it may.
+      }
+    }
+  });
+  await corridor.maze.click(square);
+  await expect(corridor.saveState).toHaveText("Not saved");
+  await expect(corridor.message("its storage is full or switched off")).toBeVisible();
+  await page.evaluate(() => localStorage.clear());
+  await corridor.maze.click({ column: 3, row: 6 });
+  await expect(corridor.saveState).toHaveText("Saved on this device");
+  await corridor.reload();
+  await corridor.maze.expectSquare(square, "block");
+  await corridor.maze.expectSquare({ column: 3, row: 6 }, "open");
+});
+
+test("finds a saved work that was damaged put aside, and a maze to begin with", async ({
+  corridor,
+  page,
+}) => {
+  await corridor.maze.click(square);
+  await expect(corridor.saveState).toHaveText("Saved on this device");
+  await page.evaluate(() => {
+    for (const key of Object.keys(localStorage)) {
+      const text = localStorage.getItem(key) ?? "";
+      if (text.includes("corridor/maze")) localStorage.setItem(key, text.slice(0, -20));
+    }
+  });
+  await corridor.reload();
+  await expect(corridor.message("A saved work cannot be read and was put aside")).toBeVisible();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await corridor.maze.expectSquare(square, "open");
+});

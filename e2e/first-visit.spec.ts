@@ -1,0 +1,120 @@
+/** A reader who has never been here: finds a robot in a maze, and the program solves it. */
+import { expect, test } from "./fixtures.ts";
+
+/** What the first program does in the first maze, at any speed: 2380 ticks are 39.6 s. */
+const solved = "Goal reached after 39.6 s (tick 2380), in row 1, column 11, by “otherwise”.";
+
+test("finds a robot in a maze, with a program that drives it", async ({ corridor, page }) => {
+  await expect(page).toHaveTitle("Corridor");
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await expect(corridor.driver("Program")).toBeChecked();
+  await expect(corridor.program.name).toHaveValue("Right wall");
+  await expect(corridor.program.lines).toHaveCount(2);
+  await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
+  await expect(corridor.story).toHaveText("Run starts the program. Step takes one decision.");
+  await corridor.maze.expectSquare(
+    { column: 0, row: 6 },
+    "open, start, facing right, robot here, facing right",
+  );
+  await corridor.maze.expectSquare({ column: 10, row: 0 }, "open, goal");
+});
+
+test("runs it at 16 times the speed and is told that the goal is reached", async ({ corridor }) => {
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(corridor.pause).toBeVisible();
+  await expect(corridor.story).toHaveText(solved);
+  await expect(corridor.run).toBeVisible();
+  await expect(corridor.clock).toHaveText("Time 0:39.6");
+  await expect(corridor.bumps).toHaveText("0 bumps");
+});
+
+test("runs it as fast as the machine can, twice, with the very same end", async ({ corridor }) => {
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.story).toHaveText(solved);
+  const place = await corridor.robotPlace.textContent();
+  await corridor.reset.click();
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
+  await expect(corridor.story).not.toContainText("Goal");
+  await corridor.run.click();
+  await expect(corridor.story).toHaveText(solved);
+  await expect(corridor.robotPlace).toHaveText(place ?? "");
+});
+
+test("pauses, and goes on from the same place", async ({ corridor }) => {
+  await corridor.run.click();
+  await expect(corridor.robotPlace).not.toHaveText("Robot at 50, 650, facing right");
+  await corridor.pause.click();
+  await expect(corridor.run).toBeVisible();
+  await corridor.robotStands();
+  await expect(corridor.bumps).toHaveText("0 bumps");
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.story).toHaveText(solved);
+});
+
+test("takes one decision at a time with Step, and puts the robot back with Reset", async ({
+  corridor,
+}) => {
+  // 100 cm/s are 5/3 cm a tick: 51.67, 53.33, 55, then 60 after six ticks, a tenth of a second.
+  for (const x of [52, 53, 55]) {
+    await corridor.step.click();
+    await expect(corridor.robotPlace).toHaveText(`Robot at ${x}, 650, facing right`);
+  }
+  for (const x of [57, 58, 60]) {
+    await corridor.step.click();
+    await expect(corridor.robotPlace).toHaveText(`Robot at ${x}, 650, facing right`);
+  }
+  await expect(corridor.clock).toHaveText("Time 0:00.1");
+  await corridor.maze.click({ column: 5, row: 6 });
+  await corridor.reset.click();
+  await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
+  await expect(corridor.program.lines).toHaveCount(2);
+  await corridor.maze.expectSquare({ column: 5, row: 6 }, "block");
+});
+
+test("takes a whole turn with one Step", async ({ corridor }) => {
+  await corridor.program.condition(1).selectOption("front >");
+  await corridor.program.action(1).selectOption("turn 180");
+  await corridor.step.click();
+  await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing left");
+  // 180 degrees at 150 degrees a second.
+  await expect(corridor.clock).toHaveText("Time 0:01.2");
+  await expect(corridor.run).toBeVisible();
+});
+
+/** Where the right-wall program ends in each maze of the menu; null: it has no goal. */
+const presets = [
+  { title: "First steps", end: "tick 478" },
+  { title: "Straight corridor", end: "tick 465" },
+  { title: "Spiral", end: "tick 3166" },
+  { title: "Comb", end: "tick 802" },
+  { title: "Tree", end: "tick 5731" },
+  { title: "Long way round", end: "tick 2380" },
+  { title: "Two rooms", end: "tick 1211" },
+  { title: "Empty", end: null },
+];
+
+test("chooses every maze of the menu and solves those that have a goal", async ({ corridor }) => {
+  await corridor.speed.selectOption("max");
+  for (const { title, end } of presets) {
+    await corridor.choosePreset(title);
+    await expect(corridor.message(`“${title}” is in place.`)).toBeVisible();
+    await expect(corridor.clock).toHaveText("Time 0:00.0");
+    await corridor.dismissMessages();
+    if (end === null) continue;
+    await corridor.run.click();
+    await expect(corridor.story).toContainText(end);
+  }
+});
+
+test("takes a chosen maze back with Undo in its message", async ({ corridor }) => {
+  await corridor.choosePreset("Spiral");
+  await corridor.messages.getByRole("button", { name: "Undo" }).click();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await expect(corridor.message(/is in place/)).toBeHidden();
+  await corridor.maze.expectSquare({ column: 10, row: 0 }, "open, goal");
+});

@@ -1,0 +1,92 @@
+/** The maze on the stage: its squares by pointer, and by the keyboard's cursor. */
+import { expect, type Locator, type Page } from "playwright/test";
+
+/** A square of the maze, counted from 0. */
+export interface Square {
+  column: number;
+  row: number;
+}
+
+export class MazeGrid {
+  readonly #page: Page;
+  readonly grid: Locator;
+
+  constructor(page: Page) {
+    this.#page = page;
+    this.grid = page.getByRole("grid", { name: "Maze" });
+  }
+
+  /** One of the edits of the strip above the maze: Undo, Redo, Clear maze, Resize. */
+  button(name: string): Locator {
+    return this.#page
+      .getByRole("region", { name: "Maze" })
+      .getByRole("button", { name, exact: true });
+  }
+
+  tool(name: "Blocks" | "Start" | "Goal"): Locator {
+    return this.#page.getByRole("group", { name: "Tool" }).getByRole("radio", { name });
+  }
+
+  /** Clicks the middle of a square. */
+  async click(square: Square): Promise<void> {
+    await this.grid.click({ position: await this.#middleOf(square) });
+  }
+
+  /** Taps the middle of a square with a finger. */
+  async tap(square: Square): Promise<void> {
+    await this.grid.tap({ position: await this.#middleOf(square) });
+  }
+
+  /** Presses on the first square, moves over all others, and lets go on the last. */
+  async drag(squares: readonly Square[]): Promise<void> {
+    const box = await this.grid.boundingBox();
+    if (box === null) throw new Error("the maze is not on the screen");
+    for (const [at, square] of squares.entries()) {
+      const { x, y } = await this.#middleOf(square);
+      await this.#page.mouse.move(box.x + x, box.y + y);
+      if (at === 0) await this.#page.mouse.down();
+    }
+    await this.#page.mouse.up();
+  }
+
+  /** Walks the keyboard's cursor to a square. @returns the square, focused */
+  async goTo({ column, row }: Square): Promise<Locator> {
+    await this.cursor.focus();
+    const from = await this.cursor.evaluate((cell) => ({
+      column: Number(cell.ariaColIndex) - 1,
+      row: Number(cell.parentElement?.ariaRowIndex) - 1,
+    }));
+    await this.#press("ArrowLeft", from.column - column);
+    await this.#press("ArrowRight", column - from.column);
+    await this.#press("ArrowUp", from.row - row);
+    await this.#press("ArrowDown", row - from.row);
+    return this.cursor;
+  }
+
+  /** Where the keyboard's cursor is; the one square that Tab reaches. */
+  get cursor(): Locator {
+    return this.grid.locator('[tabindex="0"]');
+  }
+
+  /** Expects that a square is called so: "block", or "open, goal". */
+  async expectSquare(square: Square, words: string): Promise<void> {
+    const name = `row ${square.row + 1}, column ${square.column + 1}, ${words}`;
+    await expect(await this.goTo(square)).toHaveAccessibleName(name);
+  }
+
+  /** Presses a key so many times; not at all where the number is negative. */
+  async #press(key: string, times: number): Promise<void> {
+    for (let press = 0; press < times; press++) await this.#page.keyboard.press(key);
+  }
+
+  async #middleOf({ column, row }: Square): Promise<{ x: number; y: number }> {
+    const box = await this.grid.boundingBox();
+    if (box === null) throw new Error("the maze is not on the screen");
+    const columns = Number(await this.grid.getAttribute("aria-colcount"));
+    const rows = Number(await this.grid.getAttribute("aria-rowcount"));
+    return {
+      x: ((column + 0.5) * box.width) / columns,
+      y: ((row + 0.5) * box.height) / rows,
+    };
+  }
+}

@@ -1,0 +1,207 @@
+/** A program is built from dropdowns, with the mouse and by keyboard alone, and read while it runs. */
+import type { CorridorPage } from "./pages/corridor-page.ts";
+import { expect, test } from "./fixtures.ts";
+
+const goal = /^Goal reached after 39\.6 s \(tick 2380\)/;
+
+test("builds the right-wall program from nothing with the mouse, runs it, reaches the goal", async ({
+  corridor,
+}) => {
+  const { program } = corridor;
+  await program.empty();
+  await expect(program.lines).toHaveCount(0);
+  await program.button("Add line").click();
+  await expect(program.line(1)).toHaveAccessibleName("Line 1: does nothing, skipped.");
+  await program.condition(1).selectOption("right >");
+  await program.number(1).fill("60");
+  await program.action(1).selectOption("delayed right 90");
+  await program.addLine("front <", "50", "left 90");
+  await program.otherwise.selectOption("forward");
+  await expect(program.line(2)).toHaveAccessibleName(
+    "Line 2: if front is less than 50, left 90. Front is 250, false.",
+  );
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.story).toHaveText(goal);
+});
+
+test("builds the same by keyboard alone", async ({ corridor, page }) => {
+  const { program } = corridor;
+  const { keyboard } = page;
+  await program.line(1).focus();
+  await keyboard.press("Delete");
+  await expect(program.line(1)).toBeFocused();
+  await keyboard.press("Delete");
+  await expect(program.lines).toHaveCount(0);
+
+  await program.button("Add line").focus();
+  await keyboard.press("Enter");
+  // A new line has the focus in its condition; what is typed chooses.
+  await expect(program.condition(1)).toBeFocused();
+  await keyboard.type("right >");
+  await expect(program.condition(1)).toHaveValue(await optionValue(corridor, "right >"));
+  await keyboard.press("Tab");
+  await expect(program.number(1)).toBeFocused();
+  await keyboard.press("Control+a");
+  await keyboard.type("60");
+  await keyboard.press("Tab");
+  await keyboard.type("delayed right");
+  await program.button("Add line").focus();
+  await keyboard.press("Space");
+  await expect(program.condition(2)).toBeFocused();
+  await keyboard.type("front <");
+  await keyboard.press("Tab");
+  await keyboard.press("Control+a");
+  await keyboard.type("50");
+  await keyboard.press("Tab");
+  await keyboard.type("left 90");
+  await expect(program.line(1)).toHaveAccessibleName(
+    /if right is more than 60, delayed right 90\./,
+  );
+  await expect(program.line(2)).toHaveAccessibleName(/if front is less than 50, left 90\./);
+
+  await corridor.speed.focus();
+  await keyboard.type("max");
+  await keyboard.press("Control+Enter");
+  await expect(corridor.story).toHaveText(goal);
+});
+
+/** The value of a choice in the condition menu of the first line. */
+async function optionValue(corridor: CorridorPage, label: string): Promise<string> {
+  const option = corridor.program.condition(1).locator("option", { hasText: label });
+  return (await option.first().getAttribute("value")) ?? "";
+}
+
+test("moves lines up and down by buttons and keys, and the focus stays with the line", async ({
+  corridor,
+  page,
+}) => {
+  const { program } = corridor;
+  const right = /if right is more than 60/;
+  const front = /if front is less than 50/;
+  await program.button("Move line 2 up").click();
+  await expect(program.line(1)).toHaveAccessibleName(front);
+  await expect(program.line(2)).toHaveAccessibleName(right);
+  // The top line cannot go further up: the focus is on the button that is left.
+  await expect(program.button("Move line 1 down")).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(program.line(2)).toHaveAccessibleName(front);
+  await expect(program.button("Move line 2 up")).toBeFocused();
+
+  await program.line(2).focus();
+  await page.keyboard.press("Alt+ArrowUp");
+  await expect(program.line(1)).toHaveAccessibleName(front);
+  await expect(program.line(1)).toBeFocused();
+  await program.number(1).focus();
+  await page.keyboard.press("Alt+ArrowDown");
+  await expect(program.line(2)).toHaveAccessibleName(front);
+  await expect(program.number(2)).toBeFocused();
+  // In a field, Delete deletes a digit and never the line.
+  await page.keyboard.press("Home");
+  await page.keyboard.press("Delete");
+  await expect(program.number(2)).toHaveValue("0");
+  await expect(program.lines).toHaveCount(2);
+});
+
+test("deletes a line and brings it back from the message", async ({ corridor, page }) => {
+  const { program } = corridor;
+  await program.button("Delete line 1").click();
+  await expect(program.lines).toHaveCount(1);
+  await expect(corridor.message("Line 1 deleted.")).toBeVisible();
+  await corridor.messages.getByRole("button", { name: "Undo" }).click();
+  await expect(program.lines).toHaveCount(2);
+  await expect(program.line(1)).toHaveAccessibleName(/if right is more than 60/);
+  await expect(corridor.message("Line 1 deleted.")).toBeHidden();
+
+  await program.line(2).focus();
+  await page.keyboard.press("Delete");
+  await expect(program.lines).toHaveCount(1);
+  await expect(program.line(1)).toBeFocused();
+  await page.keyboard.press("Control+z");
+  await expect(program.lines).toHaveCount(2);
+  await page.keyboard.press("Control+Shift+Z");
+  await expect(program.lines).toHaveCount(1);
+});
+
+test("sees each line's truth with its numbers, and which line decides", async ({ corridor }) => {
+  const { program } = corridor;
+  await expect(program.line(1)).toContainText("50 > 60");
+  await expect(program.line(1)).toHaveAccessibleName(/Right is 50, false\.$/);
+  await expect(program.line(2)).toContainText("250 < 50");
+  await expect(program.region.getByRole("group", { name: "otherwise, running" })).toBeVisible();
+
+  await program.number(1).fill("40");
+  await expect(program.line(1)).toContainText("50 > 40");
+  await expect(program.line(1)).toHaveAccessibleName(
+    "Line 1, running: if right is more than 40, delayed right 90. Right is 50, true.",
+  );
+  await expect(program.line(1)).toHaveAttribute("aria-current", "step");
+  await expect(program.region.getByText("not read this time")).toBeVisible();
+  await expect(program.line(2)).not.toHaveAttribute("aria-current");
+  await expect(corridor.sensor("front")).toHaveText("250");
+  await expect(corridor.sensor("right")).toHaveText("50");
+  await expect(corridor.sensor("back")).toHaveText("50");
+
+  await program.condition(1).selectOption("[Do nothing]");
+  await expect(program.line(1)).toHaveAccessibleName("Line 1: does nothing, skipped.");
+  await expect(program.number(1)).toBeHidden();
+  await program.condition(1).selectOption("left > right +");
+  await expect(program.number(1)).toHaveValue("40");
+  await expect(program.line(1)).toHaveAccessibleName(/if left is more than right plus 40/);
+});
+
+test("is told what is wrong with a number, and the last good one comes back", async ({
+  corridor,
+}) => {
+  const { program } = corridor;
+  const number = program.number(1);
+  for (const text of ["", "sixty", "-1", "100001", "1e3x"]) {
+    await number.fill(text);
+    await expect(number).toHaveAttribute("aria-invalid", "true");
+    await expect(program.region.getByText("Type a distance from 0 to 100000.")).toBeVisible();
+    await expect(program.line(1)).toHaveAccessibleName(/if right is more than 60/);
+  }
+  await number.blur();
+  await expect(number).toHaveValue("60");
+  await expect(number).toHaveAttribute("aria-invalid", "false");
+  await expect(program.region.getByText("Type a distance")).toBeHidden();
+  await number.fill("72.5");
+  await number.blur();
+  await expect(number).toHaveValue("72.5");
+  await expect(program.line(1)).toHaveAccessibleName(/if right is more than 72\.5/);
+});
+
+const algorithms = [
+  { name: "Back and forth", lines: 1 },
+  { name: "Right wall", lines: 2 },
+  { name: "Left wall", lines: 2 },
+  { name: "Farthest distance", lines: 3 },
+  { name: "Left at every wall", lines: 1 },
+];
+
+test("loads each ready-made algorithm, and takes the last one back", async ({ corridor }) => {
+  const { program } = corridor;
+  for (const { name, lines } of algorithms) {
+    await program.loadAlgorithm(name);
+    await expect(program.name).toHaveValue(name);
+    await expect(program.lines).toHaveCount(lines);
+    await expect(corridor.message(`${name} is loaded.`)).toBeVisible();
+    await corridor.dismissMessages();
+  }
+  await program.button("Undo").click();
+  await expect(program.name).toHaveValue("Farthest distance");
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.story).toContainText("Goal reached after 38.5 s (tick 2310)");
+});
+
+test("edits a line while the robot runs, and the robot obeys it at once", async ({ corridor }) => {
+  const { program } = corridor;
+  await corridor.choosePreset("Empty");
+  await program.empty();
+  await program.otherwise.selectOption("left 90");
+  await corridor.run.click();
+  await expect(corridor.robotPlace).toHaveText(/facing up/);
+  await program.otherwise.selectOption("forward");
+  await expect(corridor.robotPlace).not.toHaveText(/^Robot at 50, 650/);
+});

@@ -1,0 +1,155 @@
+/** A maze travels in a link: from a teacher's page into a student's, without touching their work. */
+import { encodeLink } from "@corridor/link";
+import { brokenDocuments } from "@corridor/link/testing";
+import { generateTree } from "@corridor/maze";
+import { expect, test } from "./fixtures.ts";
+
+const sentences = {
+  empty: "This link holds nothing.",
+  "unknown-version": "This is no link of this Corridor; perhaps a newer one made it.",
+  "cut-off": "This link is cut off.",
+  damaged: "This link was changed on its way.",
+  "too-long": "This link is longer than any that Corridor makes.",
+};
+
+test("copies a link, and another reader opens the maze from it with their own program", async ({
+  corridor,
+  page,
+  openWindow,
+}) => {
+  await corridor.maze.click({ column: 2, row: 6 });
+  await corridor.program.loadAlgorithm("Left wall");
+  await corridor.share.click();
+  const dialog = corridor.dialog("Share this maze");
+  await dialog.getByRole("button", { name: "Copy link" }).click();
+  await expect(dialog.getByText("Link copied")).toBeAttached();
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  expect(link).toBe(await dialog.getByRole("textbox", { name: "Link" }).inputValue());
+
+  const reader = await openWindow();
+  await reader.open(link);
+  await expect(reader.message("You opened a shared maze. Your own work is kept.")).toBeVisible();
+  await reader.maze.expectSquare({ column: 2, row: 6 }, "block");
+  await expect(reader.program.name).toHaveValue("Right wall");
+  // The address is clean again, so that a reload keeps what the reader changes.
+  expect(new URL(reader.page.url()).hash).toBe("");
+});
+
+test("puts the program into the link when asked to", async ({ corridor, openWindow }) => {
+  await corridor.program.loadAlgorithm("Farthest distance");
+  const link = await corridor.shareLink({ withProgram: true });
+  const reader = await openWindow();
+  await reader.open(link);
+  await expect(reader.program.name).toHaveValue("Farthest distance");
+  await expect(reader.program.lines).toHaveCount(3);
+  await reader.speed.selectOption("max");
+  await reader.run.click();
+  await expect(reader.story).toContainText("tick 2310");
+});
+
+test("opens a link, keeps the own work, and goes back to it", async ({ corridor, openWindow }) => {
+  await corridor.choosePreset("Spiral");
+  const link = await corridor.shareLink({ withProgram: false });
+
+  const reader = await openWindow();
+  await reader.open();
+  await reader.maze.click({ column: 2, row: 6 });
+  await expect(reader.saveState).toHaveText("Saved on this device");
+  await reader.open(link);
+  await expect(reader.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+  await reader.messages.getByRole("button", { name: "Back to my maze" }).click();
+  await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await reader.maze.expectSquare({ column: 2, row: 6 }, "block");
+
+  // Both are in the maze menu, and the shared one is still as it came.
+  await reader.mazeMenu.click();
+  await reader
+    .dialog("Maze menu")
+    .getByRole("button", { name: "Open Spiral", exact: true })
+    .click();
+  await expect(reader.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+});
+
+test("opens a link in a page that is open already", async ({ corridor, page }) => {
+  await corridor.choosePreset("Tree");
+  const link = await corridor.shareLink({ withProgram: false });
+  await corridor.choosePreset("Comb");
+  await page.evaluate((hash) => (location.hash = hash), new URL(link).hash);
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Tree, Maze menu");
+  await expect(corridor.message("You opened a shared maze.")).toBeVisible();
+});
+
+test("makes a link of at most 200 characters for a maze of 33 by 33 squares", async ({
+  corridor,
+  openWindow,
+}) => {
+  await corridor.maze.button("Resize").click();
+  const dialog = corridor.dialog("Resize the maze");
+  await dialog.getByRole("textbox", { name: "Columns" }).fill("33");
+  await dialog.getByRole("textbox", { name: "Rows" }).fill("33");
+  await dialog.getByRole("button", { name: "Resize maze" }).click();
+  const resized = await corridor.shareLink({ withProgram: false });
+  expect(fragmentOf(resized).length).toBeLessThanOrEqual(200);
+
+  const tree = encodeLink({ maze: generateTree({ columns: 33, rows: 33, seed: 2, name: "Big" }) });
+  if (!tree.ok) throw new Error(tree.code);
+  const reader = await openWindow();
+  await reader.open(`/#${tree.text}`);
+  await expect(reader.maze.grid).toHaveAttribute("aria-colcount", "33");
+  const link = await reader.shareLink({ withProgram: false });
+  expect(fragmentOf(link)).toBe(tree.text);
+  expect(tree.text.length).toBeLessThanOrEqual(200);
+});
+
+/** Nothing behind the # is no link at all, and browsers drop line breaks from an address. */
+const broken = brokenDocuments.filter(
+  ({ kind, text }) => kind === "link" && text !== "" && !text.includes("\n"),
+);
+
+test("opens every broken link of the table, is told what is wrong, and keeps the page", async ({
+  corridor,
+  page,
+}) => {
+  expect(broken.length).toBeGreaterThanOrEqual(20);
+  await corridor.maze.click({ column: 2, row: 6 });
+  const before = await corridor.shareLink({ withProgram: true });
+  for (const { name, text, code } of broken) {
+    if (code === undefined) throw new Error(`${name} has no code`);
+    await page.evaluate((hash) => (location.hash = hash), asFragment(text));
+    await expect(corridor.message(sentences[code]), name).toBeVisible();
+    expect(new URL(page.url()).hash, name).toBe("");
+    await corridor.dismissMessages();
+  }
+  expect(await corridor.shareLink({ withProgram: true })).toBe(before);
+});
+
+test("comes with a cut link, is told so, and opens an empty maze instead", async ({
+  corridor,
+  openWindow,
+}) => {
+  const link = await corridor.shareLink({ withProgram: false });
+  const reader = await openWindow();
+  await reader.open(link.slice(0, -4));
+  await expect(reader.message(sentences["cut-off"])).toBeVisible();
+  await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await reader.messages.getByRole("button", { name: "Open an empty maze" }).click();
+  await expect(reader.mazeMenu).toHaveAccessibleName("New maze, Maze menu");
+  await expect(reader.message(sentences["cut-off"])).toBeHidden();
+});
+
+test("opens a robot's address in a browser and never shows its key", async ({ openWindow }) => {
+  const reader = await openWindow();
+  await reader.open("/r/abcdefghijklmnop#a-key-that-nobody-should-see");
+  await expect(reader.message("This is a robot's address. Give it to a script")).toBeVisible();
+  expect(new URL(reader.page.url()).pathname).toBe("/");
+  expect(reader.page.url()).not.toContain("key");
+});
+
+function fragmentOf(link: string): string {
+  return new URL(link).hash.slice(1);
+}
+
+/** A text as a browser lets it stand behind the #. */
+function asFragment(text: string): string {
+  return text.startsWith("#") ? `#${text}` : text;
+}
