@@ -13,12 +13,20 @@ import { createI18n } from "./text/i18n.ts";
 
 const words = createI18n();
 const device = storageOrNone(() => localStorage);
+const worker = new Worker(new URL("./worker/simulator.worker.ts", import.meta.url), {
+  type: "module",
+});
 const services = createServices({
-  worker: new Worker(new URL("./worker/simulator.worker.ts", import.meta.url), { type: "module" }),
+  worker,
   device,
   tab: storageOrNone(() => sessionStorage),
   words,
 });
+
+// A worker that does not load or breaks outside of its own care says so here only.
+worker.onerror = ({ message }) => {
+  services.run.setState({ fault: message || words.t("shell.failure.notLoaded") });
+};
 
 startTheme({
   screen: services.screen,
