@@ -170,16 +170,16 @@ test("builds by keyboard alone: moves the cursor, adds, removes, undoes and redo
 test("paints around a moving robot without stopping it", async ({ corridor }) => {
   await corridor.choosePreset("Straight corridor");
   await corridor.program.loadAlgorithm("Back and forth");
-  await corridor.speed.selectOption("4×");
-  await corridor.run.click();
-  // With the goal gone, nothing ends the run.
+  // Without a goal nothing ends the run.
   await corridor.maze.tool("Goal").check();
   await corridor.maze.click({ column: 9, row: 1 });
-  await expect(corridor.pause).toBeVisible();
   await corridor.maze.tool("Blocks").check();
+  await corridor.run.click();
+  await expect(corridor.pause).toBeVisible();
   await corridor.maze.click({ column: 5, row: 0 });
   await corridor.maze.expectSquare({ column: 5, row: 0 }, "open");
+  const before = await corridor.clock.textContent();
+  await expect(corridor.clock).not.toHaveText(before ?? "");
   await expect(corridor.pause).toBeVisible();
-  await corridor.pause.click();
   await expect(corridor.bumps).toHaveText("0 bumps");
 });

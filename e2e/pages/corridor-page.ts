@@ -107,6 +107,11 @@ export class CorridorPage {
     return this.page.getByText(/^Robot at /);
   }
 
+  /** The robot's place along the maze, in cm. */
+  async robotX(): Promise<number> {
+    return Number(/^Robot at (-?\d+)/.exec((await this.robotPlace.textContent()) ?? "")?.[1]);
+  }
+
   /** Simulated time, "Time 0:39.6". */
   get clock(): Locator {
     return this.transport.getByText(/^Time \d+:\d\d\.\d$/);
@@ -141,7 +146,11 @@ export class CorridorPage {
   /** Dismisses all messages, so that none covers what is pressed next. */
   async dismissMessages(): Promise<void> {
     const dismiss = this.messages.getByRole("button", { name: "Dismiss" });
-    while ((await dismiss.count()) > 0) await dismiss.first().click();
+    // All at once: a message may leave by itself while the one before it is being clicked.
+    await dismiss.evaluateAll((buttons: HTMLElement[]) => {
+      for (const button of buttons) button.click();
+    });
+    await expect(dismiss).toHaveCount(0);
   }
 
   /** Whether the device has the newest edit. */
