@@ -2,7 +2,9 @@
 import express, { Router, type Express } from "express";
 import type { Logger } from "pino";
 import type { Clock } from "./clock.ts";
+import type { Health } from "./routes/answers.ts";
 import { commandRoutes } from "./routes/commands.ts";
+import { descriptionRoutes } from "./routes/description.ts";
 import { eventRoutes } from "./routes/events.ts";
 import { notFound, problemAnswers } from "./routes/fallbacks.ts";
 import { robotRoutes } from "./routes/robots.ts";
@@ -31,8 +33,10 @@ export function createApp(dependencies: AppDependencies): Express {
   app.use(securityHeaders(isDevelopment));
 
   app.get("/healthz", (_request, response) => {
-    response.set("Cache-Control", "no-store").json({ status: "ok" });
+    const health: Health = { status: "ok" };
+    response.set("Cache-Control", "no-store").json(health);
   });
+  app.use(descriptionRoutes());
   const api = Router();
   api.use(openToAllSites);
   api.use(robotRoutes(hub, publicOrigin));

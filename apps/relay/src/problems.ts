@@ -9,7 +9,8 @@ interface Kind {
   title: string;
 }
 
-const kinds = {
+/** Every kind of problem by the last part of its `type`, with its HTTP status. */
+export const problemKinds = {
   "bad-request": { status: 400, title: "The request cannot be read" },
   "not-authorised": { status: 401, title: "A valid key is missing" },
   forbidden: { status: 403, title: "This key does not allow that" },
@@ -29,7 +30,7 @@ const kinds = {
   "storage-full": { status: 507, title: "The relay's disk is full" },
 } as const satisfies Record<string, Kind>;
 
-export type ProblemKind = keyof typeof kinds;
+export type ProblemKind = keyof typeof problemKinds;
 
 export interface RefusalOptions {
   errors?: FieldProblem[];
@@ -47,7 +48,7 @@ export class Refusal extends Error {
   /** @param detail what happened and how to mend it, in one or two sentences */
   constructor(kind: ProblemKind, detail: string, options: RefusalOptions = {}) {
     super(detail);
-    const { status, title } = kinds[kind];
+    const { status, title } = problemKinds[kind];
     this.kind = kind;
     this.headers = options.headers ?? {};
     this.problem = {

@@ -18,6 +18,7 @@ export {
   type ReadResult,
 } from "./document-reader.ts";
 export {
+  driversSchema,
   driverToRelaySchema,
   helloSchema,
   MAX_RESUMED_ENDINGS,

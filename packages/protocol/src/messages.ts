@@ -82,7 +82,7 @@ const deliveredCommand = z.strictObject({
 export type DeliveredCommand = z.infer<typeof deliveredCommand>;
 
 /** Scripts as the page shows them. */
-const driversSchema = z.strictObject({
+export const driversSchema = z.strictObject({
   /** open sockets of scripts */
   connected: count,
   /** such as "Python"; null while none was heard */

@@ -2,6 +2,7 @@
 import type { CommandRecord } from "@corridor/protocol";
 import { Router, type Request, type Response } from "express";
 import type { SessionHub } from "../sessions/session-hub.ts";
+import type { CommandLog } from "./answers.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 import {
   jsonText,
@@ -42,7 +43,8 @@ export function commandRoutes(hub: SessionHub): Router {
     .get(async (request, response) => {
       const { session } = await script(request);
       const { after } = readAfter(request);
-      response.json({ commands: await session.commandsAfter(after) });
+      const log: CommandLog = { commands: await session.commandsAfter(after) };
+      response.json(log);
     })
     .delete(async (request, response) => {
       const { session, key } = await script(request);

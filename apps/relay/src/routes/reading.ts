@@ -3,7 +3,6 @@ import {
   commandSchema,
   idempotencyKeySchema,
   MAX_FRAME_BYTES,
-  problem,
   readJson,
   readValue,
   type Command,
@@ -15,23 +14,43 @@ import { badRequest, Refusal } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import type { Patience } from "../sessions/audience.ts";
 
+// First the text is checked, then the number that it stands for: /openapi.json describes the number.
 const waitError = `seconds to wait, from 0 to ${limits.longPollSeconds}`;
+const seconds = z.number().min(0).max(limits.longPollSeconds, { error: waitError });
 const waitSchema = z
   .string({ error: waitError })
   .regex(/^\d{1,2}(\.\d{1,3})?$/, { error: waitError })
   .transform(Number)
-  .refine((seconds) => seconds <= limits.longPollSeconds, { error: waitError })
-  .default(0);
+  .pipe(seconds.multipleOf(0.001))
+  .prefault("0")
+  .describe(`${waitError}; the answer comes at once when it is there`);
 
 const numberError = "a whole number of at most 15 digits";
 const wholeNumber = z
   .string({ error: numberError })
   .regex(/^\d{1,15}$/, { error: numberError })
-  .transform(Number);
+  .transform(Number)
+  .pipe(z.int().min(0).max(999_999_999_999_999));
 
-const waitQuery = z.object({ wait: waitSchema });
-const newerQuery = z.object({ after: wholeNumber.optional(), wait: waitSchema });
-const logQuery = z.object({ after: wholeNumber.default(0) });
+/** `?wait=S` of a command's record */
+export const waitQuery = z.object({ wait: waitSchema });
+/** `?after=SEQ&wait=S` of snapshots; without `after` any snapshot will do */
+export const newerQuery = z.object({
+  after: wholeNumber.optional().describe("seq of the newest snapshot that is known already"),
+  wait: waitSchema,
+});
+/** `?after=SEQ` of the log */
+export const logQuery = z.object({
+  after: wholeNumber.prefault("0").describe("seq of the last command that is known already"),
+});
+/** The number of a command, as the last part of a path. */
+export const seqPath = z.object({ seq: wholeNumber.describe("number of the command") });
+/** The header of a command that may be sent twice. */
+export const idempotencyHeader = z.object({
+  "Idempotency-Key": idempotencyKeySchema
+    .optional()
+    .describe("makes a retry safe; a new one for each command"),
+});
 
 function read<T>(schema: z.ZodType<T>, input: unknown, what: string): T {
   const result = readValue(schema, input);
@@ -39,24 +58,24 @@ function read<T>(schema: z.ZodType<T>, input: unknown, what: string): T {
   return result.value;
 }
 
-/** `?wait=S` */
+/** The wait of a call that has no other query. */
 export function readWait(request: Request): { wait: number } {
   return read(waitQuery, request.query, "The query is wrong.");
 }
 
-/** `?after=SEQ&wait=S` of snapshots; without `after` any snapshot will do */
+/** Which snapshot is wanted, and for how long to wait for it. */
 export function readNewer(request: Request): { after?: number | undefined; wait: number } {
   return read(newerQuery, request.query, "The query is wrong.");
 }
 
-/** `?after=SEQ` of the log */
+/** From where on the log is wanted. */
 export function readAfter(request: Request): { after: number } {
   return read(logQuery, request.query, "The query is wrong.");
 }
 
 /** The number of a command in the path. */
 export function readSeq(text: unknown): number {
-  return read(z.object({ command: wholeNumber }), { command: text }, "The path is wrong.").command;
+  return read(seqPath, { seq: text }, "The path is wrong.").seq;
 }
 
 /** The key of `Authorization: Bearer KEY`; null when there is none. */
@@ -102,15 +121,8 @@ export function readCommandRequest(request: Request): { key: string | null; comm
 
 /** The header Idempotency-Key; null when there is none. */
 export function readIdempotencyKey(request: Request): string | null {
-  const given = request.get("idempotency-key");
-  if (given === undefined) return null;
-  const key = readValue(idempotencyKeySchema, given);
-  if (key.ok) return key.value;
-  const [found] = key.problems;
-  throw badRequest(
-    "The header Idempotency-Key is wrong.",
-    problem("Idempotency-Key", found?.found ?? "", found?.expected ?? "").problems,
-  );
+  const given = { "Idempotency-Key": request.get("Idempotency-Key") };
+  return read(idempotencyHeader, given, "The request is wrong.")["Idempotency-Key"] ?? null;
 }
 
 /** Waits as long as asked, or until the client hangs up. */

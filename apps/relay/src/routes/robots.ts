@@ -2,6 +2,7 @@
 import { Router, type Request } from "express";
 import { Refusal } from "../problems.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
+import type { HeldSession } from "./answers.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 import { readBearer } from "./reading.ts";
 
@@ -26,13 +27,14 @@ export function robotRoutes(hub: SessionHub, publicOrigin: string | null): Route
     .route("/robots/:id")
     .get(async (request, response) => {
       const { session } = await hub.authorise(request.params.id, readBearer(request), ["own"]);
-      response.json({
+      const held: HeldSession = {
         id: session.id,
         createdAt: new Date(session.createdAt).toISOString(),
         lastUsedAt: new Date(session.lastUsedAt).toISOString(),
         drivers: session.roster.now(),
         snapshot: session.newest,
-      });
+      };
+      response.json(held);
     })
     .delete(async (request, response) => {
       const { session } = await hub.authorise(request.params.id, readBearer(request), ["own"]);

@@ -1,0 +1,149 @@
+/** Every HTTP call of the API, in words, with the schemas that check what goes in and what comes out. */
+import {
+  commandRecordSchema,
+  commandSchema,
+  registrationSchema,
+  robotIdSchema,
+  snapshotSchema,
+} from "@corridor/protocol";
+import { z } from "zod";
+import type { ZodOpenApiPathsObject } from "zod-openapi";
+import { commandLogSchema, healthSchema, heldSessionSchema } from "../routes/answers.ts";
+import { idempotencyHeader, logQuery, newerQuery, seqPath, waitQuery } from "../routes/reading.ts";
+import { answer, location, parameters, refusals } from "./parts.ts";
+
+const robot = parameters("path", z.object({ id: robotIdSchema }));
+const idempotencyKey = parameters("header", idempotencyHeader);
+const driver = [{ driverKey: [] }];
+const owner = [{ ownerKey: [] }];
+/** What every call with a key may meet. */
+const keyed = ["bad-request", "not-authorised", "forbidden", "no-robot"] as const;
+
+export const calls: ZodOpenApiPathsObject = {
+  "/api/v1/robots": {
+    post: {
+      operationId: "registerRobot",
+      summary: "Register a robot; its page does this",
+      security: [],
+      responses: {
+        201: answer("The robot's id, keys and address.", registrationSchema, location),
+        ...refusals("bad-request", "too-fast", "storage-full"),
+      },
+    },
+  },
+  "/api/v1/robots/{id}": {
+    parameters: robot,
+    get: {
+      operationId: "showRobot",
+      summary: "Show what is held of a robot",
+      security: owner,
+      responses: { 200: answer("What is held.", heldSessionSchema), ...refusals(...keyed) },
+    },
+    delete: {
+      operationId: "deleteRobot",
+      summary: "Delete a robot with all that is held of it",
+      security: owner,
+      responses: {
+        204: { description: "All of it is deleted." },
+        ...refusals(...keyed, "storage-full"),
+      },
+    },
+  },
+  "/api/v1/robots/{id}/sensors": {
+    parameters: robot,
+    get: {
+      operationId: "readSensors",
+      summary: "Read the newest snapshot, or wait for a newer one",
+      description:
+        "With `after` and `wait`, answers as soon as there is a snapshot with a higher `seq`, and " +
+        "with the newest there is when the time is over.",
+      security: driver,
+      parameters: parameters("query", newerQuery),
+      responses: {
+        200: answer("The newest snapshot.", snapshotSchema),
+        ...refusals(...keyed, "no-snapshot", "too-many-readers"),
+      },
+    },
+  },
+  "/api/v1/robots/{id}/commands": {
+    parameters: robot,
+    post: {
+      operationId: "sendCommand",
+      summary: "Send a command",
+      security: driver,
+      parameters: idempotencyKey,
+      requestBody: { required: true, content: { "application/json": { schema: commandSchema } } },
+      responses: {
+        202: answer("The record of the command, which is stored.", commandRecordSchema, location),
+        ...refusals(
+          ...keyed,
+          "key-conflict",
+          "too-large",
+          "not-json",
+          "queue-full",
+          "too-fast",
+          "storage-full",
+        ),
+      },
+    },
+    get: {
+      operationId: "listCommands",
+      summary: "List the commands of a robot in their order, with their states",
+      description: "Ask again with `after` set to the last `seq` for the next part.",
+      security: driver,
+      parameters: parameters("query", logQuery),
+      responses: {
+        200: answer("The next part of the log; empty at its end.", commandLogSchema),
+        ...refusals(...keyed),
+      },
+    },
+    delete: {
+      operationId: "stopRobot",
+      summary: "Drop what waits and stop the robot",
+      security: driver,
+      parameters: idempotencyKey,
+      responses: {
+        202: answer("The record of the stop, which overtakes.", commandRecordSchema, location),
+        ...refusals(...keyed, "key-conflict", "storage-full"),
+      },
+    },
+  },
+  "/api/v1/robots/{id}/commands/{seq}": {
+    parameters: [...robot, ...parameters("path", seqPath)],
+    get: {
+      operationId: "followCommand",
+      summary: "Read the record of a command, or wait for its end",
+      security: driver,
+      parameters: parameters("query", waitQuery),
+      responses: {
+        200: answer("The record, at its end or when the time is over.", commandRecordSchema),
+        ...refusals(...keyed, "no-command", "too-many-readers"),
+      },
+    },
+  },
+  "/api/v1/robots/{id}/events": {
+    parameters: robot,
+    get: {
+      operationId: "streamEvents",
+      summary: "Follow a robot by server-sent events",
+      security: driver,
+      responses: {
+        200: {
+          description:
+            "Events without end: `snapshot`, whose data is a Snapshot, and `state`, whose data is " +
+            "the CommandRecord of a command with a new state.",
+          content: { "text/event-stream": { schema: { type: "string" } } },
+        },
+        ...refusals(...keyed, "too-many-readers"),
+      },
+    },
+  },
+  "/healthz": {
+    get: {
+      operationId: "checkHealth",
+      summary: "Ask whether the service answers",
+      security: [],
+      responses: { 200: answer("It does.", healthSchema) },
+    },
+  },
+};

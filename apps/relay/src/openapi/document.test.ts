@@ -1,0 +1,99 @@
+import { describe, expect, it } from "vitest";
+import type { oas31 } from "zod-openapi";
+import { describedCalls } from "../testing/described-relay.ts";
+import { describeApi } from "./document.ts";
+
+const document = describeApi();
+
+/** Everything in the document that has fields, however deep. */
+function* nodes(value: unknown): Generator<Record<string, unknown>> {
+  if (typeof value !== "object" || value === null) return;
+  yield value as Record<string, unknown>;
+  for (const child of Object.values(value)) yield* nodes(child);
+}
+
+function at(reference: string): unknown {
+  const parts = reference.slice(2).split("/");
+  return parts.reduce<unknown>(
+    (node, part) => (node as Record<string, unknown> | undefined)?.[part],
+    document,
+  );
+}
+
+const calls = describedCalls(document);
+
+describe("the description of the API", () => {
+  it("is OpenAPI 3.1 with a title and a version", () => {
+    expect(document.openapi).toMatch(/^3\.1\.\d$/);
+    expect(document.info).toMatchObject({ title: "Corridor", version: "1" });
+    expect(document.info.description).toContain("docs/protocol.md");
+    // Plain JSON: nothing is lost on the way.
+    expect(JSON.parse(JSON.stringify(document))).toEqual(document);
+  });
+
+  it("has an answer to every reference", () => {
+    const references = [...nodes(document)].flatMap(({ $ref }) =>
+      typeof $ref === "string" ? [$ref] : [],
+    );
+    expect(references.length).toBeGreaterThan(20);
+    expect(references.filter((reference) => !reference.startsWith("#/"))).toEqual([]);
+    expect(references.filter((reference) => typeof at(reference) !== "object")).toEqual([]);
+  });
+
+  it.each(["Command", "CommandRecord", "Snapshot", "Registration", "Problem"])(
+    "says what a %s is in one place, and refers to it",
+    (name) => {
+      const reference = `#/components/schemas/${name}`;
+      const uses = [...nodes(document)].filter(({ $ref }) => $ref === reference);
+      expect(uses.length).toBeGreaterThan(0);
+      const text = JSON.stringify(at(reference));
+      expect(JSON.stringify(document).split(text)).toHaveLength(2);
+    },
+  );
+
+  it("gives every call a name of its own", () => {
+    const names = calls.map(({ operation }) => operation.operationId);
+    expect(names).not.toContain(undefined);
+    expect(new Set(names).size).toBe(calls.length);
+  });
+
+  it.each(calls)("declares every parameter once: $name", ({ path, parameters }) => {
+    const inPath = parameters.filter((parameter) => parameter.in === "path");
+    expect(inPath.map(({ name }) => `{${name}}`)).toEqual(path.match(/\{\w+\}/g) ?? []);
+    for (const parameter of inPath) expect(parameter.required).toBe(true);
+    const places = parameters.map((parameter) => `${parameter.in} ${parameter.name}`);
+    expect(new Set(places).size).toBe(places.length);
+    for (const { schema } of parameters) expect(schema).toHaveProperty("type");
+  });
+
+  it.each(calls)("tells who may and what comes back: $name", ({ operation }) => {
+    expect(operation.summary).toMatch(/\w+ \w+/);
+    for (const requirement of operation.security ?? [{ missing: [] }]) {
+      for (const scheme of Object.keys(requirement)) {
+        expect(document.components?.securitySchemes).toHaveProperty(scheme, {
+          type: "http",
+          scheme: "bearer",
+          description: expect.any(String),
+        });
+      }
+    }
+    const answers = Object.entries(operation.responses ?? {}) as [string, oas31.ResponseObject][];
+    const refusals = answers.filter(([status]) => !status.startsWith("2"));
+    expect(answers.length - refusals.length).toBe(1);
+    for (const [, { description }] of answers) expect(description).not.toBe("");
+    for (const [, { content }] of refusals) {
+      expect(content).toEqual({
+        "application/problem+json": { schema: { $ref: "#/components/schemas/Problem" } },
+      });
+    }
+    const later = refusals.filter(([status]) => status === "429" || status === "507");
+    for (const [, { headers }] of later) expect(headers).toHaveProperty("Retry-After");
+  });
+
+  it("describes a query by the numbers that it may carry, with the limits that are checked", () => {
+    const sensors = calls.find(({ operation }) => operation.operationId === "readSensors");
+    const [, after, wait] = sensors?.parameters ?? [];
+    expect(after).toMatchObject({ name: "after", required: false, schema: { type: "integer" } });
+    expect(wait).toMatchObject({ name: "wait", schema: { type: "number", maximum: 25 } });
+  });
+});

@@ -1,0 +1,66 @@
+/**
+ * The OpenAPI 3.1 description of the HTTP calls, generated from the schemas that check the traffic.
+ * What a field must be is said by its schema alone; here are only the calls and what they are for.
+ */
+import {
+  commandRecordSchema,
+  commandSchema,
+  problemSchema,
+  PROTOCOL_VERSION,
+  registrationSchema,
+  snapshotSchema,
+} from "@corridor/protocol";
+import { createDocument, type oas31 } from "zod-openapi";
+import { commandLogSchema, healthSchema, heldSessionSchema } from "../routes/answers.ts";
+import { calls } from "./calls.ts";
+import { describeByExpectation } from "./describe-by-expectation.ts";
+
+const DESCRIPTION = `A robot lives in a page. The page registers it, and gets an address
+\`https://HOST/r/ID#KEY\`, which is all that a script needs: send the key after the # as a bearer key.
+
+Lengths are in cm, angles in degrees clockwise from north, x to the right and y downward. A tick is 1/60 s.
+
+The same events and commands go over a WebSocket at \`/api/v1/robots/{id}/socket\`, which OpenAPI cannot
+describe: see docs/protocol.md, also for the life of a command.`;
+
+/** The whole document, as plain data. */
+export function describeApi(): oas31.OpenAPIObject {
+  return createDocument(
+    {
+      openapi: "3.1.0",
+      info: {
+        title: "Corridor",
+        version: String(PROTOCOL_VERSION),
+        description: DESCRIPTION,
+        license: { name: "MIT", identifier: "MIT" },
+      },
+      servers: [{ url: "/", description: "the service that this document comes from" }],
+      paths: calls,
+      components: {
+        schemas: {
+          Command: commandSchema,
+          CommandLog: commandLogSchema,
+          CommandRecord: commandRecordSchema,
+          Health: healthSchema,
+          HeldSession: heldSessionSchema,
+          Problem: problemSchema,
+          Registration: registrationSchema,
+          Snapshot: snapshotSchema,
+        },
+        securitySchemes: {
+          driverKey: {
+            type: "http",
+            scheme: "bearer",
+            description: "The key in the robot's address, after the #: commands and reads.",
+          },
+          ownerKey: {
+            type: "http",
+            scheme: "bearer",
+            description: "The key of the robot's own page: shows and deletes what is held.",
+          },
+        },
+      },
+    },
+    { override: describeByExpectation },
+  );
+}

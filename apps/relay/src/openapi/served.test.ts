@@ -1,0 +1,189 @@
+import { join } from "node:path";
+import { Router, type Express } from "express";
+import { pino } from "pino";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { createApp } from "../app.ts";
+import { systemClock } from "../clock.ts";
+import { SessionHub } from "../sessions/session-hub.ts";
+import { SqliteStore } from "../store/sqlite-store.ts";
+import { DescribedRelay, describedCalls, METHODS } from "../testing/described-relay.ts";
+import { completed, snapshot } from "../testing/messages.ts";
+import { startTestRelay, testFolder } from "../testing/test-relay.ts";
+import { TestSocket } from "../testing/test-socket.ts";
+
+const ROBOT = "/api/v1/robots/{id}";
+const COMMANDS = `${ROBOT}/commands`;
+const RECORD = `${COMMANDS}/{seq}`;
+const SENSORS = `${ROBOT}/sensors`;
+
+/** What Express keeps of a route or of a router that was mounted. */
+interface Layer {
+  rawPath: string;
+  route?: { methods: Record<string, boolean> };
+  handle: { stack?: Layer[] };
+}
+
+/** Every call that Express has a handler for, such as "get /api/v1/robots/{id}". */
+function servedCalls(layers: Layer[], prefix = ""): string[] {
+  return layers.flatMap(({ rawPath, route, handle }) => {
+    const path = prefix + (rawPath === "/" ? "" : rawPath.replaceAll(/:(\w+)/g, "{$1}"));
+    if (route === undefined) return servedCalls(handle.stack ?? [], path);
+    return METHODS.filter((method) => route.methods[method]).map((method) => `${method} ${path}`);
+  });
+}
+
+function appWithoutPage(): Express {
+  const store = new SqliteStore(join(testFolder(), "corridor.sqlite"));
+  const log = pino({ level: "silent" });
+  const hub = new SessionHub(store, systemClock, log);
+  onTestFinished(async () => {
+    await hub.close();
+    await store.close();
+  });
+  const parts = { hub, clock: systemClock, log, publicOrigin: null, page: Router() };
+  return createApp({ ...parts, isDevelopment: false });
+}
+
+describe("/openapi.json", () => {
+  it("may be read from every site, and kept for a while", async () => {
+    const { origin } = await startTestRelay();
+    const answer = await fetch(`${origin}/openapi.json`);
+    expect(answer.status).toBe(200);
+    expect(answer.headers.get("content-type")).toMatch(/^application\/json/);
+    expect(answer.headers.get("access-control-allow-origin")).toBe("*");
+    expect(answer.headers.get("cache-control")).toBe("public, max-age=300");
+    const wrong = await fetch(`${origin}/openapi.json`, { method: "POST" });
+    expect(wrong.status).toBe(405);
+    expect(wrong.headers.get("cache-control")).toBe("no-store");
+  });
+
+  it("describes every call that the application serves, and no other", async () => {
+    const { document } = await DescribedRelay.start();
+    const { stack } = appWithoutPage().router as unknown as { stack: Layer[] };
+    const served = servedCalls(stack).filter((call) => call !== "get /openapi.json");
+    expect(served.length).toBeGreaterThan(5);
+    const described = describedCalls(document).map(({ name }) => name);
+    expect(described.toSorted()).toEqual(served.toSorted());
+  });
+
+  it("describes only calls that the real server knows", async () => {
+    const { relay, document } = await DescribedRelay.start();
+    const unknown: string[] = [];
+    for (const { name, method, path, operation } of describedCalls(document)) {
+      const robot = await relay.register();
+      const isOwners = (operation.security ?? []).some((scheme) => "ownerKey" in scheme);
+      const stop = new AbortController();
+      const answer = await fetch(
+        relay.origin + path.replace("{id}", robot.id).replace("{seq}", "1"),
+        {
+          method: method.toUpperCase(),
+          headers: { Authorization: `Bearer ${isOwners ? robot.ownerKey : robot.driverKey}` },
+          signal: stop.signal,
+        },
+      );
+      const isDescribed = String(answer.status) in (operation.responses ?? {});
+      // A stream of events has no end.
+      const problem = answer.ok ? "" : await answer.text();
+      if (!isDescribed || problem.includes("/problems/not-found")) unknown.push(name);
+      stop.abort();
+    }
+    expect(unknown).toEqual([]);
+  });
+});
+
+describe("real answers are as described", () => {
+  it("from the registration to the end of a driven robot", async () => {
+    const api = await DescribedRelay.start();
+    const { socket: page, epoch } = await TestSocket.page(api.relay, api.robot);
+    page.send({ type: "snapshot", epoch, snapshot: snapshot() });
+    expect((await api.call("get", SENSORS, { query: "?wait=25" })).body).toEqual(snapshot());
+
+    const headers = { "Idempotency-Key": "a-key-0001" };
+    const move = { body: { action: "move", distance: 100 }, headers };
+    expect((await api.call("post", COMMANDS, move)).status).toBe(202);
+    expect((await api.call("post", COMMANDS, move)).body).toMatchObject({ duplicate: true });
+    page.send({ type: "started", epoch, seq: 1 });
+    page.send({ type: "ended", epoch, ...completed(1) });
+    const record = await api.call("get", RECORD, { seq: 1, query: "?wait=25" });
+    expect(record.body).toMatchObject({ state: "completed" });
+    const drive = { action: "drive", left: 0.2, right: -0.2, milliseconds: 602 };
+    expect((await api.call("post", COMMANDS, { body: drive })).status).toBe(202);
+    expect((await api.call("delete", COMMANDS)).status).toBe(202);
+    expect((await api.call("get", COMMANDS, { query: "?after=1" })).body).toMatchObject({
+      commands: [{ seq: 2 }, { seq: 3, action: "stop" }],
+    });
+
+    const key = api.robot.ownerKey;
+    expect((await api.call("get", ROBOT, { key })).body).toMatchObject({ snapshot: snapshot() });
+    expect((await api.call("delete", ROBOT, { key })).status).toBe(204);
+    expect((await api.call("get", SENSORS)).status).toBe(404);
+  });
+
+  const post = ["post", COMMANDS] as const;
+  it.each([
+    { name: "a wrong command", call: post, request: { body: { action: "fly" } }, status: 400 },
+    {
+      name: "a wrong query",
+      call: ["get", SENSORS] as const,
+      request: { query: "?wait=26" },
+      status: 400,
+    },
+    {
+      name: "no valid key",
+      call: ["get", SENSORS] as const,
+      request: { key: "drv_x" },
+      status: 401,
+    },
+    {
+      name: "the key of a script",
+      call: ["delete", ROBOT] as const,
+      request: {},
+      status: 403,
+    },
+    {
+      name: "no such command",
+      call: ["get", RECORD] as const,
+      request: { seq: 9 },
+      status: 404,
+    },
+    { name: "no report yet", call: ["get", SENSORS] as const, request: {}, status: 409 },
+    {
+      name: "a body that is too large",
+      call: post,
+      request: { body: " ".repeat(17 * 1024) },
+      status: 413,
+    },
+    {
+      name: "a body that is no JSON",
+      call: post,
+      request: { body: "stop", headers: { "Content-Type": "text/plain" } },
+      status: 415,
+    },
+  ])("when it is refused: $name", async ({ call: [method, path], request, status }) => {
+    const api = await DescribedRelay.start();
+    expect((await api.call(method, path, request)).status).toBe(status);
+  });
+
+  it("when too many commands come, with the time to wait", async () => {
+    const api = await DescribedRelay.start();
+    const request = { body: { action: "left 90" } };
+    const answers = Array.from({ length: 80 }, () => api.call("post", COMMANDS, request));
+    const statuses = (await Promise.all(answers)).map(({ status }) => status);
+    expect(new Set(statuses)).toEqual(new Set([202, 429]));
+  });
+
+  it("and would not pass if they were not", async () => {
+    const api = await DescribedRelay.start();
+    const schema = api.schemaOf(api.answerOf("get", SENSORS, 200));
+    const wrong = [
+      { line: undefined },
+      { seq: -1 },
+      { smell: "roses" },
+      { pose: { x: 0, y: 0, heading: 360 } },
+    ];
+    expect(schema.safeParse(snapshot()).success).toBe(true);
+    for (const change of wrong) {
+      expect(schema.safeParse({ ...snapshot(), ...change }).success).toBe(false);
+    }
+  });
+});

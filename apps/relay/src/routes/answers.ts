@@ -1,0 +1,29 @@
+/** Answers that only HTTP has; the other shapes are the protocol's. The routes are typed by these. */
+import {
+  commandRecordSchema,
+  driversSchema,
+  robotIdSchema,
+  snapshotSchema,
+} from "@corridor/protocol";
+import { z } from "zod";
+import { limits } from "../sessions/limits.ts";
+
+export const healthSchema = z.strictObject({ status: z.literal("ok") });
+export type Health = z.infer<typeof healthSchema>;
+
+export const commandLogSchema = z.strictObject({
+  /** in the order of their numbers */
+  commands: z.array(commandRecordSchema).max(limits.logPage),
+});
+export type CommandLog = z.infer<typeof commandLogSchema>;
+
+/** What is held of a robot, besides its commands. */
+export const heldSessionSchema = z.strictObject({
+  id: robotIdSchema,
+  createdAt: z.iso.datetime(),
+  lastUsedAt: z.iso.datetime(),
+  drivers: driversSchema,
+  /** null while the robot has not reported */
+  snapshot: snapshotSchema.nullable(),
+});
+export type HeldSession = z.infer<typeof heldSessionSchema>;
