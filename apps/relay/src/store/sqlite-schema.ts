@@ -3,6 +3,13 @@ import type { DatabaseSync } from "node:sqlite";
 
 const SCHEMA_VERSION = 1;
 
+/**
+ * The commands that have not ended: the table by their index, and the condition of that index. A query
+ * needs both, word for word; otherwise SQLite reads through all commands that a robot ever had.
+ */
+export const OPEN_COMMANDS = "commands INDEXED BY commands_open";
+export const IS_OPEN = "state IN ('accepted', 'delivered', 'started')";
+
 const TABLES = `
 CREATE TABLE sessions (
   id TEXT PRIMARY KEY,
@@ -34,7 +41,7 @@ CREATE TABLE commands (
 ) STRICT, WITHOUT ROWID;
 CREATE UNIQUE INDEX commands_by_key ON commands (robot, driver, key) WHERE key IS NOT NULL;
 CREATE INDEX commands_open ON commands (robot, state, seq)
-  WHERE state IN ('accepted', 'delivered', 'started');
+  WHERE ${IS_OPEN};
 PRAGMA user_version = ${SCHEMA_VERSION};
 `;
 

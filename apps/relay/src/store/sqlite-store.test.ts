@@ -1,7 +1,8 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { DatabaseSync } from "node:sqlite";
-import { expect, it, onTestFinished } from "vitest";
+import { expect, it, onTestFinished, vi } from "vitest";
+import { completed } from "../testing/messages.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { SqliteStore } from "./sqlite-store.ts";
 import { storeCases } from "./testing/store.cases.ts";
@@ -22,6 +23,42 @@ storeCases("SqliteStore", async () => {
         readFileSync(join(folder, "deep", file)).includes(text),
       ),
   };
+});
+
+it("finds the commands of a robot by index, however many have ended", async () => {
+  const file = join(testFolder(), "corridor.sqlite");
+  const prepare = vi.spyOn(DatabaseSync.prototype, "prepare");
+  onTestFinished(() => prepare.mockRestore());
+  const store = new SqliteStore(file);
+  onTestFinished(() => store.close());
+  const id = "AAAAAAAAAAAAAAAAAAAAAA";
+  await store.create({ id, createdAt: 1, keys: [] });
+  const command = { driver: "d", key: "a-key-0001", acceptedAt: 1, maxWaiting: 64, keep: 100 };
+  await store.add(id, { ...command, command: { action: "left 90" } });
+  await store.add(id, { ...command, key: null, command: { action: "stop" } });
+  await store.deliver(id, 1, 8);
+  await store.start(id, 2);
+  await store.end(id, completed(2));
+  await store.cancelOpen(id, "gone");
+  await store.add(id, { ...command, key: null, command: { action: "stop" } });
+  await store.takeOver(id, { lastApplied: 2, fresh: true, endings: [] });
+  await store.command(id, 1);
+  await store.commandsAfter(id, 0, 10);
+
+  const statements = prepare.mock.calls.map(([sql]) => sql);
+  const ofCommands = new Set(statements.filter((sql) => /\scommands\s/.test(sql)));
+  expect(ofCommands.size).toBeGreaterThan(10);
+  const db = new DatabaseSync(file);
+  onTestFinished(() => db.close());
+  const slow = [...ofCommands].filter((sql) => {
+    const plan = db.prepare(`EXPLAIN QUERY PLAN ${sql}`).all();
+    // The one that forgets looks at all that is older than what is kept: at next to nothing.
+    const readsMany = sql.startsWith("DELETE")
+      ? /SCAN|\(robot=\?\)/
+      : /SCAN|\(robot=\?\)|PRIMARY KEY \(robot=\? AND seq<\?\)/;
+    return plan.some(({ detail }) => readsMany.test(String(detail)));
+  });
+  expect(slow).toEqual([]);
 });
 
 it("says so when the file was written by a newer version", () => {

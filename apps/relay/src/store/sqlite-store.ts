@@ -16,7 +16,7 @@ import type {
   SessionStore,
   StoredSession,
 } from "./session-store.ts";
-import { prepareDatabase } from "./sqlite-schema.ts";
+import { IS_OPEN, OPEN_COMMANDS, prepareDatabase } from "./sqlite-schema.ts";
 
 const sessionRow = z.object({
   id: z.string(),
@@ -123,7 +123,7 @@ export class SqliteStore implements SessionStore {
       if (record === undefined) throw new Error("SQLite did not return the stored command");
       this.#run(
         `DELETE FROM commands WHERE robot = ? AND seq <= ?
-         AND state NOT IN ('accepted', 'delivered', 'started')`,
+         AND NOT (${IS_OPEN})`,
         [id, seq - command.keep],
       );
       return { outcome: "stored", record, ended };
@@ -134,9 +134,10 @@ export class SqliteStore implements SessionStore {
     return this.#transaction(() => {
       const free = Math.max(0, window - this.#count(id, "delivered"));
       return this.#records(
-        `UPDATE commands SET state = 'delivered', epoch = ?1
-         WHERE robot = ?2 AND state = 'accepted' AND (command = '${STOP}' OR seq IN (
-           SELECT seq FROM commands WHERE robot = ?2 AND state = 'accepted' ORDER BY seq LIMIT ?3))
+        `UPDATE ${OPEN_COMMANDS} SET state = 'delivered', epoch = ?1
+         WHERE robot = ?2 AND state = 'accepted' AND ${IS_OPEN} AND (command = '${STOP}' OR seq IN (
+           SELECT seq FROM ${OPEN_COMMANDS} WHERE robot = ?2 AND state = 'accepted' AND ${IS_OPEN}
+           ORDER BY seq LIMIT ?3))
          RETURNING ${COLUMNS}`,
         [epoch, id, free],
       );
@@ -158,8 +159,9 @@ export class SqliteStore implements SessionStore {
 
   async cancelOpen(id: string, reason: string): Promise<CommandRecord[]> {
     return this.#records(
-      `UPDATE commands SET state = 'cancelled', reason = ?
-       WHERE robot = ? AND state IN ('delivered', 'started') RETURNING ${COLUMNS}`,
+      `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = ?
+       WHERE robot = ? AND state IN ('delivered', 'started') AND ${IS_OPEN}
+       RETURNING ${COLUMNS}`,
       [reason, id],
     );
   }
@@ -178,8 +180,8 @@ export class SqliteStore implements SessionStore {
       const changed = page.endings.flatMap((ending) => this.#end(id, ending) ?? []);
       changed.push(
         ...this.#records(
-          `UPDATE commands SET state = CASE WHEN seq > ? THEN 'accepted' ELSE 'started' END
-           WHERE robot = ? AND state = 'delivered' RETURNING ${COLUMNS}`,
+          `UPDATE ${OPEN_COMMANDS} SET state = CASE WHEN seq > ? THEN 'accepted' ELSE 'started' END
+           WHERE robot = ? AND state = 'delivered' AND ${IS_OPEN} RETURNING ${COLUMNS}`,
           [page.lastApplied, id],
         ),
       );
@@ -211,13 +213,13 @@ export class SqliteStore implements SessionStore {
   /** What ran in a page that is gone, and what a later stop had overtaken, can only end here. */
   #endLostWithPage(id: string): CommandRecord[] {
     const lost = this.#records(
-      `UPDATE commands SET state = 'cancelled', reason = 'the page was reloaded'
-       WHERE robot = ? AND state = 'started' RETURNING ${COLUMNS}`,
+      `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = 'the page was reloaded'
+       WHERE robot = ? AND state = 'started' AND ${IS_OPEN} RETURNING ${COLUMNS}`,
       [id],
     );
     const stop = this.#all(
-      `SELECT max(seq) AS seq FROM commands
-       WHERE robot = ? AND state = 'accepted' AND command = '${STOP}'`,
+      `SELECT max(seq) AS seq FROM ${OPEN_COMMANDS}
+       WHERE robot = ? AND state = 'accepted' AND ${IS_OPEN} AND command = '${STOP}'`,
       [id],
     )[0]?.["seq"];
     return typeof stop === "number" ? [...lost, ...this.#overtake(id, stop)] : lost;
@@ -225,8 +227,8 @@ export class SqliteStore implements SessionStore {
 
   #overtake(id: string, stop: number): CommandRecord[] {
     return this.#records(
-      `UPDATE commands SET state = 'cancelled', reason = ?
-       WHERE robot = ? AND state = 'accepted' AND seq < ? RETURNING ${COLUMNS}`,
+      `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = ?
+       WHERE robot = ? AND state = 'accepted' AND ${IS_OPEN} AND seq < ? RETURNING ${COLUMNS}`,
       [`stopped by command ${stop}`, id, stop],
     );
   }
@@ -241,8 +243,8 @@ export class SqliteStore implements SessionStore {
   }
 
   #count(id: string, state: "accepted" | "delivered"): number {
-    const sql = `SELECT count(*) AS n FROM commands
-      WHERE robot = ? AND state = '${state}' AND command <> '${STOP}'`;
+    const sql = `SELECT count(*) AS n FROM ${OPEN_COMMANDS}
+      WHERE robot = ? AND state = '${state}' AND ${IS_OPEN} AND command <> '${STOP}'`;
     return Number(this.#all(sql, [id])[0]?.["n"] ?? 0);
   }
 
