@@ -37,6 +37,7 @@ const allowed: Record<string, readonly string[]> = {
     "vite",
     "ws",
     "zod",
+    "zod-openapi",
   ],
   "apps/web": [
     "@corridor/client",
