@@ -14,10 +14,13 @@ export async function expectNoBarriers(page: Page, state: string): Promise<void>
   expect(await barriers(colours), `axe, ${state}, dark`).toEqual([]);
 }
 
-/** Without motion, so that no colour is measured on its way to another. */
+/** Waits for every colour that is on its way to another, even if that takes a frame only. */
 async function putOn(page: Page, colorScheme: "light" | "dark"): Promise<void> {
   await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
   await expect(page.locator("html")).toHaveAttribute("data-theme", colorScheme);
+  await page.evaluate(() =>
+    Promise.allSettled(document.getAnimations().map((animation) => animation.finished)),
+  );
 }
 
 async function barriers(axe: AxeBuilder): Promise<string[]> {

@@ -109,11 +109,16 @@ export class RawPage {
 
   /** Waits until an expression gives something that is not null, undefined or false. */
   async until(expression: string): Promise<unknown> {
+    let complaint = "";
     for (const end = Date.now() + 20_000; Date.now() < end;) {
-      const value = await this.evaluate(expression);
+      // A page that is just being opened cannot be asked yet.
+      const value = await this.evaluate(expression).catch((error: unknown) => {
+        complaint = `; ${String(error)}`;
+        return null;
+      });
       if (value !== null && value !== undefined && value !== false) return value;
       await new Promise((resolve) => setTimeout(resolve, 100));
     }
-    throw new Error(`never came true: ${expression}`);
+    throw new Error(`never came true: ${expression}${complaint}`);
   }
 }
