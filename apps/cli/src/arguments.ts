@@ -1,7 +1,7 @@
 /** The words of the command line, checked. */
 import { parseArgs } from "node:util";
-import { InputError } from "./problems.ts";
-import { untils, type RunLimits, type Until } from "./run-result.ts";
+import { InputError } from "./input-error.ts";
+import { untils, type RunLimits, type Until } from "./run-limits.ts";
 
 /** A day of simulated time. */
 const MAX_SECONDS = 86_400;

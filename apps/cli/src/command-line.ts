@@ -2,9 +2,7 @@
  * Corridor on the command line: `simulate` and `grade`, with the simulation of the page.
  * Exit code 0: done; 2: bad input, one line a problem on standard error and nothing on standard output.
  */
-import { grade } from "./grade.ts";
-import { InputError } from "./problems.ts";
-import { simulate } from "./simulate.ts";
+import { InputError } from "./input-error.ts";
 
 const USAGE = `Usage:
   npm run --silent simulate -- --maze FILE --program FILE [--seconds 120] [--until time|goal|bump]
@@ -25,8 +23,8 @@ export async function runCommandLine([command, ...words]: readonly string[]): Pr
 
 async function linesOf(command: string | undefined, words: readonly string[]): Promise<string[]> {
   if (words.includes("--help")) return [USAGE];
-  if (command === "simulate") return simulate(words);
-  if (command === "grade") return grade(words);
+  if (command === "simulate") return (await import("./simulate.ts")).simulate(words);
+  if (command === "grade") return (await import("./grade.ts")).grade(words);
   throw new InputError([
     `command: found ${JSON.stringify(command ?? "nothing")}, expected simulate or grade`,
     ...USAGE.split("\n"),

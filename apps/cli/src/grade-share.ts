@@ -4,7 +4,8 @@
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
-import { runProgram, type RunLimits, type RunResult } from "./run-result.ts";
+import type { RunLimits } from "./run-limits.ts";
+import { runProgram, type RunResult } from "./run-result.ts";
 
 export interface GradeJob {
   mazes: MazeDocument[];

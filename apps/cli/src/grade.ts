@@ -5,9 +5,8 @@
 import { availableParallelism } from "node:os";
 import { Worker } from "node:worker_threads";
 import { gradeArguments, type GradeArguments } from "./arguments.ts";
-import { gradeShare, type GradedPair, type GradeJob, type GradeShare } from "./grade-share.ts";
-import { readFiles } from "./read-files.ts";
-import { csvTable, jsonLine, summaryLine, type GradedRun } from "./report.ts";
+import type { GradedPair, GradeJob, GradeShare } from "./grade-share.ts";
+import type { GradedRun } from "./report.ts";
 
 /** Below this many simulated seconds, starting workers costs more than they save. */
 const WORTH_WORKERS_SECONDS = 20_000;
@@ -16,9 +15,11 @@ const WORTH_WORKERS_SECONDS = 20_000;
 export async function grade(words: readonly string[]): Promise<string[]> {
   const request = gradeArguments(words);
   const { programs: programFiles, mazes: mazeFiles, limits, csv } = request;
-  // They load their modules while this thread reads the files.
+  // They load their modules while this thread loads its own, hence the late imports.
   const workers = startWorkers(request);
   try {
+    const { readFiles } = await import("./read-files.ts");
+    const { csvTable, jsonLine, summaryLine } = await import("./report.ts");
     const documents = readFiles({ mazes: mazeFiles, programs: programFiles });
     const graded = await gradeOnAll(workers, { ...documents, limits });
     const runs = graded.map(({ pair, result }): GradedRun => ({
@@ -45,6 +46,7 @@ function startWorkers({ programs, mazes, limits }: GradeArguments): Worker[] {
 
 /** Grades on the workers and on this thread. @returns the results in the order of the pairs */
 async function gradeOnAll(workers: readonly Worker[], job: GradeJob): Promise<GradedPair[]> {
+  const { gradeShare } = await import("./grade-share.ts");
   const share: GradeShare = { job, next: new Int32Array(new SharedArrayBuffer(4)) };
   const answers = workers.map((worker) => {
     worker.postMessage(share);

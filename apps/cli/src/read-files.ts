@@ -3,13 +3,14 @@ import { readFileSync, statSync } from "node:fs";
 import { readMaze, type MazeDocument } from "@corridor/maze";
 import { readProgram, type ProgramDocument } from "@corridor/program";
 import {
+  describeProblem,
   problem,
   readJson,
   timedCommandsSchema,
   type ReadResult,
   type TimedCommand,
 } from "@corridor/protocol";
-import { fileProblems, InputError } from "./problems.ts";
+import { InputError } from "./input-error.ts";
 
 /** No legal document is longer. */
 const MAX_BYTES = 16 * 1024 * 1024;
@@ -51,7 +52,7 @@ function readAll<T>(
   return files.flatMap((file) => {
     const result = readOne(file, read);
     if (result.ok) return [result.value];
-    lines.push(...fileProblems(file, result.problems));
+    lines.push(...result.problems.map((each) => `${file}: ${describeProblem(each)}`));
     return [];
   });
 }

@@ -5,16 +5,7 @@ import { countOpenCells, sizeOf, type MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { Pose } from "@corridor/protocol";
 import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
-
-export const untils = ["time", "goal", "bump"] as const;
-export type Until = (typeof untils)[number];
-
-export interface RunLimits {
-  /** simulated time after which the run ends in any case */
-  seconds: number;
-  /** what may end it earlier */
-  until: Until;
-}
+import type { RunLimits } from "./run-limits.ts";
 
 export interface RunResult {
   ticks: number;
@@ -33,20 +24,14 @@ export interface RunResult {
 export function runProgram(
   maze: MazeDocument,
   program: ProgramDocument,
-  { seconds, until }: RunLimits,
+  limits: RunLimits,
 ): RunResult {
   const simulation = new Simulation(maze);
   const run = new ProgramRun(simulation, new CompiledProgram(program));
   const { columns, rows } = sizeOf(maze);
   const visited = new Uint8Array(columns * rows);
-  visited[simulation.cell] = 1;
-  const ticks = Math.round(seconds * TICKS_PER_SECOND);
-  while (simulation.tick < ticks) {
-    run.step();
-    visited[simulation.cell] = 1;
-    if (until === "goal" && simulation.goalTick !== null) break;
-    if (until === "bump" && simulation.bumps > 0) break;
-  }
+  runTicks(simulation, run, visited, limits);
+  const [byDefault = 0, ...byRules] = run.decisions;
   return {
     ticks: simulation.tick,
     bumps: simulation.bumps,
@@ -55,9 +40,26 @@ export function runProgram(
     distance: simulation.distance,
     goalTick: simulation.goalTick,
     pose: simulation.pose,
-    decisions: {
-      default: run.decisions[0] ?? 0,
-      rules: program.rules.map((_, rule) => run.decisions[rule + 1] ?? 0),
-    },
+    decisions: { default: byDefault, rules: byRules },
   };
+}
+
+/**
+ * The ticks, and a 1 for each cell that was visited. A function of its own, so that the engine's
+ * optimised loop does not end with every run that it leaves.
+ */
+function runTicks(
+  simulation: Simulation,
+  run: ProgramRun,
+  visited: Uint8Array,
+  { seconds, until }: RunLimits,
+): void {
+  const ticks = Math.round(seconds * TICKS_PER_SECOND);
+  visited[simulation.cell] = 1;
+  while (simulation.tick < ticks) {
+    run.step();
+    visited[simulation.cell] = 1;
+    if (until === "goal" && simulation.goalTick !== null) return;
+    if (until === "bump" && simulation.bumps > 0) return;
+  }
 }

@@ -4,7 +4,8 @@ import { replayDigest, TICKS_PER_SECOND, type Inputs } from "@corridor/simulatio
 import { simulateArguments } from "./arguments.ts";
 import { readFiles } from "./read-files.ts";
 import { jsonLine } from "./report.ts";
-import { runProgram, type RunLimits } from "./run-result.ts";
+import type { RunLimits } from "./run-limits.ts";
+import { runProgram } from "./run-result.ts";
 
 /** @returns the lines to print; throws InputError for bad input */
 export function simulate(words: readonly string[]): string[] {

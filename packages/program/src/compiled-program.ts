@@ -47,6 +47,11 @@ export class CompiledProgram {
     return -1;
   }
 
+  /** Rules of the document, those that do nothing included. */
+  get ruleCount(): number {
+    return this.#actions.length - 1;
+  }
+
   /** The action of a rule by its index in the document, or of the default at -1. */
   actionOf(rule: number): PlainAction {
     const action = this.#actions[rule + 1];

@@ -9,6 +9,8 @@ import type { Simulation } from "./simulation.ts";
 
 /** The part of a compiled program that a run needs. */
 export interface Decider {
+  /** rules of the program, those that do nothing included */
+  readonly ruleCount: number;
   /** index of the rule that decides for these readings (front, right, back, left), or -1 for the default */
   decide(readings: Float64Array): number;
   /** the action of a rule, or of the default at -1 */
@@ -20,12 +22,18 @@ export class ProgramRun {
   #decider: Decider;
   #rule = -1;
   #isDecided = false;
-  /** decisions by rule index + 1; the default's at 0 */
-  readonly decisions: number[] = [];
+  /** how often each has decided: the default at 0, the rules from 1 on */
+  #decisions: Float64Array;
 
   constructor(simulation: Simulation, decider: Decider) {
     this.#simulation = simulation;
     this.#decider = decider;
+    this.#decisions = new Float64Array(decider.ruleCount + 1);
+  }
+
+  /** How often each has decided since the last change of the program: the default at 0, then the rules. */
+  get decisions(): Readonly<Float64Array> {
+    return this.#decisions;
   }
 
   /** The line that decides now or began the manoeuvre that runs. */
@@ -44,6 +52,7 @@ export class ProgramRun {
 
   /** Drops a decision whose tick has not run: the readings or the rules have changed. */
   reconsider(decider: Decider = this.#decider): void {
+    if (decider !== this.#decider) this.#decisions = new Float64Array(decider.ruleCount + 1);
     this.#decider = decider;
     if (this.#isDecided) this.#simulation.apply({ action: "stop" });
     this.#isDecided = false;
@@ -54,7 +63,7 @@ export class ProgramRun {
     this.decide();
     if (this.#isDecided) {
       const at = this.#rule + 1;
-      this.decisions[at] = (this.decisions[at] ?? 0) + 1;
+      this.#decisions[at] = (this.#decisions[at] ?? 0) + 1;
       this.#isDecided = false;
     }
     this.#simulation.step();

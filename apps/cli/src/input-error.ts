@@ -1,6 +1,4 @@
 /** Bad input of the command line: every problem on a line of its own, and exit code 2. */
-import { describeProblem, type FieldProblem } from "@corridor/protocol";
-
 export class InputError extends Error {
   override readonly name = "InputError";
   /** one line a problem: file or option, field, found, expected */
@@ -10,9 +8,4 @@ export class InputError extends Error {
     super(lines.join("\n"));
     this.lines = lines;
   }
-}
-
-/** The problems of one file, one line each. */
-export function fileProblems(file: string, problems: readonly FieldProblem[]): string[] {
-  return problems.map((problem) => `${file}: ${describeProblem(problem)}`);
 }
