@@ -15,24 +15,31 @@ export interface GradeJob {
 
 export interface GradeShare {
   job: GradeJob;
-  /** the next pair that nobody has taken yet: program * mazes + maze */
-  next: Int32Array<SharedArrayBuffer>;
+  /** how many pairs have been taken: all programs in one maze, then in the next */
+  taken: Int32Array<SharedArrayBuffer>;
 }
 
 export interface GradedPair {
+  /** program * mazes + maze */
   pair: number;
   result: RunResult;
 }
 
-/** Runs pairs until none is left. */
-export function gradeShare({ job, next }: GradeShare): GradedPair[] {
+/**
+ * Runs pairs until none is left. The programs take turns, so that the engine has seen all that they
+ * do before it settles how to run the loop.
+ */
+export function gradeShare({ job, taken }: GradeShare): GradedPair[] {
   const { mazes, programs, limits } = job;
   const graded: GradedPair[] = [];
   for (;;) {
-    const pair = Atomics.add(next, 0, 1);
-    const program = programs[Math.floor(pair / mazes.length)];
-    const maze = mazes[pair % mazes.length];
+    const turn = Atomics.add(taken, 0, 1);
+    const programIndex = turn % programs.length;
+    const mazeIndex = Math.floor(turn / programs.length);
+    const program = programs[programIndex];
+    const maze = mazes[mazeIndex];
     if (program === undefined || maze === undefined) return graded;
+    const pair = programIndex * mazes.length + mazeIndex;
     graded.push({ pair, result: runProgram(maze, program, limits) });
   }
 }

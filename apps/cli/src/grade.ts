@@ -47,7 +47,7 @@ function startWorkers({ programs, mazes, limits }: GradeArguments): Worker[] {
 /** Grades on the workers and on this thread. @returns the results in the order of the pairs */
 async function gradeOnAll(workers: readonly Worker[], job: GradeJob): Promise<GradedPair[]> {
   const { gradeShare } = await import("./grade-share.ts");
-  const share: GradeShare = { job, next: new Int32Array(new SharedArrayBuffer(4)) };
+  const share: GradeShare = { job, taken: new Int32Array(new SharedArrayBuffer(4)) };
   const answers = workers.map((worker) => {
     worker.postMessage(share);
     return new Promise<GradedPair[]>((resolve, reject) => {

@@ -53,7 +53,7 @@ describe.each(trees)("in a tree maze of $name", ({ maze }) => {
       run.decide();
       const { front, right, left } = simulation.report().sensors;
       const wanted = farthestDistance(front, right, left);
-      const chosen = decider.actionOf(run.line === "default" ? -1 : run.line);
+      const chosen = decider.commandOf(run.line === "default" ? -1 : run.line).action;
       if (chosen !== wanted) wrong.push(`tick ${simulation.tick}: ${chosen}, not ${wanted}`);
       do run.step();
       while (simulation.isManoeuvring);

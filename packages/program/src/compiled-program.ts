@@ -16,8 +16,8 @@ export class CompiledProgram {
   readonly #numbers: Float64Array;
   /** 1 where the right reading is added to the number */
   readonly #addsRight: Uint8Array;
-  /** actions by rule index + 1; the default's at 0 */
-  readonly #actions: readonly PlainAction[];
+  /** commands by rule index + 1; the default's at 0 */
+  readonly #commands: readonly { action: PlainAction }[];
 
   constructor(program: ProgramDocument) {
     const active = program.rules.flatMap(({ when }, rule) => (when === null ? [] : { when, rule }));
@@ -29,7 +29,8 @@ export class CompiledProgram {
       when.than === "right" ? when.plus : when.than,
     );
     this.#addsRight = Uint8Array.from(active, ({ when }) => (when.than === "right" ? 1 : 0));
-    this.#actions = [program.default, ...program.rules.map((rule) => rule.do)];
+    const actions = [program.default, ...program.rules.map((rule) => rule.do)];
+    this.#commands = actions.map((action) => ({ action }));
   }
 
   /**
@@ -49,13 +50,13 @@ export class CompiledProgram {
 
   /** Rules of the document, those that do nothing included. */
   get ruleCount(): number {
-    return this.#actions.length - 1;
+    return this.#commands.length - 1;
   }
 
-  /** The action of a rule by its index in the document, or of the default at -1. */
-  actionOf(rule: number): PlainAction {
-    const action = this.#actions[rule + 1];
-    if (action === undefined) throw new RangeError(`The program has no rule ${rule}.`);
-    return action;
+  /** What a rule does, by its index in the document, or the default at -1. The same object each time. */
+  commandOf(rule: number): { action: PlainAction } {
+    const command = this.#commands[rule + 1];
+    if (command === undefined) throw new RangeError(`The program has no rule ${rule}.`);
+    return command;
   }
 }

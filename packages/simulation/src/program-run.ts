@@ -4,7 +4,7 @@
  * The decision for the next tick can be taken early, so that what is shown at the end of a tick is
  * the line that these very readings chose; it counts when its tick runs.
  */
-import type { LineRef, PlainAction } from "@corridor/protocol";
+import type { Command, LineRef } from "@corridor/protocol";
 import type { Simulation } from "./simulation.ts";
 
 /** The part of a compiled program that a run needs. */
@@ -13,8 +13,8 @@ export interface Decider {
   readonly ruleCount: number;
   /** index of the rule that decides for these readings (front, right, back, left), or -1 for the default */
   decide(readings: Float64Array): number;
-  /** the action of a rule, or of the default at -1 */
-  actionOf(rule: number): PlainAction;
+  /** the command of a rule, or of the default at -1; the same object each time */
+  commandOf(rule: number): Command;
 }
 
 export class ProgramRun {
@@ -47,7 +47,7 @@ export class ProgramRun {
     if (this.#isDecided || simulation.isManoeuvring) return;
     this.#rule = this.#decider.decide(simulation.readings);
     this.#isDecided = true;
-    simulation.apply({ action: this.#decider.actionOf(this.#rule) });
+    simulation.apply(this.#decider.commandOf(this.#rule));
   }
 
   /** Drops a decision whose tick has not run: the readings or the rules have changed. */

@@ -12,7 +12,7 @@ import type { Command, Pose, RobotReport } from "@corridor/protocol";
 import { MotionController, type MotionEnding } from "./motion/motion-controller.ts";
 import { PhysicsWorld } from "./physics/physics-world.ts";
 import { ROBOT_RADIUS } from "./settings.ts";
-import { castRay } from "./sensors/range-sensor.ts";
+import { writeRange } from "./sensors/range-sensor.ts";
 
 /** A robot at a wall is off by rounding. */
 const TOUCHING = 1e-6;
@@ -198,10 +198,10 @@ export class Simulation {
     const wayX = this.#way[0] ?? 0;
     const wayY = this.#way[1] ?? 0;
     const { readings } = this;
-    readings[0] = castRay(grid, x, y, wayX, wayY);
-    readings[1] = castRay(grid, x, y, -wayY, wayX);
-    readings[2] = castRay(grid, x, y, -wayX, -wayY);
-    readings[3] = castRay(grid, x, y, wayY, -wayX);
+    writeRange(grid, x, y, wayX, wayY, readings, 0);
+    writeRange(grid, x, y, -wayY, wayX, readings, 1);
+    writeRange(grid, x, y, -wayX, -wayY, readings, 2);
+    writeRange(grid, x, y, wayY, -wayX, readings, 3);
   }
 }
 
