@@ -1,8 +1,8 @@
+import { snapshotOf } from "@corridor/protocol/testing";
 import type { DeliveredCommand } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { HostLink, type HostStatus } from "./host-link.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
-import { snapshot } from "./testing/messages.ts";
 
 const done = { state: "completed" as const, reason: null, pose: null, distance: 100 };
 const command = (seq: number) => ({
@@ -24,7 +24,7 @@ function host(start: { lastApplied?: number; fresh?: boolean } = {}) {
     lastApplied: 0,
     fresh: false,
     ...start,
-    snapshot: () => snapshot(),
+    snapshot: () => snapshotOf(),
     onCommand: ({ seq }) => commands.push(seq),
     onStop: (stop) => {
       stops.push(stop);
@@ -121,7 +121,7 @@ describe("HostLink", () => {
     const { platform, link, statuses, welcome, reconnect } = host();
     const push = statuses.push.bind(statuses);
     statuses.push = (status) => {
-      if (status.kind === "connected") link.sendSnapshot(snapshot());
+      if (status.kind === "connected") link.sendSnapshot(snapshotOf());
       return push(status);
     };
     welcome(1);

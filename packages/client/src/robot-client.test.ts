@@ -1,8 +1,9 @@
+import { snapshotOf } from "@corridor/protocol/testing";
 import type { Command, CommandRecord } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { RobotClient } from "./robot-client.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
-import { ADDRESS, record, snapshot } from "./testing/messages.ts";
+import { ADDRESS, record } from "./testing/messages.ts";
 
 async function connected() {
   const platform = new FakePlatform();
@@ -127,11 +128,11 @@ describe("RobotClient", () => {
   it("gives each report once: sensors() waits for a newer one", async () => {
     const { platform, robot } = await connected();
     const first = robot.sensors();
-    platform.socket.receive({ type: "snapshot", snapshot: snapshot({ seq: 1 }) });
-    expect(await first).toEqual(snapshot().sensors);
+    platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 1 }) });
+    expect(await first).toEqual(snapshotOf().sensors);
     const second = robot.snapshot();
-    platform.socket.receive({ type: "snapshot", snapshot: snapshot({ seq: 2 }) });
-    platform.socket.receive({ type: "snapshot", snapshot: snapshot({ seq: 3 }) });
+    platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 2 }) });
+    platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 3 }) });
     expect((await second).seq).toBe(2);
     expect((await robot.snapshot()).seq).toBe(3);
   });
@@ -148,11 +149,11 @@ describe("RobotClient", () => {
   it("follows the robot until the client is closed", async () => {
     const { platform, robot } = await connected();
     const seen: number[] = [];
-    platform.socket.receive({ type: "snapshot", snapshot: snapshot({ seq: 1 }) });
+    platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 1 }) });
     for await (const { seq } of robot.snapshots()) {
       seen.push(seq);
       if (seq === 3) robot.close();
-      else platform.socket.receive({ type: "snapshot", snapshot: snapshot({ seq: seq + 1 }) });
+      else platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: seq + 1 }) });
     }
     expect(seen).toEqual([1, 2, 3]);
   });

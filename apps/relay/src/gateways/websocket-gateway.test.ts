@@ -1,9 +1,10 @@
+import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { WebSocket } from "ws";
 import { limits } from "../sessions/limits.ts";
 import { badCommands } from "../testing/bad-commands.ts";
 import { FakeClock } from "../testing/fake-clock.ts";
-import { completed, snapshot } from "../testing/messages.ts";
+import { completed } from "../testing/messages.ts";
 import { startTestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 
@@ -137,7 +138,7 @@ describe("the WebSocket: messages", () => {
     expect(command).toMatchObject({ seq: 1, key: "a-key-0001", command: { action: "left 90" } });
     page.send({ type: "started", epoch, seq: 1 });
     expect(await driver.next("state")).toMatchObject({ record: { state: "started" } });
-    page.send({ type: "snapshot", epoch, snapshot: snapshot({ seq: 9 }) });
+    page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq: 9 }) });
     expect(await driver.next("snapshot")).toMatchObject({ snapshot: { seq: 9 } });
     page.send({ type: "ended", epoch, ...completed(1) });
     expect(await driver.next("state")).toMatchObject({ record: { state: "completed" } });
@@ -197,7 +198,7 @@ describe("the WebSocket: messages", () => {
       frame: {
         type: "snapshot",
         epoch: 1,
-        snapshot: snapshot({ pose: { x: 1e9, y: 0, heading: 0 } }),
+        snapshot: snapshotOf({ pose: { x: 1e9, y: 0, heading: 0 } }),
       },
     },
     {
@@ -205,7 +206,7 @@ describe("the WebSocket: messages", () => {
       frame: {
         type: "snapshot",
         epoch: 1,
-        snapshot: snapshot({ pose: { x: 0, y: 0, heading: 360 } }),
+        snapshot: snapshotOf({ pose: { x: 0, y: 0, heading: 360 } }),
       },
     },
     {

@@ -1,3 +1,4 @@
+import { snapshotOf } from "@corridor/protocol/testing";
 import { join } from "node:path";
 import { Router, type Express } from "express";
 import { pino } from "pino";
@@ -7,7 +8,7 @@ import { systemClock } from "../clock.ts";
 import { SessionHub } from "../sessions/session-hub.ts";
 import { SqliteStore } from "../store/sqlite-store.ts";
 import { DescribedRelay, describedCalls, METHODS } from "../testing/described-relay.ts";
-import { completed, snapshot } from "../testing/messages.ts";
+import { completed } from "../testing/messages.ts";
 import { startTestRelay, testFolder } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 
@@ -95,8 +96,8 @@ describe("real answers are as described", () => {
   it("from the registration to the end of a driven robot", async () => {
     const api = await DescribedRelay.start();
     const { socket: page, epoch } = await TestSocket.page(api.relay, api.robot);
-    page.send({ type: "snapshot", epoch, snapshot: snapshot() });
-    expect((await api.call("get", SENSORS, { query: "?wait=25" })).body).toEqual(snapshot());
+    page.send({ type: "snapshot", epoch, snapshot: snapshotOf() });
+    expect((await api.call("get", SENSORS, { query: "?wait=25" })).body).toEqual(snapshotOf());
 
     const headers = { "Idempotency-Key": "a-key-0001" };
     const move = { body: { action: "move", distance: 100 }, headers };
@@ -114,7 +115,7 @@ describe("real answers are as described", () => {
     });
 
     const key = api.robot.ownerKey;
-    expect((await api.call("get", ROBOT, { key })).body).toMatchObject({ snapshot: snapshot() });
+    expect((await api.call("get", ROBOT, { key })).body).toMatchObject({ snapshot: snapshotOf() });
     expect((await api.call("delete", ROBOT, { key })).status).toBe(204);
     expect((await api.call("get", SENSORS)).status).toBe(404);
   });
@@ -181,9 +182,9 @@ describe("real answers are as described", () => {
       { smell: "roses" },
       { pose: { x: 0, y: 0, heading: 360 } },
     ];
-    expect(schema.safeParse(snapshot()).success).toBe(true);
+    expect(schema.safeParse(snapshotOf()).success).toBe(true);
     for (const change of wrong) {
-      expect(schema.safeParse({ ...snapshot(), ...change }).success).toBe(false);
+      expect(schema.safeParse({ ...snapshotOf(), ...change }).success).toBe(false);
     }
   });
 });

@@ -1,8 +1,9 @@
+import { snapshotOf } from "@corridor/protocol/testing";
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { commandRecordSchema, snapshotSchema } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { completed, snapshot } from "../testing/messages.ts";
+import { completed } from "../testing/messages.ts";
 import { startTestRelay, testFolder } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 
@@ -34,12 +35,12 @@ describe("the HTTP service", () => {
     expect(await page.next("command")).toMatchObject({ seq: 1, command: { distance: 100 } });
     const waiting = relay.ask(robot, "/commands/1?wait=25");
     page.send({ type: "started", epoch, seq: 1 });
-    page.send({ type: "snapshot", epoch, snapshot: snapshot({ seq: 5 }) });
+    page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq: 5 }) });
     page.send({ type: "ended", epoch, ...completed(1) });
     const record = commandRecordSchema.parse(await (await waiting).json());
     expect(record).toMatchObject({ state: "completed", distance: 100, pose: { x: 250 } });
     const sensors = await relay.ask(robot, "/sensors");
-    expect(snapshotSchema.parse(await sensors.json())).toEqual(snapshot({ seq: 5 }));
+    expect(snapshotSchema.parse(await sensors.json())).toEqual(snapshotOf({ seq: 5 }));
   });
 
   it("answers a retry with the first record, and refuses the key for another command", async () => {
@@ -82,8 +83,8 @@ describe("the HTTP service", () => {
     expect((await relay.ask(robot, "/sensors")).status).toBe(409);
     const waiting = relay.ask(robot, "/sensors?wait=25");
     const { socket: page, epoch } = await TestSocket.page(relay, robot);
-    page.send({ type: "snapshot", epoch, snapshot: snapshot() });
-    expect(await (await waiting).json()).toEqual(snapshot());
+    page.send({ type: "snapshot", epoch, snapshot: snapshotOf() });
+    expect(await (await waiting).json()).toEqual(snapshotOf());
   });
 
   it("streams snapshots and states as server-sent events", async () => {
@@ -93,7 +94,7 @@ describe("the HTTP service", () => {
     const stop = new AbortController();
     const stream = await relay.ask(robot, "/events", { signal: stop.signal });
     expect(stream.headers.get("content-type")).toBe("text/event-stream");
-    page.send({ type: "snapshot", epoch, snapshot: snapshot() });
+    page.send({ type: "snapshot", epoch, snapshot: snapshotOf() });
     await relay.ask(robot, "/commands", { method: "POST", body: { action: "left 90" } });
     const events: string[] = [];
     let text = "";

@@ -1,3 +1,4 @@
+import { snapshotOf } from "@corridor/protocol/testing";
 import { join } from "node:path";
 import {
   closeReasons,
@@ -11,7 +12,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import type { Refusal } from "../problems.ts";
 import { SqliteStore } from "../store/sqlite-store.ts";
 import { FakeClock, settled } from "../testing/fake-clock.ts";
-import { completed, snapshot } from "../testing/messages.ts";
+import { completed } from "../testing/messages.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { limits } from "./limits.ts";
 import type { PageLink } from "./page-link.ts";
@@ -66,7 +67,7 @@ async function page({ session }: Robot, resume: { lastApplied?: number; endings?
     started: (seq: number) => session.hearPage(link, { type: "started", epoch, seq }),
     ended: (ending: Ending) => session.hearPage(link, { type: "ended", epoch, ...ending }),
     report: (change = {}) =>
-      session.hearPage(link, { type: "snapshot", epoch, snapshot: snapshot(change) }),
+      session.hearPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) }),
   };
 }
 

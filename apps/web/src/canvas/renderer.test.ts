@@ -2,6 +2,7 @@
  * Which canvas is drawn again when. There is no canvas in Node: a recording one stands in, and how the
  * pictures look is seen in the browser's tests.
  */
+import { snapshotOf } from "@corridor/protocol/testing";
 import type { MazeDocument } from "@corridor/maze";
 import type { Snapshot } from "@corridor/protocol";
 import { beforeEach, describe, expect, it, vi } from "vitest";
@@ -42,20 +43,8 @@ const scene: Scene = {
 };
 
 function snapshotAt(x: number, y: number): Snapshot {
-  return {
-    seq: 1,
-    tick: 1,
-    state: "running",
-    driver: "program",
-    sensors: { front: 250, right: 250, back: 50, left: 50 },
-    pose: { x, y, heading: 90 },
-    motion: "forward",
-    bumps: 0,
-    bumping: false,
-    goalReached: false,
-    line: 0,
-    command: null,
-  };
+  const sensors = { front: 250, right: 250, back: 50, left: 50 };
+  return snapshotOf({ driver: "program", line: 0, sensors, pose: { x, y, heading: 90 } });
 }
 
 /** A canvas that counts how often it is emptied and stroked. */

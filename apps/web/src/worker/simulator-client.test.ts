@@ -1,22 +1,9 @@
-import type { Snapshot } from "@corridor/protocol";
+import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { SimulatorClient, type WorkerPort } from "./simulator-client.ts";
 import type { Frame, FromWorker } from "./worker-messages.ts";
 
-const snapshot: Snapshot = {
-  seq: 1,
-  tick: 1,
-  state: "running",
-  driver: "program",
-  sensors: { front: 50, right: 50, back: 50, left: 50 },
-  pose: { x: 50, y: 50, heading: 0 },
-  motion: "forward",
-  bumps: 0,
-  bumping: false,
-  goalReached: false,
-  line: "default",
-  command: null,
-};
+const snapshot = snapshotOf();
 
 function connect(): { client: SimulatorClient; receive: (frame: Frame) => void } {
   const port: WorkerPort = { postMessage: () => {}, onmessage: null };

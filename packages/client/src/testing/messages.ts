@@ -1,26 +1,7 @@
 /** Messages as the relay sends them, for tests. */
-import type { Command, CommandRecord, Snapshot } from "@corridor/protocol";
+import type { Command, CommandRecord } from "@corridor/protocol";
 
 export const ADDRESS = "http://localhost:8080/r/AAAAAAAAAAAAAAAAAAAAAA#drv_BBBBBBBBBBBBBBBBBBBBBB";
-
-/** A snapshot of a robot that stands in a corridor. */
-export function snapshot(change: Partial<Snapshot> = {}): Snapshot {
-  return {
-    seq: 1,
-    tick: 60,
-    state: "running",
-    driver: "remote",
-    sensors: { front: 250.5, right: 50, back: 49.5, left: 50 },
-    pose: { x: 150, y: 150, heading: 90 },
-    motion: "stop",
-    bumps: 0,
-    bumping: false,
-    goalReached: false,
-    line: null,
-    command: null,
-    ...change,
-  };
-}
 
 /** The record of a command. */
 export function record(

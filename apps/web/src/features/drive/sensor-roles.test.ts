@@ -1,3 +1,4 @@
+import { snapshotOf } from "@corridor/protocol/testing";
 import type { ProgramDocument } from "@corridor/program";
 import type { Snapshot } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
@@ -16,21 +17,8 @@ const program: ProgramDocument = {
 };
 
 function at(changes: Partial<Snapshot>): Snapshot {
-  return {
-    seq: 1,
-    tick: 1,
-    state: "running",
-    driver: "program",
-    sensors: { front: 50, right: 50, back: 50, left: 50 },
-    pose: { x: 50, y: 50, heading: 0 },
-    motion: "forward",
-    bumps: 0,
-    bumping: false,
-    goalReached: false,
-    line: null,
-    command: null,
-    ...changes,
-  };
+  const sensors = { front: 50, right: 50, back: 50, left: 50 };
+  return snapshotOf({ driver: "program", motion: "forward", sensors, ...changes });
 }
 
 describe("readSensors", () => {

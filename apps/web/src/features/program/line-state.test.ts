@@ -1,21 +1,13 @@
-import type { Snapshot } from "@corridor/protocol";
+import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { decidingLine, isPassedOver, shownTruth } from "./line-state.ts";
 
-const snapshot: Snapshot = {
-  seq: 1,
-  tick: 1,
-  state: "running",
+const snapshot = snapshotOf({
   driver: "program",
   sensors: { front: 40, right: 250, back: 50, left: 50 },
-  pose: { x: 50, y: 50, heading: 0 },
   motion: "forward",
-  bumps: 0,
-  bumping: false,
-  goalReached: false,
   line: 0,
-  command: null,
-};
+});
 
 describe("decidingLine", () => {
   it("is the line that drives", () => {

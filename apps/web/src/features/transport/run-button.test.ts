@@ -1,21 +1,6 @@
-import type { Snapshot } from "@corridor/protocol";
+import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { runOrPause } from "./run-button.ts";
-
-const snapshot: Snapshot = {
-  seq: 1,
-  tick: 1,
-  state: "paused",
-  driver: "program",
-  sensors: { front: 50, right: 50, back: 50, left: 50 },
-  pose: { x: 50, y: 50, heading: 0 },
-  motion: "stop",
-  bumps: 0,
-  bumping: false,
-  goalReached: false,
-  line: null,
-  command: null,
-};
 
 describe("runOrPause", () => {
   it.each([
@@ -28,7 +13,7 @@ describe("runOrPause", () => {
   ] as const)(
     "is $type while $driver drives and the robot is $state",
     ({ driver, state, type }) => {
-      expect(runOrPause({ ...snapshot, driver, state })).toEqual({ type });
+      expect(runOrPause(snapshotOf({ driver, state }))).toEqual({ type });
     },
   );
 
