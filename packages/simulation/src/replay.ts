@@ -1,6 +1,6 @@
 /**
  * A run from its inputs alone: maze and program, or maze and commands at given ticks. The same inputs
- * give the same digest in every engine and however the ticks are grouped.
+ * give the same digest in every engine.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { TimedCommand } from "@corridor/protocol";
@@ -16,16 +16,14 @@ export interface Inputs {
 
 /**
  * Runs the inputs from the start.
- * @param chunk ticks between two early decisions, as between two frames of a page
  * @returns the digest of the snapshots of all ticks: 16 hexadecimal digits
  */
-export function replayDigest({ maze, driver }: Inputs, ticks: number, chunk = 1): string {
+export function replayDigest({ maze, driver }: Inputs, ticks: number): string {
   const simulation = new Simulation(maze);
   const digest = new SnapshotDigest();
   if ("decide" in driver) {
     const run = new ProgramRun(simulation, driver);
     for (let tick = 0; tick < ticks; tick++) {
-      if (tick % chunk === 0) run.decide();
       run.step();
       digest.add(simulation.report());
     }

@@ -121,6 +121,37 @@ describe("time", () => {
     expect(ends[2]).toEqual(ends[0]);
   });
 
+  it("gives the same snapshots in chunks of 1, 7 and 60 ticks, for 100,000 ticks", () => {
+    const maze = { ...firstMaze, goals: [] };
+    const scraping: ProgramDocument = {
+      ...firstProgram,
+      rules: [
+        { when: { sensor: "front", is: "<", than: 30 }, do: "right 90" },
+        { when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" },
+      ],
+    };
+    const together = 1 * 7 * 60;
+    const runs = [1, 7, 60].map((chunk) => {
+      const loop = loopOf(maze, scraping);
+      loop.setSpeed(16);
+      loop.run();
+      const snapshots: Snapshot[] = [];
+      for (let ticks = chunk; ticks <= 100_000; ticks += chunk) {
+        // A hair more than the chunk takes, so that rounding never leaves a tick behind.
+        time += (chunk * 1000) / 60 / 16 + 1e-9;
+        loop.advance();
+        const snapshot = loop.snapshot();
+        if (ticks % together === 0) snapshots.push({ ...snapshot, seq: 0 });
+      }
+      return snapshots;
+    });
+    expect(runs[0]).toHaveLength(Math.floor(100_000 / together));
+    expect(runs[0]?.at(-1)).toMatchObject({ tick: 99_960 });
+    expect(runs[0]?.at(-1)?.bumps).toBeGreaterThan(0);
+    expect(runs[1]).toEqual(runs[0]);
+    expect(runs[2]).toEqual(runs[0]);
+  });
+
   it("stands still while paused, and a sleep is not caught up", () => {
     const loop = loopOf();
     loop.run();

@@ -62,9 +62,9 @@ function handle(message: ToWorker): void {
     return;
   }
   if (message.type === "digest") {
-    const { maze, driver, ticks, chunk } = message;
+    const { maze, driver, ticks } = message;
     const decider = "rules" in driver ? new CompiledProgram(driver) : driver;
-    post({ type: "digest", digest: replayDigest({ maze, driver: decider }, ticks, chunk) });
+    post({ type: "digest", digest: replayDigest({ maze, driver: decider }, ticks) });
     return;
   }
   if (loop === null) return;

@@ -55,7 +55,6 @@ export type ToWorker =
       maze: MazeDocument;
       driver: ProgramDocument | readonly TimedCommand[];
       ticks: number;
-      chunk: number;
     };
 
 /** What is drawn: the newest snapshot, and what the trail gained since the last frame. */
