@@ -33,8 +33,10 @@ if (requirements && isBuilt) {
 }
 rmSync(folder, { recursive: true });
 
-const skipped = total.skipped > 0 ? `, ${total.skipped} skipped` : "";
-process.stdout.write(`\n${total.passed} passed, ${total.failed} failed${skipped}\n`);
+if (total.skipped > 0) {
+  process.stdout.write(`\n${total.skipped} skipped: this machine lacks what they need\n`);
+}
+process.stdout.write(`\n${total.passed} passed, ${total.failed} failed\n`);
 process.exitCode = total.failed > 0 ? 1 : 0;
 
 /** A stage that passes or fails as a whole. */

@@ -3,7 +3,8 @@ import { parseArgs } from "node:util";
 import { InputError } from "./input-error.ts";
 import { untils, type RunLimits, type Until } from "./run-limits.ts";
 
-/** A day of simulated time. */
+/** One tick, and a day of simulated time. */
+const MIN_SECONDS = 1 / 60;
 const MAX_SECONDS = 86_400;
 
 export interface SimulateArguments {
@@ -43,6 +44,9 @@ export function simulateArguments(words: readonly string[]): SimulateArguments {
     problems.push("--commands: found beside --program or without --digest, expected with --digest");
   }
   const limits = limitsOf(values.seconds, values.until, problems);
+  if (values.digest && limits.until !== "time") {
+    problems.push(`--until: found "${limits.until}" beside --digest, expected "time"`);
+  }
   if (problems.length > 0 || maze === undefined) throw new InputError(problems);
   return {
     maze,
@@ -81,7 +85,9 @@ function parse<T extends NonNullable<Parameters<typeof parseArgs>[0]>["options"]
   try {
     return parseArgs({ args: [...words], options, allowPositionals: false, strict: true });
   } catch (error) {
-    throw new InputError([error instanceof Error ? error.message : "unreadable options"]);
+    const found = error instanceof Error ? error.message : "unreadable options";
+    const names = Object.keys(options).map((name) => `--${name}`);
+    throw new InputError([`options: found ${found} Expected only ${names.join(", ")}`]);
   }
 }
 
@@ -105,9 +111,9 @@ function spread(words: readonly string[], options: readonly string[]): string[] 
 
 function limitsOf(seconds: string, until: string, problems: string[]): RunLimits {
   const number = Number(seconds);
-  if (seconds.trim() === "" || !(number > 0 && number <= MAX_SECONDS)) {
+  if (seconds.trim() === "" || !(number >= MIN_SECONDS && number <= MAX_SECONDS)) {
     problems.push(
-      `--seconds: found ${JSON.stringify(seconds)}, expected a number above 0 and up to ${MAX_SECONDS}`,
+      `--seconds: found ${JSON.stringify(seconds)}, expected a number from 1/60 (one tick) to ${MAX_SECONDS}`,
     );
   }
   if (!isUntil(until)) {

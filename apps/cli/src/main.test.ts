@@ -37,6 +37,12 @@ describe("simulate", () => {
     );
   });
 
+  it("reads a file with the mark that some editors put first", () => {
+    const marked = file("marked.json", `\uFEFF${JSON.stringify(paperPrograms[1]?.program)}`);
+    const { out } = corridor("simulate", "--maze", maze, "--program", marked);
+    expect(out).toBe(corridor("simulate", "--maze", maze, "--program", rightWall).out);
+  });
+
   it("stops at the goal when asked to", () => {
     const whole = JSON.parse(corridor("simulate", "--maze", maze, "--program", rightWall).out);
     const words = ["--maze", maze, "--program", rightWall, "--until", "goal"];
@@ -137,7 +143,22 @@ describe("bad input", () => {
     {
       name: "a time of 0",
       words: ["simulate", "--maze", maze, "--program", rightWall, "--seconds", "0"],
-      says: '--seconds: found "0", expected a number above 0',
+      says: '--seconds: found "0", expected a number from 1/60 (one tick)',
+    },
+    {
+      name: "less than a tick",
+      words: ["simulate", "--maze", maze, "--program", rightWall, "--seconds", "0.001"],
+      says: '--seconds: found "0.001", expected a number from 1/60 (one tick)',
+    },
+    {
+      name: "an end that a digest does not have",
+      words: ["simulate", "--maze", maze, "--program", rightWall, "--digest", "--until", "goal"],
+      says: '--until: found "goal" beside --digest, expected "time"',
+    },
+    {
+      name: "a word too many",
+      words: ["simulate", "--maze", maze, "--program", rightWall, "again"],
+      says: "Expected only --maze, --program",
     },
     {
       name: "an unknown end",

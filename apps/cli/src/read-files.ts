@@ -67,7 +67,7 @@ function readOne<T>(file: string, read: (text: string) => ReadResult<T>): ReadRe
     return problem("", error instanceof Error ? error.message : "no file", "a readable file");
   }
   try {
-    return read(new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes));
+    return read(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
   } catch {
     return problem("", "bytes that are not UTF-8", "UTF-8 text");
   }

@@ -23,6 +23,8 @@ describe("a document that is wrong", () => {
     },
     { text: '{"name":"a","list":[],"x":[1]}', says: "x: found a list of 1, expected no field" },
     { text: '{"name":"a","list":[],"__proto__":{}}', says: "__proto__: found an object" },
+    { text: '{"name":"a","list":[],"name":"b"}', says: "a field that stands twice in one object" },
+    { text: '{"name":"a","list":[{"size":1,"size":1}]}', says: "a field that stands twice" },
     { text: "null", says: "document: found null, expected an object" },
     { text: "[]", says: "document: found a list of 0, expected an object" },
     { text: '{"name":', says: "expected a JSON document" },

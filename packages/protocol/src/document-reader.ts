@@ -49,7 +49,40 @@ export function readJson<T>(schema: z.ZodType<T>, text: string, maxLength: numbe
     const reason = error instanceof Error ? error.message : "unreadable text";
     return problem("", shorten(reason), "a JSON document");
   }
+  if (countKeys(text) !== countFields(input)) {
+    return problem("", "a field that stands twice in one object", "each field once");
+  }
   return readValue(schema, input);
+}
+
+/**
+ * Keys in a text that is known to be JSON: each has the one colon outside of texts. `JSON.parse` keeps
+ * the last of two fields of one name and drops the other without a word.
+ */
+function countKeys(text: string): number {
+  let count = 0;
+  let isInText = false;
+  for (let i = 0; i < text.length; i++) {
+    const character = text[i];
+    if (character === '"') isInText = !isInText;
+    else if (isInText && character === "\\") i++;
+    else if (!isInText && character === ":") count++;
+  }
+  return count;
+}
+
+/** Fields of all objects in a parsed value. Not recursive: the depth is the sender's to choose. */
+function countFields(input: unknown): number {
+  let count = 0;
+  const open: unknown[] = [input];
+  while (open.length > 0) {
+    const value = open.pop();
+    if (typeof value !== "object" || value === null) continue;
+    const parts: unknown[] = Object.values(value);
+    if (!Array.isArray(value)) count += parts.length;
+    for (const part of parts) open.push(part);
+  }
+  return count;
 }
 
 /** A failed result with one problem, for checks that no schema can express. */
