@@ -101,6 +101,26 @@ describe("a link", () => {
     );
   });
 
+  it("of 160 by 160 squares always fits, with all that can go along", () => {
+    const side = 160;
+    const name = "\ud800\uffff迷".repeat(33);
+    const maze = randomMaze(name, side, 50, false, 1);
+    const isOpen = (cell: number) => maze.blocks[cell % side]?.[Math.floor(cell / side)] === ".";
+    const cells = Array.from({ length: side * side }, (_, at) => (at * 997) % (side * side));
+    const goals = cells
+      .filter(isOpen)
+      .slice(0, 256)
+      .map((cell) => ({ column: Math.floor(cell / side), row: cell % side }));
+    const rule = (at: number) => ({
+      when: { sensor: "left", is: ">", than: "right", plus: Math.SQRT2 * (at - 99.5) } as const,
+      do: at % 3 === 0 ? ("stop" as const) : ("left 90" as const),
+    });
+    const rules = Array.from({ length: 200 }, (_, at) => rule(at));
+    const content = { maze: { ...maze, goals }, program: { ...rightWall, name, rules } };
+    expect(goals).toHaveLength(256);
+    expect(decodeLink(linkOf(content))).toEqual({ ok: true, value: content });
+  });
+
   it("of nothing does not exist", () => {
     expect(encodeLink({})).toMatchObject({ ok: false, code: "empty" });
   });

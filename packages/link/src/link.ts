@@ -25,7 +25,7 @@ export interface LinkContent {
 export type EncodeRefusal =
   /** neither a maze nor a program was given */
   | "empty"
-  /** the link would be longer than any reader takes; share it as a file */
+  /** the link would be longer than any reader takes; a smaller or simpler maze fits */
   | "too-big";
 
 /** Why a link cannot be read. */
@@ -97,7 +97,7 @@ export function encodeLink({ maze, program }: LinkContent): EncodeResult {
   const length = digits.length % LENGTH_CYCLE;
   const text = VERSION + textOf([length, ...checkOf(VERSION, [length, ...digits]), ...digits]);
   if (text.length > MAX_LINK_LENGTH) {
-    const expected = `at most ${MAX_LINK_LENGTH} characters: share it as a file instead`;
+    const expected = `at most ${MAX_LINK_LENGTH} characters: share a smaller or simpler maze`;
     return refuse("too-big", `${text.length} characters`, expected);
   }
   return { ok: true, text };

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { createScreenStore } from "../stores/screen-store.ts";
-import { createWorkspaceStore, setMaze, undo } from "../stores/workspace-store.ts";
+import { createWorkspaceStore, openWork, setMaze, undo } from "../stores/workspace-store.ts";
 import { flushWhenHidden, startAutosave } from "./autosave.ts";
 import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "./first-visit.ts";
@@ -137,6 +137,25 @@ describe("works in several tabs", () => {
     one.wait();
     expect(one.told).toEqual(["fork"]);
     expect(names(one.shelf).toSorted()).toEqual(["First tab, later", "Second tab"]);
+  });
+
+  it("opens a listed work as another tab has saved it since, and does not fork from it", () => {
+    const device = new MemoryStorage();
+    const one = openTab(device);
+    one.rename("Old");
+    one.wait();
+    const two = openTab(device);
+    two.current.begin({ ...firstMaze, name: "Other" }, firstProgram);
+    const listed = two.shelf.read(one.current.work.id) ?? one.current.work;
+    one.rename("New");
+    one.wait();
+    const { maze, program } = two.current.open(listed);
+    expect(maze.name).toBe("New");
+    openWork(two.workspace, maze, program);
+    two.rename("Newest");
+    two.wait();
+    expect(two.told).toEqual([]);
+    expect(names(two.shelf).toSorted()).toEqual(["Newest", "Other"]);
   });
 
   it("stores a work again that another tab deleted while it was edited here", () => {

@@ -20,9 +20,8 @@ export interface CurrentWorkPorts {
 
 export class CurrentWork {
   readonly #ports: CurrentWorkPorts;
+  /** as this tab last read or wrote it: another revision on the shelf was saved by another tab */
   #work: Work;
-  /** the revision of this work on the shelf when this tab last read or wrote it; null: never there */
-  #known: string | null = null;
 
   /**
    * Opens the tab's own work, else the newest, else a new one made of the given documents (which is
@@ -33,7 +32,7 @@ export class CurrentWork {
     const id = ports.tab.getItem(CURRENT_KEY);
     const stored = (id === null ? null : ports.shelf.read(id)) ?? ports.shelf.list()[0];
     this.#work = stored ?? this.#newWork(firstMaze, firstProgram);
-    if (stored !== undefined) this.open(stored);
+    if (stored !== undefined) this.#hold(stored);
   }
 
   /** The work as it was last opened or saved. */
@@ -54,7 +53,7 @@ export class CurrentWork {
   save(maze: MazeDocument, program: ProgramDocument): "saved" | "forked" {
     const { shelf, now, newId } = this.#ports;
     const stored = shelf.read(this.#work.id);
-    const isForked = stored !== null && stored.revision !== this.#known;
+    const isForked = stored !== null && stored.revision !== this.#work.revision;
     const work: Work = {
       id: isForked ? newId() : this.#work.id,
       savedAt: now(),
@@ -64,13 +63,27 @@ export class CurrentWork {
       program,
     };
     shelf.write(work);
-    this.#hold(work, work.revision);
+    this.#hold(work);
     return isForked ? "forked" : "saved";
   }
 
-  /** Makes another work of the shelf, or one taken from it, the work of this tab. */
-  open(work: Work): void {
-    this.#hold(work, this.#ports.shelf.read(work.id)?.revision ?? null);
+  /**
+   * Makes another work of the shelf the work of this tab, as it stands there now: another tab may
+   * have saved it since it was listed. One that is no longer there is opened as it was listed.
+   * @returns the work that is open now, which is the one to show
+   */
+  open(listed: Work): Work {
+    const newest = this.#ports.shelf.read(listed.id) ?? listed;
+    this.#hold(newest);
+    return newest;
+  }
+
+  /**
+   * Goes back to a work as this tab knew it, for edits that could not be saved. If another tab saved
+   * the work since, the next save makes them a new one.
+   */
+  resume(known: Work): void {
+    this.#hold(known);
   }
 
   /**
@@ -84,7 +97,7 @@ export class CurrentWork {
     } catch {
       // The work is open all the same, and the next edit is reported as not kept.
     }
-    this.open(work);
+    this.#hold(work);
   }
 
   #newWork(maze: MazeDocument, program: ProgramDocument): Work {
@@ -92,9 +105,8 @@ export class CurrentWork {
     return { id: newId(), savedAt: now(), revision: newId(), edited: false, maze, program };
   }
 
-  #hold(work: Work, known: string | null): void {
+  #hold(work: Work): void {
     this.#work = work;
-    this.#known = known;
     try {
       this.#ports.tab.setItem(CURRENT_KEY, work.id);
     } catch {

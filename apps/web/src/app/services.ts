@@ -4,11 +4,13 @@
  */
 import type { i18n } from "i18next";
 import { createContext, useContext } from "react";
+import { createMomentTeller } from "../stores/moment-teller.ts";
 import { createRemoteStore, type RemoteStore } from "../stores/remote-store.ts";
 import { createRunStore, isDue, type RunStore } from "../stores/run-store.ts";
 import { createScreenStore, type ScreenStore } from "../stores/screen-store.ts";
 import { createWorkspaceStore, type WorkspaceStore } from "../stores/workspace-store.ts";
 import { SimulatorClient, type WorkerPort } from "../worker/simulator-client.ts";
+import type { Moment } from "../worker/worker-messages.ts";
 import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "./first-visit.ts";
 import { RemoteConnection } from "./remote-session.ts";
@@ -50,20 +52,24 @@ export function createServices({ worker, device, tab, words }: Browser): Service
   const remote = createRemoteStore();
   const screen = createScreenStore();
 
+  const now = () => performance.now();
+  const later = (action: () => void, milliseconds: number) => setTimeout(action, milliseconds);
+  const show = (moment: Moment | null) => run.setState({ moment });
+  const moments = createMomentTeller({ show, now, later });
   let shownAt = Number.NEGATIVE_INFINITY;
   simulator.listen((message) => {
     switch (message.type) {
       case "frame": {
         const { snapshot } = message.frame;
-        const now = performance.now();
         const isReset = message.frame.trailReset;
-        if (!isDue(run.getState().snapshot, snapshot, now - shownAt) && !isReset) return;
-        shownAt = now;
-        run.setState(isReset ? { snapshot, moment: null } : { snapshot });
+        if (!isDue(run.getState().snapshot, snapshot, now() - shownAt) && !isReset) return;
+        shownAt = now();
+        run.setState({ snapshot });
+        if (isReset) moments.clear();
         return;
       }
       case "moment":
-        run.setState({ moment: message.moment });
+        moments.tell(message.moment);
         return;
       case "remote":
         remote.setState(message.remote);
@@ -83,7 +89,6 @@ export function createServices({ worker, device, tab, words }: Browser): Service
       simulator.send({ type: "edit-program", program: next.program });
     }
   });
-  const later = (action: () => void, milliseconds: number) => setTimeout(action, milliseconds);
   const works = new WorksService({ shelf, current, workspace, screen, words, later });
   const connection = new RemoteConnection({ simulator, remote, run, tab });
   return { simulator, workspace, run, remote, screen, works, connection };

@@ -47,7 +47,7 @@ export class WorksService {
     return this.#ports.current.work.id;
   }
 
-  /** Opens another work of the shelf; what is open is saved first. */
+  /** Opens another work of the shelf in its newest version; what is open is saved first. */
   open(work: Work): void {
     this.autosave.flush();
     this.#show(work);
@@ -56,33 +56,45 @@ export class WorksService {
   /**
    * Opens documents as a new work, or the work of the shelf that already holds exactly them.
    * @param program null: the reader's own program is copied along, whatever it is
-   * @returns a way back to what was open, which also brings back what could not be saved
+   * @returns a way back to what was open: its newest version, or the edits that could not be saved
    */
   begin(maze: MazeDocument, program: ProgramDocument | null): () => void {
     const { current, workspace, shelf } = this.#ports;
     this.autosave.flush();
     const { maze: oldMaze, program: oldProgram } = workspace.getState();
-    const before: Work = { ...current.work, maze: oldMaze, program: oldProgram };
+    const before = current.work;
+    const isKept = current.has(oldMaze, oldProgram);
     const found = shelf.list().find((work) => isCopy(work, maze, program));
     if (found === undefined) {
       current.begin(maze, program ?? oldProgram);
       openWork(workspace, current.work.maze, current.work.program);
     } else this.#show(found);
-    return () => this.open(before);
+    return () => {
+      if (isKept) {
+        this.open(before);
+        return;
+      }
+      this.autosave.flush();
+      current.resume(before);
+      openWork(workspace, oldMaze, oldProgram);
+    };
   }
 
   /** Deletes a work that is not open, with a message that takes it back. */
   remove(work: Work): void {
     const { shelf, screen, words } = this.#ports;
+    // Another tab may have saved it since it was listed, and what is taken back must be what went.
+    const removed = shelf.read(work.id) ?? work;
     shelf.remove(work.id);
     const id = tell(screen, {
       tone: "info",
-      text: words.t("works.deleted", { name: work.maze.name }),
+      text: words.t("works.deleted", { name: removed.maze.name }),
       action: {
         label: words.t("works.undo"),
         run: () => {
           try {
-            shelf.write(work);
+            // A tab that has it open stores it again with its next edit, which is newer.
+            if (shelf.read(removed.id) === null) shelf.write(removed);
           } catch {
             tell(screen, { tone: "bad", text: words.t("works.blocked") });
           }
@@ -94,8 +106,8 @@ export class WorksService {
 
   #show(work: Work): void {
     const { current, workspace } = this.#ports;
-    current.open(work);
-    openWork(workspace, work.maze, work.program);
+    const { maze, program } = current.open(work);
+    openWork(workspace, maze, program);
   }
 
   #tellDamage(): void {

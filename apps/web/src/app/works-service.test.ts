@@ -1,0 +1,110 @@
+import { describe, expect, it } from "vitest";
+import { createScreenStore } from "../stores/screen-store.ts";
+import { createWorkspaceStore, setMaze } from "../stores/workspace-store.ts";
+import { CurrentWork } from "./current-work.ts";
+import { firstMaze, firstProgram } from "./first-visit.ts";
+import { MemoryStorage } from "./testing/memory-storage.ts";
+import { WorksService } from "./works-service.ts";
+import { WorkShelf, type Work } from "./works.ts";
+
+let lastId = 0;
+
+/** The works of a tab: its own sessionStorage, the device's localStorage. Messages are their keys. */
+function openTab(device: MemoryStorage) {
+  const shelf = new WorkShelf(device);
+  const ports = {
+    shelf,
+    tab: new MemoryStorage(),
+    now: () => ++lastId,
+    newId: () => `id-${++lastId}`,
+  };
+  const current = new CurrentWork(ports, firstMaze, firstProgram);
+  const workspace = createWorkspaceStore(current.work.maze, current.work.program);
+  const screen = createScreenStore();
+  const words = { t: ((key: string) => key) as never };
+  const later = () => undefined;
+  const works = new WorksService({ shelf, current, workspace, screen, words, later });
+  const shown = () => workspace.getState().maze.name;
+  /** an edit that is saved, if there is room */
+  const edit = (name: string) => {
+    setMaze(workspace, { ...workspace.getState().maze, name });
+    works.autosave.flush();
+  };
+  const listed = (name: string): Work => {
+    const work = works.list().find(({ maze }) => maze.name === name);
+    if (work === undefined) throw new Error(`no work is named ${name}`);
+    return work;
+  };
+  const told = () => screen.getState().messages.map(({ text }) => text);
+  const names = () =>
+    shelf
+      .list()
+      .map(({ maze }) => maze.name)
+      .toSorted();
+  return { works, screen, shown, edit, listed, told, names };
+}
+
+/** Two tabs: one has "Draft" open, two has "Other" open. */
+function openTwoTabs() {
+  const device = new MemoryStorage();
+  const one = openTab(device);
+  one.edit("Draft");
+  const two = openTab(device);
+  const back = two.works.begin({ ...firstMaze, name: "Other" }, firstProgram);
+  return { device, one, two, back };
+}
+
+describe("works that another tab saves meanwhile", () => {
+  it("opens what the other tab saved while the list was in sight", () => {
+    const { one, two } = openTwoTabs();
+    const listed = two.listed("Draft");
+    one.edit("Draft, by one");
+    two.works.open(listed);
+    expect(two.shown()).toBe("Draft, by one");
+    two.edit("Draft, by both");
+    expect(two.told()).toEqual([]);
+    expect(two.names()).toEqual(["Draft, by both", "Other"]);
+  });
+
+  it("goes back to what the other tab made of the work", () => {
+    const { one, two, back } = openTwoTabs();
+    one.edit("Draft, by one");
+    back();
+    expect(two.shown()).toBe("Draft, by one");
+    two.edit("Draft, by both");
+    expect(two.names()).toEqual(["Draft, by both", "Other"]);
+  });
+
+  it("keeps both versions when this tab goes back to edits that could not be saved", () => {
+    const { device, one, two } = openTwoTabs();
+    two.works.open(two.listed("Draft"));
+    device.isFull = true;
+    two.edit("Draft, by two");
+    const back = two.works.begin({ ...firstMaze, name: "Link" }, firstProgram);
+    device.isFull = false;
+    one.edit("Draft, by one");
+    back();
+    expect(two.shown()).toBe("Draft, by two");
+    two.works.autosave.flush();
+    expect(two.told()).toEqual(["works.forked", "works.blocked"]);
+    expect(two.names()).toEqual(["Draft, by one", "Draft, by two", "Other"]);
+  });
+
+  it("takes back the deletion of the newest version", () => {
+    const { one, two } = openTwoTabs();
+    const listed = two.listed("Draft");
+    one.edit("Draft, by one");
+    two.works.remove(listed);
+    expect(two.names()).toEqual(["Other"]);
+    two.screen.getState().messages[0]?.action?.run();
+    expect(two.names()).toEqual(["Draft, by one", "Other"]);
+  });
+
+  it("does not take a deletion back over what the other tab saved after it", () => {
+    const { one, two } = openTwoTabs();
+    two.works.remove(two.listed("Draft"));
+    one.edit("Draft, by one");
+    two.screen.getState().messages[0]?.action?.run();
+    expect(two.names()).toEqual(["Draft, by one", "Other"]);
+  });
+});
