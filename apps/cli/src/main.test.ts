@@ -123,7 +123,7 @@ describe("bad input", () => {
     {
       name: "a missing file",
       words: ["simulate", "--maze", join(folder, "nowhere.json"), "--program", rightWall],
-      says: "nowhere.json: document: found ENOENT",
+      says: "nowhere.json: document: found no file of this name, expected a file",
     },
     {
       name: "an unknown action",

@@ -6,5 +6,8 @@
 import { enableCompileCache } from "node:module";
 
 enableCompileCache();
+// npm runs its scripts in the project's folder; files are named from where the user stands.
+const { npm_lifecycle_event: script = "", INIT_CWD: folder = "." } = process.env;
+if (["simulate", "grade"].includes(script)) process.chdir(folder);
 const { runCommandLine } = await import("./command-line.ts");
 await runCommandLine(process.argv.slice(2));

@@ -64,11 +64,26 @@ function readOne<T>(file: string, read: (text: string) => ReadResult<T>): ReadRe
     if (size > MAX_BYTES) return problem("", `${size} bytes`, `at most ${MAX_BYTES} bytes`);
     bytes = readFileSync(file);
   } catch (error) {
-    return problem("", error instanceof Error ? error.message : "no file", "a readable file");
+    return problem("", reasonOf(error), "a file that can be read");
   }
   try {
     return read(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
   } catch {
     return problem("", "bytes that are not UTF-8", "UTF-8 text");
+  }
+}
+
+/** Why a file cannot be read, in words. */
+function reasonOf(error: unknown): string {
+  const code = error instanceof Error && "code" in error ? error.code : undefined;
+  switch (code) {
+    case "ENOENT":
+      return "no file of this name";
+    case "EISDIR":
+      return "a folder";
+    case "EACCES":
+      return "a file that this user may not read";
+    default:
+      return error instanceof Error ? error.message : "no file";
   }
 }
