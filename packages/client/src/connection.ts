@@ -42,7 +42,7 @@ export class Connection<In extends { type: string }> {
   readonly #options: ConnectionOptions<In>;
   #socket: SocketPort | null = null;
   #isConnected = false;
-  #isClosed = false;
+  #isOver = false;
   #lostInARow = 0;
   #cancelTimer: () => void = () => undefined;
 
@@ -60,9 +60,13 @@ export class Connection<In extends { type: string }> {
     return this.#socket?.waitingBytes ?? 0;
   }
 
-  /** Opens the line. Call it once. */
+  /**
+   * Opens the line at once: for the first time, again after `close`, or before the pause is over.
+   * Does nothing while the line is open or being opened, and once it is over.
+   */
   open(): void {
-    if (this.#isClosed) return;
+    if (this.#isOver || this.#socket !== null) return;
+    this.#cancelTimer();
     const { url, platform, greeting, changed } = this.#options;
     changed({ kind: "connecting" });
     const socket = platform.connect(url, {
@@ -85,9 +89,8 @@ export class Connection<In extends { type: string }> {
     if (this.#isConnected) this.#socket?.send(text);
   }
 
-  /** Closes the line for good. Nothing is reported any more. */
+  /** Closes the line. Nothing is reported and nothing is tried until `open` is called again. */
   close(): void {
-    this.#isClosed = true;
     this.#drop();
   }
 
@@ -118,7 +121,7 @@ export class Connection<In extends { type: string }> {
     this.#drop();
     const { platform, changed } = this.#options;
     if (!reason.retry) {
-      this.#isClosed = true;
+      this.#isOver = true;
       return changed({ kind: "over", reason });
     }
     const limit = Math.min(LONGEST_PAUSE_MS, FIRST_PAUSE_MS * 2 ** this.#lostInARow);

@@ -109,6 +109,50 @@ describe("HostLink", () => {
     ]);
   });
 
+  it("tries again at once when asked, and hands each command on once all the same", () => {
+    const { platform, link, commands, statuses, welcome } = host();
+    welcome();
+    for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
+    link.started(1);
+    platform.socket.cut(1006);
+    link.open();
+    link.open();
+    expect(platform.sockets).toHaveLength(2);
+    expect(statuses.map(({ kind }) => kind).slice(-2)).toEqual(["lost", "connecting"]);
+    welcome(2);
+    for (const seq of [2, 3, 4]) platform.socket.receive(command(seq));
+    link.open();
+    // Neither the pause that was cut short nor the asking of a connected link opens another line.
+    platform.pass(5_000);
+    expect(platform.sockets).toHaveLength(2);
+    expect(link.isConnected).toBe(true);
+    expect(commands).toEqual([1, 2, 3, 4]);
+  });
+
+  it("brings the endings that came while it was closed once it is opened again", () => {
+    const { platform, link, commands, welcome } = host();
+    welcome();
+    for (const seq of [1, 2]) platform.socket.receive(command(seq));
+    link.started(1);
+    platform.socket.cut(1006);
+    for (const seq of [1, 2]) link.ended(seq, { ...done, state: "cancelled" });
+    link.close();
+    platform.pass(60_000);
+    expect(platform.sockets).toHaveLength(1);
+    link.open();
+    welcome(2);
+    for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
+    expect(platform.socket.sent[1]).toMatchObject({
+      lastApplied: 2,
+      fresh: false,
+      endings: [
+        { seq: 1, state: "cancelled" },
+        { seq: 2, state: "cancelled" },
+      ],
+    });
+    expect(commands).toEqual([1, 2, 3]);
+  });
+
   it("does not hand on what it did before a reload", () => {
     const { platform, commands, welcome } = host({ lastApplied: 5, fresh: true });
     welcome();
@@ -164,10 +208,11 @@ describe("HostLink", () => {
     { code: 4410, kind: "over" },
     { code: 4401, kind: "over" },
   ])("gives up for good after close code $code", ({ code, kind }) => {
-    const { platform, statuses, welcome } = host();
+    const { platform, link, statuses, welcome } = host();
     welcome();
     platform.socket.cut(code);
     platform.pass(60_000);
+    link.open();
     expect(platform.sockets).toHaveLength(1);
     expect(statuses.at(-1)).toMatchObject({ kind, reason: { code } });
   });

@@ -4,7 +4,8 @@
  *
  * Whatever ended is kept until the relay says that it is stored, across any number of lost lines, so
  * that each command has exactly one ending. A command that this link has handed on is never handed on
- * again: the relay may repeat itself, the robot may not.
+ * again: the relay may repeat itself, the robot may not. Both hold over `close` and `open` too, so
+ * one session needs one link for as long as its page lives.
  */
 import {
   closeReasons,
@@ -125,7 +126,18 @@ export class HostLink {
     this.#sendEnding(kept);
   }
 
-  /** Leaves the relay. Scripts are told that the robot is gone; what waits there goes on waiting. */
+  /**
+   * Opens the link again after `close`, or at once where it waits to try again; does nothing while it
+   * is open or being opened, and once it is over.
+   */
+  open(): void {
+    this.#connection.open();
+  }
+
+  /**
+   * Leaves the relay until `open`. Scripts are told that the robot is gone; what waits there goes on
+   * waiting, and endings that come meanwhile are kept.
+   */
   close(): void {
     this.#connection.close();
   }

@@ -100,7 +100,7 @@ describe("RemoteConnection", () => {
   it("asks for another robot once the session is over", () => {
     const page = openPage();
     page.remote.setState({ status: { kind: "waiting" }, session });
-    page.remote.setState({ status: { kind: "over", reason: "Two hours without use." } });
+    page.remote.setState({ status: { kind: "over", reason: "over" } });
     page.drive("remote");
     page.connection.connect();
     expect(page.sent).toEqual([{ type: "remote-open", session: null, fresh: true }]);

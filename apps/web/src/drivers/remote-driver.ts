@@ -5,6 +5,7 @@
  */
 import type { Command, EndingState, Pose } from "@corridor/protocol";
 import type { Simulation } from "@corridor/simulation";
+import type { CancelReason } from "./cancel-reason.ts";
 
 export interface Delivery {
   seq: number;
@@ -17,7 +18,8 @@ export interface Delivery {
 
 export interface Ending {
   state: EndingState;
-  reason: string | null;
+  /** null where the robot itself ended it */
+  reason: CancelReason | null;
   pose: Pose;
   /** units driven by this command */
   distance: number;
@@ -81,7 +83,7 @@ export class RemoteDriver {
   }
 
   /** Ends the running and every waiting command, and stops the robot. */
-  cancel(simulation: Simulation, reason: string): void {
+  cancel(simulation: Simulation, reason: CancelReason): void {
     this.#end(simulation, "cancelled", reason);
     const waiting = this.#waiting;
     this.#waiting = [];
@@ -89,7 +91,7 @@ export class RemoteDriver {
     simulation.apply({ action: "stop" });
   }
 
-  #end(simulation: Simulation, state: EndingState, reason: string | null): void {
+  #end(simulation: Simulation, state: EndingState, reason: CancelReason | null): void {
     const running = this.#running;
     if (running === null) return;
     this.#running = null;
@@ -100,7 +102,7 @@ export class RemoteDriver {
     simulation: Simulation,
     seq: number,
     state: EndingState,
-    reason: string | null,
+    reason: CancelReason | null,
     distance: number,
   ): void {
     this.#events.ended(seq, { state, reason, pose: simulation.pose, distance });

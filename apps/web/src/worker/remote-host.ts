@@ -3,10 +3,25 @@
  * command for the Remote panel. The client library comes with the first connection; who never drives
  * by script never loads it.
  */
-import type { HostLink, HostStatus } from "@corridor/client/host";
-import type { CommandRecord, DeliveredCommand, Drivers, Snapshot } from "@corridor/protocol";
+import type { HostLink, HostLinkOptions, HostStatus, registerRobot } from "@corridor/client/host";
+import {
+  closeReasons,
+  type CloseReason,
+  type DeliveredCommand,
+  type Drivers,
+  type Snapshot,
+} from "@corridor/protocol";
+import { cancelReasons, type CancelReason } from "../drivers/cancel-reason.ts";
 import type { Delivery, Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
-import type { RemoteSession, RemoteStatus, RemoteView } from "./worker-messages.ts";
+import type {
+  ListedCommand,
+  RemoteSession,
+  RemoteStatus,
+  RemoteTrouble,
+  RemoteView,
+} from "./worker-messages.ts";
+
+const noDrivers: Drivers = { connected: 0, client: null, silentMs: null };
 
 /** Commands that the panel lists. */
 const MAX_LISTED = 100;
@@ -20,18 +35,22 @@ export interface RemoteHostPorts {
   snapshot(): Snapshot | null;
   onView(view: RemoteView): void;
   onDelivery(delivery: Delivery): void;
-  /** ends all that was delivered before this returns */
-  onStop(): void;
+  /** ends all that was delivered, by `ended`, before this returns */
+  cancel(reason: CancelReason): void;
+  fetch: Parameters<typeof registerRobot>[1];
+  /** default: what the worker offers */
+  platform?: NonNullable<HostLinkOptions["platform"]>;
 }
 
 export class RemoteHost implements RemoteDriverEvents {
   readonly #ports: RemoteHostPorts;
   /** newest last, by seq */
-  readonly #commands = new Map<number, CommandRecord>();
+  readonly #commands = new Map<number, ListedCommand>();
   #session: RemoteSession | null = null;
+  /** of `#session`; kept while it is closed, since it knows what was handed on and how it ended */
   #link: HostLink | null = null;
   #status: RemoteStatus = { kind: "off" };
-  #drivers: Drivers = { connected: 0, client: null, silentMs: null };
+  #drivers = noDrivers;
   /** rises with each open and close: what an older one still waits for is dropped */
   #attempt = 0;
 
@@ -44,24 +63,33 @@ export class RemoteHost implements RemoteDriverEvents {
     return this.#link?.isConnected === true;
   }
 
-  /** Opens the link; without a session a robot is registered first. */
+  /**
+   * Opens the link; without a session a robot is registered first. The session that is there is
+   * opened again, or tried again at once; for another one, all that the robot was given ends first.
+   * @param fresh whether a session's commands cannot be running any more: the page was loaded anew
+   */
   open(session: RemoteSession | null, fresh: boolean): void {
-    this.close();
+    if (this.#link !== null && session?.id === this.#session?.id) {
+      this.#link.open();
+      return this.#tell(this.#status);
+    }
+    this.#leave();
+    if (session === null || session.id !== this.#session?.id) this.#commands.clear();
     this.#session = session;
     this.#tell({ kind: "connecting" });
-    const attempt = this.#attempt;
-    this.#connect(session, fresh, attempt).catch((error: unknown) => {
-      if (attempt !== this.#attempt) return;
-      const reason = error instanceof Error ? error.message : "The service does not answer.";
-      this.#tell({ kind: "lost", reason });
+    const attempt = ++this.#attempt;
+    this.#connect(session, fresh, attempt).catch(() => {
+      // The client library itself did not come.
+      if (attempt === this.#attempt) this.#tell({ kind: "lost", reason: "noService" });
     });
   }
 
+  /** Ends all that the robot was given and closes the link; the session can be opened again. */
   close(): void {
     this.#attempt++;
+    this.#ports.cancel("disconnected");
     this.#link?.close();
-    this.#link = null;
-    this.#drivers = { connected: 0, client: null, silentMs: null };
+    this.#drivers = noDrivers;
     if (this.#status.kind !== "off") this.#tell({ kind: "off" });
   }
 
@@ -83,20 +111,25 @@ export class RemoteHost implements RemoteDriverEvents {
   }
 
   ended(seq: number, ending: Ending): void {
-    this.#link?.ended(seq, ending);
+    const { reason } = ending;
+    this.#link?.ended(seq, { ...ending, reason: reason === null ? null : cancelReasons[reason] });
     this.#change(seq, ending);
   }
 
   async #connect(wanted: RemoteSession | null, fresh: boolean, attempt: number): Promise<void> {
-    const { HostLink: Link, registerRobot } = await import("@corridor/client/host");
-    const { origin } = this.#ports;
-    const session = wanted ?? {
-      ...(await registerRobot(origin, (url, request) => fetch(url, request))),
-      lastApplied: 0,
-    };
+    const client = await import("@corridor/client/host");
+    const { origin, fetch, platform } = this.#ports;
+    let session = wanted;
+    try {
+      session ??= { ...(await client.registerRobot(origin, fetch)), lastApplied: 0 };
+    } catch (error) {
+      const reason = error instanceof client.RegistrationError ? error.code : "noService";
+      if (attempt === this.#attempt) this.#tell({ kind: "lost", reason });
+      return;
+    }
     if (attempt !== this.#attempt) return;
     this.#session = session;
-    this.#link = new Link({
+    this.#link = new client.HostLink({
       origin,
       credentials: session,
       lastApplied: session.lastApplied,
@@ -105,7 +138,7 @@ export class RemoteHost implements RemoteDriverEvents {
       onCommand: (command) => this.#deliver(command),
       onStop: (stop) => {
         this.#list(stop);
-        this.#ports.onStop();
+        this.#ports.cancel("stopped");
         this.#change(stop.seq, { state: "completed" });
       },
       onStatus: (status) => this.#linkChanged(status),
@@ -113,7 +146,17 @@ export class RemoteHost implements RemoteDriverEvents {
         this.#drivers = drivers;
         if (this.isOpen) this.#tell(this.#connectedStatus());
       },
+      ...(platform === undefined ? {} : { platform }),
     });
+  }
+
+  /** Parts with a session: nothing of it may run on, or be told under the next one's numbers. */
+  #leave(): void {
+    if (this.#link === null) return;
+    this.#ports.cancel("addressEnded");
+    this.#link.close();
+    this.#link = null;
+    this.#drivers = noDrivers;
   }
 
   #deliver(command: DeliveredCommand): void {
@@ -139,7 +182,7 @@ export class RemoteHost implements RemoteDriverEvents {
     this.#tell(this.#status);
   }
 
-  #change(seq: number, change: Partial<CommandRecord>): void {
+  #change(seq: number, change: Partial<ListedCommand>): void {
     const record = this.#commands.get(seq);
     if (record !== undefined) this.#commands.set(seq, { ...record, ...change });
     if (this.#session !== null && this.#link !== null) {
@@ -155,10 +198,11 @@ export class RemoteHost implements RemoteDriverEvents {
       case "connected":
         return this.#tell(this.#connectedStatus());
       case "lost":
-        return this.#tell({ kind: "lost", reason: sentence(status.reason) });
+        return this.#tell({ kind: "lost", reason: troubleOf(status.reason) });
       case "over":
       case "replaced":
-        return this.#tell({ kind: "over", reason: sentence(status.reason) });
+        this.#leave();
+        return this.#tell({ kind: "over", reason: troubleOf(status.reason) });
     }
   }
 
@@ -179,7 +223,8 @@ export class RemoteHost implements RemoteDriverEvents {
   }
 }
 
-/** A close reason as a sentence: what happened, and what helps. */
-function sentence({ cause, remedy }: { cause: string; remedy: string }): string {
-  return `${cause.slice(0, 1).toUpperCase()}${cause.slice(1)}. ${remedy}`;
+/** The name of a close reason, which the page has words for. */
+function troubleOf({ code }: CloseReason): RemoteTrouble {
+  const names = Object.keys(closeReasons) as (keyof typeof closeReasons)[];
+  return names.find((name) => closeReasons[name].code === code) ?? "lineLost";
 }

@@ -283,7 +283,7 @@ describe("a remote script", () => {
     const loop = loopOf();
     deliver(loop, 1, { action: "forward" });
     expect(endings[1]).toMatchObject({ state: "cancelled" });
-    expect(endings[1]?.reason).toContain("choose Remote");
+    expect(endings[1]?.reason).toBe("notRemote");
   });
 
   it.each([

@@ -8,6 +8,7 @@ import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { DriverName, Snapshot } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import { FixedTimestep, ProgramRun, Simulation } from "@corridor/simulation";
+import type { CancelReason } from "../drivers/cancel-reason.ts";
 import { commandOfKey } from "../drivers/hand-driver.ts";
 import { RemoteDriver, type Delivery, type RemoteDriverEvents } from "../drivers/remote-driver.ts";
 import { Trail } from "./trail.ts";
@@ -16,11 +17,6 @@ import type { DriveKey, Frame, Moment, Speed } from "./worker-messages.ts";
 /** At speed "max", ticks between two looks at the clock, and the share of time that may be used. */
 const MAX_SPEED_CHUNK = 240;
 const MAX_SPEED_BUDGET_MS = 6;
-
-const NOT_REMOTE = "Remote does not drive: choose Remote on the robot's page.";
-const HANDED_OVER = "The robot's page took over.";
-const RESET = "The robot was put back to its start.";
-const MAZE_CHANGED = "The maze changed and the robot was put back to its start.";
 
 export class RunLoop {
   readonly #now: () => number;
@@ -70,7 +66,7 @@ export class RunLoop {
       this.#program.reconsider();
       return;
     }
-    this.#remote.cancel(this.#simulation, MAZE_CHANGED);
+    this.#remote.cancel(this.#simulation, "mazeChanged");
     this.#simulation = new Simulation(maze);
     this.#program = new ProgramRun(this.#simulation, this.#decider);
     this.#putAtStart();
@@ -103,7 +99,7 @@ export class RunLoop {
 
   /** Robot to start; maze, program, driver and speed stay. */
   reset(): void {
-    this.#remote.cancel(this.#simulation, RESET);
+    this.#remote.cancel(this.#simulation, "reset");
     this.#simulation.reset();
     this.#program = new ProgramRun(this.#simulation, this.#decider);
     this.#putAtStart();
@@ -117,7 +113,7 @@ export class RunLoop {
   /** Hands the robot over: it stops; a script's robot is live at once, the others wait. */
   setDriver(driver: DriverName): void {
     if (driver === this.#driver) return;
-    if (this.#driver === "remote") this.#remote.cancel(this.#simulation, HANDED_OVER);
+    if (this.#driver === "remote") this.#remote.cancel(this.#simulation, "handedOver");
     this.#simulation.apply({ action: "stop" });
     this.#program.reconsider();
     this.#driver = driver;
@@ -137,12 +133,12 @@ export class RunLoop {
   /** Takes a remote command; where Remote does not drive, it ends at once and says so. */
   accept(delivery: Delivery): void {
     this.#remote.accept(delivery);
-    if (this.#driver !== "remote") this.#remote.cancel(this.#simulation, NOT_REMOTE);
+    if (this.#driver !== "remote") this.#remote.cancel(this.#simulation, "notRemote");
     this.#isDirty = true;
   }
 
   /** Ends what remote commands run and wait. */
-  cancelRemote(reason: string): void {
+  cancelRemote(reason: CancelReason): void {
     if (this.#driver !== "remote") return;
     this.#remote.cancel(this.#simulation, reason);
     this.#isDirty = true;

@@ -33,7 +33,8 @@ const remote = new RemoteHost({
   snapshot: () => loop?.snapshot() ?? null,
   onView: (view) => post({ type: "remote", remote: view }),
   onDelivery: (delivery) => loop?.accept(delivery),
-  onStop: () => loop?.cancelRemote("A stop came."),
+  cancel: (reason) => loop?.cancelRemote(reason),
+  fetch: (url, request) => fetch(url, request),
 });
 
 worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
@@ -90,7 +91,6 @@ function handle(message: ToWorker): void {
     case "remote-open":
       return remote.open(message.session, message.fresh);
     case "remote-close":
-      loop.cancelRemote("The robot's page disconnected.");
       return remote.close();
     case "remote-clear":
       return remote.clearCommands();

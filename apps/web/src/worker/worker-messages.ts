@@ -2,7 +2,9 @@
  * Everything that crosses between the page's main thread and the simulator worker, and nothing else.
  * Documents were parsed and checked before they are sent; both ends are our own code.
  */
+import type { RegistrationError } from "@corridor/client/host";
 import type {
+  closeReasons,
   CommandRecord,
   DriverName,
   LineRef,
@@ -12,6 +14,7 @@ import type {
 } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
+import type { CancelReason } from "../drivers/cancel-reason.ts";
 
 /** How many simulated seconds pass in one second; "max" is as many as the machine gives. */
 export const speeds = [0.25, 0.5, 1, 2, 4, 8, 16, "max"] as const;
@@ -39,7 +42,7 @@ export type ToWorker =
   | { type: "edit-program"; program: ProgramDocument }
   | { type: "run" }
   | { type: "pause" }
-  /** pause, then take one decision: one tick, or one whole manoeuvre */
+  /** takes one decision (one tick, or one whole manoeuvre), then pauses */
   | { type: "step" }
   /** robot to start, everything else kept */
   | { type: "reset" }
@@ -84,14 +87,26 @@ export type RemoteStatus =
   | { kind: "waiting" }
   /** `heardAt`: milliseconds since 1970, since worker and page count their own time from different starts */
   | { kind: "connected"; client: string; heardAt: number }
-  | { kind: "lost"; reason: string }
-  | { kind: "over"; reason: string };
+  /** not connected; where there is a session, it is tried again by itself */
+  | { kind: "lost"; reason: RemoteTrouble }
+  /** the session is gone for this page */
+  | { kind: "over"; reason: RemoteTrouble };
+
+/** Why there is no connection: a close code by its name, or what went wrong without one. */
+export type RemoteTrouble =
+  | keyof typeof closeReasons
+  | RegistrationError["code"]
+  /** the line broke without a word */
+  | "lineLost";
+
+/** A command that this page was given, and what it made of it. */
+export type ListedCommand = Omit<CommandRecord, "reason"> & { reason: CancelReason | null };
 
 export interface RemoteView {
   status: RemoteStatus;
   session: RemoteSession | null;
   /** newest first, at most 100 */
-  commands: CommandRecord[];
+  commands: ListedCommand[];
 }
 
 export type FromWorker =

@@ -1,5 +1,5 @@
 /** What scripts asked of the robot, newest first, and how each ended. */
-import type { CommandRecord, CommandState } from "@corridor/protocol";
+import type { CommandState } from "@corridor/protocol";
 import {
   ArrowRight,
   Asterisk,
@@ -17,6 +17,7 @@ import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Chip } from "../../ui/Chip.tsx";
 import { classNames } from "../../ui/class-names.ts";
+import type { ListedCommand } from "../../worker/worker-messages.ts";
 import { commandText, cutShortAfter } from "./command-text.ts";
 import styles from "./remote.module.css";
 
@@ -75,7 +76,7 @@ export function CommandList() {
   );
 }
 
-function CommandRow({ record }: { record: CommandRecord }) {
+function CommandRow({ record }: { record: ListedCommand }) {
   const { t, i18n } = useTranslation();
   const { tone, Icon } = looks[record.state];
   const distance = cutShortAfter(record);
@@ -88,7 +89,9 @@ function CommandRow({ record }: { record: CommandRecord }) {
         {distance !== null && (
           <span className={styles["detail"]}>{t("remote.after", { distance })}</span>
         )}
-        {record.reason !== null && <p className={styles["reason"]}>{record.reason}</p>}
+        {record.reason !== null && (
+          <p className={styles["reason"]}>{t(`remote.cancel.${record.reason}`)}</p>
+        )}
       </td>
       <td className={styles["state"]}>
         <Chip tone={tone} icon={<Icon aria-hidden="true" />}>

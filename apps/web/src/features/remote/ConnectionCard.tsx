@@ -12,7 +12,6 @@ export function ConnectionCard() {
   const { t } = useTranslation();
   const { remote, connection } = useServices();
   const status = useStore(remote, (state) => state.status);
-  const hasSession = useStore(remote, (state) => state.session !== null);
   const now = useNow(status.kind === "connected");
   const view = viewConnection(status, now);
   const { title, note } = useWords(view);
@@ -29,9 +28,6 @@ export function ConnectionCard() {
         <p className={styles["cardTitle"]} aria-hidden={view.kind !== "quiet"}>
           {title}
         </p>
-        {view.kind === "lost" && !hasSession && (
-          <p className={styles["note"]}>{t("remote.noService")}</p>
-        )}
         <p className={styles["note"]}>{note}</p>
       </div>
       {isOpen ? (
@@ -76,8 +72,8 @@ function useWords(view: ConnectionView): { title: string; note: string } {
           };
     }
     case "lost":
-      return { title: t("remote.lost"), note: view.reason };
+      return { title: t("remote.lost"), note: t(`remote.trouble.${view.reason}`) };
     case "over":
-      return { title: t("remote.over"), note: view.reason };
+      return { title: t("remote.over"), note: t(`remote.trouble.${view.reason}`) };
   }
 }

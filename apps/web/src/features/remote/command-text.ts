@@ -11,7 +11,10 @@ export function commandText(command: Command): string {
 }
 
 /** The distance that is worth telling, in whole cm: where the robot hit something or was stopped. */
-export function cutShortAfter({ state, distance }: CommandRecord): number | null {
+export function cutShortAfter({
+  state,
+  distance,
+}: Pick<CommandRecord, "state" | "distance">): number | null {
   const isCutShort = state === "collided" || state === "cancelled" || state === "superseded";
   return isCutShort && distance !== null && distance >= 0.5 ? Math.round(distance) : null;
 }

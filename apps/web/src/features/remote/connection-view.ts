@@ -1,5 +1,5 @@
 /** The state of the connection as the panel names it. */
-import type { RemoteStatus } from "../../worker/worker-messages.ts";
+import type { RemoteStatus, RemoteTrouble } from "../../worker/worker-messages.ts";
 
 /** A script that was heard less long ago than this is connected; after that it is quiet. In ms. */
 const QUIET_AFTER_MS = 5_000;
@@ -7,7 +7,7 @@ const QUIET_AFTER_MS = 5_000;
 export type ConnectionView =
   | { kind: "off" | "connecting" | "waiting" }
   | { kind: "connected" | "quiet"; client: string; seconds: number }
-  | { kind: "lost" | "over"; reason: string };
+  | { kind: "lost" | "over"; reason: RemoteTrouble };
 
 /** @param now milliseconds since 1970 */
 export function viewConnection(status: RemoteStatus, now: number): ConnectionView {

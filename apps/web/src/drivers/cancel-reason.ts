@@ -1,0 +1,16 @@
+/**
+ * Why this page ends remote commands. The page shows a reason in its reader's language, by its code;
+ * scripts get the English sentence.
+ */
+export const cancelReasons = {
+  notRemote: "Remote does not drive: choose Remote on the robot's page.",
+  handedOver: "The robot's page took over.",
+  reset: "The robot was put back to its start.",
+  mazeChanged: "The maze changed and the robot was put back to its start.",
+  stopped: "A stop came.",
+  disconnected: "The robot's page disconnected.",
+  addressEnded: "The robot's page no longer uses this address.",
+} as const satisfies Record<string, string>;
+
+/** Key of `cancelReasons`. */
+export type CancelReason = keyof typeof cancelReasons;

@@ -1,0 +1,256 @@
+/** A page's remote side whole (host, link, loop, driver), against a relay that repeats itself. */
+import type { SocketEvents, SocketPort } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import { firstMaze, firstProgram } from "../app/first-visit.ts";
+import { RemoteHost } from "./remote-host.ts";
+import { RunLoop } from "./run-loop.ts";
+import type { RemoteSession, RemoteView } from "./worker-messages.ts";
+
+type Message = Record<string, unknown>;
+
+const letters = ["A", "B", "C"];
+
+/** Robots at a relay; it delivers whatever has neither started nor ended, again on each new line. */
+class Relay {
+  readonly #events: SocketEvents[] = [];
+  readonly #sent: Message[][] = [];
+  registered = 0;
+  /** how registering is answered */
+  status = 201;
+  isReachable = true;
+  /** per robot: seq of every accepted command */
+  readonly accepted = new Map<string, number[]>();
+  readonly told: Message[] = [];
+  /** the page's pauses before a new try */
+  readonly pauses = new Set<() => void>();
+
+  readonly fetch = async () => {
+    if (!this.isReachable) throw new TypeError("fetch failed");
+    const letter = letters[this.registered++] ?? "Z";
+    const body = {
+      id: letter.repeat(22),
+      ownerKey: `own_${letter.repeat(22)}`,
+      driverKey: `drv_${letter.repeat(22)}`,
+      address: `http://localhost/r/${letter.repeat(22)}#drv_${letter.repeat(22)}`,
+    };
+    return { status: this.status, text: async () => JSON.stringify(body) };
+  };
+
+  readonly platform = {
+    clock: {
+      now: () => 0,
+      after: (ms: number, call: () => void) => {
+        // Only pauses before a try are shorter than the waits for a word of the relay.
+        if (ms < 10_000) this.pauses.add(call);
+        return () => void this.pauses.delete(call);
+      },
+    },
+    random: () => 0.5,
+    connect: (_url: string, events: SocketEvents): SocketPort => {
+      this.#events.push(events);
+      const sent: Message[] = [];
+      this.#sent.push(sent);
+      return {
+        send: (text) => {
+          const message = JSON.parse(text) as Message;
+          sent.push(message);
+          this.told.push(message);
+        },
+        close: () => undefined,
+        isOpen: true,
+        waitingBytes: 0,
+      };
+    },
+  };
+
+  get lines(): number {
+    return this.#events.length;
+  }
+
+  /** Takes the newest line and delivers what the page has not begun. */
+  welcome(robot: string): void {
+    this.#events.at(-1)?.opened();
+    this.#say({ type: "welcome", version: 1, epoch: this.lines });
+    const [, resume] = this.#sent.at(-1) ?? [];
+    for (const seq of this.accepted.get(robot) ?? []) {
+      if (seq > Number(resume?.["lastApplied"])) this.#deliver(seq);
+    }
+  }
+
+  accept(robot: string, seq: number): void {
+    this.accepted.set(robot, [...(this.accepted.get(robot) ?? []), seq]);
+    this.#deliver(seq);
+  }
+
+  cut(code: number): void {
+    this.#events.at(-1)?.closed(code);
+  }
+
+  /** What the page said at the beginning of its newest line. */
+  get resume(): Message | undefined {
+    return this.#sent.at(-1)?.[1];
+  }
+
+  #deliver(seq: number): void {
+    const command = { action: "move", distance: 20 };
+    this.#say({ type: "command", seq, key: null, command, acceptedAt: "2026-01-01T00:00:00.000Z" });
+  }
+
+  #say(message: Message): void {
+    this.#events.at(-1)?.received(JSON.stringify(message));
+  }
+}
+
+function openPage() {
+  const relay = new Relay();
+  let time = 0;
+  let view: RemoteView = { status: { kind: "off" }, session: null, commands: [] };
+  const host: RemoteHost = new RemoteHost({
+    origin: "http://localhost",
+    now: () => time,
+    snapshot: () => loop.snapshot(),
+    onView: (newest) => (view = newest),
+    onDelivery: (delivery) => loop.accept(delivery),
+    cancel: (reason) => loop.cancelRemote(reason),
+    fetch: relay.fetch,
+    platform: relay.platform,
+  });
+  const loop = new RunLoop(firstMaze, firstProgram, () => time, host);
+  loop.setDriver("remote");
+  return {
+    relay,
+    host,
+    view: () => view,
+    states: () => view.commands.map(({ seq, state, reason }) => [seq, state, reason]),
+    /** Opens, and waits until there is a line or word of a trouble. */
+    open: async (session: RemoteSession | null): Promise<void> => {
+      const { lines } = relay;
+      host.open(session, false);
+      await expect.poll(() => relay.lines > lines || view.status.kind === "lost").toBe(true);
+    },
+    drive: (milliseconds: number): void => {
+      for (const end = time + milliseconds; time < end; time += 8) loop.advance();
+    },
+  };
+}
+
+async function openRobot() {
+  const page = openPage();
+  await page.open(null);
+  page.relay.welcome("A");
+  const { session } = page.view();
+  if (session === null) throw new Error("No robot was registered.");
+  return { ...page, session };
+}
+
+describe("connecting again while the line is lost", () => {
+  it("drives each command once and loses no ending", async () => {
+    const { relay, host, view, states, drive, session } = await openRobot();
+    for (const seq of [1, 2, 3]) relay.accept("A", seq);
+    drive(100);
+    relay.cut(1006);
+    expect(view().status).toEqual({ kind: "lost", reason: "lineLost" });
+    drive(150);
+    host.open({ ...session, lastApplied: 1 }, false);
+    expect(relay.lines).toBe(2);
+    expect(relay.pauses.size).toBe(0);
+    relay.welcome("A");
+    drive(5_000);
+    expect(states()).toEqual([
+      [3, "completed", null],
+      [2, "completed", null],
+      [1, "completed", null],
+    ]);
+    const told = (type: string) =>
+      relay.told.flatMap((it) => (it["type"] === type ? it["seq"] : []));
+    expect(relay.resume?.["endings"]).toMatchObject([{ seq: 1, state: "completed" }]);
+    expect(told("started")).toEqual([1, 3]);
+    expect(told("ended")).toEqual([2, 3]);
+  });
+
+  it("says that it is connected when it was already", async () => {
+    const { relay, host, view, session } = await openRobot();
+    host.open(session, false);
+    expect(relay.lines).toBe(1);
+    expect(view().status).toEqual({ kind: "waiting" });
+  });
+});
+
+describe("disconnecting while the line is lost", () => {
+  it("ends all commands, and the relay hears it when the page connects again", async () => {
+    const { relay, host, view, states, drive, session } = await openRobot();
+    for (const seq of [1, 2]) relay.accept("A", seq);
+    drive(100);
+    relay.cut(1006);
+    host.close();
+    expect(view().status).toEqual({ kind: "off" });
+    expect(states()).toEqual([
+      [2, "cancelled", "disconnected"],
+      [1, "cancelled", "disconnected"],
+    ]);
+    host.open(session, false);
+    relay.welcome("A");
+    const reason = "The robot's page disconnected.";
+    expect(relay.resume).toMatchObject({
+      lastApplied: 2,
+      endings: [
+        { seq: 1, state: "cancelled", reason },
+        { seq: 2, state: "cancelled", reason },
+      ],
+    });
+    relay.accept("A", 3);
+    drive(1_000);
+    expect(states()[0]).toEqual([3, "completed", null]);
+  });
+});
+
+describe("another robot", () => {
+  it.each([
+    { code: 4410, reason: "over" },
+    { code: 4404, reason: "noRobot" },
+    { code: 4409, reason: "replaced" },
+  ])("after $reason begins with nothing of the old one", async ({ code, reason }) => {
+    const { relay, open, view, states, drive } = await openRobot();
+    for (const seq of [1, 2]) relay.accept("A", seq);
+    drive(100);
+    relay.cut(code);
+    expect(view().status).toEqual({ kind: "over", reason });
+    expect(states()).toEqual([
+      [2, "cancelled", "addressEnded"],
+      [1, "cancelled", "addressEnded"],
+    ]);
+    await open(null);
+    relay.welcome("B");
+    expect(relay.resume).toMatchObject({ lastApplied: 0, endings: [] });
+    expect(states()).toEqual([]);
+    drive(1_000);
+    relay.accept("B", 1);
+    drive(1_000);
+    expect(states()).toEqual([[1, "completed", null]]);
+    expect(view().session).toMatchObject({ id: "B".repeat(22), lastApplied: 1 });
+  });
+
+  it("ends the commands of the one before it while that is still connected", async () => {
+    const { relay, open, drive } = await openRobot();
+    relay.accept("A", 1);
+    drive(100);
+    await open(null);
+    expect(relay.told.at(-1)).toMatchObject({ type: "ended", seq: 1, state: "cancelled" });
+    relay.welcome("B");
+    expect(relay.resume).toMatchObject({ lastApplied: 0, endings: [] });
+  });
+});
+
+describe("a robot that is not registered", () => {
+  it.each([
+    { name: "nothing answers", isReachable: false, status: 0, reason: "noService" },
+    { name: "only files are served", isReachable: true, status: 405, reason: "noService" },
+    { name: "too many were registered", isReachable: true, status: 429, reason: "tooManyRobots" },
+    { name: "the service is in trouble", isReachable: true, status: 503, reason: "refused" },
+  ])("is told by its cause when $name", async ({ isReachable, status, reason }) => {
+    const { relay, open, view } = openPage();
+    Object.assign(relay, { isReachable, status });
+    await open(null);
+    expect(view()).toMatchObject({ status: { kind: "lost", reason }, session: null });
+  });
+});
