@@ -76,6 +76,26 @@ describe("opening a shared link", () => {
     expect(page.screen.getState().messages).toEqual([]);
   });
 
+  it("speaks of no own work to a reader who has none, however many links are opened", () => {
+    const page = openPage(new MemoryStorage());
+    page.go("/", `#${fullLink}`);
+    page.go("/", `#${mazeLink}`);
+    const texts = page.screen.getState().messages.map(({ text }) => text);
+    expect(new Set(texts)).toEqual(new Set(["You opened a shared maze."]));
+    expect(page.message()?.action).toBeUndefined();
+  });
+
+  it("counts a shared maze that the reader has changed as own work", () => {
+    const page = openPage(new MemoryStorage());
+    page.go("/", `#${mazeLink}`);
+    page.rename("Changed");
+    page.go("/", `#${fullLink}`);
+    const message = page.message();
+    expect(message?.text).toBe("You opened a shared maze. Your own work is kept.");
+    message?.action?.run();
+    expect(page.shown()).toBe("Changed");
+  });
+
   it("leads back to a maze that could not be saved", () => {
     const device = new MemoryStorage();
     device.isFull = true;

@@ -9,7 +9,7 @@ import { dismiss, tell, type ScreenStore } from "../stores/screen-store.ts";
 import type { WorksService } from "./works-service.ts";
 
 export interface UrlPorts {
-  works: Pick<WorksService, "begin">;
+  works: Pick<WorksService, "begin" | "list">;
   /** the maze on the screen, for links that bring only a program */
   maze: () => MazeDocument;
   screen: ScreenStore;
@@ -54,14 +54,19 @@ export function followAddress(ports: UrlPorts): void {
 
 function openShared(ports: UrlPorts, content: LinkContent): void {
   const { screen, words } = ports;
+  const isOwner = hasOwnWork(ports);
   const back = ports.works.begin(
     content.maze ?? ports.maze(),
     // A maze alone is to be solved with whatever program the reader has.
     content.program ?? null,
   );
+  if (!isOwner) {
+    tell(screen, { tone: "info", text: words.t("share.opened") });
+    return;
+  }
   const id = tell(screen, {
     tone: "info",
-    text: words.t("share.opened"),
+    text: words.t("share.openedBeside"),
     action: {
       label: words.t("share.back"),
       run: () => {
@@ -70,4 +75,9 @@ function openShared(ports: UrlPorts, content: LinkContent): void {
       },
     },
   });
+}
+
+/** Whether the reader has made anything here: saved by an edit, or edited and refused by the storage. */
+function hasOwnWork({ works, screen }: UrlPorts): boolean {
+  return works.list().some(({ edited }) => edited) || screen.getState().saved === "blocked";
 }
