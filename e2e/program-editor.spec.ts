@@ -171,6 +171,31 @@ test("is told what is wrong with a number, and the last good one comes back", as
   await expect(program.line(1)).toHaveAccessibleName(/if right is more than 72\.5/);
 });
 
+test("presses a button below a wrong number, and the press is not lost", async ({
+  corridor,
+  page,
+}) => {
+  const { program } = corridor;
+  const error = program.region.getByText("Type a distance");
+  // A real press holds the button down while the field loses the focus and the page draws.
+  const press = async (name: string) => {
+    await program.number(1).fill("abc");
+    await page.keyboard.press("Enter");
+    await expect(error).toBeVisible();
+    await program.button(name).hover();
+    await page.mouse.down();
+    await expect(program.number(1)).not.toHaveValue("abc");
+    await page.mouse.up();
+  };
+  await press("Add line");
+  await expect(program.lines).toHaveCount(3);
+  await expect(error).toHaveCount(0);
+  await press("Move line 2 up");
+  await expect(program.line(1)).toHaveAccessibleName(/if front is less than 50/);
+  await expect(error).toHaveCount(0);
+  await expect(program.number(2)).toHaveValue("60");
+});
+
 const algorithms = [
   { name: "Back and forth", lines: 1 },
   { name: "Right wall", lines: 2 },

@@ -5,7 +5,7 @@ import styles from "./field.module.css";
 import type { NumberDraft } from "./use-number-draft.ts";
 
 interface NumberInputProps extends Omit<ComponentProps<"input">, "value" | "onChange"> {
-  draft: NumberDraft;
+  draft: Omit<NumberDraft, "hasErrorRoom">;
   /** id of the element that tells the error */
   errorId: string;
 }

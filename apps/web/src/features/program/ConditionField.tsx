@@ -77,8 +77,8 @@ export function ConditionNumber({ index, condition }: { index: number; condition
           endStroke.current = null;
         }}
       />
-      {draft.isInvalid && (
-        <div className={styles["error"]}>
+      {draft.hasErrorRoom && (
+        <div className={styles["error"]} data-over={draft.isInvalid ? undefined : ""}>
           <FieldError id={errorId}>{t("program.badNumber", range)}</FieldError>
         </div>
       )}
