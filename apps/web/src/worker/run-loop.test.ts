@@ -36,7 +36,7 @@ function pass(loop: RunLoop, milliseconds: number): Moment[] {
     time += 8;
     loop.advance();
     const news = loop.takeNews();
-    if (news?.moment) moments.push(news.moment);
+    moments.push(...(news?.moments ?? []));
   }
   return moments;
 }
@@ -309,6 +309,23 @@ describe("a remote script", () => {
     act(loop);
     expect(story).toEqual(["started 1", "cancelled 1", "cancelled 2"]);
   });
+});
+
+it("a script that reaches the goal and bumps within one frame is told of both", () => {
+  const corridor = {
+    ...firstMaze,
+    blocks: ["..."],
+    start: { column: 0, row: 0, heading: "east" as const },
+    goals: [{ column: 2, row: 0 }],
+  };
+  const loop = loopOf(corridor);
+  loop.setDriver("remote");
+  loop.setSpeed(16);
+  deliver(loop, 1, { action: "forward" });
+  time += 240;
+  loop.advance();
+  const kinds = loop.takeNews()?.moments.map(({ kind }) => kind);
+  expect(kinds).toEqual(["goal", "bump"]);
 });
 
 describe("editing the maze", () => {

@@ -34,7 +34,8 @@ export class RunLoop {
   #lastAt = 0;
   #seq = 0;
   #isDirty = true;
-  #moment: Moment | null = null;
+  /** what happened since the last news: the newest bump, and the goal */
+  #moments: Moment[] = [];
 
   /** @param now monotonic milliseconds */
   constructor(
@@ -160,12 +161,12 @@ export class RunLoop {
   }
 
   /** What there is to draw and to tell since the last call; null when nothing changed. */
-  takeNews(): { frame: Frame; moment: Moment | null } | null {
+  takeNews(): { frame: Frame; moments: Moment[] } | null {
     if (!this.#isDirty) return null;
     this.#isDirty = false;
-    const moment = this.#moment;
-    this.#moment = null;
-    return { frame: { snapshot: this.snapshot(), ...this.#trail.take() }, moment };
+    const moments = this.#moments;
+    this.#moments = [];
+    return { frame: { snapshot: this.snapshot(), ...this.#trail.take() }, moments };
   }
 
   /** The newest snapshot; every call has its own seq. */
@@ -217,19 +218,21 @@ export class RunLoop {
 
   #tell(kind: Moment["kind"]): void {
     const { tick, pose, bumps } = this.#simulation;
-    this.#moment = {
+    // Many bumps in one frame are one to a watcher; the goal is told in any case.
+    this.#moments = this.#moments.filter((each) => each.kind !== kind);
+    this.#moments.push({
       kind,
       tick,
       pose,
       bumps,
       driver: this.#driver,
       line: this.#driver === "program" ? this.#program.line : null,
-    };
+    });
   }
 
   #putAtStart(): void {
     this.pause();
-    this.#moment = null;
+    this.#moments = [];
     this.#beginTrail();
     if (this.#driver === "remote") this.#start();
   }

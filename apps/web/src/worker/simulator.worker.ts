@@ -102,7 +102,7 @@ function tellNews(): void {
   if (loop === null || news === undefined) return;
   if (news !== null) {
     post({ type: "frame", frame: news.frame });
-    if (news.moment !== null) post({ type: "moment", moment: news.moment });
+    for (const moment of news.moments) post({ type: "moment", moment });
   }
   hasUnsentNews ||= news !== null;
   const wait = hasUnsentNews ? RELAY_INTERVAL_MS : RELAY_HEARTBEAT_MS;
