@@ -228,6 +228,16 @@ describe("a maze larger than the stage", () => {
     expect(scrolls).toHaveLength(1);
   });
 
+  it("shows the robot when the stage becomes too small, though it stands still", () => {
+    const { renderer, paint, drive, scrolls } = newStage();
+    renderer.show({ ...large, layout: { ...large.layout, overflows: false } });
+    drive(12_000, 12_000, true);
+    expect(scrolls).toHaveLength(0);
+    renderer.show(large);
+    paint();
+    expect(scrolls).toHaveLength(1);
+  });
+
   it("draws every layer again where it has been scrolled", () => {
     const { renderer, paint, cleared } = newStage();
     renderer.show(large);

@@ -86,6 +86,8 @@ export class StageRenderer {
   #snapshot: Snapshot | null = null;
   #bumps: BumpMark[] = [];
   #request: number | null = null;
+  /** the division of the stage in which the robot was last brought into sight */
+  #followed: Layout | null = null;
 
   constructor(canvases: LayerCanvases, port: RendererPort) {
     this.#canvases = canvases;
@@ -148,6 +150,10 @@ export class StageRenderer {
     if (scene === null) return;
     const viewport = viewportAt(scene.layout, this.#scroll);
     this.#takeFrame(scene, viewport);
+    if (this.#snapshot !== null && this.#followed !== scene.layout) {
+      // A maze that no longer fits begins where the robot is, even while it stands still.
+      this.#follow(scene.layout, this.#snapshot.pose);
+    }
     if (this.#stale.has("maze")) this.#paintMaze(scene, viewport);
     if (this.#stale.has("trail")) this.#paintTrail(scene, viewport);
     if (this.#stale.has("live")) this.#paintLive(scene, viewport);
@@ -175,6 +181,7 @@ export class StageRenderer {
   }
 
   #follow(layout: Layout, pose: Snapshot["pose"]): void {
+    this.#followed = layout;
     if (!layout.overflows) return;
     const scroll = followScroll(layout, this.#scroll, pose.x, pose.y);
     if (scroll.x !== this.#scroll.x || scroll.y !== this.#scroll.y) this.#port.scrollTo(scroll);

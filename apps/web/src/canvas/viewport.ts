@@ -10,8 +10,8 @@
 export const CELL = 100;
 /** Below this the robot and its readings can no longer be told apart: 0.3 px per unit. */
 export const MIN_CELL_PX = 30;
-/** On the smallest phones (320 px) the whole of a small maze is worth more than large squares. */
-export const MIN_CELL_PX_COMPACT = 24;
+/** On short phones the whole of a maze, its goal included, is worth more than large squares. */
+export const MIN_CELL_PX_COMPACT = 12;
 /** A tiny maze does not blow the robot up to the size of the screen: 2 px per unit. */
 const MAX_CELL_PX = 200;
 

@@ -16,10 +16,12 @@ describe("stageLayout", () => {
   });
 
   it.each([
-    { width: 390, cellPx: 34 },
-    { width: 320, cellPx: 27 },
-  ])("shows the whole maze on a phone of $width px", ({ width, cellPx }) => {
-    const layout = stageLayout(maze, { width, height: 300 }, true);
+    { width: 390, height: 300, cellPx: 34 },
+    { width: 320, height: 300, cellPx: 27 },
+    { width: 390, height: 160, cellPx: 21 },
+    { width: 320, height: 108, cellPx: 14 },
+  ])("shows the whole maze in $width x $height px of a phone", ({ width, height, cellPx }) => {
+    const layout = stageLayout(maze, { width, height }, true);
     expect(layout).toMatchObject({ cellPx, overflows: false });
     expect(hasRulers(width, true)).toBe(false);
   });
