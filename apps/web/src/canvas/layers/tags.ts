@@ -119,20 +119,18 @@ function drawMarks(
     const beam = beamOf(limit.sensor);
     const width = MARK.badge + textWidth(context, String(limit.distance)) + 2 * MARK.padding;
     const distance = limit.distance * viewport.scale;
-    drawBar(
-      context,
-      palette,
-      beam,
-      distance,
-      limit,
-      limit.distance <= snapshot.sensors[limit.sensor],
-    );
     const centres = markCentres(beam, distance, MARK.reach, width, MARK.height);
     return { name: limit, width, height: MARK.height, centres };
   });
-  for (const tag of placeTags(requests, taken, viewport.port)) {
-    drawMark(context, palette, tag, tag.name.distance <= snapshot.sensors[tag.name.sensor]);
+  const tags = placeTags(requests, taken, viewport.port);
+  const isReached = ({ distance, sensor }: Limit): boolean => distance <= snapshot.sensors[sensor];
+  for (const limit of limits) {
+    // A bar without its number says nothing, but for the line that the panel shows as running.
+    if (!limit.isRunning && !tags.some(({ name }) => name === limit)) continue;
+    const distance = limit.distance * viewport.scale;
+    drawBar(context, palette, beamOf(limit.sensor), distance, limit, isReached(limit));
   }
+  for (const tag of tags) drawMark(context, palette, tag, isReached(tag.name));
 }
 
 function drawBar(
