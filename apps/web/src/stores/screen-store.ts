@@ -44,11 +44,23 @@ export type ScreenStore = ReturnType<typeof createScreenStore>;
 
 let lastMessageId = 0;
 
-/** Shows a message; the newest stands first. At most four stay, so that the screen is never covered. */
+/**
+ * Shows a message; the newest stands first. At most four stay, so that the screen is never covered.
+ * One that says the same as before takes its place.
+ */
 export function tell(store: ScreenStore, message: Omit<Message, "id">): number {
   const id = ++lastMessageId;
-  store.setState((state) => ({ messages: [{ ...message, id }, ...state.messages].slice(0, 4) }));
+  store.setState((state) => {
+    const others = state.messages.filter((each) => !isRenewedBy(each, message));
+    return { messages: [{ ...message, id }, ...others].slice(0, 4) };
+  });
   return id;
+}
+
+/** Information with an action takes something back, and two of those may say the same of two things. */
+function isRenewedBy(shown: Message, next: Omit<Message, "id">): boolean {
+  if (shown.text !== next.text || shown.tone !== next.tone) return false;
+  return next.tone === "bad" || shown.action === undefined;
 }
 
 export function dismiss(store: ScreenStore, id: number): void {
