@@ -53,7 +53,7 @@ function ShareForm() {
           <legend className={styles["label"]}>{t("share.carries")}</legend>
           <Checkbox
             label={t("share.maze")}
-            note={t("share.mazeNote", sizeOf(maze))}
+            note={t("share.mazeNote", { ...sizeOf(maze), count: maze.goals.length })}
             checked
             disabled
             onChange={() => undefined}
