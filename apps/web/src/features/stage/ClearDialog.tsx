@@ -5,6 +5,7 @@ import { useServices } from "../../app/services.ts";
 import { setMaze } from "../../stores/workspace-store.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
+import styles from "./tool-strip.module.css";
 
 interface ClearDialogProps {
   isOpen: boolean;
@@ -26,12 +27,12 @@ export function ClearDialog({ isOpen, onClose }: ClearDialogProps) {
       title={t("stage.clearTitle")}
       width="narrow"
       footer={
-        <>
+        <div className={styles["answers"]}>
           <Button onClick={onClose}>{t("stage.keep")}</Button>
           <Button kind="primary" onClick={clear}>
             {t("stage.clear")}
           </Button>
-        </>
+        </div>
       }
     >
       <p>{t("stage.clearText")}</p>
