@@ -51,9 +51,7 @@ test("is told why the squares of the robot and the start cannot be filled", asyn
   ).toBeVisible();
   await maze.expectSquare({ column: 10, row: 0 }, "open, goal, robot here, facing up");
   await maze.click({ column: 0, row: 6 });
-  await expect(
-    corridor.message("The start is on this square. Move the start first."),
-  ).toBeVisible();
+  await expect(corridor.message("This is the start. Move the start first.")).toBeVisible();
   await maze.expectSquare({ column: 0, row: 6 }, "open, start, facing right");
 });
 

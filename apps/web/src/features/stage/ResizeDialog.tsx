@@ -10,6 +10,7 @@ import { Dialog } from "../../ui/Dialog.tsx";
 import { FieldError } from "../../ui/FieldError.tsx";
 import { NumberInput } from "../../ui/NumberInput.tsx";
 import { readNumber } from "../../ui/number-text.ts";
+import { tellUndoable } from "./tell-undoable.ts";
 import styles from "./tool-strip.module.css";
 
 interface ResizeDialogProps {
@@ -18,8 +19,8 @@ interface ResizeDialogProps {
 }
 
 export function ResizeDialog({ isOpen, onClose }: ResizeDialogProps) {
-  const { workspace } = useServices();
-  const { t } = useTranslation();
+  const { workspace, screen } = useServices();
+  const { t, i18n } = useTranslation();
   const maze = useStore(workspace, (state) => state.maze);
   return (
     <Dialog isOpen={isOpen} onClose={onClose} title={t("stage.resizeTitle")} width="narrow">
@@ -27,8 +28,15 @@ export function ResizeDialog({ isOpen, onClose }: ResizeDialogProps) {
         before={sizeOf(maze)}
         onDone={(columns, rows) => {
           const edit = resize(maze, columns, rows);
-          if (edit.ok) setMaze(workspace, edit.maze);
           onClose();
+          if (!edit.ok) return;
+          setMaze(workspace, edit.maze);
+          const lost = maze.goals.length - edit.maze.goals.length;
+          const news = [
+            ...(edit.maze.start === maze.start ? [] : [t("stage.startMoved")]),
+            ...(lost === 0 ? [] : [t("stage.goalsOutside", { count: lost })]),
+          ];
+          if (news.length > 0) tellUndoable({ screen, workspace }, i18n, news.join(" "));
         }}
       />
     </Dialog>

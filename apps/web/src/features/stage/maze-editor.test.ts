@@ -20,14 +20,16 @@ function newEditor() {
   const workspace = createWorkspaceStore(maze, firstProgram);
   const screen = createScreenStore();
   const refusals: ToolRefusal[] = [];
+  const goalsRemoved: number[] = [];
   const editor = new MazeEditor({
     workspace,
     screen,
     pose: () => ({ x: 50, y: 150, heading: 0 }),
     refuse: (code) => refusals.push(code),
+    goalsRemoved: (count) => goalsRemoved.push(count),
   });
   const blocks = () => workspace.getState().maze.blocks;
-  return { workspace, screen, refusals, editor, blocks };
+  return { workspace, screen, refusals, goalsRemoved, editor, blocks };
 }
 
 describe("a stroke of blocks", () => {
@@ -69,6 +71,27 @@ describe("a stroke of blocks", () => {
     editor.follow({ type: "cancel" });
     expect(workspace.getState().maze).toBe(maze);
     expect(workspace.temporal.getState().pastStates).toHaveLength(0);
+  });
+
+  it("says once, when it is over, how many goals it has buried", () => {
+    const { workspace, editor, goalsRemoved } = newEditor();
+    workspace.setState({ maze: { ...maze, goals: [at(1, 0), at(2, 0), at(3, 0)] } });
+    editor.follow({ type: "begin", cell: at(1, 0) });
+    editor.follow({ type: "paint", cells: [at(2, 0)] });
+    expect(goalsRemoved).toEqual([]);
+    editor.follow({ type: "end" });
+    expect(goalsRemoved).toEqual([2]);
+  });
+
+  it("says nothing of goals that the Goal tool takes away, or that it gives back", () => {
+    const { workspace, screen, editor, goalsRemoved } = newEditor();
+    workspace.setState({ maze: { ...maze, goals: [at(1, 0), at(2, 0)] } });
+    editor.follow({ type: "begin", cell: at(1, 0) });
+    editor.follow({ type: "cancel" });
+    screen.setState({ tool: "goal" });
+    editor.press(at(2, 0));
+    expect(workspace.getState().maze.goals).toEqual([at(1, 0)]);
+    expect(goalsRemoved).toEqual([]);
   });
 
   it("that changes nothing is no step of undo", () => {

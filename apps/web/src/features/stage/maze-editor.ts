@@ -24,6 +24,8 @@ export interface MazeEditorPort {
   pose: () => Pose | null;
   /** says in words why nothing happened */
   refuse: (code: ToolRefusal) => void;
+  /** says that a stroke of blocks has buried so many goals, once it is over */
+  goalsRemoved: (count: number) => void;
 }
 
 export class MazeEditor {
@@ -46,8 +48,7 @@ export class MazeEditor {
         this.#paint(intent.cells);
         return;
       case "end":
-        this.#stroke?.endInHistory();
-        this.#stroke = null;
+        this.#end();
         return;
       case "cancel":
         this.#cancel();
@@ -92,6 +93,17 @@ export class MazeEditor {
     if (this.#stroke?.told.has(edit.code) === true) return;
     this.#stroke?.told.add(edit.code);
     refuse(edit.code);
+  }
+
+  #end(): void {
+    const stroke = this.#stroke;
+    if (stroke === null) return;
+    this.#stroke = null;
+    stroke.endInHistory();
+    if (stroke.filled === null) return;
+    const { workspace, goalsRemoved } = this.#port;
+    const removed = stroke.before.goals.length - workspace.getState().maze.goals.length;
+    if (removed > 0) goalsRemoved(removed);
   }
 
   #cancel(): void {

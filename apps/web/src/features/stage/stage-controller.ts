@@ -14,6 +14,7 @@ import { tell } from "../../stores/screen-store.ts";
 import { MazeEditor } from "./maze-editor.ts";
 import { hasRulers, stageLayout } from "./stage-layout.ts";
 import { createStageView } from "./stage-view.ts";
+import { tellUndoable } from "./tell-undoable.ts";
 import { ghostOf, type ToolRefusal } from "./tool-edit.ts";
 
 /** The elements that the stage is drawn into. */
@@ -51,6 +52,8 @@ export class StageController {
       screen: services.screen,
       pose: () => this.#renderer?.pose() ?? null,
       refuse: (code) => this.#tellRefusal(code),
+      goalsRemoved: (count) =>
+        tellUndoable(services, words, words.t("stage.goalsRemoved", { count })),
     });
     this.#pointer = new PointerInput((intent) => {
       if (intent.type === "hover") this.view.setState({ hover: intent.cell });

@@ -44,6 +44,11 @@ describe("a press", () => {
     expect(pressTool(maze, "blocks", at(1, 1), here).ok).toBe(true);
   });
 
+  it("of Blocks on the start names the start, though the robot stands there too", () => {
+    const edit = pressTool(maze, "blocks", at(0, 0), { x: 50, y: 50, heading: 0 });
+    expect(edit).toEqual({ ok: false, code: "start-here" });
+  });
+
   it("of Start moves it with its heading, and turns it right where it is already", () => {
     expect(pressTool(maze, "start", at(1, 0), null)).toMatchObject({
       maze: { start: { column: 1, row: 0, heading: "west" } },

@@ -36,15 +36,16 @@ export function isRobotOver(pose: Pose | null, cell: Cell): boolean {
   return dx * dx + dy * dy < (ROBOT_RADIUS - CONTACT) ** 2;
 }
 
-/** Fills or opens a cell, unless the robot stands there. */
+/** Fills or opens a cell, unless the robot stands there. On the start, the start is the reason. */
 export function paintBlock(
   maze: MazeDocument,
   cell: Cell,
   filled: boolean,
   pose: Pose | null,
 ): ToolEdit {
-  if (filled && isRobotOver(pose, cell)) return { ok: false, code: "robot-here" };
-  return setBlock(maze, cell, filled);
+  const edit = setBlock(maze, cell, filled);
+  if (edit.ok && filled && isRobotOver(pose, cell)) return { ok: false, code: "robot-here" };
+  return edit;
 }
 
 /** What one press of a tool does: add or remove a block, place or turn the start, add or remove a goal. */
