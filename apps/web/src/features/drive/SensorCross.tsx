@@ -35,7 +35,7 @@ export function SensorCross({ look }: { look: "cross" | "row" }) {
           )}
         >
           <dt>{t(`drive.sensor.${sensor}`)}</dt>
-          <dd>{snapshot === null ? "–" : formatReading(snapshot.sensors[sensor])}</dd>
+          <Reading text={snapshot === null ? "–" : formatReading(snapshot.sensors[sensor])} />
         </div>
       ))}
       {isCross && (
@@ -44,5 +44,16 @@ export function SensorCross({ look }: { look: "cross" | "row" }) {
         </div>
       )}
     </dl>
+  );
+}
+
+/** A reading on its decimal point, which stays in its place while digits come and go. */
+function Reading({ text }: { text: string }) {
+  const [whole = "", tenths] = text.split(".");
+  return (
+    <dd>
+      <span>{whole}</span>
+      <span>{tenths === undefined ? "" : `.${tenths}`}</span>
+    </dd>
   );
 }
