@@ -33,7 +33,6 @@ const allowed: Record<string, readonly string[]> = {
     "helmet",
     "node:",
     "pino",
-    "rate-limiter-flexible",
     "vite",
     "ws",
     "zod",

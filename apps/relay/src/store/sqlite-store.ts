@@ -2,7 +2,8 @@
  * The default store: one SQLite file, by the SQLite that is built into Node.
  *
  * The calls are synchronous inside, so each transaction is over before anything else runs. They are
- * short on purpose: rows of one robot by index, never a scan.
+ * short on purpose: rows of one robot by index. Only the sweep for sessions that ran out, once a
+ * minute, reads through the sessions (not their commands).
  */
 import { mkdirSync } from "node:fs";
 import { dirname } from "node:path";
