@@ -104,7 +104,7 @@ export const calls: ZodOpenApiPathsObject = {
       parameters: idempotencyKey,
       responses: {
         202: answer("The record of the stop, which overtakes.", commandRecordSchema, location),
-        ...refusals(...keyed, "key-conflict", "storage-full"),
+        ...refusals(...keyed, "key-conflict", "too-fast", "storage-full"),
       },
     },
   },

@@ -3,6 +3,7 @@ import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { commandRecordSchema, snapshotSchema } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
+import { FakeClock } from "../testing/fake-clock.ts";
 import { completed } from "../testing/messages.ts";
 import { startTestRelay, testFolder } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
@@ -85,6 +86,35 @@ describe("the HTTP service", () => {
     const { socket: page, epoch } = await TestSocket.page(relay, robot);
     page.send({ type: "snapshot", epoch, snapshot: snapshotOf() });
     expect(await (await waiting).json()).toEqual(snapshotOf());
+  });
+
+  it("shows what the robot reported last for as long as the robot is remembered", async () => {
+    const clock = new FakeClock();
+    const relay = await startTestRelay({ clock });
+    const robot = await relay.register();
+    const { socket: page, epoch } = await TestSocket.page(relay, robot);
+    const waiting = relay.ask(robot, "/sensors?wait=25");
+    page.send({ type: "snapshot", epoch, snapshot: snapshotOf() });
+    await waiting;
+    page.close();
+    await page.closed;
+    await clock.pass(60 * 60 * 1000);
+    const sensors = await relay.ask(robot, "/sensors");
+    expect(await sensors.json()).toEqual({ ...snapshotOf(), state: "gone" });
+    await clock.pass(3 * 60 * 60 * 1000);
+    expect((await relay.ask(robot, "/sensors")).status).toBe(404);
+  });
+
+  it("answers more stops than a second has room for with the open one, or with 429", async () => {
+    const relay = await startTestRelay({ clock: new FakeClock() });
+    const robot = await relay.register();
+    const stop = () => relay.ask(robot, "/commands", { method: "DELETE" });
+    for (let n = 0; n < 20; n++) expect((await stop()).status).toBe(202);
+    expect(await (await stop()).json()).toMatchObject({ seq: 20, duplicate: true });
+    await relay.ask(robot, "/commands", { method: "POST", body: { action: "left 90" } });
+    const refused = await stop();
+    expect(refused.status).toBe(429);
+    expect(refused.headers.get("retry-after")).toBe("1");
   });
 
   it("streams snapshots and states as server-sent events", async () => {

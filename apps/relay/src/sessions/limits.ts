@@ -8,6 +8,8 @@ export const limits = {
   deliveredWindow: 8,
   /** commands of one driver key: faster than any robot can follow */
   commandRate: { perSecond: 20, burst: 40 },
+  /** stops of one driver key: more than a panicking hand can press; more are answered with the open stop */
+  stopRate: { perSecond: 5, burst: 20 },
   /** registrations from one address: a class of 40 shares one, and everybody reloads at once */
   registrationRate: { perSecond: 0.5, burst: 200 },
   /** open sockets and event streams of one driver key */
@@ -41,6 +43,10 @@ export const limits = {
   longPollSeconds: 25,
   /** commands in one answer of the log */
   logPage: 200,
+  /** commands of one script refused as too fast, with none taken in between, before its socket is closed */
+  tooFastInARow: 100,
+  /** time to read the goodbye of a connection before it is cut */
+  goodbyeMs: 5_000,
   /** unreadable messages of one script before its socket is closed */
   badFrames: 10,
 } as const;

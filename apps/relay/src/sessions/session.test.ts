@@ -71,6 +71,8 @@ async function page({ session }: Robot, resume: { lastApplied?: number; endings?
   };
 }
 
+type Host = Awaited<ReturnType<typeof page>>;
+
 describe("a robot session: delivery", () => {
   it("lets commands wait for the page, then gives it eight at a time, in order", async () => {
     const robot = await withRobot();
@@ -176,6 +178,33 @@ describe("a robot session: limits", () => {
     expect(await robot.submit({ action: "stop" })).toMatchObject({ state: "accepted" });
     await robot.clock.pass(50);
     expect([await send(), await send()]).toEqual(["stored", "too-fast"]);
+  });
+
+  it("stores 20 stops at once and 5 a second; the open one answers for more", async () => {
+    const robot = await withRobot();
+    await page(robot);
+    for (let n = 1; n <= 20; n++) {
+      expect(await robot.submit({ action: "stop" })).toMatchObject({ seq: n, duplicate: false });
+    }
+    expect(await robot.submit({ action: "stop" })).toMatchObject({ seq: 20, duplicate: true });
+    const keyed = robot.submit({ action: "stop" }, "key-0001");
+    await expect(keyed).rejects.toMatchObject({ kind: "too-fast" });
+    await robot.clock.pass(200);
+    expect(await robot.submit({ action: "stop" }, "key-0001")).toMatchObject({ seq: 21 });
+    expect(await robot.submit({ action: "stop" }, "key-0001")).toMatchObject({ seq: 21 });
+  });
+
+  it.each([
+    { name: "has ended", meanwhile: (host: Host) => host.ended(completed(20)) },
+    { name: "is followed by a command", meanwhile: (_: Host, robot: Robot) => robot.submit(LEFT) },
+  ])("refuses a stop too many when the one before $name", async ({ meanwhile }) => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let n = 0; n < 20; n++) await robot.submit({ action: "stop" });
+    await meanwhile(host, robot);
+    await expect(robot.submit({ action: "stop" })).rejects.toMatchObject({ kind: "too-fast" });
+    await robot.clock.pass(200);
+    expect(await robot.submit({ action: "stop" })).toMatchObject({ duplicate: false });
   });
 
   it("lets 64 commands wait and names the 65th", async () => {

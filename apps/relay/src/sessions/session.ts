@@ -42,7 +42,10 @@ export class Session {
   readonly #clock: Clock;
   readonly #view = new RobotView();
   readonly #audience: Audience;
-  readonly #buckets = new Map<string, TokenBucket>();
+  /** by key, one for commands and one for stops */
+  readonly #buckets = new Map<string, { commands: TokenBucket; stops: TokenBucket }>();
+  /** seq of the newest command while that is a stop */
+  #newestStop: number | null = null;
   #page: Page | null = null;
   #awaySince: number | null;
   #lastUsedAt: number;
@@ -85,11 +88,14 @@ export class Session {
     return this.#view.newest;
   }
 
-  /** Whether nobody has used it for a while and nothing is due, so that it need not stay in memory. */
+  /**
+   * Whether nobody has used it for a while and nothing is due, so that it need not stay in memory.
+   * One whose robot has reported stays until it expires: nothing else holds the newest snapshot.
+   */
   get isQuiet(): boolean {
     const isUnused = this.#clock.now() - this.#lastUsedAt > limits.touchMs;
     const isAlone = this.#page === null && this.#audience.isEmpty;
-    return isUnused && isAlone && this.#awaySince === null;
+    return isUnused && isAlone && this.#awaySince === null && this.newest === null;
   }
 
   // --- the page ---
@@ -172,7 +178,8 @@ export class Session {
   // --- scripts ---
 
   /**
-   * Stores a command and sends it on when its turn comes. A stop overtakes everything.
+   * Stores a command and sends it on when its turn comes. A stop overtakes everything. One that
+   * comes too fast, without a key, is not lost while the stop before it is open: that one answers.
    * @param acknowledge gets the record once it is stored, before anything else is said about it;
    *   `duplicate` when the key and the command were stored before
    * @throws Refusal when it comes too fast, too many wait, or the key had another command
@@ -182,9 +189,18 @@ export class Session {
     request: { key: string | null; command: Command },
     acknowledge: (record: CommandRecord) => void,
   ): Promise<void> {
-    if (request.command.action !== "stop") this.#takeToken(grant);
+    const isStop = request.command.action === "stop";
+    const tooFast = this.#takeToken(grant, isStop);
+    if (tooFast !== null && !isStop) throw tooFast;
     await this.#inOrder(async () => {
       if (this.#isOver) throw noRobot();
+      if (tooFast !== null) {
+        const stop = await this.#openStop();
+        // Whoever sends another key counts on a record of its own, and will try again for it.
+        const mayShare = request.key === null || request.key === stop?.key;
+        if (stop === null || !mayShare) throw tooFast;
+        return acknowledge({ ...stop, duplicate: true });
+      }
       const result = await this.#store.add(this.id, {
         ...request,
         driver: grant.hash,
@@ -209,6 +225,7 @@ export class Session {
         case "duplicate":
           return acknowledge({ ...result.record, duplicate: true });
         case "stored":
+          this.#newestStop = isStop ? result.record.seq : null;
           acknowledge(result.record);
           this.#audience.tellStates(result.ended);
           return this.#deliver();
@@ -216,18 +233,29 @@ export class Session {
     });
   }
 
-  #takeToken(grant: StoredKey): void {
+  /** @returns the refusal when the key sends too fast */
+  #takeToken(grant: StoredKey, isStop: boolean): Refusal | null {
     const now = this.#clock.now();
-    const bucket = this.#buckets.get(grant.hash) ?? new TokenBucket(limits.commandRate, now);
-    this.#buckets.set(grant.hash, bucket);
-    const waitMs = bucket.take(now);
-    if (waitMs === 0) return;
-    const { perSecond, burst } = limits.commandRate;
-    throw new Refusal(
+    const buckets = this.#buckets.get(grant.hash) ?? {
+      commands: new TokenBucket(limits.commandRate, now),
+      stops: new TokenBucket(limits.stopRate, now),
+    };
+    this.#buckets.set(grant.hash, buckets);
+    const waitMs = (isStop ? buckets.stops : buckets.commands).take(now);
+    if (waitMs === 0) return null;
+    const { perSecond, burst } = isStop ? limits.stopRate : limits.commandRate;
+    return new Refusal(
       "too-fast",
-      `One script may send ${perSecond} commands a second, ${burst} at once. Wait a moment, then send this one again.`,
+      `One script may send ${perSecond} ${isStop ? "stops" : "commands"} a second, ${burst} at once. Wait a moment, then send this one again.`,
       { headers: retryAfter(waitMs) },
     );
+  }
+
+  /** The stop that has not ended and after which nothing came: another would change nothing. */
+  async #openStop(): Promise<CommandRecord | null> {
+    if (this.#newestStop === null) return null;
+    const record = await this.#store.command(this.id, this.#newestStop);
+    return record === null || hasEnded(record.state) ? null : record;
   }
 
   /** @throws Refusal when there is no command with this number */
