@@ -20,6 +20,7 @@ export class DriverConversation implements Conversation {
   readonly #client: string;
   readonly #leave: () => void;
   #badFrames = 0;
+  #tooFastInARow = 0;
 
   /**
    * Joins the session as a reader and says welcome.
@@ -49,12 +50,14 @@ export class DriverConversation implements Conversation {
     session.heard(this.#client);
     const { key = null, command } = message.value;
     try {
-      await session.submit(grant, { key, command }, (record) =>
-        this.#send({ type: "ack", record }),
-      );
+      await session.submit(grant, { key, command }, (record) => {
+        this.#tooFastInARow = 0;
+        this.#send({ type: "ack", record });
+      });
     } catch (error) {
       const refusal = asRefusal(error);
       this.#send({ type: "problem", problem: refusal.problem, key });
+      if (refusal.kind === "too-fast") this.#countTooFast();
       // A mistake of the relay goes on to whoever writes the log.
       if (refusal.kind === "internal") throw error;
     }
@@ -72,6 +75,16 @@ export class DriverConversation implements Conversation {
     this.#badFrames += 1;
     this.#send({ type: "problem", problem: refusal.problem, key: null });
     if (this.#badFrames >= limits.badFrames) closeWith(this.#port, closeReasons.badFrame);
+  }
+
+  #countTooFast(): void {
+    this.#tooFastInARow += 1;
+    if (this.#tooFastInARow < limits.tooFastInARow) return;
+    closeWith(
+      this.#port,
+      closeReasons.badFrame,
+      "Too many commands came too fast. Wait for the ack of each before the next.",
+    );
   }
 
   #send(message: RelayToDriver): void {

@@ -14,6 +14,7 @@ import {
   MAX_HELLO_BYTES,
   robotIdSchema,
   type CloseReason,
+  type SocketPort,
 } from "@corridor/protocol";
 import type { Logger } from "pino";
 import { WebSocketServer, type WebSocket } from "ws";
@@ -39,6 +40,7 @@ const closeReasonByProblem = new Map<ProblemKind, CloseReason>([
 
 interface Guest {
   socket: WebSocket;
+  port: SocketPort;
   address: string;
   heardAt: number;
   conversation: Conversation | null;
@@ -105,7 +107,13 @@ export class WebSocketGateway {
   #welcome(socket: WebSocket, request: IncomingMessage, id: string): void {
     const { clock } = this.#options;
     const address = request.socket.remoteAddress ?? "";
-    const guest: Guest = { socket, address, heardAt: clock.now(), conversation: null };
+    const guest: Guest = {
+      socket,
+      port: wsPort(socket, clock),
+      address,
+      heardAt: clock.now(),
+      conversation: null,
+    };
     this.#guests.add(guest);
     const cancelTimer = clock.after(limits.helloMs, () => {
       if (guest.conversation === null) closeWith(socket, closeReasons.notAuthorised);
@@ -113,6 +121,8 @@ export class WebSocketGateway {
     // Messages are taken one after the other, so that nothing overtakes the first.
     let work: Promise<void> = Promise.resolve();
     socket.on("message", (data: Buffer, isBinary) => {
+      // Messages still come while a socket closes; nobody would get the answers.
+      if (!guest.port.isOpen) return undefined;
       guest.heardAt = clock.now();
       if (isBinary) return closeWith(socket, closeReasons.badFrame, "Send text, not bytes.");
       const text = data.toString("utf8");
@@ -137,7 +147,7 @@ export class WebSocketGateway {
   async #hello(guest: Guest, request: IncomingMessage, id: string, text: string): Promise<void> {
     // Messages that came while the first was still being checked.
     if (guest.conversation !== null) return this.#hear(guest, text);
-    const { socket } = guest;
+    const { socket, port } = guest;
     if (socket.readyState !== socket.OPEN) return;
     const hello = decodeFrame(helloSchema, text, MAX_HELLO_BYTES);
     if (!hello.ok) return closeWith(socket, closeReasons.notAuthorised);
@@ -145,7 +155,6 @@ export class WebSocketGateway {
     const { role, key } = hello.value;
     const grant = await this.#options.hub.authorise(id, key, [role]);
     if (socket.readyState !== socket.OPEN) return;
-    const port = wsPort(socket);
     guest.conversation =
       role === "own"
         ? new PageConversation(grant.session, port)

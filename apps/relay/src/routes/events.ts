@@ -15,14 +15,31 @@ export function eventRoutes(hub: SessionHub, clock: Clock): Router {
         "drive",
       ]);
       session.heard(readClient(request));
-      const send = (event: string, data: unknown): void => {
-        response.write(`event: ${event}\ndata: ${JSON.stringify(data)}\n\n`);
+      let cancelTimer = (): void => undefined;
+      const cut = (): void => void response.destroy();
+      const over = (reason: "over" | "restart" | "tooSlow"): void => {
+        cancelTimer();
+        if (reason === "tooSlow") return cut();
+        response.end();
+        // Who does not read never gets to the end.
+        cancelTimer = clock.after(limits.goodbyeMs, cut);
       };
+      const write = (text: string): void => {
+        if (!response.writableEnded && !response.destroyed) response.write(text);
+      };
+      const send = (event: string, data: unknown): void =>
+        write(`event: ${event}\ndata: ${JSON.stringify(data)}\n\n`);
       const leave = session.join(key, {
         snapshot: (snapshot) => send("snapshot", snapshot),
         state: (record) => send("state", record),
-        over: () => response.end(),
+        over,
         waitingBytes: () => response.writableLength,
+      });
+      // A line that breaks is told by "close" as well; unheard, the error would end the process.
+      response.on("error", cut);
+      response.once("close", () => {
+        cancelTimer();
+        leave();
       });
       response.writeHead(200, {
         "Content-Type": "text/event-stream",
@@ -30,18 +47,14 @@ export function eventRoutes(hub: SessionHub, clock: Clock): Router {
         // nginx would keep events back to fill its buffer
         "X-Accel-Buffering": "no",
       });
-      if (session.newest === null) response.write(": waiting for the robot\n\n");
+      if (session.newest === null) write(": waiting for the robot\n\n");
       else send("snapshot", session.newest);
-      let cancelTimer: () => void;
       const beat = (): void => {
-        response.write(": still here\n\n");
+        if (response.writableLength > limits.stuckReaderBytes) return over("tooSlow");
+        write(": still here\n\n");
         cancelTimer = clock.after(limits.heartbeatMs, beat);
       };
       cancelTimer = clock.after(limits.heartbeatMs, beat);
-      response.once("close", () => {
-        cancelTimer();
-        leave();
-      });
     })
     .all(methodNotAllowed("GET"));
   return router;

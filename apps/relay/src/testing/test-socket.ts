@@ -89,6 +89,15 @@ export class TestSocket {
     }
   }
 
+  /** Reads nothing any more, so that the relay's messages pile up. */
+  pause(): void {
+    this.#socket.pause();
+  }
+
+  resume(): void {
+    this.#socket.resume();
+  }
+
   close(): void {
     this.#socket.close();
   }
