@@ -50,7 +50,7 @@ function More({ onKeys, onRemote }: Omit<TopBarProps, "isPhone">) {
       <IconButton label={t("shell.more")} size="large" {...menu.trigger}>
         <Ellipsis aria-hidden="true" />
       </IconButton>
-      <Popover {...menu.panel} label={t("shell.more")} align="right">
+      <Popover {...menu.panel} label={t("shell.more")} align="end">
         <MenuItem icon={<RadioTower aria-hidden="true" />} onSelect={onRemote}>
           {t("drive.remote")}
         </MenuItem>

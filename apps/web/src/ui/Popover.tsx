@@ -38,8 +38,8 @@ interface PopoverProps {
   onOpenChange: (isOpen: boolean) => void;
   /** what it holds, for those who cannot see it */
   label: string;
-  /** which edge of the button it shares */
-  align?: "left" | "right";
+  /** which edge of the button it shares; start is the left one unless the page runs right-to-left */
+  align?: "start" | "end";
   className?: string | undefined;
   children: ReactNode;
 }
@@ -50,7 +50,7 @@ export function Popover({
   isOpen,
   onOpenChange,
   label,
-  align = "left",
+  align = "start",
   className,
   children,
 }: PopoverProps) {
@@ -76,15 +76,16 @@ export function Popover({
 }
 
 /** Puts the popover at its button, once its content has a size. */
-function place(id: string, content: HTMLElement | null, align: "left" | "right"): void {
+function place(id: string, content: HTMLElement | null, align: "start" | "end"): void {
   const popover = content?.parentElement;
   const button = document.querySelector(`[popovertarget="${CSS.escape(id)}"]`);
   if (popover === null || popover === undefined || button === null) return;
+  const isMirrored = getComputedStyle(popover).direction === "rtl";
   const { left, top } = placePopover(
     button.getBoundingClientRect(),
     { width: popover.offsetWidth, height: popover.offsetHeight },
     { width: document.documentElement.clientWidth, height: window.innerHeight },
-    align,
+    (align === "start") === isMirrored ? "right" : "left",
   );
   popover.style.left = `${left}px`;
   popover.style.top = `${top}px`;

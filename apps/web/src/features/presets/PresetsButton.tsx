@@ -18,7 +18,7 @@ export function PresetsButton() {
       <Popover
         {...menu.panel}
         label={t("presets.presets")}
-        align="right"
+        align="end"
         className={styles["popover"]}
       >
         <PresetsPanel onChosen={menu.close} />

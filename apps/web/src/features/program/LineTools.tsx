@@ -54,7 +54,7 @@ function ToolMenu({ line, isFirst, isLast, onMove, onDelete }: LineToolsProps) {
       <IconButton label={t("program.lineMenu", { line })} size="large" {...menu.trigger}>
         <Ellipsis aria-hidden="true" />
       </IconButton>
-      <Popover {...menu.panel} label={t("program.lineMenu", { line })} align="right">
+      <Popover {...menu.panel} label={t("program.lineMenu", { line })} align="end">
         <MenuItem
           icon={<ArrowUp aria-hidden="true" />}
           disabled={isFirst}

@@ -74,7 +74,7 @@ function AlgorithmMenu() {
       <IconButton label={t("program.algorithms")} {...menu.trigger}>
         <BookOpen aria-hidden="true" />
       </IconButton>
-      <Popover {...menu.panel} label={t("program.algorithms")} align="right">
+      <Popover {...menu.panel} label={t("program.algorithms")} align="end">
         <h3 className={styles["menuTitle"]}>{t("program.algorithms")}</h3>
         {programPresets.map(({ id, program }) => (
           <MenuItem

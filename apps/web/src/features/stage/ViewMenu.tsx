@@ -27,7 +27,7 @@ export function ViewMenu({ onClear, onResize }: ViewMenuProps) {
         <span className={styles["word"]}>{t("stage.view")}</span>
         <ChevronDown className={styles["caret"]} aria-hidden="true" />
       </Button>
-      <Popover {...menu.panel} label={t("stage.view")} align="right">
+      <Popover {...menu.panel} label={t("stage.view")} align="end">
         <div className={styles["choices"]}>
           {choices.map((choice) => (
             <div key={choice} className={styles[choice]}>

@@ -16,7 +16,7 @@ export function ThemeButton() {
       <IconButton label={t("works.theme")} size="medium" {...menu.trigger}>
         {themeIcons[theme]}
       </IconButton>
-      <Popover {...menu.panel} label={t("works.theme")} align="right">
+      <Popover {...menu.panel} label={t("works.theme")} align="end">
         <ThemeChoice />
       </Popover>
     </>
