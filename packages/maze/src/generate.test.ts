@@ -1,66 +1,71 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { countOpenCells, distancesFromStart, UNREACHABLE } from "./flood-fill.ts";
-import { generateTree } from "./generate.ts";
+import { generateMaze, generateTree, mazeKinds, type MazeKind } from "./generate.ts";
 import { isBlock, sizeOf } from "./maze-cells.ts";
 import { parseMaze, type MazeDocument } from "./maze-document.ts";
 
 const oddSide = fc.integer({ min: 2, max: 25 }).map((half) => 2 * half + 1);
-const anyTree = fc
-  .record({ columns: oddSide, rows: oddSide, seed: fc.integer() })
-  .map((options) => generateTree({ ...options, name: "Tree" }));
 
-/** Pairs of open cells side by side; a tree has one fewer than cells. */
-function countPassages(maze: MazeDocument): number {
+/** Any maze of a kind. */
+function anyMaze(kind: MazeKind): fc.Arbitrary<MazeDocument> {
+  return fc
+    .record({ columns: oddSide, rows: oddSide, seed: fc.integer() })
+    .map((options) => generateMaze({ ...options, kind, name: "Generated" }));
+}
+
+/** Calls back for every cell that is open. */
+function eachOpen(maze: MazeDocument, visit: (column: number, row: number) => void): void {
   const { columns, rows } = sizeOf(maze);
-  let count = 0;
   for (let row = 0; row < rows; row += 1) {
     for (let column = 0; column < columns; column += 1) {
-      if (isBlock(maze, column, row)) continue;
-      if (!isBlock(maze, column + 1, row)) count += 1;
-      if (!isBlock(maze, column, row + 1)) count += 1;
+      if (!isBlock(maze, column, row)) visit(column, row);
     }
   }
+}
+
+/** Pairs of open cells side by side: one fewer than cells in a tree, more where there are loops. */
+function countPassages(maze: MazeDocument): number {
+  let count = 0;
+  eachOpen(maze, (column, row) => {
+    if (!isBlock(maze, column + 1, row)) count += 1;
+    if (!isBlock(maze, column, row + 1)) count += 1;
+  });
   return count;
 }
 
-describe("a generated tree maze", () => {
-  it("is a legal document with exactly one way between any two open cells", () => {
+/** Open squares of so many by so many cells. */
+function countHalls(maze: MazeDocument, side: number): number {
+  const places = Array.from({ length: side * side }, (_, at) => at);
+  let count = 0;
+  eachOpen(maze, (column, row) => {
+    const isOpen = places.every(
+      (at) => !isBlock(maze, column + (at % side), row + Math.floor(at / side)),
+    );
+    if (isOpen) count += 1;
+  });
+  return count;
+}
+
+describe.each(mazeKinds)("a generated maze of kind %s", (kind) => {
+  it("is a legal document with a solid border and a way to every open cell", () => {
     fc.assert(
-      fc.property(anyTree, (maze) => {
+      fc.property(anyMaze(kind), (maze) => {
         expect(parseMaze(maze)).toEqual({ ok: true, value: maze });
         const reached = distancesFromStart(maze).filter((distance) => distance !== UNREACHABLE);
         expect(reached).toHaveLength(countOpenCells(maze));
-        expect(countPassages(maze)).toBe(countOpenCells(maze) - 1);
-      }),
-    );
-  });
-
-  it("has a solid border and every odd cell open", () => {
-    fc.assert(
-      fc.property(anyTree, (maze) => {
         const { columns, rows } = sizeOf(maze);
-        for (let row = 0; row < rows; row += 1) {
-          for (let column = 0; column < columns; column += 1) {
-            const isBorder =
-              row === 0 || column === 0 || row === rows - 1 || column === columns - 1;
-            const isNode = row % 2 === 1 && column % 2 === 1;
-            const found = isBlock(maze, column, row);
-            expect({ column, row, isFilled: isBorder || (found && !isNode) }).toEqual({
-              column,
-              row,
-              isFilled: found,
-            });
-          }
-        }
+        eachOpen(maze, (column, row) => {
+          expect(column % (columns - 1)).toBeGreaterThan(0);
+          expect(row % (rows - 1)).toBeGreaterThan(0);
+        });
       }),
-      { numRuns: 20 },
     );
   });
 
   it("starts with a wall on the right and open ahead, the goal at the farthest cell", () => {
     fc.assert(
-      fc.property(anyTree, (maze) => {
+      fc.property(anyMaze(kind), (maze) => {
         const { heading } = maze.start;
         expect(maze.start).toEqual({ column: 1, row: 1, heading });
         expect(["east", "south"]).toContain(heading);
@@ -85,23 +90,11 @@ describe("a generated tree maze", () => {
   });
 
   it("is the same for the same seed, and another for another", () => {
-    const options = { columns: 33, rows: 33, name: "Tree" };
-    expect(generateTree({ ...options, seed: 7 })).toEqual(generateTree({ ...options, seed: 7 }));
-    expect(generateTree({ ...options, seed: 7 })).not.toEqual(
-      generateTree({ ...options, seed: 8 }),
+    const options = { kind, columns: 33, rows: 33, name: "Generated" };
+    expect(generateMaze({ ...options, seed: 7 })).toEqual(generateMaze({ ...options, seed: 7 }));
+    expect(generateMaze({ ...options, seed: 7 })).not.toEqual(
+      generateMaze({ ...options, seed: 8 }),
     );
-  });
-
-  it("stays what it was when it was first published", () => {
-    expect(generateTree({ columns: 11, rows: 7, seed: 42, name: "Tree" }).blocks).toEqual([
-      "###########",
-      "#.#.......#",
-      "#.#####.#.#",
-      "#.#.....#.#",
-      "#.#.#####.#",
-      "#...#.....#",
-      "###########",
-    ]);
   });
 
   it.each([
@@ -111,8 +104,99 @@ describe("a generated tree maze", () => {
     { columns: 5, rows: 7.5 },
     { columns: Number.NaN, rows: 5 },
   ])("refuses $columns x $rows with the field and the range", (size) => {
-    expect(() => generateTree({ ...size, seed: 1, name: "" })).toThrow(
+    expect(() => generateMaze({ ...size, kind, seed: 1, name: "" })).toThrow(
       /^(columns|rows): found .*, expected an odd number from 5 to 255$/,
     );
+  });
+});
+
+describe("the kinds of generated mazes", () => {
+  it("a tree has exactly one way between any two cells, and every odd cell open", () => {
+    fc.assert(
+      fc.property(anyMaze("tree"), (maze) => {
+        expect(countPassages(maze)).toBe(countOpenCells(maze) - 1);
+        const { columns, rows } = sizeOf(maze);
+        for (let row = 1; row < rows; row += 2) {
+          for (let column = 1; column < columns; column += 2) {
+            expect(isBlock(maze, column, row)).toBe(false);
+          }
+        }
+      }),
+    );
+  });
+
+  it("loops has ways round, and nowhere two by two open cells", () => {
+    fc.assert(
+      fc.property(anyMaze("loops"), (maze) => {
+        expect(countPassages(maze)).toBeGreaterThanOrEqual(countOpenCells(maze));
+        expect(countHalls(maze, 2)).toBe(0);
+      }),
+    );
+  });
+
+  it("rooms has a room of three by three cells or more", () => {
+    fc.assert(
+      fc.property(anyMaze("rooms"), (maze) => {
+        expect(countHalls(maze, 3)).toBeGreaterThanOrEqual(1);
+      }),
+    );
+  });
+
+  it("rooms divides whatever is longer than nine cells", () => {
+    const large = anyMaze("rooms").filter((maze) => Math.max(...Object.values(sizeOf(maze))) > 11);
+    fc.assert(
+      fc.property(large, (maze) => {
+        const { columns, rows } = sizeOf(maze);
+        // Undivided, the inside would hold one at every cell but those at its far edges.
+        expect(countHalls(maze, 3)).toBeLessThan((columns - 4) * (rows - 4));
+      }),
+    );
+  });
+
+  it.each([
+    {
+      kind: "tree",
+      blocks: [
+        "###########",
+        "#.#.......#",
+        "#.#####.#.#",
+        "#.#.....#.#",
+        "#.#.#####.#",
+        "#...#.....#",
+        "###########",
+      ],
+    },
+    {
+      kind: "loops",
+      blocks: [
+        "###########",
+        "#.#.......#",
+        "#.#####.#.#",
+        "#.#.....#.#",
+        "#.#.#####.#",
+        "#.........#",
+        "###########",
+      ],
+    },
+    {
+      kind: "rooms",
+      blocks: [
+        "###########",
+        "#.........#",
+        "#.........#",
+        "#.........#",
+        "#.........#",
+        "#.........#",
+        "###########",
+      ],
+    },
+  ] as const)("$kind stays what it was when it was first published", ({ kind, blocks }) => {
+    const maze = generateMaze({ kind, columns: 11, rows: 7, seed: 42, name: "Generated" });
+    expect(maze.blocks).toEqual(blocks);
+  });
+
+  it("a tree by its own name is the same", () => {
+    const options = { columns: 15, rows: 9, seed: 3, name: "Tree" };
+    expect(generateTree(options)).toEqual(generateMaze({ ...options, kind: "tree" }));
   });
 });

@@ -1,13 +1,22 @@
 /**
- * Seeded mazes. The same options give the same document in every engine.
- *
- * A tree maze has corridors one cell wide on the odd cells inside a solid border, and exactly one
- * way between any two open cells.
+ * Seeded mazes inside a solid border. The same options give the same document in every engine, so that
+ * a teacher can dictate a maze: its kind, its size and its seed.
  */
+import { carveLoops, carveTree, type CellRows } from "./carve-tree.ts";
+import { divideRooms } from "./divide-rooms.ts";
 import { distancesFromStart } from "./flood-fill.ts";
 import { type Cell, type MazeDocument } from "./maze-document.ts";
-import { BLOCK, MAX_SIDE, OPEN } from "./maze-limits.ts";
-import { createRandom } from "./random.ts";
+import { MAX_SIDE, OPEN } from "./maze-limits.ts";
+import { createRandom, type Random } from "./random.ts";
+
+/**
+ * What a generated maze is made of:
+ * `tree`: corridors with exactly one way between any two cells;
+ * `loops`: such corridors with some walls opened, so that there are ways round;
+ * `rooms`: rooms joined by doors and corridors.
+ */
+export const mazeKinds = ["tree", "loops", "rooms"] as const;
+export type MazeKind = (typeof mazeKinds)[number];
 
 export interface TreeOptions {
   /** odd, 5 to 255 */
@@ -19,31 +28,34 @@ export interface TreeOptions {
   name: string;
 }
 
-const MIN_TREE_SIDE = 5;
+export interface GenerateOptions extends TreeOptions {
+  kind: MazeKind;
+}
 
-const steps = [
-  { column: 0, row: -1 },
-  { column: 1, row: 0 },
-  { column: 0, row: 1 },
-  { column: -1, row: 0 },
-] as const;
+const MIN_SIDE = 5;
+
+const builders: Record<MazeKind, (columns: number, rows: number, random: Random) => CellRows> = {
+  tree: carveTree,
+  loops: carveLoops,
+  rooms: divideRooms,
+};
 
 /**
- * A tree maze by depth-first search. The start is at (1, 1) with a wall on the right and open ahead,
- * as the right-wall program wants it; the goal is the farthest cell from there.
+ * A maze of a kind. Every open cell can be reached. The start is at (1, 1) with a wall on the right and
+ * open ahead, as the right-wall program wants it; the goal is the farthest cell from there.
  * @throws RangeError when a side is even or not from 5 to 255
  */
-export function generateTree({ columns, rows, seed, name }: TreeOptions): MazeDocument {
+export function generateMaze({ kind, columns, rows, seed, name }: GenerateOptions): MazeDocument {
   for (const [side, length] of Object.entries({ columns, rows })) {
-    const isInRange = length >= MIN_TREE_SIDE && length <= MAX_SIDE;
+    const isInRange = length >= MIN_SIDE && length <= MAX_SIDE;
     if (!isInRange || length % 2 !== 1) {
       throw new RangeError(`${side}: found ${length}, expected an odd number from 5 to 255`);
     }
   }
-  const grid = carve(columns, rows, seed);
+  const grid = builders[kind](columns, rows, createRandom(seed));
   const blocks = grid.map((row) => row.join(""));
   // A robot in the top-left corner has a wall on its right when it faces east and the way south is
-  // shut, and when it faces south (its right is the border). In a tree one of the two always holds.
+  // shut, and when it faces south (its right is the border). One of the two always leads on.
   const isSouthOpen = grid[2]?.[1] === OPEN;
   const maze: MazeDocument = {
     format: "corridor/maze",
@@ -56,34 +68,9 @@ export function generateTree({ columns, rows, seed, name }: TreeOptions): MazeDo
   return { ...maze, goals: [farthestCell(maze, columns)] };
 }
 
-/** Walks from (1, 1) to unvisited cells two steps away, at random, and goes back where it is stuck. */
-function carve(columns: number, rows: number, seed: number): string[][] {
-  const random = createRandom(seed);
-  const grid = Array.from({ length: rows }, () =>
-    Array.from({ length: columns }, (): string => BLOCK),
-  );
-  const open = ({ column, row }: Cell): void => {
-    const cells = grid[row];
-    if (cells !== undefined) cells[column] = OPEN;
-  };
-  const path: Cell[] = [{ column: 1, row: 1 }];
-  open({ column: 1, row: 1 });
-  for (let here = path.at(-1); here !== undefined; here = path.at(-1)) {
-    const { column, row } = here;
-    const ways = steps.filter(
-      (step) => grid[row + 2 * step.row]?.[column + 2 * step.column] === BLOCK,
-    );
-    const way = ways.length === 0 ? undefined : ways[random.below(ways.length)];
-    if (way === undefined) {
-      path.pop();
-      continue;
-    }
-    const next = { column: column + 2 * way.column, row: row + 2 * way.row };
-    open({ column: column + way.column, row: row + way.row });
-    open(next);
-    path.push(next);
-  }
-  return grid;
+/** A maze of kind `tree`. @throws as `generateMaze` */
+export function generateTree(options: TreeOptions): MazeDocument {
+  return generateMaze({ ...options, kind: "tree" });
 }
 
 /** The first, reading from the top-left, of the cells that are farthest from the start. */

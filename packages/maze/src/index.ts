@@ -1,6 +1,12 @@
 export { CELL, gridOf, type Grid } from "./grid.ts";
 export { countOpenCells, distancesFromStart, isReachable, UNREACHABLE } from "./flood-fill.ts";
-export { generateTree, type TreeOptions } from "./generate.ts";
+export {
+  generateMaze,
+  generateTree,
+  mazeKinds,
+  type MazeKind,
+  type TreeOptions,
+} from "./generate.ts";
 export { isBlock, sizeOf } from "./maze-cells.ts";
 export { parseMaze, readMaze, type Cell, type MazeDocument, type Start } from "./maze-document.ts";
 export {
