@@ -1,4 +1,5 @@
 export { FixedTimestep } from "./fixed-timestep.ts";
+export type { Progress } from "./motion/progress.ts";
 export { ProgramRun, type Decider } from "./program-run.ts";
 export { replayDigest, type Inputs } from "./replay.ts";
 export { ROBOT_RADIUS, TICK_SECONDS, TICKS_PER_SECOND } from "./settings.ts";

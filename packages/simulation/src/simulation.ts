@@ -10,6 +10,7 @@ import { normaliseHeading, writeUnitVector } from "@corridor/geometry";
 import { CELL, gridOf, headingNames, type Grid, type MazeDocument } from "@corridor/maze";
 import type { Command, Pose, RobotReport } from "@corridor/protocol";
 import { MotionController, type MotionEnding } from "./motion/motion-controller.ts";
+import type { Progress } from "./motion/progress.ts";
 import { PhysicsWorld } from "./physics/physics-world.ts";
 import { ROBOT_RADIUS } from "./settings.ts";
 import { writeRange } from "./sensors/range-sensor.ts";
@@ -106,6 +107,11 @@ export class Simulation {
   /** Whether an action runs that ends by itself; meanwhile no rule is evaluated. */
   get isManoeuvring(): boolean {
     return this.#motion.isManoeuvring;
+  }
+
+  /** How far the manoeuvre is; null when none runs. */
+  get progress(): Progress | null {
+    return this.#motion.progress;
   }
 
   /** How the last manoeuvre ended; null while one runs and after any other command. */

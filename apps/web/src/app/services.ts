@@ -60,11 +60,11 @@ export function createServices({ worker, device, tab, words }: Browser): Service
   simulator.listen((message) => {
     switch (message.type) {
       case "frame": {
-        const { snapshot } = message.frame;
+        const { snapshot, progress, view, nowTick } = message.frame;
         const isReset = message.frame.trailReset;
         if (!isDue(run.getState().snapshot, snapshot, now() - shownAt) && !isReset) return;
         shownAt = now();
-        run.setState({ snapshot });
+        run.setState({ snapshot, progress, view, nowTick });
         if (isReset) moments.clear();
         return;
       }
@@ -74,10 +74,16 @@ export function createServices({ worker, device, tab, words }: Browser): Service
       case "remote":
         remote.setState(message.remote);
         return;
+      case "shown-maze":
+        run.setState({ shownMaze: message.maze });
+        return;
       case "fault":
         run.setState({ fault: message.reason });
         return;
       case "digest":
+      case "timeline":
+      case "run-saved":
+      case "run-loaded":
         return;
     }
   });

@@ -6,6 +6,7 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import type { MazeDocument } from "@corridor/maze";
 import type { Snapshot } from "@corridor/protocol";
 import { beforeEach, describe, expect, it, vi } from "vitest";
+import { frameOf } from "../worker/testing/frame-of.ts";
 import type { Frame } from "../worker/worker-messages.ts";
 import { readPalette } from "./palette.ts";
 import { StageRenderer, type LayerCanvases, type Scene } from "./renderer.ts";
@@ -96,7 +97,8 @@ function newStage() {
     next?.();
   };
   const drive = (x: number, y: number, isReset = false): void => {
-    frame = { snapshot: snapshotAt(x, y), corners: isReset ? [x, y] : [], trailReset: isReset };
+    const corners = isReset ? [x, y] : [];
+    frame = frameOf({ snapshot: snapshotAt(x, y), corners, trailReset: isReset });
     renderer.frameArrived();
     paint();
   };

@@ -2,13 +2,23 @@
  * What the panels show of the run: the newest snapshot at a calm rate, the speed, and what happened.
  * The canvas does not read this store; it takes every frame from the simulator client.
  */
+import type { MazeDocument } from "@corridor/maze";
 import type { Snapshot } from "@corridor/protocol";
+import type { Progress } from "@corridor/simulation";
 import { createStore } from "zustand/vanilla";
-import type { Moment, Speed } from "../worker/worker-messages.ts";
+import type { Moment, RunView, Speed } from "../worker/worker-messages.ts";
 
 export interface RunState {
-  /** null until the worker has sent its first frame */
+  /** of the shown moment; null until the worker has sent its first frame */
   snapshot: Snapshot | null;
+  /** how far the running manoeuvre is at the shown moment; null when none runs */
+  progress: Progress | null;
+  /** which moment is shown */
+  view: RunView;
+  /** the run's last tick; the shown one is the snapshot's */
+  nowTick: number;
+  /** the maze of the shown moment where it is not the workspace's; null when it is */
+  shownMaze: MazeDocument | null;
   speed: Speed;
   /** the newest bump or goal since the robot was last put at its start; null when there is none */
   moment: Moment | null;
@@ -17,7 +27,16 @@ export interface RunState {
 }
 
 export function createRunStore() {
-  return createStore<RunState>()(() => ({ snapshot: null, speed: 1, moment: null, fault: null }));
+  return createStore<RunState>()(() => ({
+    snapshot: null,
+    progress: null,
+    view: "now",
+    nowTick: 0,
+    shownMaze: null,
+    speed: 1,
+    moment: null,
+    fault: null,
+  }));
 }
 export type RunStore = ReturnType<typeof createRunStore>;
 

@@ -36,6 +36,7 @@ export class RunLoop {
   #isDirty = true;
   /** what happened since the last news: the newest bump, and the goal */
   #moments: Moment[] = [];
+  #bumpPlaces: number[] = [];
 
   /** @param now monotonic milliseconds */
   constructor(
@@ -166,7 +167,20 @@ export class RunLoop {
     this.#isDirty = false;
     const moments = this.#moments;
     this.#moments = [];
-    return { frame: { snapshot: this.snapshot(), ...this.#trail.take() }, moments };
+    const snapshot = this.snapshot();
+    const { progress } = this.#simulation;
+    const bumps = this.#bumpPlaces;
+    this.#bumpPlaces = [];
+    const view = "now";
+    const frame: Frame = {
+      snapshot,
+      progress,
+      view,
+      nowTick: snapshot.tick,
+      bumps,
+      ...this.#trail.take(),
+    };
+    return { frame, moments };
   }
 
   /** The newest snapshot; every call has its own seq. */
@@ -218,6 +232,7 @@ export class RunLoop {
 
   #tell(kind: Moment["kind"]): void {
     const { tick, pose, bumps } = this.#simulation;
+    if (kind === "bump") this.#bumpPlaces.push(pose.x, pose.y);
     // Many bumps in one frame are one to a watcher; the goal is told in any case.
     this.#moments = this.#moments.filter((each) => each.kind !== kind);
     this.#moments.push({
@@ -225,6 +240,7 @@ export class RunLoop {
       tick,
       pose,
       bumps,
+      cause: null,
       driver: this.#driver,
       line: this.#driver === "program" ? this.#program.line : null,
     });
@@ -233,6 +249,7 @@ export class RunLoop {
   #putAtStart(): void {
     this.pause();
     this.#moments = [];
+    this.#bumpPlaces = [];
     this.#beginTrail();
     if (this.#driver === "remote") this.#start();
   }

@@ -12,11 +12,13 @@ export interface WorkerPort {
 
 /** A hidden page draws nothing, perhaps for hours: of what it missed, so many newest corners are kept. */
 const MAX_CORNERS = 20_000;
+const MAX_BUMPS = 100;
 
 export class SimulatorClient {
   readonly #port: WorkerPort;
   readonly #listeners = new Set<(message: FromWorker) => void>();
   #corners: number[] = [];
+  #bumps: number[] = [];
   #trailReset = false;
   #frame: Frame | null = null;
 
@@ -45,11 +47,13 @@ export class SimulatorClient {
   takeFrame(): Frame | null {
     if (this.#frame === null) return null;
     const frame: Frame = {
-      snapshot: this.#frame.snapshot,
+      ...this.#frame,
       corners: this.#corners,
+      bumps: this.#bumps,
       trailReset: this.#trailReset,
     };
     this.#corners = [];
+    this.#bumps = [];
     this.#trailReset = false;
     return frame;
   }
@@ -57,9 +61,11 @@ export class SimulatorClient {
   #keep(frame: Frame): void {
     if (frame.trailReset) {
       this.#corners = [];
+      this.#bumps = [];
       this.#trailReset = true;
     }
     for (const value of frame.corners) this.#corners.push(value);
+    this.#bumps = [...this.#bumps, ...frame.bumps].slice(-2 * MAX_BUMPS);
     const tooMany = this.#corners.length - 2 * MAX_CORNERS;
     if (tooMany > 0) {
       this.#corners.splice(0, tooMany);

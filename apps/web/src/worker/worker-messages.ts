@@ -5,15 +5,20 @@
 import type { RegistrationError } from "@corridor/client/host";
 import type {
   closeReasons,
+  Command,
   CommandRecord,
   DriverName,
+  FieldProblem,
   LineRef,
   Pose,
+  SensorReadings,
   Snapshot,
   TimedCommand,
 } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
+import type { RunDocument, TimelineNews } from "@corridor/recording";
+import type { Progress } from "@corridor/simulation";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
 
 /** How many simulated seconds pass in one second; "max" is as many as the machine gives. */
@@ -46,6 +51,20 @@ export type ToWorker =
   | { type: "step" }
   /** robot to start, everything else kept */
   | { type: "reset" }
+  /** pauses and shows the moment at the end of a tick of the run, everywhere */
+  | { type: "seek"; tick: number }
+  /** pauses and shows the moment of the decision before or after the shown one */
+  | { type: "seek-step"; by: 1 | -1 }
+  /** plays what was recorded on from the shown moment up to now; changes nothing */
+  | { type: "play" }
+  /** shows the newest moment again */
+  | { type: "now" }
+  /** forgets what came after the shown moment and runs on from it */
+  | { type: "run-here" }
+  /** opens a run where it ended, paused; answered by `run-loaded` */
+  | { type: "load-run"; run: RunDocument }
+  /** asks for the run so far, answered by `run-saved` */
+  | { type: "save-run" }
   | { type: "speed"; speed: Speed }
   | { type: "driver"; driver: DriverName }
   | { type: "hold"; key: DriveKey }
@@ -60,13 +79,43 @@ export type ToWorker =
       ticks: number;
     };
 
-/** What is drawn: the newest snapshot, and what the trail gained since the last frame. */
+/** Which moment of the run is shown: the newest, an earlier one, or one after the other on the way to now. */
+export type RunView = "now" | "past" | "playing";
+
+/** What is drawn: the snapshot of the shown moment, and what the trail up to it gained since the last frame. */
 export interface Frame {
   snapshot: Snapshot;
+  /** how far the running manoeuvre is at the shown moment; null when none runs */
+  progress: Progress | null;
+  view: RunView;
+  /** the run's last tick; the shown one is the snapshot's */
+  nowTick: number;
   /** corners of the trail since the last frame, x and y by turns, in units; its end is the pose */
   corners: number[];
-  /** true when the robot was put back to its start: forget the trail drawn so far */
+  /** where the robot's centre was at bumps since the last frame, x and y by turns, in units */
+  bumps: number[];
+  /** true when the trail and the bumps begin anew: forget those drawn so far */
   trailReset: boolean;
+}
+
+/** How it came to a bump: what the robot was doing, the room it had and the room it needed. Lengths in units. */
+export interface BumpCause {
+  /** tick at whose end the decision or command came that led into the wall */
+  decidedAt: number;
+  action: Command["action"];
+  /** what the sensors measured at the end of that tick */
+  readings: SensorReadings;
+  /** part of the manoeuvre that met the wall, from 0, and how many it has; 0 of 1 where it is none */
+  part: number;
+  parts: number;
+  /** which way the robot drove */
+  side: "front" | "back";
+  /** what the sensor on that side measured when the part, or the steady motion, began; from the robot's centre */
+  reading: number;
+  /** driven since then */
+  driven: number;
+  /** what the part had to drive; null for a motion that lasts until something else is chosen */
+  needed: number | null;
 }
 
 /** Something worth telling in words. `line` is null when no program line was in charge. */
@@ -78,6 +127,8 @@ export interface Moment {
   driver: DriverName;
   /** bumps so far, this one included */
   bumps: number;
+  /** how it came to a bump; null for the goal */
+  cause: BumpCause | null;
 }
 
 /** Connection of the page to the relay and of scripts to the robot. */
@@ -109,9 +160,24 @@ export interface RemoteView {
   commands: ListedCommand[];
 }
 
+/** The answer to `save-run`; a run longer than a document may be is not saved. */
+export type SavedRun =
+  | { ok: true; run: RunDocument }
+  | { ok: false; reason: "too-long" | "too-many-inputs" };
+
+/** The answer to `load-run`: the documents that the run ended with; or why nothing was loaded. */
+export type LoadedRun =
+  | { ok: true; maze: MazeDocument; program: ProgramDocument }
+  | { ok: false; problems: FieldProblem[] };
+
 export type FromWorker =
   | { type: "frame"; frame: Frame }
   | { type: "moment"; moment: Moment }
+  | { type: "timeline"; news: TimelineNews }
+  /** the maze of the shown moment where it is not the newest one; null when it is */
+  | { type: "shown-maze"; maze: MazeDocument | null }
+  | { type: "run-saved"; saved: SavedRun }
+  | { type: "run-loaded"; loaded: LoadedRun }
   | { type: "remote"; remote: RemoteView }
   | { type: "digest"; digest: string }
   | { type: "fault"; reason: string };

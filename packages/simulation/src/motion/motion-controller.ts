@@ -17,12 +17,15 @@ import {
   TURN_STEP,
   WHEEL_SPEED,
 } from "../settings.ts";
+import type { Progress } from "./progress.ts";
 
 /** Drive `left` more units, turn by `left` more degrees, or hold wheels for `left` more ticks. */
 interface Part {
   kind: "drive" | "turn" | "wheels";
   /** what is left; infinite for a motion that lasts until something else is chosen */
   left: number;
+  /** what was left when the part began */
+  of: number;
   /** units a tick along the heading, negative backward */
   linear: number;
   /** degrees a tick, clockwise positive */
@@ -61,9 +64,13 @@ export class MotionController {
     return this.#isManoeuvre;
   }
 
-  /** What is left of the part that runs: units of a drive, degrees of a turn, ticks of wheels. */
-  get left(): number {
-    return this.#parts[this.#next]?.left ?? 0;
+  /** How far the manoeuvre is; null when none runs. */
+  get progress(): Progress | null {
+    const part = this.#parts[this.#next];
+    if (part === undefined || !this.#isManoeuvre) return null;
+    const { kind, left, of } = part;
+    const parts = this.#parts.length;
+    return { action: this.#action, part: this.#next, parts, kind, left, of };
   }
 
   /** Begins a command; the one before it is dropped where it stands. */
@@ -130,6 +137,7 @@ function drive(distance: number): Part {
   return {
     kind: "drive",
     left: Math.abs(distance),
+    of: Math.abs(distance),
     linear: distance < 0 ? -DRIVE_STEP : DRIVE_STEP,
     angular: 0,
   };
@@ -139,6 +147,7 @@ function turn(degrees: number): Part {
   return {
     kind: "turn",
     left: Math.abs(degrees),
+    of: Math.abs(degrees),
     linear: 0,
     angular: degrees < 0 ? -TURN_STEP : TURN_STEP,
   };
@@ -157,6 +166,7 @@ function wheels(left: number, right: number, milliseconds: number | undefined): 
   return {
     kind: "wheels",
     left: ticks,
+    of: ticks,
     linear: ((left + right) / 2) * WHEEL_SPEED * TICK_SECONDS,
     angular: (((left - right) * WHEEL_SPEED) / TRACK_WIDTH) * DEGREES_PER_RADIAN * TICK_SECONDS,
   };

@@ -9,6 +9,7 @@ const bump: Moment = {
   line: 2,
   driver: "program",
   bumps: 1,
+  cause: null,
 };
 
 describe("storyOf", () => {

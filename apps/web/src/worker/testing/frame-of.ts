@@ -1,0 +1,17 @@
+/** A frame for tests: the newest moment of a robot at its start, changed as the test asks. */
+import { snapshotOf } from "@corridor/protocol/testing";
+import type { Frame } from "../worker-messages.ts";
+
+export function frameOf(changes: Partial<Frame> = {}): Frame {
+  const snapshot = changes.snapshot ?? snapshotOf();
+  return {
+    snapshot,
+    progress: null,
+    view: "now",
+    nowTick: snapshot.tick,
+    corners: [],
+    bumps: [],
+    trailReset: false,
+    ...changes,
+  };
+}
