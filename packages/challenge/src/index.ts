@@ -1,1 +1,26 @@
-export {};
+export { startingProgram } from "./allowed-program.ts";
+export {
+  parseChallenge,
+  readChallenge,
+  type ChallengeDocument,
+  type ChallengeWords,
+  type Goal,
+} from "./challenge-document.ts";
+export {
+  conditionNameOf,
+  conditionNames,
+  editKinds,
+  MAX_CHALLENGE_MAZES,
+  MAX_CHECK_BUMPS,
+  MAX_CHECK_SECONDS,
+  MAX_GOAL_DISTANCE,
+  MAX_HINTS,
+  MAX_SHORT_LENGTH,
+  MAX_TASK_LENGTH,
+  type ConditionName,
+  type EditKind,
+} from "./challenge-limits.ts";
+export { checkChallenge, type Attempt } from "./check-challenge.ts";
+export { GoalWatch, type GoalMoment } from "./goal-watch.ts";
+export { rightsOf, type Rights } from "./rights.ts";
+export type { Decision, Failure, FailureCode, MazeOutcome, Verdict } from "./verdict.ts";

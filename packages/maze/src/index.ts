@@ -8,7 +8,14 @@ export {
   type TreeOptions,
 } from "./generate.ts";
 export { isBlock, sizeOf } from "./maze-cells.ts";
-export { parseMaze, readMaze, type Cell, type MazeDocument, type Start } from "./maze-document.ts";
+export {
+  mazeSchema,
+  parseMaze,
+  readMaze,
+  type Cell,
+  type MazeDocument,
+  type Start,
+} from "./maze-document.ts";
 export {
   BLOCK,
   headingNames,
@@ -31,3 +38,4 @@ export {
 } from "./maze-edit.ts";
 export { mazePresets, type MazePreset, type MazePresetId } from "./presets.ts";
 export { createRandom, type Random } from "./random.ts";
+export { readTextMaze, writeTextMaze } from "./text-maze.ts";

@@ -4,6 +4,7 @@ export { programPresets, type ProgramPreset, type ProgramPresetId } from "./pres
 export { CompiledProgram } from "./compiled-program.ts";
 export {
   parseProgram,
+  programSchema,
   readProgram,
   type Condition,
   type ProgramDocument,

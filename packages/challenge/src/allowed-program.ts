@@ -1,0 +1,97 @@
+/**
+ * Whether a program keeps within what a challenge allows, apart from how it runs: the number of its
+ * lines, what they ask and do, and what had to stay as it was given.
+ */
+import { kindOf, numberOf, type ProgramDocument, type Rule } from "@corridor/program";
+import type { ChallengeDocument } from "./challenge-document.ts";
+import { rightsOf, type Rights } from "./rights.ts";
+import type { Failure, FailureCode } from "./verdict.ts";
+
+/** The program that a challenge begins with. */
+export function startingProgram({ name, program }: ChallengeDocument): ProgramDocument {
+  return program ?? { format: "corridor/program", version: 1, name, default: "forward", rules: [] };
+}
+
+/** The first thing in a program that the challenge does not allow; null when there is none. */
+export function brokenRight(
+  challenge: ChallengeDocument,
+  program: ProgramDocument,
+): Failure | null {
+  const rights = rightsOf(challenge);
+  if (!rights.drivers.includes("program")) return failure("driver", null);
+  const found = program.rules.length;
+  if (found > rights.maxLines) {
+    return { ...failure("too-many-lines", rights.maxLines), needed: rights.maxLines, found };
+  }
+  const start = startingProgram(challenge);
+  if (!rights.edits.has("otherwise") && program.default !== start.default) {
+    return failure("changed", "default");
+  }
+  const changed = changedLine(start.rules, program.rules, rights);
+  if (changed !== null) return failure("changed", changed);
+  // What a challenge gives by itself is allowed, whatever its lists say.
+  const givenActions = new Set([start.default, ...start.rules.map((rule) => rule.do)]);
+  const givenKinds = new Set(start.rules.map(({ when }) => when && kindOf(when)));
+  for (const [line, rule] of program.rules.entries()) {
+    const kind = rule.when && kindOf(rule.when);
+    if (kind !== null && !rights.conditions.includes(kind) && !givenKinds.has(kind)) {
+      return failure("condition-not-allowed", line);
+    }
+    if (!rights.actions.includes(rule.do) && !givenActions.has(rule.do)) {
+      return failure("action-not-allowed", line);
+    }
+  }
+  if (!rights.actions.includes(program.default) && !givenActions.has(program.default)) {
+    return failure("action-not-allowed", "default");
+  }
+  return null;
+}
+
+/** The first line that differs in something that was to stay; null when none does. */
+function changedLine(
+  given: readonly Rule[],
+  rules: readonly Rule[],
+  { edits }: Rights,
+): number | null {
+  if (edits.has("lines")) return null;
+  const fixed = (rule: Rule | undefined): string => fixedParts(rule, edits);
+  if (!edits.has("order")) {
+    const length = Math.max(given.length, rules.length);
+    for (let line = 0; line < length; line++) {
+      if (fixed(given[line]) !== fixed(rules[line])) return line;
+    }
+    return null;
+  }
+  const left = given.map(fixed);
+  for (const [line, rule] of rules.entries()) {
+    const at = left.indexOf(fixed(rule));
+    if (at < 0) return line;
+    left.splice(at, 1);
+  }
+  return left.length === 0 ? null : rules.length;
+}
+
+/** What of a line may not be changed, as a text to compare. */
+function fixedParts(rule: Rule | undefined, edits: Rights["edits"]): string {
+  if (rule === undefined) return "none";
+  const { when } = rule;
+  const kind = when === null ? "nothing" : `${when.sensor} ${when.is} ${when.than === "right"}`;
+  return [
+    edits.has("condition") ? "" : kind,
+    edits.has("number") || (edits.has("condition") && when === null) ? "" : when && numberOf(when),
+    edits.has("action") ? "" : rule.do,
+  ].join("|");
+}
+
+function failure(code: FailureCode, line: Failure["line"]): Failure {
+  return {
+    code,
+    line,
+    maze: null,
+    tick: null,
+    place: null,
+    needed: null,
+    found: null,
+    decision: null,
+  };
+}

@@ -1,0 +1,157 @@
+/**
+ * Checks an attempt at a challenge by running it in every maze, without a page. Deterministic: the
+ * simulation is the one that the page runs, and each maze takes at most the seconds of the checks.
+ */
+import { sizeOf } from "@corridor/maze";
+import { CompiledProgram, type ProgramDocument } from "@corridor/program";
+import type { LineRef, TimedCommand } from "@corridor/protocol";
+import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
+import { brokenRight } from "./allowed-program.ts";
+import type { ChallengeDocument } from "./challenge-document.ts";
+import { GoalWatch } from "./goal-watch.ts";
+import type { Decision, Failure, FailureCode, MazeOutcome, Verdict } from "./verdict.ts";
+
+/** What drives: a program, or a hand's commands in the order of their ticks. */
+export type Attempt = ProgramDocument | readonly TimedCommand[];
+
+/** Runs an attempt and says whether it passes; if not, what failed first. */
+export function checkChallenge(challenge: ChallengeDocument, attempt: Attempt): Verdict {
+  const broken = isProgram(attempt) ? brokenRight(challenge, attempt) : brokenHand(challenge);
+  if (broken !== null) return { passed: false, failure: broken, mazes: [] };
+  const mazes = challenge.mazes.map((_, maze) => runMaze(challenge, maze, attempt));
+  const failure = mazes.find((each) => each.failure !== null)?.failure ?? null;
+  return { passed: failure === null, failure, mazes };
+}
+
+/** Moves the robot by one tick and knows who decided. */
+interface Driver {
+  step: () => void;
+  line: () => LineRef | null;
+  decision: () => Decision;
+}
+
+function runMaze(challenge: ChallengeDocument, index: number, attempt: Attempt): MazeOutcome {
+  const { goal, checks } = challenge;
+  const maze = challenge.mazes[index];
+  if (maze === undefined) throw new RangeError(`The challenge has no maze ${index}.`);
+  const simulation = new Simulation(maze);
+  const driver = isProgram(attempt)
+    ? programDriver(simulation, attempt)
+    : handDriver(simulation, attempt);
+  const watch = new GoalWatch(goal, maze);
+  const { columns } = sizeOf(maze);
+  const limit = checks.seconds * TICKS_PER_SECOND;
+  let failure: Failure | null = null;
+  let isMet = false;
+  while (!isMet && failure === null && simulation.tick < limit) {
+    driver.step();
+    watch.visit(simulation.cell);
+    if (checks.bumps !== null && simulation.bumps > checks.bumps) {
+      failure = failed("bump", checks.bumps, simulation.bumps, driver.decision());
+    } else {
+      isMet = watch.isMet(simulation.report(), simulation.distance);
+    }
+  }
+  if (!isMet) failure ??= missed();
+  return {
+    failure,
+    ticks: simulation.tick,
+    bumps: simulation.bumps,
+    visited: watch.visited,
+    open: watch.open,
+    distance: simulation.distance,
+  };
+
+  /** The time is over. */
+  function missed(): Failure {
+    switch (goal.kind) {
+      case "reach":
+        return failed("not-reached", watch.open, watch.visited);
+      case "visit":
+      case "last":
+        return failed("not-visited", watch.open, watch.visited);
+      case "stop": {
+        const reading = simulation.report().sensors[goal.sensor];
+        return failed("not-stopped", reading < goal.from ? goal.from : goal.to, reading);
+      }
+      case "drive":
+        return failed("too-short", goal.distance, simulation.distance);
+    }
+  }
+
+  function failed(
+    code: FailureCode,
+    needed: number,
+    found: number,
+    decision: Decision | null = null,
+  ): Failure {
+    const { cell, tick } = simulation;
+    const place = { column: cell % columns, row: Math.floor(cell / columns) };
+    return { code, maze: index, tick, line: driver.line(), place, needed, found, decision };
+  }
+}
+
+function programDriver(simulation: Simulation, program: ProgramDocument): Driver {
+  const run = new ProgramRun(simulation, new CompiledProgram(program));
+  const readings = new Float64Array(4);
+  let decidedAt = 0;
+  return {
+    step: () => {
+      if (!simulation.isManoeuvring) {
+        readings.set(simulation.readings);
+        decidedAt = simulation.tick;
+      }
+      run.step();
+    },
+    line: () => run.line,
+    decision: () => ({
+      tick: decidedAt,
+      action: run.line === "default" ? program.default : (program.rules[run.line]?.do ?? null),
+      readings: namedReadings(readings),
+    }),
+  };
+}
+
+function handDriver(simulation: Simulation, commands: readonly TimedCommand[]): Driver {
+  let next = 0;
+  const readings = new Float64Array(4);
+  return {
+    step: () => {
+      readings.set(simulation.readings);
+      for (let due = commands[next]; due?.tick === simulation.tick; due = commands[++next]) {
+        simulation.apply(due.command);
+      }
+      simulation.step();
+    },
+    line: () => null,
+    decision: () => ({
+      tick: Math.max(0, simulation.tick - 1),
+      action: null,
+      readings: namedReadings(readings),
+    }),
+  };
+}
+
+function namedReadings(readings: Float64Array): Decision["readings"] {
+  const [front = 0, right = 0, back = 0, left = 0] = readings;
+  return { front, right, back, left };
+}
+
+function isProgram(attempt: Attempt): attempt is ProgramDocument {
+  return "rules" in attempt;
+}
+
+/** A hand may drive only where the challenge says so. */
+function brokenHand({ allowed }: ChallengeDocument): Failure | null {
+  if (allowed.drivers.includes("me")) return null;
+  return {
+    code: "driver",
+    maze: null,
+    tick: null,
+    line: null,
+    place: null,
+    needed: null,
+    found: null,
+    decision: null,
+  };
+}

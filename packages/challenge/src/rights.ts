@@ -1,0 +1,38 @@
+/**
+ * What the editor may offer while a challenge is open. Without a challenge, everything.
+ */
+import { conditionKinds, MAX_RULES, menuActions, type ConditionKind } from "@corridor/program";
+import type { DriverName, PlainAction } from "@corridor/protocol";
+import type { ChallengeDocument } from "./challenge-document.ts";
+import { conditionNameOf, type EditKind } from "./challenge-limits.ts";
+
+export interface Rights {
+  drivers: readonly DriverName[];
+  /** most lines of a program */
+  maxLines: number;
+  /** entries of `conditionKinds`, in the menu's order */
+  conditions: readonly ConditionKind[];
+  /** entries of the menu, in its order, and "stop" where it is allowed by name */
+  actions: readonly PlainAction[];
+  edits: ReadonlySet<EditKind>;
+  maze: boolean;
+}
+
+/** What a challenge leaves to the reader. */
+export function rightsOf({ allowed }: Pick<ChallengeDocument, "allowed">): Rights {
+  const { conditions, actions } = allowed;
+  return {
+    drivers: allowed.drivers,
+    maxLines: Math.min(allowed.lines, MAX_RULES),
+    conditions:
+      conditions === null
+        ? conditionKinds
+        : conditionKinds.filter((kind) => conditions.includes(conditionNameOf(kind))),
+    actions:
+      actions === null
+        ? menuActions
+        : [...menuActions, "stop" as const].filter((action) => actions.includes(action)),
+    edits: new Set(allowed.edits),
+    maze: allowed.maze,
+  };
+}
