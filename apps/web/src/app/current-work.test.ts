@@ -4,6 +4,7 @@ import { createWorkspaceStore, openWork, setMaze, undo } from "../stores/workspa
 import { flushWhenHidden, startAutosave } from "./autosave.ts";
 import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "./first-visit.ts";
+import { readWork } from "./read-work.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 import { WorkShelf } from "./works.ts";
 
@@ -11,7 +12,7 @@ let lastId = 0;
 
 /** A tab of the browser: its own sessionStorage, the device's localStorage. */
 function openTab(device: MemoryStorage, session = new MemoryStorage()) {
-  const shelf = new WorkShelf(device);
+  const shelf = new WorkShelf(device, () => readWork);
   const ports = { shelf, tab: session, now: () => ++lastId, newId: () => `id-${++lastId}` };
   const current = new CurrentWork(ports, firstMaze, firstProgram);
   const { maze, program } = current.work;

@@ -47,13 +47,13 @@ export class CurrentWork {
 
   /**
    * Stores an edit of the work.
-   * @returns "forked" when another tab had saved the work since, so that this is a new one now
+   * @returns "forked" when another tab had saved the work since, or its entry was damaged, so that
+   *   this is a new one now
    * @throws what the storage throws when it is full or forbidden
    */
   save(maze: MazeDocument, program: ProgramDocument): "saved" | "forked" {
     const { shelf, now, newId } = this.#ports;
-    const stored = shelf.read(this.#work.id);
-    const isForked = stored !== null && stored.revision !== this.#work.revision;
+    const isForked = !shelf.mayWriteOver(this.#work);
     const work: Work = {
       id: isForked ? newId() : this.#work.id,
       savedAt: now(),

@@ -14,6 +14,7 @@ import type { Moment } from "../worker/worker-messages.ts";
 import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "./first-visit.ts";
 import { RemoteConnection } from "./remote-session.ts";
+import type { WorkReader } from "./work-reader.ts";
 import { WorksService } from "./works-service.ts";
 import { WorkShelf, type KeyValueStorage } from "./works.ts";
 
@@ -25,6 +26,8 @@ export interface Browser {
   /** sessionStorage: what stays in this tab */
   tab: KeyValueStorage;
   words: Pick<i18n, "t">;
+  /** reads stored works; loaded already where something is stored */
+  reader: WorkReader;
 }
 
 export interface Services {
@@ -38,8 +41,8 @@ export interface Services {
 }
 
 /** Builds everything and connects it: documents flow to the worker, what it tells flows to the stores. */
-export function createServices({ worker, device, tab, words }: Browser): Services {
-  const shelf = new WorkShelf(device);
+export function createServices({ worker, device, tab, words, reader }: Browser): Services {
+  const shelf = new WorkShelf(device, () => reader.read);
   const current = new CurrentWork(
     { shelf, tab, now: Date.now, newId: newTextId },
     firstMaze,

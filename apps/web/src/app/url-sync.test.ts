@@ -1,10 +1,11 @@
-import { encodeLink, type LinkContent } from "@corridor/link";
+import { decodeLink, encodeLink, type LinkContent } from "@corridor/link";
 import { describe, expect, it } from "vitest";
 import { createScreenStore } from "../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze } from "../stores/workspace-store.ts";
 import { createI18n } from "../text/i18n.ts";
 import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "./first-visit.ts";
+import { readWork } from "./read-work.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 import { followAddress } from "./url-sync.ts";
 import { WorksService } from "./works-service.ts";
@@ -24,8 +25,12 @@ const fullLink = linkOf({ maze: sharedMaze, program: sharedProgram });
 
 let lastId = 0;
 
-function openPage(device: MemoryStorage, tab = new MemoryStorage()) {
-  const shelf = new WorkShelf(device);
+function openPage(
+  device: MemoryStorage,
+  tab = new MemoryStorage(),
+  loadLinks = () => Promise.resolve({ decodeLink }),
+) {
+  const shelf = new WorkShelf(device, () => readWork);
   const current = new CurrentWork(
     { shelf, tab, now: () => ++lastId, newId: () => `id-${++lastId}` },
     firstMaze,
@@ -41,6 +46,7 @@ function openPage(device: MemoryStorage, tab = new MemoryStorage()) {
   const go = (pathname: string, hash: string) =>
     followAddress({
       works,
+      loadLinks,
       screen,
       words,
       maze: () => workspace.getState().maze,
@@ -63,10 +69,10 @@ function openPage(device: MemoryStorage, tab = new MemoryStorage()) {
 }
 
 describe("opening a shared link", () => {
-  it("shows the maze beside the reader's own work, and leads back", () => {
+  it("shows the maze beside the reader's own work, and leads back", async () => {
     const page = openPage(new MemoryStorage());
     page.rename("Mine");
-    page.go("/", `#${fullLink}`);
+    await page.go("/", `#${fullLink}`);
     expect(page.shown()).toBe("Shared");
     expect(page.workspace.getState().program.name).toBe("Shared rules");
     expect(page.names()).toEqual(["Mine", "Shared"]);
@@ -76,46 +82,46 @@ describe("opening a shared link", () => {
     expect(page.screen.getState().messages).toEqual([]);
   });
 
-  it("speaks of no own work to a reader who has none, however many links are opened", () => {
+  it("speaks of no own work to a reader who has none, however many links are opened", async () => {
     const page = openPage(new MemoryStorage());
-    page.go("/", `#${fullLink}`);
-    page.go("/", `#${mazeLink}`);
+    await page.go("/", `#${fullLink}`);
+    await page.go("/", `#${mazeLink}`);
     const texts = page.screen.getState().messages.map(({ text }) => text);
     expect(new Set(texts)).toEqual(new Set(["You opened a shared maze."]));
     expect(page.message()?.action).toBeUndefined();
   });
 
-  it("counts a shared maze that the reader has changed as own work", () => {
+  it("counts a shared maze that the reader has changed as own work", async () => {
     const page = openPage(new MemoryStorage());
-    page.go("/", `#${mazeLink}`);
+    await page.go("/", `#${mazeLink}`);
     page.rename("Changed");
-    page.go("/", `#${fullLink}`);
+    await page.go("/", `#${fullLink}`);
     const message = page.message();
     expect(message?.text).toBe("You opened a shared maze. Your own work is kept.");
     message?.action?.run();
     expect(page.shown()).toBe("Changed");
   });
 
-  it("leads back to a maze that could not be saved", () => {
+  it("leads back to a maze that could not be saved", async () => {
     const device = new MemoryStorage();
     device.isFull = true;
     const page = openPage(device);
     page.rename("Unsaved");
-    page.go("/", `#${mazeLink}`);
+    await page.go("/", `#${mazeLink}`);
     page.message()?.action?.run();
     expect(page.shown()).toBe("Unsaved");
   });
 
-  it("keeps the reader's program when the link has none", () => {
+  it("keeps the reader's program when the link has none", async () => {
     const page = openPage(new MemoryStorage());
-    page.go("/", `#${mazeLink}`);
+    await page.go("/", `#${mazeLink}`);
     expect(page.workspace.getState().program).toBe(firstProgram);
   });
 
-  it("takes the link out of the address, so that a reload keeps the reader's edits", () => {
+  it("takes the link out of the address, so that a reload keeps the reader's edits", async () => {
     const device = new MemoryStorage();
     const page = openPage(device);
-    page.go("/", `#${mazeLink}`);
+    await page.go("/", `#${mazeLink}`);
     expect(page.addresses).toEqual(["/"]);
     page.rename("Shared, my way");
     expect(openPage(device, page.tab).shown()).toBe("Shared, my way");
@@ -124,26 +130,26 @@ describe("opening a shared link", () => {
   it.each([
     { name: "of a maze", link: mazeLink },
     { name: "of a maze and a program", link: fullLink },
-  ])("does not pile up works when a link $name is opened again", ({ link }) => {
+  ])("does not pile up works when a link $name is opened again", async ({ link }) => {
     const page = openPage(new MemoryStorage());
     page.rename("Mine");
-    for (let time = 0; time < 3; time++) page.go("/", `#${link}`);
+    for (let time = 0; time < 3; time++) await page.go("/", `#${link}`);
     expect(page.names()).toEqual(["Mine", "Shared"]);
   });
 
-  it("opens a fresh copy when the reader has changed the first one", () => {
+  it("opens a fresh copy when the reader has changed the first one", async () => {
     const page = openPage(new MemoryStorage());
-    page.go("/", `#${mazeLink}`);
+    await page.go("/", `#${mazeLink}`);
     page.rename("Changed");
-    page.go("/", `#${mazeLink}`);
+    await page.go("/", `#${mazeLink}`);
     expect(page.shown()).toBe("Shared");
     expect(page.names()).toEqual(["Changed", "Shared"]);
   });
 
-  it("opens a program alone in a copy of the reader's maze", () => {
+  it("opens a program alone in a copy of the reader's maze", async () => {
     const page = openPage(new MemoryStorage());
     page.rename("Mine");
-    page.go("/", `#${linkOf({ program: sharedProgram })}`);
+    await page.go("/", `#${linkOf({ program: sharedProgram })}`);
     expect(page.shown()).toBe("Mine");
     expect(page.workspace.getState().program.name).toBe("Shared rules");
     expect(page.names()).toEqual(["Mine", "Mine"]);
@@ -154,30 +160,33 @@ describe("opening a shared link", () => {
     { name: "changed", link: `${fullLink.slice(0, -1)}~`, text: "This link was changed" },
     { name: "of another version", link: `9${fullLink.slice(1)}`, text: "This is no link" },
     { name: "too long", link: "1".repeat(9_000), text: "This link is longer" },
-  ])("keeps what it had when the link is $name, and offers an empty maze", ({ link, text }) => {
-    const page = openPage(new MemoryStorage());
-    page.rename("Mine");
-    page.go("/", `#${link}`);
-    expect(page.shown()).toBe("Mine");
-    expect(page.names()).toEqual(["Mine"]);
-    expect(page.message()?.tone).toBe("bad");
-    expect(page.message()?.text).toContain(text);
-    page.message()?.action?.run();
-    expect(page.emptied).toEqual(["empty"]);
-  });
+  ])(
+    "keeps what it had when the link is $name, and offers an empty maze",
+    async ({ link, text }) => {
+      const page = openPage(new MemoryStorage());
+      page.rename("Mine");
+      await page.go("/", `#${link}`);
+      expect(page.shown()).toBe("Mine");
+      expect(page.names()).toEqual(["Mine"]);
+      expect(page.message()?.tone).toBe("bad");
+      expect(page.message()?.text).toContain(text);
+      page.message()?.action?.run();
+      expect(page.emptied).toEqual(["empty"]);
+    },
+  );
 
-  it.each(["", "#"])("does nothing for an address with the fragment '%s'", (hash) => {
+  it.each(["", "#"])("does nothing for an address with the fragment '%s'", async (hash) => {
     const page = openPage(new MemoryStorage());
-    page.go("/", hash);
+    await page.go("/", hash);
     expect(page.addresses).toEqual([]);
     expect(page.message()).toBeUndefined();
   });
 });
 
 describe("opening a robot's address", () => {
-  it("takes the key out of the address bar and says what the address is for", () => {
+  it("takes the key out of the address bar and says what the address is for", async () => {
     const page = openPage(new MemoryStorage());
-    page.go("/r/abc", `#${mazeLink}`);
+    await page.go("/r/abc", `#${mazeLink}`);
     expect(page.addresses).toEqual(["/"]);
     expect(page.shown()).toBe(firstMaze.name);
     expect(page.message()?.text).toContain("Give it to a script");
@@ -185,10 +194,10 @@ describe("opening a robot's address", () => {
 });
 
 describe("deleting a work", () => {
-  it("can be taken back", () => {
+  it("can be taken back", async () => {
     const page = openPage(new MemoryStorage());
     page.rename("Mine");
-    page.go("/", `#${mazeLink}`);
+    await page.go("/", `#${mazeLink}`);
     const mine = page.works.list().find(({ maze }) => maze.name === "Mine");
     if (mine === undefined) throw new Error("the work is not on the shelf");
     page.works.remove(mine);
@@ -199,7 +208,7 @@ describe("deleting a work", () => {
 });
 
 describe("a damaged work", () => {
-  it("is told once, with the field that is wrong", () => {
+  it("is told once, with the field that is wrong", async () => {
     const device = new MemoryStorage();
     device.setItem("corridor.work.x", JSON.stringify({ maze: { ...firstMaze, version: 9 } }));
     const page = openPage(device);

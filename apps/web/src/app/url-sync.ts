@@ -2,14 +2,16 @@
  * What the address bar asks for: a shared link opens as a new work beside the reader's own, and a
  * robot's address is taken out of sight, since it ends in a key.
  */
-import { decodeLink, type LinkContent } from "@corridor/link";
+import type { decodeLink, LinkContent } from "@corridor/link";
 import type { MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
 import { dismiss, tell, type ScreenStore } from "../stores/screen-store.ts";
 import type { WorksService } from "./works-service.ts";
 
 export interface UrlPorts {
-  works: Pick<WorksService, "begin" | "list">;
+  works: Pick<WorksService, "beginShared" | "list">;
+  /** brings what reads links, which only an address with a link needs; may fail as files may */
+  loadLinks: () => Promise<{ decodeLink: typeof decodeLink }>;
   /** the maze on the screen, for links that bring only a program */
   maze: () => MazeDocument;
   screen: ScreenStore;
@@ -24,7 +26,7 @@ export interface UrlPorts {
  * Does what the address asks for, once, and cleans it, so that a reload keeps the reader's edits.
  * Called when the page opens and whenever the fragment changes.
  */
-export function followAddress(ports: UrlPorts): void {
+export async function followAddress(ports: UrlPorts): Promise<void> {
   const { location, replaceAddress, screen, words } = ports;
   if (location.pathname.startsWith("/r/")) {
     // First of all: from here on nobody reads the key over the reader's shoulder.
@@ -34,8 +36,16 @@ export function followAddress(ports: UrlPorts): void {
   }
   const { hash } = location;
   if (hash === "" || hash === "#") return;
-  replaceAddress(location.pathname + location.search);
-  const result = decodeLink(hash.slice(1));
+  const { pathname, search } = location;
+  let links: Awaited<ReturnType<UrlPorts["loadLinks"]>>;
+  try {
+    links = await ports.loadLinks();
+  } catch {
+    // The address keeps the link, so that a reload opens it as well.
+    return tellNotLoaded(ports);
+  }
+  replaceAddress(pathname + search);
+  const result = links.decodeLink(hash.slice(1));
   if (result.ok) openShared(ports, result.value);
   else {
     const id = tell(screen, {
@@ -52,10 +62,25 @@ export function followAddress(ports: UrlPorts): void {
   }
 }
 
+function tellNotLoaded(ports: UrlPorts): void {
+  const { screen, words } = ports;
+  const id = tell(screen, {
+    tone: "bad",
+    text: words.t("offline.linkFailed"),
+    action: {
+      label: words.t("offline.tryAgain"),
+      run: () => {
+        dismiss(screen, id);
+        void followAddress(ports);
+      },
+    },
+  });
+}
+
 function openShared(ports: UrlPorts, content: LinkContent): void {
   const { screen, words } = ports;
   const isOwner = hasOwnWork(ports);
-  const back = ports.works.begin(
+  const back = ports.works.beginShared(
     content.maze ?? ports.maze(),
     // A maze alone is to be solved with whatever program the reader has.
     content.program ?? null,

@@ -3,6 +3,7 @@ import { createScreenStore } from "../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze } from "../stores/workspace-store.ts";
 import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "./first-visit.ts";
+import { readWork } from "./read-work.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 import { WorksService } from "./works-service.ts";
 import { WorkShelf, type Work } from "./works.ts";
@@ -11,7 +12,7 @@ let lastId = 0;
 
 /** The works of a tab: its own sessionStorage, the device's localStorage. Messages are their keys. */
 function openTab(device: MemoryStorage) {
-  const shelf = new WorkShelf(device);
+  const shelf = new WorkShelf(device, () => readWork);
   const ports = {
     shelf,
     tab: new MemoryStorage(),

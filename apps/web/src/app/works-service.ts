@@ -24,6 +24,8 @@ export interface WorksPorts {
 export class WorksService {
   readonly #ports: WorksPorts;
   readonly autosave: Autosave;
+  /** leads from the shared works that are only looked at to what the reader had open before them */
+  #home: (() => void) | null = null;
 
   constructor(ports: WorksPorts) {
     this.#ports = ports;
@@ -80,6 +82,22 @@ export class WorksService {
     };
   }
 
+  /**
+   * Opens what a link brought. From one link to the next the way back stays the same: to the reader's
+   * own work, not to the shared one that was only looked at.
+   * @param program null: the reader's own program is copied along
+   */
+  beginShared(maze: MazeDocument, program: ProgramDocument | null): () => void {
+    const { current, workspace } = this.#ports;
+    this.autosave.flush();
+    const open = workspace.getState();
+    const isOnlyLooking = !current.work.edited && current.has(open.maze, open.program);
+    const home = isOnlyLooking ? (this.#home ?? this.#wayToNewestOwn()) : null;
+    const back = this.begin(maze, program);
+    this.#home = home ?? back;
+    return this.#home;
+  }
+
   /** Deletes a work that is not open, with a message that takes it back. */
   remove(work: Work): void {
     const { shelf, screen, words } = this.#ports;
@@ -94,7 +112,7 @@ export class WorksService {
         run: () => {
           try {
             // A tab that has it open stores it again with its next edit, which is newer.
-            if (shelf.read(removed.id) === null) shelf.write(removed);
+            if (!shelf.has(removed.id)) shelf.write(removed);
           } catch {
             tell(screen, { tone: "bad", text: words.t("works.blocked") });
           }
@@ -108,6 +126,12 @@ export class WorksService {
     const { current, workspace } = this.#ports;
     const { maze, program } = current.open(work);
     openWork(workspace, maze, program);
+  }
+
+  /** After a reload nothing else tells which work the reader came from. */
+  #wayToNewestOwn(): (() => void) | null {
+    const own = this.#ports.shelf.list().find(({ edited }) => edited);
+    return own === undefined ? null : () => this.open(own);
   }
 
   #tellDamage(): void {

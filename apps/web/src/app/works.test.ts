@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-visit.ts";
+import { readWork } from "./read-work.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 import { storageOrNone, WorkShelf, type Work } from "./works.ts";
 
@@ -9,7 +10,7 @@ function work(id: string, savedAt: number, edited = true): Work {
 
 describe("WorkShelf", () => {
   it("gives back what was put in, newest first", () => {
-    const shelf = new WorkShelf(new MemoryStorage());
+    const shelf = new WorkShelf(new MemoryStorage(), () => readWork);
     shelf.write(work("old", 1));
     shelf.write(work("new", 2));
     expect(shelf.list()).toEqual([work("new", 2), work("old", 1)]);
@@ -21,7 +22,7 @@ describe("WorkShelf", () => {
   it("leaves entries of others in the same storage alone", () => {
     const storage = new MemoryStorage();
     storage.setItem("other.app", "{}");
-    const shelf = new WorkShelf(storage);
+    const shelf = new WorkShelf(storage, () => readWork);
     expect(shelf.sweep()).toEqual([]);
     expect(shelf.list()).toEqual([]);
     expect(storage.getItem("other.app")).toBe("{}");
@@ -44,7 +45,7 @@ describe("WorkShelf", () => {
   ])("keeps an entry that is $name aside and says why", ({ text, reason }) => {
     const storage = new MemoryStorage();
     storage.setItem("corridor.work.a", text);
-    const shelf = new WorkShelf(storage);
+    const shelf = new WorkShelf(storage, () => readWork);
     expect(shelf.list()).toEqual([]);
     expect(shelf.sweep()).toEqual([
       { key: "corridor.work.a", reason: expect.stringContaining(reason) as string },
@@ -57,7 +58,7 @@ describe("WorkShelf", () => {
     const storage = new MemoryStorage();
     storage.setItem("corridor.work.a", "nonsense");
     storage.isFull = true;
-    expect(new WorkShelf(storage).sweep()).toHaveLength(1);
+    expect(new WorkShelf(storage, () => readWork).sweep()).toHaveLength(1);
     expect(storage.getItem("corridor.work.a")).toBe("nonsense");
   });
 
@@ -65,14 +66,14 @@ describe("WorkShelf", () => {
     const storage = new MemoryStorage();
     storage.setItem("corridor.aside.a", JSON.stringify(work("a", 5)));
     storage.setItem("corridor.aside.b", "nonsense");
-    const shelf = new WorkShelf(storage);
+    const shelf = new WorkShelf(storage, () => readWork);
     expect(shelf.sweep()).toEqual([]);
     expect(shelf.list()).toEqual([work("a", 5)]);
     expect(storage.getItem("corridor.aside.b")).toBe("nonsense");
   });
 
   it("drops the oldest untouched copies beyond 30, never an edited work", () => {
-    const shelf = new WorkShelf(new MemoryStorage());
+    const shelf = new WorkShelf(new MemoryStorage(), () => readWork);
     for (let n = 0; n < 28; n++) shelf.write(work(`edited-${n}`, n));
     for (let n = 0; n < 4; n++) shelf.write(work(`copy-${n}`, 100 + n, false));
     const ids = shelf.list().map(({ id }) => id);
@@ -83,7 +84,7 @@ describe("WorkShelf", () => {
   });
 
   it("does not drop the copy that is being written", () => {
-    const shelf = new WorkShelf(new MemoryStorage());
+    const shelf = new WorkShelf(new MemoryStorage(), () => readWork);
     for (let n = 0; n < 30; n++) shelf.write(work(`edited-${n}`, n));
     shelf.write(work("copy", 0, false));
     expect(shelf.read("copy")).not.toBeNull();
@@ -95,7 +96,7 @@ describe("storageOrNone", () => {
     const storage = storageOrNone(() => {
       throw new Error("forbidden");
     });
-    const shelf = new WorkShelf(storage);
+    const shelf = new WorkShelf(storage, () => readWork);
     expect(shelf.list()).toEqual([]);
     expect(() => shelf.write(work("a", 1))).toThrow("forbidden");
   });

@@ -2,14 +2,14 @@
  * The works that this device keeps: each a maze with its program, under a key of its own, so that
  * two tabs that save different works never write over each other.
  *
- * What is read back is parsed like any other outside input. An entry that cannot be read is moved
- * aside, never deleted, and comes back by itself when a later Corridor can read it.
+ * What is read back is parsed like any other outside input, by a reader that may come later than the
+ * page: until then, what this tab wrote is known and all else stays untouched. An entry that cannot be
+ * read is moved aside, never deleted, and comes back by itself when a later Corridor can read it.
  * At most 30 works are kept, but one that the reader has edited is never dropped to make room: only
  * copies that were opened and left as they came make way, the oldest first.
  */
-import { parseMaze, type MazeDocument } from "@corridor/maze";
-import { parseProgram, type ProgramDocument } from "@corridor/program";
-import { describeProblem, problem, type ReadResult } from "@corridor/protocol";
+import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
 
 export interface Work {
   id: string;
@@ -29,6 +29,11 @@ export interface DamagedEntry {
   reason: string;
 }
 
+type WorkResult = { ok: true; value: Work } | { ok: false; reason: string };
+
+/** Reads a stored text as the work of an id; the reason of a refusal is a line for the reader. */
+export type ReadWork = (text: string, id: string) => WorkResult;
+
 /** As much of the browser's Storage as is needed. Any call may throw: full, forbidden. */
 export type KeyValueStorage = Pick<
   Storage,
@@ -41,9 +46,19 @@ const ASIDE_PREFIX = "corridor.aside.";
 
 export class WorkShelf {
   readonly #storage: KeyValueStorage;
+  readonly #reader: () => ReadWork | null;
+  /** what was read or written here, by id; good for as long as the stored text is the same */
+  readonly #known = new Map<string, { text: string; result: WorkResult }>();
 
-  constructor(storage: KeyValueStorage) {
+  /** @param reader null while it is not there yet */
+  constructor(storage: KeyValueStorage, reader: () => ReadWork | null) {
     this.#storage = storage;
+    this.#reader = reader;
+  }
+
+  /** Whether nothing is stored, aside or not. */
+  get isEmpty(): boolean {
+    return this.#keys(WORK_PREFIX).length === 0 && this.#keys(ASIDE_PREFIX).length === 0;
   }
 
   /** All works that can be read, newest first. */
@@ -71,7 +86,7 @@ export class WorkShelf {
       const result = this.#readEntry(key);
       if (result === null || result.ok) continue;
       this.#rename(key, ASIDE_PREFIX + key.slice(WORK_PREFIX.length));
-      damaged.push({ key, reason: result.problems.map(describeProblem).join("; ") });
+      damaged.push({ key, reason: result.reason });
     }
     return damaged;
   }
@@ -82,12 +97,32 @@ export class WorkShelf {
     return result?.ok === true ? result.value : null;
   }
 
+  /** Whether anything is stored under the id, readable or not. */
+  has(id: string): boolean {
+    return this.#storage.getItem(WORK_PREFIX + id) !== null;
+  }
+
+  /**
+   * Whether writing this work would write over nothing but itself: its entry has the revision that
+   * the work came from, or there is none. An entry that cannot be read is not its own.
+   */
+  mayWriteOver({ id, revision }: Work): boolean {
+    const text = this.#storage.getItem(WORK_PREFIX + id);
+    if (text === null) return true;
+    const result = this.#readEntry(WORK_PREFIX + id);
+    return result === null
+      ? revisionIn(text) === revision
+      : result.ok && result.value.revision === revision;
+  }
+
   /**
    * Stores a work under its id, and lets untouched copies go while there are more than 30.
    * @throws what the storage throws when it is full or forbidden; then nothing has changed
    */
   write(work: Work): void {
-    this.#storage.setItem(WORK_PREFIX + work.id, JSON.stringify(work));
+    const text = JSON.stringify(work);
+    this.#storage.setItem(WORK_PREFIX + work.id, text);
+    this.#known.set(work.id, { text, result: { ok: true, value: work } });
     if (this.#keys(WORK_PREFIX).length <= MAX_WORKS) return;
     const works = this.list();
     const droppable = works.filter((each) => !each.edited && each.id !== work.id);
@@ -100,6 +135,7 @@ export class WorkShelf {
 
   remove(id: string): void {
     this.#storage.removeItem(WORK_PREFIX + id);
+    this.#known.delete(id);
   }
 
   #keys(prefix: string): string[] {
@@ -111,9 +147,16 @@ export class WorkShelf {
     return keys;
   }
 
-  #readEntry(key: string): ReadResult<Work> | null {
+  /** null where nothing is stored, and for the text of others while the reader is not there yet */
+  #readEntry(key: string): WorkResult | null {
     const text = this.#storage.getItem(key);
-    return text === null ? null : readWork(text, key.slice(key.lastIndexOf(".") + 1));
+    if (text === null) return null;
+    const id = key.slice(key.lastIndexOf(".") + 1);
+    const known = this.#known.get(id);
+    if (known?.text === text) return known.result;
+    const result = this.#reader()?.(text, id) ?? null;
+    if (result !== null) this.#known.set(id, { text, result });
+    return result;
   }
 
   /** The copy is made first: when there is no room for it, the entry stays where it is. */
@@ -129,45 +172,14 @@ export class WorkShelf {
   }
 }
 
-/** Reads one stored entry. `id` is the one in its key, which wins: a copied entry is its own work. */
-function readWork(text: string, id: string): ReadResult<Work> {
-  let input: unknown;
+/** The revision in the text of an entry, told without a schema; null where the text is damaged. */
+function revisionIn(text: string): string | null {
   try {
-    input = JSON.parse(text);
+    const { revision } = JSON.parse(text) as { revision?: unknown };
+    return typeof revision === "string" ? revision : null;
   } catch {
-    return problem("", "unreadable text", "a JSON document");
+    return null;
   }
-  if (typeof input !== "object" || input === null) return problem("", "no object", "a saved work");
-  const { savedAt, revision, edited, maze, program } = input as Record<string, unknown>;
-  const readMaze = parseMaze(maze);
-  if (!readMaze.ok) return within("maze", readMaze.problems);
-  const readProgram = parseProgram(program);
-  if (!readProgram.ok) return within("program", readProgram.problems);
-  return {
-    ok: true,
-    value: {
-      id,
-      // The documents are the work. The rest has a harmless reading whatever stands there.
-      savedAt: typeof savedAt === "number" && Number.isFinite(savedAt) ? savedAt : 0,
-      revision: typeof revision === "string" ? revision : "",
-      edited: edited !== false,
-      maze: readMaze.value,
-      program: readProgram.value,
-    },
-  };
-}
-
-function within(
-  field: string,
-  problems: { path: string; found: string; expected: string }[],
-): ReadResult<Work> {
-  return {
-    ok: false,
-    problems: problems.map((each) => ({
-      ...each,
-      path: each.path === "" ? field : `${field}.${each.path}`,
-    })),
-  };
 }
 
 /**

@@ -1,0 +1,89 @@
+/**
+ * Parts of the screen that come in a file of their own: dialogs, menus, panels. The first screen stays
+ * small, and all of them are fetched in the background once the page has time (`preloadParts`), so
+ * that hardly anybody ever waits for one.
+ *
+ * When a file does not come (no network, a newer Corridor on the server), the part says so where it
+ * would stand and can be asked for again; nothing else on the page is touched.
+ */
+import { useEffect, useSyncExternalStore, type ComponentType } from "react";
+import { useTranslation } from "react-i18next";
+import { Button } from "./Button.tsx";
+import { Dialog } from "./Dialog.tsx";
+import styles from "./lazy-part.module.css";
+import { PartLoader } from "./part-loader.ts";
+
+const loaders = new Set<{ load: () => Promise<void> }>();
+
+/** Fetches the parts that nobody has asked for yet, one after the other. What fails waits for its call. */
+export async function preloadParts(): Promise<void> {
+  for (const loader of loaders) await loader.load();
+}
+
+function loaderOf<Props>(load: () => Promise<ComponentType<Props>>) {
+  const loader = new PartLoader(load);
+  loaders.add(loader);
+  return loader;
+}
+
+/**
+ * A part that fills a place: a panel, the content of a menu.
+ *
+ * ```tsx
+ * const PresetsPanel = lazyPart(async () => (await import("./PresetsPanel.tsx")).PresetsPanel);
+ * ```
+ */
+export function lazyPart<Props extends object>(
+  load: () => Promise<ComponentType<Props>>,
+): ComponentType<Props> {
+  const loader = loaderOf(load);
+  return function LazyPart(props: Props) {
+    const { t } = useTranslation();
+    const state = useSyncExternalStore(loader.listen, loader.state);
+    useEffect(() => void loader.load(), []);
+    if (state.kind === "ready") return <state.part {...props} />;
+    if (state.kind === "failed") return <PartFailure onRetry={() => void loader.load()} />;
+    return <p className={styles["opening"]}>{t("offline.opening")}</p>;
+  };
+}
+
+interface DialogProps {
+  isOpen: boolean;
+  onClose: () => void;
+}
+
+/** A part that is a dialog: it opens once its file is there; until then the screen stays as it is. */
+export function lazyDialog<Props extends DialogProps>(
+  load: () => Promise<ComponentType<Props>>,
+): ComponentType<Props> {
+  const loader = loaderOf(load);
+  return function LazyDialog(props: Props) {
+    const { t } = useTranslation();
+    const state = useSyncExternalStore(loader.listen, loader.state);
+    const { isOpen, onClose } = props;
+    useEffect(() => {
+      if (isOpen) void loader.load();
+    }, [isOpen]);
+    if (state.kind === "ready") return <state.part {...props} />;
+    return (
+      <Dialog
+        isOpen={isOpen && state.kind === "failed"}
+        onClose={onClose}
+        title={t("offline.partFailedTitle")}
+        width="narrow"
+      >
+        <PartFailure onRetry={() => void loader.load()} />
+      </Dialog>
+    );
+  };
+}
+
+function PartFailure({ onRetry }: { onRetry: () => void }) {
+  const { t } = useTranslation();
+  return (
+    <div role="alert" className={styles["failure"]}>
+      <p>{t("offline.partFailed")}</p>
+      <Button onClick={onRetry}>{t("offline.tryAgain")}</Button>
+    </div>
+  );
+}
