@@ -4,6 +4,8 @@ import { I18nextProvider } from "react-i18next";
 import { App } from "./app/App.tsx";
 import { flushWhenHidden } from "./app/autosave.ts";
 import { LoadFailure } from "./app/LoadFailure.tsx";
+import { browserLanguage } from "./app/browser-language.ts";
+import { LanguageProvider } from "./app/language-context.ts";
 import { createServices, ServicesProvider } from "./app/services.ts";
 import { whenSettled } from "./app/settled.ts";
 import { keepSingleKeys } from "./app/single-keys.ts";
@@ -70,6 +72,9 @@ async function open(): Promise<void> {
     },
   });
 
+  const language = browserLanguage(words, services.screen, device);
+  // What is told from here on, and the first paint, are in the reader's language.
+  await language.start();
   const follow = () =>
     followAddress({
       ...services,
@@ -86,7 +91,9 @@ async function open(): Promise<void> {
   root.render(
     <I18nextProvider i18n={words}>
       <ServicesProvider value={services}>
-        <App />
+        <LanguageProvider value={language}>
+          <App />
+        </LanguageProvider>
       </ServicesProvider>
     </I18nextProvider>,
   );

@@ -1,6 +1,8 @@
 /** The bar at the top: the mark, the maze, and what can be done with it. */
 import { Ellipsis, Keyboard, RadioTower } from "lucide-react";
 import { useTranslation } from "react-i18next";
+import { LanguageButton } from "../features/language/LanguageButton.tsx";
+import { LanguageSelect } from "../features/language/LanguageSelect.tsx";
 import { PresetsButton } from "../features/presets/PresetsButton.tsx";
 import { ShareButton } from "../features/share/ShareButton.tsx";
 import { ThemeButton } from "../features/theme/ThemeButton.tsx";
@@ -34,6 +36,7 @@ export function TopBar({ isPhone, onKeys, onRemote }: TopBarProps) {
               <Keyboard aria-hidden="true" />
             </IconButton>
             <ThemeButton />
+            <LanguageButton />
           </div>
         )}
       </div>
@@ -59,6 +62,9 @@ function More({ onKeys, onRemote }: Omit<TopBarProps, "isPhone">) {
         </MenuItem>
         <div className={styles["moreTheme"]}>
           <ThemeChoice />
+        </div>
+        <div className={styles["moreTheme"]}>
+          <LanguageSelect />
         </div>
       </Popover>
     </>

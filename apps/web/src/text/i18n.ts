@@ -1,30 +1,73 @@
 /**
- * Every word on the screen comes from a catalogue, so that languages can follow.
- * Keys are checked by the compiler: `t("stage.clear")`.
+ * Every word on the screen comes from a catalogue: `t("stage.clear")`, with keys that the compiler
+ * checks. English is part of the page; other languages come by `load-words.ts`.
  */
 import i18next, { type i18n } from "i18next";
 import { initReactI18next } from "react-i18next";
 import { en } from "./en/index.ts";
+import { languageOf, type LanguageTag } from "./languages.ts";
+import { loadWords, wordsBackend } from "./load-words.ts";
+import type { Namespace, Namespaces } from "./namespaces.ts";
 
 declare module "i18next" {
   interface CustomTypeOptions {
     defaultNS: "words";
-    resources: { words: typeof en };
+    resources: Namespaces;
   }
 }
 
-/** Ready at once: English is part of the page. React escapes text itself. */
+/** Ready at once, in English. React escapes text itself. */
 export function createI18n(): i18n {
   const instance = i18next.createInstance();
-  void instance.use(initReactI18next).init({
-    lng: "en",
-    fallbackLng: "en",
-    defaultNS: "words",
-    ns: ["words"],
-    resources: { en: { words: en } },
-    interpolation: { escapeValue: false },
-    initAsync: false,
-    returnNull: false,
-  });
+  void instance
+    .use(initReactI18next)
+    .use(wordsBackend)
+    .init({
+      lng: "en",
+      fallbackLng: "en",
+      load: "currentOnly",
+      defaultNS: "words",
+      ns: ["words"],
+      resources: { en: { words: en } },
+      partialBundledLanguages: true,
+      interpolation: {
+        escapeValue: true,
+        escape: (value: string) => (instance.dir() === "rtl" ? isolated(value) : value),
+      },
+      initAsync: false,
+      returnNull: false,
+    });
   return instance;
+}
+
+/** The language that is shown. */
+export function shownLanguage({ language }: Pick<i18n, "language">): LanguageTag {
+  return language as LanguageTag;
+}
+
+/**
+ * Shows another language: first everything that is in use is fetched, then all of it changes at once.
+ * @param isWanted asked when all is there; a later choice may have come in between
+ * @throws when words cannot be fetched; the language is then the one from before
+ */
+export async function showLanguage(
+  words: i18n,
+  tag: LanguageTag,
+  isWanted: () => boolean = () => true,
+): Promise<void> {
+  const inUse = usedNamespaces(words).filter((each) => !words.hasResourceBundle(tag, each));
+  const fetched = await Promise.all(inUse.map((namespace) => loadWords(tag, namespace)));
+  inUse.forEach((namespace, at) => words.addResourceBundle(tag, namespace, fetched[at]));
+  if (isWanted()) await words.changeLanguage(languageOf(tag).tag);
+}
+
+function usedNamespaces(words: i18n): Namespace[] {
+  const known = words.options.ns ?? [];
+  const all = (Array.isArray(known) ? known : [known]) as Namespace[];
+  return all.filter((each) => words.hasResourceBundle(words.language, each));
+}
+
+/** First strong isolate and its end: a number or a name inside a sentence that runs the other way. */
+function isolated(value: string): string {
+  return `\u2068${value}\u2069`;
 }

@@ -1,5 +1,6 @@
 /** English: the catalogue that every other language is checked against. One file a feature. */
 import drive from "./drive.json" with { type: "json" };
+import language from "./language.json" with { type: "json" };
 import offline from "./offline.json" with { type: "json" };
 import presets from "./presets.json" with { type: "json" };
 import program from "./program.json" with { type: "json" };
@@ -9,4 +10,15 @@ import shell from "./shell.json" with { type: "json" };
 import stage from "./stage.json" with { type: "json" };
 import works from "./works.json" with { type: "json" };
 
-export const en = { drive, offline, presets, program, remote, share, shell, stage, works };
+export const en = {
+  drive,
+  language,
+  offline,
+  presets,
+  program,
+  remote,
+  share,
+  shell,
+  stage,
+  works,
+};

@@ -1,0 +1,26 @@
+/** The choice of the language on the real browser: its address, its languages, its document. */
+import type { i18n } from "i18next";
+import type { ScreenStore } from "../stores/screen-store.ts";
+import { offeredLanguages } from "../text/languages.ts";
+import { LanguageChoice } from "./language.ts";
+import type { KeyValueStorage } from "./works.ts";
+
+export function browserLanguage(
+  words: i18n,
+  screen: ScreenStore,
+  storage: KeyValueStorage,
+): LanguageChoice {
+  return new LanguageChoice({
+    words,
+    screen,
+    storage,
+    offered: offeredLanguages.map(({ tag }) => tag),
+    preferred: navigator.languages,
+    location,
+    replaceAddress: (address) => history.replaceState(history.state, "", address),
+    apply: ({ tag, dir, title }) => {
+      Object.assign(document.documentElement, { lang: tag, dir });
+      document.title = title;
+    },
+  });
+}

@@ -1,0 +1,4 @@
+/** Arabic. */
+import language from "./language.json" with { type: "json" };
+
+export const ar = { language };

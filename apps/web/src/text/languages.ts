@@ -1,0 +1,53 @@
+/** The languages of the page, and which of them fits what a reader asks for. */
+
+/** Tags are BCP 47. Names are in the language itself, so that readers find their own. */
+export const languages = [
+  { tag: "en", name: "English", dir: "ltr" },
+  { tag: "ar", name: "العربية", dir: "rtl", isDraft: true },
+  { tag: "de", name: "Deutsch", dir: "ltr", isDraft: true },
+] as const satisfies readonly {
+  tag: string;
+  name: string;
+  dir: "ltr" | "rtl";
+  /** still being translated: `?lang=` opens it for its translators, no menu and no browser does */
+  isDraft?: boolean;
+}[];
+
+export type LanguageTag = (typeof languages)[number]["tag"];
+
+/** What a reader can choose: the languages whose words are complete. */
+export const offeredLanguages = languages.filter((each) => !("isDraft" in each));
+
+export function languageOf(tag: LanguageTag): (typeof languages)[number] {
+  const found = languages.find((each) => each.tag === tag);
+  if (found === undefined) throw new Error(`no language ${tag}`);
+  return found;
+}
+
+/**
+ * The first wanted language that there is: "de-AT" is served by "de" and "zh-CN" by "zh-Hans", but
+ * "zh-TW" is not, since its readers read another script.
+ * @param wanted BCP 47 tags, the dearest first; ones that are none are passed over
+ * @param among the tags to choose from
+ */
+export function matchLanguage<Tag extends string>(
+  wanted: readonly string[],
+  among: readonly Tag[],
+): Tag | null {
+  for (const tag of wanted) {
+    const writing = writingOf(tag);
+    const found = among.find((each) => writing !== null && writingOf(each) === writing);
+    if (found !== undefined) return found;
+  }
+  return null;
+}
+
+/** Language and script, such as "zh-Hans"; null for what is no tag. */
+function writingOf(tag: string): string | null {
+  try {
+    const { language, script } = new Intl.Locale(tag).maximize();
+    return `${language}-${script ?? ""}`;
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,47 @@
+/**
+ * Fetches words: each language is a chunk of its own for each namespace, so that nobody loads a
+ * language that they do not read. English "words" are part of the page.
+ */
+import { languages, type LanguageTag } from "./languages.ts";
+import type { Namespace } from "./namespaces.ts";
+
+/** Words by key, nested; their leaves are texts. */
+export interface Words {
+  readonly [key: string]: string | Words;
+}
+
+type Loader = () => Promise<Words>;
+
+/** The compiler asks for a line here for each language and each namespace. */
+const loaders: {
+  words: Record<Exclude<LanguageTag, "en">, Loader>;
+} & Record<Exclude<Namespace, "words">, Record<LanguageTag, Loader>> = {
+  words: {
+    ar: async () => (await import("./ar/index.ts")).ar,
+    de: async () => (await import("./de/index.ts")).de,
+  },
+};
+
+/**
+ * One namespace in one language.
+ * @throws when the chunk cannot be fetched, or when it is part of the page already
+ */
+export async function loadWords(language: LanguageTag, namespace: Namespace): Promise<Words> {
+  const load = (loaders[namespace] as Partial<Record<LanguageTag, Loader>>)[language];
+  if (load === undefined) throw new Error(`${namespace} in ${language} has no chunk`);
+  return load();
+}
+
+/** Lets i18next fetch a namespace when a component first asks for it. */
+export const wordsBackend = {
+  type: "backend",
+  callbackApi: false,
+  init: () => undefined,
+  read: async (tag: string, namespace: string): Promise<Words> => {
+    const language = languages.find((each) => each.tag === tag);
+    if (language === undefined || !(namespace in loaders)) {
+      throw new Error(`no words for ${namespace} in ${tag}`);
+    }
+    return loadWords(language.tag, namespace as Namespace);
+  },
+} as const;
