@@ -8,6 +8,7 @@ import remote from "./remote.json" with { type: "json" };
 import share from "./share.json" with { type: "json" };
 import shell from "./shell.json" with { type: "json" };
 import stage from "./stage.json" with { type: "json" };
+import timeline from "./timeline.json" with { type: "json" };
 import works from "./works.json" with { type: "json" };
 
 export const en = {
@@ -20,5 +21,6 @@ export const en = {
   share,
   shell,
   stage,
+  timeline,
   works,
 };

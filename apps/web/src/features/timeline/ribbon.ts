@@ -1,0 +1,67 @@
+/**
+ * The ribbon of the timeline: who or which line drove, as segments that a screen can show. What is
+ * narrower than a few pixels is one segment with its neighbours, so that a run of hours costs no more
+ * than the screen is wide.
+ */
+import type { Timeline, Who } from "@corridor/recording";
+import { xOf, type TimeScale } from "./time-scale.ts";
+
+/** Narrower stretches are shown together with those after them, in px. */
+const LEAST_PX = 3;
+/** Between two segments, in px. */
+const GAP_PX = 1;
+
+/** What of a timeline is read here. */
+export type Stretches = Pick<
+  Timeline,
+  "stretchCount" | "endTick" | "tickOf" | "whoOf" | "stretchAt"
+>;
+
+export interface Segment {
+  who: Who;
+  /** px from the left end */
+  x: number;
+  /** px, at least 1 */
+  width: number;
+  /** the newest stretch, which may still grow */
+  isNewest: boolean;
+}
+
+/** The segments of a run from the left to the right; they do not overlap. */
+export function ribbonOf(timeline: Stretches, scale: TimeScale): Segment[] {
+  const { stretchCount, endTick } = timeline;
+  const leastTicks = (LEAST_PX / scale.width) * scale.span;
+  const segments: Segment[] = [];
+  let next = 0;
+  while (next < stretchCount) {
+    const from = timeline.tickOf(next);
+    // All that begins and ends within the least width, but never the newest: it shows who drives now.
+    const reached = Math.min(timeline.stretchAt(from + leastTicks), stretchCount - 1);
+    const isSingle = reached <= next + 1;
+    const after = isSingle ? next + 1 : reached;
+    const end = after < stretchCount ? timeline.tickOf(after) : endTick;
+    add(segments, {
+      who: isSingle ? timeline.whoOf(next) : "mixed",
+      x: xOf(scale, from),
+      width: Math.max(1, xOf(scale, end) - xOf(scale, from) - GAP_PX),
+      isNewest: after === stretchCount,
+    });
+    next = after;
+  }
+  return segments;
+}
+
+/** What is too narrow to be told from its neighbour is one with it. */
+function add(segments: Segment[], segment: Segment): void {
+  const last = segments.at(-1);
+  if (last === undefined || segment.isNewest || !isBlurred(last) || !isBlurred(segment)) {
+    segments.push(segment);
+    return;
+  }
+  last.who = "mixed";
+  last.width = segment.x + segment.width - last.x;
+}
+
+function isBlurred({ who, width }: Segment): boolean {
+  return who === "mixed" || width + GAP_PX < LEAST_PX;
+}

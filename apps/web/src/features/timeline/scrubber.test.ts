@@ -1,0 +1,55 @@
+import { describe, expect, it } from "vitest";
+import { frameOf } from "../../worker/testing/frame-of.ts";
+import type { FromWorker, ToWorker } from "../../worker/worker-messages.ts";
+import { Scrubber } from "./scrubber.ts";
+
+function newScrubber() {
+  const sent: ToWorker[] = [];
+  const listeners = new Set<(message: FromWorker) => void>();
+  const scrubber = new Scrubber({
+    send: (message) => sent.push(message),
+    listen: (listener) => {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+  });
+  const hear = (message: FromWorker) => {
+    for (const listener of listeners) listener(message);
+  };
+  const shown = () => hear({ type: "frame", frame: frameOf({ view: "past" }) });
+  return { scrubber, sent, shown, hear, listeners };
+}
+
+const seeks = (...ticks: number[]) => ticks.map((tick) => ({ type: "seek", tick }));
+
+describe("drawing along the timeline", () => {
+  it("asks for one moment at a time, and for the newest wish next", () => {
+    const { scrubber, sent, shown } = newScrubber();
+    for (const tick of [10, 20, 30, 40]) scrubber.show(tick);
+    expect(sent).toEqual(seeks(10));
+    shown();
+    expect(sent).toEqual(seeks(10, 40));
+    shown();
+    expect(sent).toEqual(seeks(10, 40));
+    scrubber.show(50);
+    expect(sent).toEqual(seeks(10, 40, 50));
+  });
+
+  it("waits for the frame, not for other news", () => {
+    const { scrubber, sent, hear } = newScrubber();
+    scrubber.show(10);
+    scrubber.show(20);
+    hear({ type: "digest", digest: "" });
+    expect(sent).toEqual(seeks(10));
+  });
+
+  it("forgets its wish when something else is asked for", () => {
+    const { scrubber, sent, shown, listeners } = newScrubber();
+    scrubber.show(10);
+    scrubber.show(20);
+    scrubber.stop();
+    shown();
+    expect(sent).toEqual(seeks(10));
+    expect(listeners.size).toBe(0);
+  });
+});

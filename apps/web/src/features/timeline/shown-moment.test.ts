@@ -1,0 +1,38 @@
+import { Timeline } from "@corridor/recording";
+import { describe, expect, it } from "vitest";
+import { createI18n } from "../../text/i18n.ts";
+import { momentAt, sayMoment } from "./shown-moment.ts";
+
+const { t } = createI18n();
+
+/** Me for 4 s with a bump at 3 s, then line 2, which turns at 6 s; the goal at 10 s by "otherwise". */
+const timeline = new Timeline();
+timeline.drives(0, "me");
+timeline.happened({ kind: "bump", tick: 180, who: "me" });
+timeline.drives(240, 1);
+timeline.happened({ kind: "edit", what: "program", tick: 300, who: 1 });
+timeline.happened({ kind: "turn", turn: "delayed right 90", tick: 360, who: 1 });
+timeline.drives(480, "default");
+timeline.happened({ kind: "goal", tick: 600, who: "default" });
+timeline.reachedTick(600);
+
+describe("the words for a moment", () => {
+  it.each([
+    [0, "0.0 s, you drive"],
+    [178, "2.9 s, you drive"],
+    [180, "3.0 s, you drive, bump"],
+    [185, "3.0 s, you drive, bump"],
+    [186, "3.1 s, you drive"],
+    [240, "4.0 s, line 2 drives"],
+    [302, "5.0 s, line 2 drives, program changed"],
+    [360, "6.0 s, line 2 drives, delayed right 90"],
+    [599, "9.9 s, “otherwise” drives, goal reached"],
+    [600, "10.0 s, “otherwise” drives, goal reached"],
+  ])("at the end of tick %i are %j", (tick, words) => {
+    expect(sayMoment(t, momentAt(timeline, tick))).toBe(words);
+  });
+
+  it("before a run are its time alone", () => {
+    expect(sayMoment(t, momentAt(new Timeline(), 0))).toBe("0.0 s");
+  });
+});

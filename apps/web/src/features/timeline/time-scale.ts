@@ -1,0 +1,88 @@
+/**
+ * Ticks and pixels of the timeline: how much time the axis spans, where a tick lies on it, and which
+ * moments it names. The span grows in steps, so that a run's ribbon rests between them.
+ */
+
+/** Ticks in a second of simulated time. */
+const SECOND = 60;
+const MINUTE = 60 * SECOND;
+const HOUR = 60 * MINUTE;
+
+/** Spans of the axis in ticks; beyond the last one it grows by whole multiples of it. */
+const SPANS: readonly number[] = [
+  30 * SECOND,
+  40 * SECOND,
+  MINUTE,
+  90 * SECOND,
+  ...[2, 3, 4, 5, 10, 15, 20, 30, 45].map((minutes) => minutes * MINUTE),
+  ...[1, 1.5, 2, 3, 4, 6, 8, 12].map((hours) => hours * HOUR),
+];
+
+/** Distances between two names of the axis, in ticks. */
+const STEPS: readonly number[] = [
+  ...[1, 2, 5, 10, 15, 30].map((seconds) => seconds * SECOND),
+  ...[1, 2, 3, 5, 10, 15, 30].map((minutes) => minutes * MINUTE),
+  ...[1, 2, 3, 6, 12].map((hours) => hours * HOUR),
+];
+
+/** Two names of the axis stand at least this far apart, in px. */
+const LEAST_STEP_PX = 44;
+
+type AxisUnit = "s" | "min" | "h";
+const TICKS_OF_UNIT: Readonly<Record<AxisUnit, number>> = { s: SECOND, min: MINUTE, h: HOUR };
+
+/** How ticks lie on a timeline of some width. */
+export interface TimeScale {
+  /** ticks from the left end to the right end */
+  span: number;
+  /** ticks between two names of the axis; divides the span */
+  step: number;
+  /** px */
+  width: number;
+}
+
+/** A moment that the axis names. */
+export interface AxisMark {
+  tick: number;
+  /** px from the left end */
+  x: number;
+  unit: AxisUnit;
+  /** whole, in that unit */
+  value: number;
+}
+
+/** The scale on which a run of `endTick` ticks fits; `width` in px. */
+export function scaleOf(endTick: number, width: number): TimeScale {
+  const widest = SPANS.at(-1) ?? HOUR;
+  const span = SPANS.find((each) => each >= endTick) ?? Math.ceil(endTick / widest) * widest;
+  const unit = TICKS_OF_UNIT[unitOf(span)];
+  const isRoomy = (step: number) => (step / span) * width >= LEAST_STEP_PX;
+  const step = STEPS.find((each) => each % unit === 0 && span % each === 0 && isRoomy(each));
+  return { span, step: step ?? span, width };
+}
+
+/** Where a tick lies, in px from the left end, without fractions of a tenth. */
+export function xOf({ span, width }: TimeScale, tick: number): number {
+  return Math.round((tick / span) * width * 10) / 10;
+}
+
+/** The tick at a place; places outside are the ends. */
+export function tickAt({ span, width }: TimeScale, x: number): number {
+  if (width <= 0) return 0;
+  return Math.round(Math.min(1, Math.max(0, x / width)) * span);
+}
+
+/** The moments that the axis names, from 0 to its end; all in one unit. */
+export function axisOf(scale: TimeScale): AxisMark[] {
+  const { span, step } = scale;
+  const unit = unitOf(span);
+  return Array.from({ length: Math.round(span / step) + 1 }, (_, at) => {
+    const tick = at * step;
+    return { tick, x: xOf(scale, tick), unit, value: tick / TICKS_OF_UNIT[unit] };
+  });
+}
+
+/** Names of the axis are whole numbers of one unit. */
+function unitOf(span: number): AxisUnit {
+  return span <= 2 * MINUTE ? "s" : span <= 2 * HOUR ? "min" : "h";
+}
