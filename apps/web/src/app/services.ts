@@ -6,8 +6,9 @@ import type { i18n } from "i18next";
 import { createContext, useContext } from "react";
 import { createMomentTeller } from "../stores/moment-teller.ts";
 import { createRemoteStore, type RemoteStore } from "../stores/remote-store.ts";
-import { createRunStore, isDue, type RunStore } from "../stores/run-store.ts";
+import { createRunStore, type RunStore } from "../stores/run-store.ts";
 import { createScreenStore, type ScreenStore } from "../stores/screen-store.ts";
+import { TimelineStore } from "../stores/timeline-store.ts";
 import { createWorkspaceStore, type WorkspaceStore } from "../stores/workspace-store.ts";
 import { SimulatorClient, type WorkerPort } from "../worker/simulator-client.ts";
 import type { Moment } from "../worker/worker-messages.ts";
@@ -34,6 +35,7 @@ export interface Services {
   simulator: SimulatorClient;
   workspace: WorkspaceStore;
   run: RunStore;
+  timeline: TimelineStore;
   remote: RemoteStore;
   screen: ScreenStore;
   works: WorksService;
@@ -59,16 +61,16 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
   const later = (action: () => void, milliseconds: number) => setTimeout(action, milliseconds);
   const show = (moment: Moment | null) => run.setState({ moment });
   const moments = createMomentTeller({ show, now, later });
-  let shownAt = Number.NEGATIVE_INFINITY;
+  const timeline = new TimelineStore(later);
   simulator.listen((message) => {
     switch (message.type) {
       case "frame": {
         const { snapshot, progress, view, nowTick } = message.frame;
-        const isReset = message.frame.trailReset;
-        if (!isDue(run.getState().snapshot, snapshot, now() - shownAt) && !isReset) return;
-        shownAt = now();
         run.setState({ snapshot, progress, view, nowTick });
-        if (isReset) moments.clear();
+        // What happened stays told while an earlier moment is shown; a run that forgets it does not tell it.
+        if (message.frame.trailReset && (run.getState().moment?.tick ?? Infinity) > nowTick) {
+          moments.clear();
+        }
         return;
       }
       case "moment":
@@ -77,6 +79,9 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
       case "remote":
         remote.setState(message.remote);
         return;
+      case "timeline":
+        timeline.take(message.news);
+        return;
       case "shown-maze":
         run.setState({ shownMaze: message.maze });
         return;
@@ -84,7 +89,8 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
         run.setState({ fault: message.reason });
         return;
       case "digest":
-      case "timeline":
+      case "picture":
+      case "stage-scroll-to":
       case "run-saved":
       case "run-loaded":
         return;
@@ -100,7 +106,7 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
   });
   const works = new WorksService({ shelf, current, workspace, screen, words, later });
   const connection = new RemoteConnection({ simulator, remote, run, tab });
-  return { simulator, workspace, run, remote, screen, works, connection };
+  return { simulator, workspace, run, timeline, remote, screen, works, connection };
 }
 
 /** A random id. Not crypto.randomUUID: pages that are not secure do not have it. */
