@@ -6,20 +6,24 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { DriverChoice } from "../features/drive/DriverChoice.tsx";
 import { Messages } from "../features/messages/Messages.tsx";
-import { RemotePanel } from "../features/remote/RemotePanel.tsx";
+import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
 import { Stage } from "../features/stage/Stage.tsx";
 import { Transport } from "../features/transport/Transport.tsx";
 import { Button } from "../ui/Button.tsx";
 import { Dialog } from "../ui/Dialog.tsx";
+import { lazyDialog } from "../ui/lazy-part.tsx";
 import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./app.module.css";
 import { ErrorBoundary } from "./ErrorBoundary.tsx";
 import { PhoneSheet } from "./PhoneSheet.tsx";
 import { useServices } from "./services.ts";
-import { ShortcutsDialog } from "./ShortcutsDialog.tsx";
 import { SidePanel } from "./SidePanel.tsx";
 import { TopBar } from "./TopBar.tsx";
 import { useKeyboard } from "./use-keyboard.ts";
+
+const ShortcutsDialog = lazyDialog(
+  async () => (await import("./ShortcutsDialog.tsx")).ShortcutsDialog,
+);
 
 export function App() {
   const { works } = useServices();
@@ -68,7 +72,7 @@ function Page() {
       <Dialog isOpen={opened === "remote"} onClose={close} title={t("drive.remote")}>
         <div className={styles["remote"]}>
           <DriverChoice />
-          <RemotePanel />
+          <LazyRemotePanel />
         </div>
       </Dialog>
     </div>

@@ -4,7 +4,7 @@ import { useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { DriveTab } from "../features/drive/DriveTab.tsx";
 import type { HoldStore } from "../features/drive/hold-store.ts";
-import { PresetsPanel } from "../features/presets/PresetsPanel.tsx";
+import { LazyPresetsPanel } from "../features/presets/lazy-presets-panel.ts";
 import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
 import { Tabs } from "../ui/Tabs.tsx";
 import styles from "./app.module.css";
@@ -41,7 +41,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
       >
         {tab === "drive" && <DriveTab hold={hold} />}
         {tab === "program" && <ProgramEditor />}
-        {tab === "presets" && <PresetsPanel />}
+        {tab === "presets" && <LazyPresetsPanel />}
       </Tabs>
     </aside>
   );

@@ -5,7 +5,7 @@ import { DriveFoot } from "../features/drive/DriveFoot.tsx";
 import { DriverChoice } from "../features/drive/DriverChoice.tsx";
 import type { HoldStore } from "../features/drive/hold-store.ts";
 import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
-import { RemotePanel } from "../features/remote/RemotePanel.tsx";
+import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
 import styles from "./app.module.css";
 import { useServices } from "./services.ts";
 
@@ -20,7 +20,7 @@ export function SidePanel({ hold }: { hold: HoldStore }) {
       </div>
       {isRemote ? (
         <div className={styles["remote"]}>
-          <RemotePanel />
+          <LazyRemotePanel />
         </div>
       ) : (
         <>

@@ -67,7 +67,7 @@ export function Popover({
       }}
     >
       {isOpen && (
-        <div ref={(content) => place(id, content, align)} className={styles["content"]}>
+        <div ref={(content) => keepPlaced(id, content, align)} className={styles["content"]}>
           {children}
         </div>
       )}
@@ -75,11 +75,24 @@ export function Popover({
   );
 }
 
+/** Places it now, and again whenever its content has another size: some of it may come later. */
+function keepPlaced(
+  id: string,
+  content: HTMLElement | null,
+  align: "start" | "end",
+): (() => void) | undefined {
+  if (content === null) return undefined;
+  const watch = new ResizeObserver(() => place(id, content, align));
+  watch.observe(content);
+  place(id, content, align);
+  return () => watch.disconnect();
+}
+
 /** Puts the popover at its button, once its content has a size. */
-function place(id: string, content: HTMLElement | null, align: "start" | "end"): void {
-  const popover = content?.parentElement;
+function place(id: string, content: HTMLElement, align: "start" | "end"): void {
+  const popover = content.parentElement;
   const button = document.querySelector(`[popovertarget="${CSS.escape(id)}"]`);
-  if (popover === null || popover === undefined || button === null) return;
+  if (popover === null || button === null) return;
   const isMirrored = getComputedStyle(popover).direction === "rtl";
   const { left, top } = placePopover(
     button.getBoundingClientRect(),

@@ -3,7 +3,7 @@ import { ChevronDown, LayoutGrid } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
-import { PresetsPanel } from "./PresetsPanel.tsx";
+import { LazyPresetsPanel } from "./lazy-presets-panel.ts";
 import styles from "./presets.module.css";
 
 export function PresetsButton() {
@@ -21,7 +21,7 @@ export function PresetsButton() {
         align="end"
         className={styles["popover"]}
       >
-        <PresetsPanel onChosen={menu.close} />
+        <LazyPresetsPanel onChosen={menu.close} />
       </Popover>
     </>
   );

@@ -3,8 +3,10 @@ import { Share } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
-import { ShareDialog } from "./ShareDialog.tsx";
+import { lazyDialog } from "../../ui/lazy-part.tsx";
 import styles from "./share.module.css";
+
+const ShareDialog = lazyDialog(async () => (await import("./ShareDialog.tsx")).ShareDialog);
 
 export function ShareButton() {
   const { t } = useTranslation();

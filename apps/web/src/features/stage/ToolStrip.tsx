@@ -7,11 +7,13 @@ import { useServices } from "../../app/services.ts";
 import type { Tool } from "../../stores/screen-store.ts";
 import { redo, undo } from "../../stores/workspace-store.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
+import { lazyDialog } from "../../ui/lazy-part.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
-import { ClearDialog } from "./ClearDialog.tsx";
-import { ResizeDialog } from "./ResizeDialog.tsx";
 import { ViewMenu } from "./ViewMenu.tsx";
 import styles from "./tool-strip.module.css";
+
+const ClearDialog = lazyDialog(async () => (await import("./ClearDialog.tsx")).ClearDialog);
+const ResizeDialog = lazyDialog(async () => (await import("./ResizeDialog.tsx")).ResizeDialog);
 
 const icons: Record<Tool, typeof Flag> = {
   blocks: Grid2x2Plus,

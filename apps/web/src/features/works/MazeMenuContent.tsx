@@ -1,0 +1,46 @@
+/** What the maze menu holds: the maze's name, a new maze, the works on this device. */
+import { FilePlus2 } from "lucide-react";
+import { useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useServices } from "../../app/services.ts";
+import type { Work } from "../../app/works.ts";
+import { MenuItem } from "../../ui/Popover.tsx";
+import { openEmptyMaze } from "./empty-maze.ts";
+import { RenameField } from "./RenameField.tsx";
+import { SaveState } from "./SaveState.tsx";
+import { WorksList } from "./WorksList.tsx";
+
+interface MazeMenuContentProps {
+  /** closes the menu */
+  onDone: () => void;
+}
+
+export function MazeMenuContent({ onDone }: MazeMenuContentProps) {
+  const { t, i18n } = useTranslation();
+  const services = useServices();
+  const [works, setWorks] = useState<readonly Work[]>(() => services.works.list());
+  return (
+    <>
+      <RenameField />
+      <MenuItem
+        icon={<FilePlus2 aria-hidden="true" />}
+        note={t("works.newMazeNote")}
+        onSelect={() => openEmptyMaze(services, i18n)}
+      >
+        {t("works.newMaze")}
+      </MenuItem>
+      <WorksList
+        works={works}
+        onOpen={(work) => {
+          onDone();
+          services.works.open(work);
+        }}
+        onDelete={(work) => {
+          services.works.remove(work);
+          setWorks(services.works.list());
+        }}
+      />
+      <SaveState isInMenu />
+    </>
+  );
+}
