@@ -4,6 +4,7 @@
  */
 import type { i18n } from "i18next";
 import { createContext, useContext } from "react";
+import { createSolvedStore, type SolvedStore } from "../features/presets/solved-presets.ts";
 import { createMomentTeller } from "../stores/moment-teller.ts";
 import { createRemoteStore, type RemoteStore } from "../stores/remote-store.ts";
 import { createRunStore, type RunStore } from "../stores/run-store.ts";
@@ -39,6 +40,8 @@ export interface Services {
   remote: RemoteStore;
   screen: ScreenStore;
   works: WorksService;
+  /** ready-made mazes that were solved on this device */
+  solved: SolvedStore;
   connection: RemoteConnection;
 }
 
@@ -106,7 +109,8 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
   });
   const works = new WorksService({ shelf, current, workspace, screen, words, later });
   const connection = new RemoteConnection({ simulator, remote, run, tab });
-  return { simulator, workspace, run, timeline, remote, screen, works, connection };
+  const solved = createSolvedStore({ run, workspace, device });
+  return { simulator, workspace, run, timeline, remote, screen, works, solved, connection };
 }
 
 /** A random id. Not crypto.randomUUID: pages that are not secure do not have it. */

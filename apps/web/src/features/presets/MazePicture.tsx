@@ -3,11 +3,17 @@ import { sizeOf, type MazeDocument } from "@corridor/maze";
 import { blocksPath, edgesPath } from "./maze-outline.ts";
 import styles from "./maze-picture.module.css";
 
-/** Radius of the start and half the side of a goal, in cells. */
+/** Radius of the start and half the side of a goal, in cells of a small maze and as a share of a large one. */
 const MARK = 0.3;
+const MARK_SHARE = 1 / 50;
+/** Above so many cells a side an outline would be all that is seen of a block. */
+const OUTLINED_UP_TO = 45;
 
 export function MazePicture({ maze }: { maze: MazeDocument }) {
   const { columns, rows } = sizeOf(maze);
+  const longest = Math.max(columns, rows);
+  const mark = Math.max(MARK, longest * MARK_SHARE);
+  const isOutlined = longest <= OUTLINED_UP_TO;
   return (
     <svg
       className={styles["picture"]}
@@ -16,24 +22,24 @@ export function MazePicture({ maze }: { maze: MazeDocument }) {
       aria-hidden="true"
     >
       <rect className={styles["floor"]} width={columns} height={rows} />
-      <path className={styles["blocks"]} d={blocksPath(maze)} />
-      <path className={styles["edges"]} d={edgesPath(maze)} />
+      <path className={styles[isOutlined ? "blocks" : "solid"]} d={blocksPath(maze)} />
+      {isOutlined && <path className={styles["edges"]} d={edgesPath(maze)} />}
       <rect className={styles["edges"]} width={columns} height={rows} />
       {maze.goals.map(({ column, row }) => (
         <rect
           key={`${column},${row}`}
           className={styles["goal"]}
-          x={column + 0.5 - MARK}
-          y={row + 0.5 - MARK}
-          width={2 * MARK}
-          height={2 * MARK}
+          x={column + 0.5 - mark}
+          y={row + 0.5 - mark}
+          width={2 * mark}
+          height={2 * mark}
         />
       ))}
       <circle
         className={styles["start"]}
         cx={maze.start.column + 0.5}
         cy={maze.start.row + 0.5}
-        r={MARK}
+        r={mark}
       />
     </svg>
   );

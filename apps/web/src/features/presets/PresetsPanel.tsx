@@ -1,70 +1,85 @@
-/** Ready-made mazes to choose from: a picture, a name and a hint each. */
-import { mazePresets, type MazePreset } from "@corridor/maze";
+/** Ready-made mazes, random ones, and algorithms to choose from. */
+import { mazePresets } from "@corridor/maze";
+import { programPresets } from "@corridor/program";
+import { useId } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { dismiss, tell } from "../../stores/screen-store.ts";
-import { setMaze, undo } from "../../stores/workspace-store.ts";
+import { chooseAlgorithm, chooseMaze } from "./choose-preset.ts";
 import { MazePicture } from "./MazePicture.tsx";
+import { PresetCard } from "./PresetCard.tsx";
+import { RandomMaze } from "./RandomMaze.tsx";
 import styles from "./presets.module.css";
 
 interface PresetsPanelProps {
-  /** called once a maze was chosen, so that a dialog can close */
+  /** called once something was chosen, so that a dialog can close */
   onChosen?: () => void;
 }
 
 export function PresetsPanel({ onChosen }: PresetsPanelProps) {
-  const { t } = useTranslation();
-  const { workspace, simulator, screen } = useServices();
-  const blocks = useStore(workspace, (state) => state.maze.blocks);
-
-  function choose({ id, maze }: MazePreset): void {
-    const name = t(`presets.${id}.title`);
-    const before = workspace.getState().maze;
-    setMaze(workspace, { ...maze, name });
-    simulator.send({ type: "reset" });
-    const after = workspace.getState().maze;
-    const message = tell(screen, {
-      tone: "info",
-      text: t("presets.chosen", { name }),
-      action: {
-        label: t("presets.undo"),
-        run: () => {
-          dismiss(screen, message);
-          // Later edits have steps of their own in the history, which stay: the old maze comes on top.
-          if (workspace.getState().maze === after) undo(workspace);
-          else setMaze(workspace, before);
-          simulator.send({ type: "reset" });
-        },
-      },
-    });
-    onChosen?.();
-  }
-
+  const { t, i18n } = useTranslation();
+  const services = useServices();
+  const randomId = useId();
+  const algorithmsId = useId();
+  const blocks = useStore(services.workspace, (state) => state.maze.blocks);
+  const program = useStore(services.workspace, (state) => state.program);
+  const solved = useStore(services.solved, (state) => state.ids);
   return (
     <div className={styles["presets"]}>
       <ul className={styles["grid"]} aria-label={t("presets.presets")}>
-        {mazePresets.map((preset) => {
-          const isOpen = preset.maze.blocks.join() === blocks.join();
-          return (
-            <li key={preset.id} className={styles["item"]}>
-              <button
-                type="button"
-                className={styles["card"]}
-                aria-current={isOpen}
-                onClick={() => choose(preset)}
-              >
-                <span className={styles["frame"]}>
-                  <MazePicture maze={preset.maze} />
-                </span>
-                <span className={styles["title"]}>{t(`presets.${preset.id}.title`)}</span>
-                <span className={styles["hint"]}>{t(`presets.${preset.id}.hint`)}</span>
-              </button>
-            </li>
-          );
-        })}
+        {mazePresets.map(({ id, maze }) => (
+          <PresetCard
+            key={id}
+            title={t(`presets.${id}.title`)}
+            hint={t(`presets.${id}.hint`)}
+            picture={<MazePicture maze={maze} />}
+            isOpen={maze.blocks.join() === blocks.join()}
+            isSolved={solved.includes(id)}
+            onChoose={() => {
+              chooseMaze(services, i18n, { ...maze, name: t(`presets.${id}.title`) });
+              onChosen?.();
+            }}
+          />
+        ))}
       </ul>
       <p className={styles["note"]}>{t("presets.note")}</p>
+      <section className={styles["section"]} aria-labelledby={randomId}>
+        <h3 id={randomId} className={styles["heading"]}>
+          {t("presets.random.title")}
+        </h3>
+        <RandomMaze
+          onUse={(maze) => {
+            chooseMaze(services, i18n, maze);
+            onChosen?.();
+          }}
+        />
+      </section>
+      <section className={styles["section"]} aria-labelledby={algorithmsId}>
+        <h3 id={algorithmsId} className={styles["heading"]}>
+          {t("presets.algorithms")}
+        </h3>
+        <ul className={styles["algorithms"]}>
+          {programPresets.map((preset) => {
+            const name = t(`program.preset.${preset.id}.name`);
+            const { rules, default: otherwise } = preset.program;
+            return (
+              <PresetCard
+                key={preset.id}
+                title={name}
+                hint={t(`program.preset.${preset.id}.note`)}
+                isOpen={
+                  JSON.stringify([rules, otherwise]) ===
+                  JSON.stringify([program.rules, program.default])
+                }
+                onChoose={() => {
+                  chooseAlgorithm(services, i18n, { ...preset.program, name });
+                  onChosen?.();
+                }}
+              />
+            );
+          })}
+        </ul>
+      </section>
     </div>
   );
 }

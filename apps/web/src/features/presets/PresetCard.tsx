@@ -1,0 +1,46 @@
+/** One choice of the presets: a picture if it has one, its name, and a note below. */
+import { CircleCheck } from "lucide-react";
+import type { ReactNode } from "react";
+import { useTranslation } from "react-i18next";
+import styles from "./presets.module.css";
+
+interface PresetCardProps {
+  title: string;
+  hint: string;
+  picture?: ReactNode;
+  /** whether this very one is open */
+  isOpen: boolean;
+  isSolved?: boolean;
+  onChoose: () => void;
+}
+
+export function PresetCard({
+  title,
+  hint,
+  picture,
+  isOpen,
+  isSolved = false,
+  onChoose,
+}: PresetCardProps) {
+  const { t } = useTranslation();
+  return (
+    <li className={styles["item"]}>
+      <button
+        type="button"
+        className={styles["card"]}
+        aria-current={isOpen}
+        onClick={() => onChoose()}
+      >
+        {picture !== undefined && <span className={styles["frame"]}>{picture}</span>}
+        <span className={styles["title"]}>{title}</span>
+        <span className={styles["hint"]}>{hint}</span>
+        {isSolved && (
+          <span className={styles["solved"]}>
+            <CircleCheck size={14} aria-hidden="true" />
+            {t("presets.solved")}
+          </span>
+        )}
+      </button>
+    </li>
+  );
+}

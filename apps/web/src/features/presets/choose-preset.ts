@@ -1,0 +1,54 @@
+/** Puts a maze or an algorithm in place of the one that is open, with a message that takes it back. */
+import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
+import type { i18n } from "i18next";
+import type { Services } from "../../app/services.ts";
+import { dismiss, tell } from "../../stores/screen-store.ts";
+import { newLineIds, setMaze, setProgram, undo } from "../../stores/workspace-store.ts";
+
+type Chooser = Pick<Services, "workspace" | "simulator" | "screen">;
+
+/** The robot goes to the start of the maze. The program stays. */
+export function chooseMaze(
+  { workspace, simulator, screen }: Chooser,
+  words: Pick<i18n, "t">,
+  maze: MazeDocument,
+): void {
+  const before = workspace.getState().maze;
+  setMaze(workspace, maze);
+  simulator.send({ type: "reset" });
+  const after = workspace.getState().maze;
+  const message = tell(screen, {
+    tone: "info",
+    text: words.t("presets.chosen", { name: maze.name }),
+    action: {
+      label: words.t("presets.undo"),
+      run: () => {
+        dismiss(screen, message);
+        // Later edits have steps of their own in the history, which stay: the old maze comes on top.
+        if (workspace.getState().maze === after) undo(workspace);
+        else setMaze(workspace, before);
+        simulator.send({ type: "reset" });
+      },
+    },
+  });
+}
+
+/** The maze stays, and so does the robot in it. */
+export function chooseAlgorithm(
+  { workspace, screen }: Pick<Services, "workspace" | "screen">,
+  words: Pick<i18n, "t">,
+  program: ProgramDocument,
+): void {
+  setProgram(workspace, program, newLineIds(program.rules.length));
+  tell(screen, {
+    tone: "info",
+    text: words.t("program.loaded", { name: program.name }),
+    action: {
+      label: words.t("program.undo"),
+      run: () => {
+        if (workspace.getState().program === program) undo(workspace);
+      },
+    },
+  });
+}
