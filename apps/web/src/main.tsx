@@ -62,7 +62,8 @@ async function open(): Promise<void> {
     screen: services.screen,
     storage: device,
     systemDark: matchMedia("(prefers-color-scheme: dark)"),
-    apply: (theme) => (document.documentElement.dataset["theme"] = theme),
+    systemContrast: matchMedia("(prefers-contrast: more)"),
+    apply: (shown) => Object.assign(document.documentElement.dataset, shown),
   });
   keepSingleKeys(services.screen, device);
   flushWhenHidden(services.works.autosave, {

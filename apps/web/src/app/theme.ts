@@ -1,43 +1,62 @@
 /**
- * Light, dark, or as the system is. The choice is kept on the device; `public/theme.js` applies it
- * before the first paint, so that the page never flashes in the other one.
+ * Light, dark, or as the system is; with more contrast, or as the system is. The choices are kept on
+ * the device; `public/theme.js` applies them before the first paint, so that the page never flashes
+ * in other colours.
  */
 import type { ScreenStore, Theme } from "../stores/screen-store.ts";
 import type { KeyValueStorage } from "./works.ts";
 
 /** Also read by `public/theme.js`. */
 const THEME_KEY = "corridor.theme";
+const CONTRAST_KEY = "corridor.contrast";
 
 const themes: readonly Theme[] = ["system", "light", "dark"];
+
+/** A media query that is watched. */
+interface Wish {
+  readonly matches: boolean;
+  addEventListener: (type: "change", listener: () => void) => void;
+}
+
+export interface Shown {
+  theme: "light" | "dark";
+  contrast: "normal" | "more";
+}
 
 export interface ThemePorts {
   screen: ScreenStore;
   storage: KeyValueStorage;
   /** the media query "(prefers-color-scheme: dark)" */
-  systemDark: {
-    readonly matches: boolean;
-    addEventListener: (type: "change", listener: () => void) => void;
-  };
-  /** shows it: sets data-theme on the document's root */
-  apply: (shown: "light" | "dark") => void;
+  systemDark: Wish;
+  /** the media query "(prefers-contrast: more)" */
+  systemContrast: Wish;
+  /** shows it: sets data-theme and data-contrast on the document's root */
+  apply: (shown: Shown) => void;
 }
 
-/** Reads the kept choice, then follows the reader's and the system's changes. */
-export function startTheme({ screen, storage, systemDark, apply }: ThemePorts): void {
+/** Reads the kept choices, then follows the reader's and the system's changes. */
+export function startTheme(ports: ThemePorts): void {
+  const { screen, storage, systemDark, systemContrast, apply } = ports;
   const kept = themes.find((theme) => theme === storage.getItem(THEME_KEY));
   if (kept !== undefined) screen.setState({ theme: kept });
+  if (storage.getItem(CONTRAST_KEY) === "more") screen.setState({ contrast: "more" });
 
   function show(): void {
-    const { theme } = screen.getState();
-    apply(theme === "system" ? (systemDark.matches ? "dark" : "light") : theme);
+    const { theme, contrast } = screen.getState();
+    apply({
+      theme: theme === "system" ? (systemDark.matches ? "dark" : "light") : theme,
+      contrast: contrast === "more" || systemContrast.matches ? "more" : "normal",
+    });
   }
   show();
   systemDark.addEventListener("change", show);
+  systemContrast.addEventListener("change", show);
   screen.subscribe((next, before) => {
-    if (next.theme === before.theme) return;
+    if (next.theme === before.theme && next.contrast === before.contrast) return;
     show();
     try {
       storage.setItem(THEME_KEY, next.theme);
+      storage.setItem(CONTRAST_KEY, next.contrast);
     } catch {
       // The choice then lasts until the page is left.
     }

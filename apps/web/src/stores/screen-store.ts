@@ -4,6 +4,8 @@ import { createStore } from "zustand/vanilla";
 export const tools = ["blocks", "start", "goal"] as const;
 export type Tool = (typeof tools)[number];
 export type Theme = "system" | "light" | "dark";
+/** more: high contrast even where the system does not ask for it */
+export type Contrast = "system" | "more";
 
 /** A dismissable message. `text` is already in the reader's language. */
 export interface Message {
@@ -16,6 +18,7 @@ export interface Message {
 
 export interface ScreenState {
   theme: Theme;
+  contrast: Contrast;
   tool: Tool;
   /** what the stage shows besides maze and robot */
   showBeams: boolean;
@@ -31,6 +34,7 @@ export interface ScreenState {
 export function createScreenStore() {
   return createStore<ScreenState>()(() => ({
     theme: "system",
+    contrast: "system",
     tool: "blocks",
     showBeams: true,
     showTrail: true,

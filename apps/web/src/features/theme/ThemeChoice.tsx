@@ -1,9 +1,11 @@
-/** Light, dark, or as the system. */
+/** Light, dark, or as the system; high contrast on top of each. */
 import { Monitor, Moon, Sun } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Checkbox } from "../../ui/Checkbox.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
+import { useMediaQuery } from "../../ui/use-media-query.ts";
 import styles from "./theme.module.css";
 
 export const themeIcons = {
@@ -16,6 +18,8 @@ export function ThemeChoice() {
   const { t } = useTranslation();
   const { screen } = useServices();
   const theme = useStore(screen, (state) => state.theme);
+  const contrast = useStore(screen, (state) => state.contrast);
+  const isAsked = useMediaQuery("(prefers-contrast: more)");
   return (
     <div className={styles["choice"]}>
       <Segmented
@@ -27,6 +31,13 @@ export function ThemeChoice() {
           { value: "dark", label: t("works.themeDark") },
         ]}
         onChange={(choice) => screen.setState({ theme: choice })}
+      />
+      <Checkbox
+        label={t("works.contrast")}
+        note={t(isAsked ? "works.contrastSystem" : "works.contrastNote")}
+        checked={isAsked || contrast === "more"}
+        disabled={isAsked}
+        onChange={(isOn) => screen.setState({ contrast: isOn ? "more" : "system" })}
       />
     </div>
   );
