@@ -8,8 +8,10 @@ import type { Snapshot } from "@corridor/protocol";
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { frameOf } from "../worker/testing/frame-of.ts";
 import type { Frame } from "../worker/worker-messages.ts";
+import type { LayerCanvas, LayerCanvases } from "./brush.ts";
 import { readPalette } from "./palette.ts";
-import { StageRenderer, type LayerCanvases, type Scene } from "./renderer.ts";
+import { StageRenderer } from "./renderer.ts";
+import type { Scene } from "./scene.ts";
 import { layOut, type Scroll } from "./viewport.ts";
 
 const maze: MazeDocument = {
@@ -41,6 +43,8 @@ const scene: Scene = {
   showTrail: true,
   showRulers: true,
   ghost: null,
+  measured: null,
+  isCalm: false,
 };
 
 function snapshotAt(x: number, y: number): Snapshot {
@@ -48,14 +52,20 @@ function snapshotAt(x: number, y: number): Snapshot {
   return snapshotOf({ driver: "program", line: 0, sensors, pose: { x, y, heading: 90 } });
 }
 
-/** A canvas that counts how often it is emptied and stroked. */
+/** A canvas that counts how often it is emptied as a whole and in part, clipped for a picture, and stroked. */
 function recordingCanvas() {
-  const counts = { cleared: 0, strokes: 0 };
+  const counts = { cleared: 0, wiped: 0, strokes: 0, pictures: 0 };
+  const canvas = { width: 0, height: 0, getContext: () => context };
+  const wipe = (x: number, y: number, width: number): void => {
+    const isWhole = x === 0 && y === 0 && width >= Math.min(canvas.width, view.width);
+    counts[isWhole ? "cleared" : "wiped"]++;
+  };
   const context = new Proxy(
     {},
     {
       get: (_, name) => {
-        if (name === "clearRect") return () => counts.cleared++;
+        if (name === "clearRect") return wipe;
+        if (name === "clip") return () => counts.pictures++;
         if (name === "stroke") return () => counts.strokes++;
         if (name === "measureText") return () => ({ width: 20 });
         return () => undefined;
@@ -63,8 +73,7 @@ function recordingCanvas() {
       set: () => true,
     },
   );
-  const canvas = { width: 0, height: 0, getContext: () => context };
-  return { canvas: canvas as unknown as HTMLCanvasElement, counts };
+  return { canvas: canvas as unknown as LayerCanvas, counts };
 }
 
 function newStage() {
@@ -81,7 +90,7 @@ function newStage() {
     waiting = paint;
     return 1;
   });
-  const renderer = new StageRenderer(canvases, {
+  const renderer = new StageRenderer({
     takeFrame: () => {
       const taken = frame;
       if (taken !== null) frame = { ...taken, corners: [], trailReset: false };
@@ -96,23 +105,26 @@ function newStage() {
     waiting = null;
     next?.();
   };
+  renderer.attach(canvases);
+  paint();
+  requestFrame.mockClear();
   const drive = (x: number, y: number, isReset = false): void => {
     const corners = isReset ? [x, y] : [];
     frame = frameOf({ snapshot: snapshotAt(x, y), corners, trailReset: isReset });
     renderer.frameArrived();
     paint();
   };
-  /** How often each canvas has been emptied since the last call. */
-  const cleared = (): { maze: number; trail: number; live: number } => {
+  /** How often each layer has been drawn anew since the last call; the robot's is wiped in part for it. */
+  const redrawn = (): { maze: number; trail: number; live: number } => {
     const now = {
       maze: layers.maze.counts.cleared,
       trail: layers.trail.counts.cleared,
-      live: layers.live.counts.cleared,
+      live: layers.live.counts.pictures,
     };
-    for (const { counts } of Object.values(layers)) counts.cleared = 0;
+    for (const { counts } of Object.values(layers)) counts.cleared = counts.pictures = 0;
     return now;
   };
-  return { renderer, layers, canvases, requestFrame, paint, drive, cleared, scrolls };
+  return { renderer, layers, canvases, requestFrame, paint, drive, redrawn, scrolls };
 }
 
 beforeEach(() => {
@@ -122,22 +134,22 @@ beforeEach(() => {
 
 describe("the stage", () => {
   it("draws all three layers once at first, at the size of the screen's pixels", () => {
-    const { renderer, canvases, paint, cleared } = newStage();
+    const { renderer, canvases, paint, redrawn } = newStage();
     renderer.show({ ...scene, pixelRatio: 2 });
     paint();
-    expect(cleared()).toEqual({ maze: 1, trail: 1, live: 1 });
+    expect(redrawn()).toEqual({ maze: 1, trail: 1, live: 1 });
     expect(canvases.maze).toMatchObject({ width: 2056, height: 1288 });
   });
 
   it("touches neither maze nor old trail while the robot drives", () => {
-    const { renderer, layers, paint, drive, cleared } = newStage();
+    const { renderer, layers, paint, drive, redrawn } = newStage();
     renderer.show(scene);
     drive(50, 50, true);
     paint();
-    cleared();
+    redrawn();
     const strokes = layers.trail.counts.strokes;
     for (let x = 51; x <= 60; x++) drive(x, 50);
-    expect(cleared()).toEqual({ maze: 0, trail: 0, live: 10 });
+    expect(redrawn()).toEqual({ maze: 0, trail: 0, live: 10 });
     expect(layers.trail.counts.strokes - strokes).toBe(10);
   });
 
@@ -145,7 +157,7 @@ describe("the stage", () => {
     {
       name: "another block",
       change: { maze: { ...maze } },
-      redrawn: { maze: 1, trail: 0, live: 0 },
+      redrawn: { maze: 1, trail: 0, live: 1 },
     },
     {
       name: "another theme",
@@ -172,13 +184,13 @@ describe("the stage", () => {
   ] satisfies { name: string; change: Partial<Scene>; redrawn: object }[])(
     "redraws only what shows it: $name",
     ({ change, redrawn }) => {
-      const { renderer, paint, cleared } = newStage();
+      const { renderer, paint, redrawn: drawn } = newStage();
       renderer.show(scene);
       paint();
-      cleared();
+      drawn();
       renderer.show({ ...scene, ...change });
       paint();
-      expect(cleared()).toEqual(redrawn);
+      expect(drawn()).toEqual(redrawn);
     },
   );
 
@@ -194,22 +206,36 @@ describe("the stage", () => {
   });
 
   it("draws the trail anew when the robot goes back to its start", () => {
-    const { renderer, drive, cleared } = newStage();
+    const { renderer, drive, redrawn } = newStage();
     renderer.show(scene);
     drive(50, 50, true);
     drive(80, 50);
-    cleared();
+    redrawn();
     drive(50, 50, true);
-    expect(cleared()).toMatchObject({ maze: 0, trail: 1 });
+    expect(redrawn()).toMatchObject({ maze: 0, trail: 1 });
   });
 
-  it("draws nothing any more once it is gone", () => {
-    const { renderer, paint, drive, cleared } = newStage();
+  it("draws nothing while it has no canvases, and all on the next ones", () => {
+    const { renderer, canvases, paint, drive, redrawn } = newStage();
     renderer.show(scene);
-    renderer.destroy();
-    paint();
     drive(50, 50, true);
-    expect(cleared()).toEqual({ maze: 0, trail: 0, live: 0 });
+    renderer.detach();
+    redrawn();
+    drive(80, 50);
+    expect(redrawn()).toEqual({ maze: 0, trail: 0, live: 0 });
+    renderer.attach(canvases);
+    paint();
+    expect(redrawn()).toEqual({ maze: 1, trail: 1, live: 1 });
+  });
+
+  it("wipes only where the robot and its beams were, not the whole picture", () => {
+    const { renderer, layers, drive } = newStage();
+    renderer.show(scene);
+    drive(50, 50, true);
+    layers.live.counts.cleared = 0;
+    for (let x = 51; x <= 60; x++) drive(x, 50);
+    expect(layers.live.counts.cleared).toBe(0);
+    expect(layers.live.counts.wiped).toBeGreaterThan(10);
   });
 });
 
@@ -241,12 +267,12 @@ describe("a maze larger than the stage", () => {
   });
 
   it("draws every layer again where it has been scrolled", () => {
-    const { renderer, paint, cleared } = newStage();
+    const { renderer, paint, redrawn } = newStage();
     renderer.show(large);
     paint();
-    cleared();
+    redrawn();
     renderer.scrollTo({ x: 100, y: 0 });
     paint();
-    expect(cleared()).toEqual({ maze: 1, trail: 1, live: 1 });
+    expect(redrawn()).toEqual({ maze: 1, trail: 1, live: 1 });
   });
 });

@@ -2,46 +2,22 @@
  * Paints the stage on three canvases, each redrawn only when what it shows has changed:
  * the still maze (once a maze, size, theme or scroll position), the trail (each frame appends the
  * new piece), and the robot with its beams. One animation frame is asked for at a time, and none
- * while nothing changes.
+ * while nothing changes. Knows neither page nor worker: it runs in both.
  */
-import type { MazeDocument } from "@corridor/maze";
-import type { ProgramDocument } from "@corridor/program";
 import type { Snapshot } from "@corridor/protocol";
 import type { Frame } from "../worker/worker-messages.ts";
-import { drawBeams } from "./layers/beams.ts";
-import { bumpMark, drawBumps, type BumpMark } from "./layers/bumps.ts";
-import { drawGhost, type Ghost } from "./layers/ghost.ts";
-import { drawPlaces, type PlaceWords } from "./layers/places.ts";
-import { drawRobot, faceOf } from "./layers/robot.ts";
-import { drawRulerMarks, drawRulers } from "./layers/rulers.ts";
-import { drawTags } from "./layers/tags.ts";
+import type { LayerCanvases } from "./brush.ts";
+import { bumpMarks, drawBumps, type BumpMark } from "./layers/bumps.ts";
+import { drawLive } from "./layers/live.ts";
+import { drawPlaces } from "./layers/places.ts";
+import { drawRulers } from "./layers/rulers.ts";
+import { forgetTextWidths } from "./layers/tags.ts";
 import { drawTrail } from "./layers/trail.ts";
 import { drawWalls } from "./layers/walls.ts";
-import type { Palette } from "./palette.ts";
-import { limitsOf, litSensors } from "./running-line.ts";
+import type { Scene } from "./scene.ts";
+import { Surface } from "./surface.ts";
 import { Trail } from "./trail.ts";
 import { followScroll, viewportAt, type Layout, type Scroll, type Viewport } from "./viewport.ts";
-
-/** The three canvases, back to front. */
-export interface LayerCanvases {
-  maze: HTMLCanvasElement;
-  trail: HTMLCanvasElement;
-  live: HTMLCanvasElement;
-}
-
-/** All that is drawn besides the robot; handed over whole, compared field by field. */
-export interface Scene extends PlaceWords {
-  layout: Layout;
-  /** device pixels per CSS pixel */
-  pixelRatio: number;
-  palette: Palette;
-  maze: MazeDocument;
-  program: ProgramDocument;
-  showBeams: boolean;
-  showTrail: boolean;
-  showRulers: boolean;
-  ghost: Ghost | null;
-}
 
 /** What the renderer needs from around it. */
 export interface RendererPort {
@@ -66,18 +42,19 @@ const parts: Record<Layer, readonly (keyof Scene)[]> = {
     "layout",
     "pixelRatio",
     "palette",
+    "maze",
     "program",
     "startWord",
     "goalWord",
     "showBeams",
-    "showTrail",
     "showRulers",
     "ghost",
+    "measured",
   ],
 };
 
 export class StageRenderer {
-  readonly #canvases: LayerCanvases;
+  #surfaces: Record<Layer, Surface> | null = null;
   readonly #port: RendererPort;
   readonly #trail = new Trail();
   readonly #stale = new Set<Layer>();
@@ -88,10 +65,30 @@ export class StageRenderer {
   #request: number | null = null;
   /** the division of the stage in which the robot was last brought into sight */
   #followed: Layout | null = null;
+  /** where the stage was asked to scroll to, until it is there */
+  #asked: Scroll | null = null;
 
-  constructor(canvases: LayerCanvases, port: RendererPort) {
-    this.#canvases = canvases;
+  constructor(port: RendererPort) {
     this.#port = port;
+  }
+
+  /** Draws on these canvases from now on; the trail and the scene so far stay. */
+  attach(canvases: LayerCanvases): void {
+    this.#surfaces = {
+      maze: new Surface(canvases.maze),
+      trail: new Surface(canvases.trail),
+      live: new Surface(canvases.live),
+    };
+    this.#followed = null;
+    this.#asked = null;
+    this.repaint();
+  }
+
+  /** The canvases are gone: draws nothing until there are others. */
+  detach(): void {
+    if (this.#request !== null) this.#port.cancelFrame(this.#request);
+    this.#request = null;
+    this.#surfaces = null;
   }
 
   /** Shows another scene. Only layers whose part of it differs are drawn again. */
@@ -108,8 +105,20 @@ export class StageRenderer {
 
   /** Shows another part of a maze that is larger than the view. */
   scrollTo(scroll: Scroll): void {
+    this.#asked = null;
     if (scroll.x === this.#scroll.x && scroll.y === this.#scroll.y) return;
     this.#scroll = scroll;
+    this.repaint();
+  }
+
+  /** The font that was waited for is there. */
+  fontArrived(): void {
+    forgetTextWidths();
+    this.repaint();
+  }
+
+  /** Draws everything anew. */
+  repaint(): void {
     for (const layer of layers) this.#stale.add(layer);
     this.#ask();
   }
@@ -119,26 +128,8 @@ export class StageRenderer {
     this.#ask();
   }
 
-  /** The robot has touched a wall. */
-  bumped(pose: Snapshot["pose"]): void {
-    if (this.#scene === null) return;
-    this.#bumps = [...this.#bumps, bumpMark(this.#scene.maze, pose)].slice(-MAX_BUMPS);
-    this.#stale.add("live");
-    this.#ask();
-  }
-
-  /** Where the robot was when it was last drawn; null before the first frame. */
-  pose(): Snapshot["pose"] | null {
-    return this.#snapshot?.pose ?? null;
-  }
-
-  /** Stops drawing for good. */
-  destroy(): void {
-    if (this.#request !== null) this.#port.cancelFrame(this.#request);
-    this.#scene = null;
-  }
-
   #ask(): void {
+    if (this.#surfaces === null) return;
     this.#request ??= this.#port.requestFrame(() => {
       this.#request = null;
       this.#paint();
@@ -147,35 +138,46 @@ export class StageRenderer {
 
   #paint(): void {
     const scene = this.#scene;
-    if (scene === null) return;
+    const surfaces = this.#surfaces;
+    if (scene === null || surfaces === null) return;
     const viewport = viewportAt(scene.layout, this.#scroll);
-    this.#takeFrame(scene, viewport);
+    this.#takeFrame(scene, viewport, surfaces.trail);
     if (this.#snapshot !== null && this.#followed !== scene.layout) {
       // A maze that no longer fits begins where the robot is, even while it stands still.
       this.#follow(scene.layout, this.#snapshot.pose);
     }
-    if (this.#stale.has("maze")) this.#paintMaze(scene, viewport);
-    if (this.#stale.has("trail")) this.#paintTrail(scene, viewport);
-    if (this.#stale.has("live")) this.#paintLive(scene, viewport);
+    if (this.#stale.has("maze")) paintMaze(surfaces.maze, scene, viewport);
+    if (this.#stale.has("trail")) {
+      paintTrail(surfaces.trail, scene, viewport, this.#trail);
+      paintBumps(surfaces.trail, scene, viewport, this.#bumps);
+    }
+    if (this.#stale.has("live")) {
+      surfaces.live.wipe(scene);
+      drawLive(surfaces.live, viewport, scene, this.#snapshot);
+    }
     this.#stale.clear();
   }
 
-  #takeFrame(scene: Scene, viewport: Viewport): void {
+  #takeFrame(scene: Scene, viewport: Viewport, surface: Surface): void {
     const frame = this.#port.takeFrame();
     if (frame === null) return;
     const before = this.#snapshot;
     this.#snapshot = frame.snapshot;
     const change = this.#trail.add(frame.corners, frame.snapshot.pose, frame.trailReset);
     if (frame.trailReset) this.#bumps = [];
+    const bumps = bumpMarks(scene.maze, frame.bumps, frame.snapshot.pose.heading);
+    if (bumps.length > 0) {
+      this.#bumps = [...this.#bumps, ...bumps].slice(-MAX_BUMPS);
+      if (change.kind !== "replaced") paintBumps(surface, scene, viewport, bumps);
+    }
     if (before !== frame.snapshot) this.#stale.add("live");
     if (change.kind === "none") return;
     this.#follow(scene.layout, frame.snapshot.pose);
     if (change.kind === "replaced") {
       this.#stale.add("trail");
     } else if (scene.showTrail && !this.#stale.has("trail")) {
-      const context = contextOf(this.#canvases.trail);
-      clipped(context, viewport, () => {
-        drawTrail(context, viewport, scene.palette, change.points, "butt");
+      surface.clipped(viewport, () => {
+        drawTrail(surface.brush, viewport, scene.palette, change.points, "butt");
       });
     }
   }
@@ -184,86 +186,45 @@ export class StageRenderer {
     this.#followed = layout;
     if (!layout.overflows) return;
     const scroll = followScroll(layout, this.#scroll, pose.x, pose.y);
-    if (scroll.x !== this.#scroll.x || scroll.y !== this.#scroll.y) this.#port.scrollTo(scroll);
-  }
-
-  #paintMaze(scene: Scene, viewport: Viewport): void {
-    const context = fresh(this.#canvases.maze, scene);
-    clipped(context, viewport, () => {
-      drawWalls(context, viewport, scene.palette, scene.maze);
-      drawPlaces(context, viewport, scene.palette, scene.maze, scene);
-    });
-    if (scene.showRulers) drawRulers(context, viewport, scene.palette);
-  }
-
-  #paintTrail(scene: Scene, viewport: Viewport): void {
-    const context = fresh(this.#canvases.trail, scene);
-    if (!scene.showTrail) return;
-    clipped(context, viewport, () => {
-      drawTrail(context, viewport, scene.palette, this.#trail.points(), "round");
-    });
-  }
-
-  #paintLive(scene: Scene, viewport: Viewport): void {
-    const context = fresh(this.#canvases.live, scene);
-    const snapshot = this.#snapshot;
-    clipped(context, viewport, () => {
-      if (scene.ghost !== null) {
-        drawGhost(context, viewport, scene.palette, scene.ghost, scene);
-      }
-      if (snapshot === null) return;
-      if (scene.showTrail) drawBumps(context, viewport, scene.palette, this.#bumps);
-      const lit = litSensors(scene.program, snapshot);
-      if (scene.showBeams) drawBeams(context, viewport, scene.palette, snapshot, lit);
-      drawRobot(context, viewport, scene.palette, snapshot.pose, faceOf(snapshot));
-      if (scene.showBeams) {
-        const limits = limitsOf(scene.program, snapshot);
-        drawTags(context, viewport, scene.palette, snapshot, lit, limits);
-      }
-    });
-    if (snapshot !== null && scene.showRulers) {
-      drawRulerMarks(context, viewport, scene.palette, snapshot.pose);
+    if (isSame(scroll, this.#scroll) || (this.#asked !== null && isSame(scroll, this.#asked))) {
+      return;
     }
+    // The stage may take a moment to get there; it is asked once.
+    this.#asked = scroll;
+    this.#port.scrollTo(scroll);
   }
 }
 
 const layers = Object.keys(parts) as Layer[];
 
-/** An empty canvas of the scene's size whose unit is the CSS pixel. */
-function fresh(canvas: HTMLCanvasElement, scene: Scene): CanvasRenderingContext2D {
-  const context = contextOf(canvas);
-  const { view } = scene.layout;
-  const width = Math.round(view.width * scene.pixelRatio);
-  const height = Math.round(view.height * scene.pixelRatio);
-  if (canvas.width !== width || canvas.height !== height) {
-    canvas.width = width;
-    canvas.height = height;
-  }
-  context.setTransform(scene.pixelRatio, 0, 0, scene.pixelRatio, 0, 0);
-  context.clearRect(0, 0, view.width, view.height);
-  return context;
+function paintMaze(surface: Surface, scene: Scene, viewport: Viewport): void {
+  surface.renew(scene);
+  surface.clipped(viewport, () => {
+    drawWalls(surface.brush, viewport, scene.palette, scene.maze);
+    drawPlaces(surface.brush, viewport, scene.palette, scene.maze, scene);
+  });
+  if (scene.showRulers) drawRulers(surface.brush, viewport, scene.palette);
 }
 
-function contextOf(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
-  const context = canvas.getContext("2d");
-  if (context === null) throw new Error("This browser gives no 2D canvas.");
-  return context;
+function paintTrail(surface: Surface, scene: Scene, viewport: Viewport, trail: Trail): void {
+  surface.renew(scene);
+  if (!scene.showTrail) return;
+  surface.clipped(viewport, () => {
+    drawTrail(surface.brush, viewport, scene.palette, trail.points(), "round");
+  });
 }
 
-/** Pixels around the port in which outlines of the frame may still show. */
-const OUTLINE = 2;
+/** They share the trail's canvas: the robot's centre keeps away from walls, so neither covers the other. */
+function paintBumps(
+  surface: Surface,
+  scene: Scene,
+  viewport: Viewport,
+  bumps: readonly BumpMark[],
+): void {
+  if (!scene.showTrail) return;
+  surface.clipped(viewport, () => drawBumps(surface.brush, viewport, scene.palette, bumps));
+}
 
-/** Draws inside the port only, so that a maze that is scrolled stays off the rulers. */
-function clipped(context: CanvasRenderingContext2D, { port }: Viewport, draw: () => void): void {
-  context.save();
-  context.beginPath();
-  context.rect(
-    port.x - OUTLINE,
-    port.y - OUTLINE,
-    port.width + 2 * OUTLINE,
-    port.height + 2 * OUTLINE,
-  );
-  context.clip();
-  draw();
-  context.restore();
+function isSame(a: Scroll, b: Scroll): boolean {
+  return a.x === b.x && a.y === b.y;
 }

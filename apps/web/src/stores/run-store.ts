@@ -1,6 +1,6 @@
 /**
  * What the panels show of the run: the newest snapshot at a calm rate, the speed, and what happened.
- * The canvas does not read this store; it takes every frame from the simulator client.
+ * The stage does not read this store; the worker draws it from the run itself.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { Snapshot } from "@corridor/protocol";
@@ -39,29 +39,3 @@ export function createRunStore() {
   }));
 }
 export type RunStore = ReturnType<typeof createRunStore>;
-
-/** Panels are repainted at most this often, except when something that decides changes. */
-const PANEL_INTERVAL_MS = 50;
-
-/**
- * Whether a snapshot must be shown at once: the deciding line, the state, the driver, a bump or the
- * goal changed. Numbers that merely move can wait for the next interval.
- */
-export function isDue(
-  shown: Snapshot | null,
-  next: Snapshot,
-  millisecondsSinceShown: number,
-): boolean {
-  return (
-    shown === null ||
-    millisecondsSinceShown >= PANEL_INTERVAL_MS ||
-    shown.line !== next.line ||
-    shown.state !== next.state ||
-    shown.driver !== next.driver ||
-    shown.motion !== next.motion ||
-    shown.bumps !== next.bumps ||
-    shown.goalReached !== next.goalReached ||
-    shown.command !== next.command ||
-    next.tick < shown.tick
-  );
-}

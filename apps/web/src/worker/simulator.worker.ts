@@ -6,8 +6,10 @@
 import { CompiledProgram } from "@corridor/program";
 import { replayDigest } from "@corridor/simulation";
 import { describeFault } from "./describe-fault.ts";
+import { FramePace } from "./frame-pace.ts";
 import { RemoteHost } from "./remote-host.ts";
 import { RunLoop } from "./run-loop.ts";
+import { StagePainter } from "./stage-painter.ts";
 import type { FromWorker, ToWorker } from "./worker-messages.ts";
 
 /** Twice as often as a screen repaints, so that no frame waits for a whole interval. */
@@ -37,6 +39,24 @@ const remote = new RemoteHost({
   fetch: (url, request) => fetch(url, request),
 });
 
+/** A run that was brought up to now so recently is not once more before it is drawn, in milliseconds. */
+const RECENT_MS = 2;
+let advancedAt = Number.NEGATIVE_INFINITY;
+
+const pace = new FramePace(now);
+const painter = new StagePainter({
+  post,
+  requestFrame: (paint) => requestAnimationFrame(() => guarded(paint)),
+  cancelFrame: (request) => cancelAnimationFrame(request),
+  catchUp: () => {
+    if (now() - advancedAt > RECENT_MS) advance();
+  },
+  loadFont: async (address) => {
+    const font = new FontFace("Inter Variable", `url("${address}")`, { weight: "100 900" });
+    worker.fonts.add(await font.load());
+  },
+});
+
 worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   try {
     handle(data);
@@ -47,15 +67,28 @@ worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
 };
 
 setInterval(() => {
-  try {
-    loop?.advance();
-    tellNews();
+  guarded(() => {
+    advance();
     holdLock(loop?.isRunning === true);
+  });
+}, INTERVAL_MS);
+
+/** Brings the run up to now, and tells what came of it. */
+function advance(): void {
+  loop?.advance();
+  advancedAt = now();
+  tellNews();
+}
+
+/** What goes wrong pauses the robot and is told, instead of happening again on every turn. */
+function guarded(work: () => void): void {
+  try {
+    work();
   } catch (error) {
     loop?.pause();
     post({ type: "fault", reason: describeFault(error) });
   }
-}, INTERVAL_MS);
+}
 
 function handle(message: ToWorker): void {
   if (message.type === "load") {
@@ -94,6 +127,12 @@ function handle(message: ToWorker): void {
       return remote.close();
     case "remote-clear":
       return remote.clearCommands();
+    case "stage-mount":
+    case "stage-mount-here":
+    case "stage-scene":
+    case "stage-scroll":
+    case "stage-unmount":
+      return painter.handle(message);
   }
 }
 
@@ -101,7 +140,12 @@ function tellNews(): void {
   const news = loop?.takeNews();
   if (loop === null || news === undefined) return;
   if (news !== null) {
-    post({ type: "frame", frame: news.frame });
+    painter.add(news.frame);
+    pace.add(news.frame);
+  }
+  const frame = pace.take();
+  if (frame !== null) post({ type: "frame", frame });
+  if (news !== null) {
     for (const moment of news.moments) post({ type: "moment", moment });
   }
   hasUnsentNews ||= news !== null;

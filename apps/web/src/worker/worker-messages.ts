@@ -19,7 +19,9 @@ import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { RunDocument, TimelineNews } from "@corridor/recording";
 import type { Progress } from "@corridor/simulation";
+import type { Scroll } from "../canvas/viewport.ts";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
+import type { StageToWorker } from "./stage-messages.ts";
 
 /** How many simulated seconds pass in one second; "max" is as many as the machine gives. */
 export const speeds = [0.25, 0.5, 1, 2, 4, 8, 16, "max"] as const;
@@ -40,6 +42,7 @@ export interface RemoteSession {
 }
 
 export type ToWorker =
+  | StageToWorker
   /** the first message: what the page starts with */
   | { type: "load"; maze: MazeDocument; program: ProgramDocument }
   /** the maze changed under the robot: it stays where it is, or goes to its start where it no longer fits */
@@ -171,7 +174,12 @@ export type LoadedRun =
   | { ok: false; problems: FieldProblem[] };
 
 export type FromWorker =
+  /** at the calm rate of the panels, and at once when something was decided */
   | { type: "frame"; frame: Frame }
+  /** every frame, for a page that draws the stage by itself; `frame` comes beside it */
+  | { type: "picture"; frame: Frame }
+  /** the camera follows the robot: scroll the stage there */
+  | { type: "stage-scroll-to"; scroll: Scroll }
   | { type: "moment"; moment: Moment }
   | { type: "timeline"; news: TimelineNews }
   /** the maze of the shown moment where it is not the newest one; null when it is */

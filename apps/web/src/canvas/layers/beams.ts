@@ -3,6 +3,8 @@
  * Ticks every 10 cm, longer at 50 and 100. The sensors that the running line reads are lit.
  */
 import { sensorNames, type SensorName, type Snapshot } from "@corridor/protocol";
+import type { Brush } from "../brush.ts";
+import type { Dirt } from "../dirt.ts";
 import type { Palette } from "../palette.ts";
 import { viewX, viewY, type Viewport } from "../viewport.ts";
 import { ROBOT_RADIUS } from "./robot.ts";
@@ -10,6 +12,9 @@ import { ROBOT_RADIUS } from "./robot.ts";
 const TICK = 10;
 /** Ticks closer than this many pixels would be a grey band; only every fifth is drawn then. */
 const TICKS_FROM_PX = 2.5;
+
+/** Pixels from a beam to the end of its longest mark. */
+const WIDEST = 9;
 
 /** A unit vector along a sensor's beam. */
 export interface Direction {
@@ -26,40 +31,47 @@ export function beamDirection(sensor: SensorName, heading: number): Direction {
 
 /** Draws the beams; `lit` are the sensors that the running line reads. */
 export function drawBeams(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   viewport: Viewport,
   palette: Palette,
   snapshot: Snapshot,
   lit: readonly SensorName[],
+  dirt: Dirt,
 ): void {
   const x = viewX(viewport, snapshot.pose.x);
   const y = viewY(viewport, snapshot.pose.y);
+  const reach = reachOf(viewport);
   // Lit beams last, so that nothing lies over them.
-  const inOrder = [...sensorNames].sort(
-    (a, b) => Number(lit.includes(a)) - Number(lit.includes(b)),
-  );
-  for (const sensor of inOrder) {
-    const isLit = lit.includes(sensor);
-    const direction = beamDirection(sensor, snapshot.pose.heading);
-    context.save();
-    context.translate(x, y);
-    // From here on the beam runs along the x axis.
-    context.rotate(Math.atan2(direction.dy, direction.dx));
-    drawBeam(context, viewport, palette, snapshot.sensors[sensor], isLit);
-    context.restore();
+  for (const isLit of [false, true]) {
+    for (const sensor of sensorNames) {
+      if (lit.includes(sensor) !== isLit) continue;
+      const { dx, dy } = beamDirection(sensor, snapshot.pose.heading);
+      const length = Math.min(snapshot.sensors[sensor], reach) * viewport.scale;
+      dirt.addLine(x, y, x + dx * length, y + dy * length, WIDEST);
+      context.save();
+      context.translate(x, y);
+      // From here on the beam runs along the x axis.
+      context.rotate(Math.atan2(dy, dx));
+      drawBeam(context, viewport, palette, snapshot.sensors[sensor], isLit);
+      context.restore();
+    }
   }
 }
 
+/** A beam can be 25,600 units long; what lies beyond the view is not drawn. */
+function reachOf({ port, scale }: Viewport): number {
+  return (port.width + port.height) / scale;
+}
+
 function drawBeam(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   viewport: Viewport,
   palette: Palette,
   reading: number,
   isLit: boolean,
 ): void {
-  const { scale, port } = viewport;
-  // A beam can be 25,600 units long; what lies beyond the view is not drawn.
-  const reach = Math.min(reading, (port.width + port.height) / scale);
+  const { scale } = viewport;
+  const reach = Math.min(reading, reachOf(viewport));
   const length = reach * scale;
   const band = Math.min(9, Math.max(5, 10 * scale));
   const colour = isLit ? palette.live : palette.beam;
@@ -91,13 +103,7 @@ function drawBeam(
   line(context, length - 1, -half, length - 1, half);
 }
 
-function line(
-  context: CanvasRenderingContext2D,
-  fromX: number,
-  fromY: number,
-  toX: number,
-  toY: number,
-): void {
+function line(context: Brush, fromX: number, fromY: number, toX: number, toY: number): void {
   context.beginPath();
   context.moveTo(fromX, fromY);
   context.lineTo(toX, toY);

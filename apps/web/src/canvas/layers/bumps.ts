@@ -1,6 +1,7 @@
 /** Where the robot has bumped: a small red burst at the place of contact. */
 import { isBlock, type MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
+import type { Brush } from "../brush.ts";
 import type { Palette } from "../palette.ts";
 import { CELL, viewX, viewY, type Viewport } from "../viewport.ts";
 import { ROBOT_RADIUS } from "./robot.ts";
@@ -42,11 +43,28 @@ export function bumpMark(maze: MazeDocument, pose: Pose): BumpMark {
   return best;
 }
 
+/**
+ * The marks of bumps.
+ * @param places where the robot's centre was, x and y by turns, in units
+ * @param heading of the robot now; the newest bumps happened with it
+ */
+export function bumpMarks(
+  maze: MazeDocument,
+  places: readonly number[],
+  heading: number,
+): BumpMark[] {
+  const marks: BumpMark[] = [];
+  for (let at = 0; at + 1 < places.length; at += 2) {
+    marks.push(bumpMark(maze, { x: places[at] ?? 0, y: places[at + 1] ?? 0, heading }));
+  }
+  return marks;
+}
+
 const POINTS = 8;
 
 /** Draws the bursts. */
 export function drawBumps(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   viewport: Viewport,
   palette: Palette,
   marks: readonly BumpMark[],

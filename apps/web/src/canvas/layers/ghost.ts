@@ -1,5 +1,7 @@
 /** What a press would do, shown before it happens. */
 import type { Cell, Start } from "@corridor/maze";
+import type { Brush } from "../brush.ts";
+import type { Dirt } from "../dirt.ts";
 import type { Palette } from "../palette.ts";
 import type { Viewport } from "../viewport.ts";
 import { cellBox, drawGoal, drawStart, type PlaceWords } from "./places.ts";
@@ -11,13 +13,15 @@ export type Ghost =
 
 /** Draws the ghost over the maze, half transparent. */
 export function drawGhost(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   viewport: Viewport,
   palette: Palette,
   ghost: Ghost,
   words: PlaceWords,
+  dirt: Dirt,
 ): void {
   const box = cellBox(viewport, ghost.kind === "start" ? ghost.start : ghost.cell);
+  dirt.add(box.x, box.y, box.width, box.height);
   context.save();
   context.globalAlpha = 0.6;
   switch (ghost.kind) {

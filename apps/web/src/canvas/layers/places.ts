@@ -1,5 +1,6 @@
 /** Start and goals: dashed square with the first heading, and the flag. */
 import type { Cell, HeadingName, MazeDocument, Start } from "@corridor/maze";
+import type { Brush } from "../brush.ts";
 import type { Palette } from "../palette.ts";
 import { CELL, visibleCells, viewX, viewY, type Box, type Viewport } from "../viewport.ts";
 
@@ -18,7 +19,7 @@ const quarterTurns: Record<HeadingName, number> = { north: 0, east: 1, south: 2,
 
 /** Draws start and goals inside the port. */
 export function drawPlaces(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   viewport: Viewport,
   palette: Palette,
   maze: MazeDocument,
@@ -50,12 +51,7 @@ export function cellBox(viewport: Viewport, cell: Cell): Box {
 }
 
 /** A goal in one cell. */
-export function drawGoal(
-  context: CanvasRenderingContext2D,
-  box: Box,
-  palette: Palette,
-  word: string,
-): void {
+export function drawGoal(context: Brush, box: Box, palette: Palette, word: string): void {
   const inset = Math.max(1.5, box.width * 0.04);
   context.beginPath();
   context.roundRect(
@@ -91,7 +87,7 @@ export function drawGoal(
 
 /** The start in one cell, with an arrow head that points where the robot will face. */
 export function drawStart(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   box: Box,
   palette: Palette,
   start: Start,
@@ -133,7 +129,7 @@ export function drawStart(
 }
 
 function label(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   palette: Palette,
   colour: string,
   text: string,

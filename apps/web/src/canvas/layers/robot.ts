@@ -3,6 +3,8 @@
  * and equal the SVG files of the design.
  */
 import type { Snapshot } from "@corridor/protocol";
+import type { Brush } from "../brush.ts";
+import type { Dirt } from "../dirt.ts";
 import type { Palette } from "../palette.ts";
 import { viewX, viewY, type Viewport } from "../viewport.ts";
 
@@ -42,17 +44,45 @@ const faces: Record<
   },
 };
 
+/** Units from the robot's centre to the corner of a wheel and its outline. */
+const REACH = 32;
+
+interface Shapes {
+  body: Path2D;
+  eyes: Path2D;
+  mouth: Path2D;
+}
+
+const shapes = new Map<Face, Shapes>();
+
+/** Paths are read from their text once a face: reading them on every frame would cost more than drawing. */
+function shapesOf(face: Face): Shapes {
+  let known = shapes.get(face);
+  if (known === undefined) {
+    const { eyes, mouth } = faces[face];
+    known = { body: new Path2D(BODY), eyes: new Path2D(eyes), mouth: new Path2D(mouth) };
+    shapes.set(face, known);
+  }
+  return known;
+}
+
 /** Draws the robot at its pose. */
 export function drawRobot(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   viewport: Viewport,
   palette: Palette,
   pose: Snapshot["pose"],
   face: Face,
+  dirt: Dirt,
 ): void {
-  const { eyes, eyesWidth, mouth, isMouthOpen } = faces[face];
+  const { eyesWidth, isMouthOpen } = faces[face];
+  const { body, eyes, mouth } = shapesOf(face);
+  const x = viewX(viewport, pose.x);
+  const y = viewY(viewport, pose.y);
+  const reach = REACH * viewport.scale;
+  dirt.add(x - reach, y - reach, 2 * reach, 2 * reach);
   context.save();
-  context.translate(viewX(viewport, pose.x), viewY(viewport, pose.y));
+  context.translate(x, y);
   context.rotate((pose.heading * Math.PI) / 180);
   context.scale(viewport.scale, viewport.scale);
   context.lineCap = "round";
@@ -63,7 +93,6 @@ export function drawRobot(
   context.roundRect(17, -15, 9, 30, 4.5);
   context.fill();
 
-  const body = new Path2D(BODY);
   context.fillStyle = palette.live;
   context.fill(body);
   context.strokeStyle = palette.robotEdge;
@@ -76,19 +105,19 @@ export function drawRobot(
   context.fill();
   if (eyesWidth === 0) {
     context.fillStyle = palette.robotEye;
-    context.fill(new Path2D(eyes));
+    context.fill(eyes);
   } else {
     context.strokeStyle = palette.robotEye;
     context.lineWidth = eyesWidth;
-    context.stroke(new Path2D(eyes));
+    context.stroke(eyes);
   }
   if (isMouthOpen) {
     context.fillStyle = palette.robotVisor;
-    context.fill(new Path2D(mouth));
+    context.fill(mouth);
   } else {
     context.strokeStyle = palette.robotVisor;
     context.lineWidth = 2.6;
-    context.stroke(new Path2D(mouth));
+    context.stroke(mouth);
   }
   context.restore();
 }

@@ -1,4 +1,6 @@
 /** Rulers along the top and the left, in the same centimetres as the program's numbers. */
+import type { Brush } from "../brush.ts";
+import type { Dirt } from "../dirt.ts";
 import type { Palette } from "../palette.ts";
 import { CELL, viewX, viewY, type Viewport } from "../viewport.ts";
 
@@ -13,11 +15,7 @@ export function numberStep(cellPx: number, room: number): number {
 }
 
 /** Draws both rulers beside the port. */
-export function drawRulers(
-  context: CanvasRenderingContext2D,
-  viewport: Viewport,
-  palette: Palette,
-): void {
+export function drawRulers(context: Brush, viewport: Viewport, palette: Palette): void {
   const { port, columns, rows } = viewport;
   const cellPx = viewport.scale * CELL;
   context.font = `500 11px ${palette.font}`;
@@ -56,25 +54,28 @@ export function drawRulers(
 
 /** Marks on both rulers where the robot is. */
 export function drawRulerMarks(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   viewport: Viewport,
   palette: Palette,
   pose: { x: number; y: number },
+  dirt: Dirt,
 ): void {
   const { port } = viewport;
   const x = viewX(viewport, pose.x);
   const y = viewY(viewport, pose.y);
   context.fillStyle = palette.live;
   if (x >= port.x && x <= port.x + port.width) {
+    dirt.add(x - 5, port.y - 12, 10, 8);
     triangle(context, x, port.y - 4, -5, -8, 5, -8);
   }
   if (y >= port.y && y <= port.y + port.height) {
+    dirt.add(port.x - 12, y - 5, 8, 10);
     triangle(context, port.x - 4, y, -8, -5, -8, 5);
   }
 }
 
 function triangle(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   x: number,
   y: number,
   ax: number,

@@ -3,6 +3,8 @@
  * line's badge, on a bar across the beam: whole where the beam reaches it, dashed where a wall is nearer.
  */
 import { sensorNames, type SensorName, type Snapshot } from "@corridor/protocol";
+import type { Brush } from "../brush.ts";
+import type { Dirt } from "../dirt.ts";
 import type { Palette } from "../palette.ts";
 import type { Limit } from "../running-line.ts";
 import {
@@ -25,12 +27,13 @@ const ALL_MARKS_FROM = 0.45;
 
 /** Draws readings and marks; `lit` are the sensors that the running line reads. */
 export function drawTags(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   viewport: Viewport,
   palette: Palette,
   snapshot: Snapshot,
   lit: readonly SensorName[],
   limits: readonly Limit[],
+  dirt: Dirt,
 ): void {
   const origin = { x: viewX(viewport, snapshot.pose.x), y: viewY(viewport, snapshot.pose.y) };
   const beamOf = (sensor: SensorName): Beam => ({
@@ -64,10 +67,11 @@ export function drawTags(
   const readings = placeTags(requests, [robot], viewport.port);
 
   const shown = limits.filter((each) => each.isRunning || viewport.scale >= ALL_MARKS_FROM);
-  drawMarks(context, viewport, palette, snapshot, shown, beamOf, [robot, ...readings]);
+  drawMarks(context, viewport, palette, snapshot, shown, beamOf, [robot, ...readings], dirt);
 
   context.font = `600 ${READING.font}px ${palette.font}`;
   for (const tag of readings) {
+    dirt.add(tag.x, tag.y, tag.width, tag.height);
     drawReading(
       context,
       palette,
@@ -83,12 +87,28 @@ function readingText(reading: number): string {
   return String(Math.round(reading));
 }
 
-function textWidth(context: CanvasRenderingContext2D, text: string): number {
-  return Math.ceil(context.measureText(text).width);
+/** Widths that were measured, by font and text: a frame asks for the same few numbers as the one before. */
+const widths = new Map<string, number>();
+const MAX_WIDTHS = 4000;
+
+function textWidth(context: Brush, text: string): number {
+  const key = `${context.font} ${text}`;
+  let width = widths.get(key);
+  if (width === undefined) {
+    if (widths.size >= MAX_WIDTHS) widths.clear();
+    width = Math.ceil(context.measureText(text).width);
+    widths.set(key, width);
+  }
+  return width;
+}
+
+/** Another font may stand behind the same name from now on. */
+export function forgetTextWidths(): void {
+  widths.clear();
 }
 
 function drawReading(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   palette: Palette,
   box: Box,
   text: string,
@@ -106,13 +126,14 @@ function drawReading(
 }
 
 function drawMarks(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   viewport: Viewport,
   palette: Palette,
   snapshot: Snapshot,
   limits: readonly Limit[],
   beamOf: (sensor: SensorName) => Beam,
   taken: readonly Box[],
+  dirt: Dirt,
 ): void {
   context.font = `600 ${MARK.font}px ${palette.font}`;
   const requests = limits.map((limit): TagRequest<Limit> => {
@@ -128,21 +149,26 @@ function drawMarks(
     // A bar without its number says nothing, but for the line that the panel shows as running.
     if (!limit.isRunning && !tags.some(({ name }) => name === limit)) continue;
     const distance = limit.distance * viewport.scale;
-    drawBar(context, palette, beamOf(limit.sensor), distance, limit, isReached(limit));
+    drawBar(context, palette, beamOf(limit.sensor), distance, limit, isReached(limit), dirt);
   }
-  for (const tag of tags) drawMark(context, palette, tag, isReached(tag.name));
+  for (const tag of tags) {
+    dirt.add(tag.x, tag.y, tag.width, tag.height);
+    drawMark(context, palette, tag, isReached(tag.name));
+  }
 }
 
 function drawBar(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   palette: Palette,
   { origin, dx, dy }: Beam,
   distance: number,
   { isRunning }: Limit,
   isReached: boolean,
+  dirt: Dirt,
 ): void {
   const x = origin.x + dx * distance;
   const y = origin.y + dy * distance;
+  dirt.add(x - MARK.reach, y - MARK.reach, 2 * MARK.reach, 2 * MARK.reach);
   context.beginPath();
   context.moveTo(x - dy * MARK.reach, y + dx * MARK.reach);
   context.lineTo(x + dy * MARK.reach, y - dx * MARK.reach);
@@ -154,7 +180,7 @@ function drawBar(
 }
 
 function drawMark(
-  context: CanvasRenderingContext2D,
+  context: Brush,
   palette: Palette,
   tag: PlacedTag<Limit>,
   isReached: boolean,

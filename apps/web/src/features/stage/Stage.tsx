@@ -17,16 +17,15 @@ export function Stage() {
   const layout = useStore(controller.view, (view) => view.layout);
   const scroller = useRef<HTMLDivElement>(null);
   const grid = useRef<HTMLTableElement>(null);
-  const maze = useRef<HTMLCanvasElement>(null);
-  const trail = useRef<HTMLCanvasElement>(null);
-  const live = useRef<HTMLCanvasElement>(null);
+  const layers = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    if (scroller.current === null || grid.current === null) return undefined;
-    if (maze.current === null || trail.current === null || live.current === null) return undefined;
+    if (scroller.current === null || grid.current === null || layers.current === null) {
+      return undefined;
+    }
     return controller.mount({
       scroller: scroller.current,
       grid: grid.current,
-      canvases: { maze: maze.current, trail: trail.current, live: live.current },
+      layers: layers.current,
     });
   }, [controller]);
   return (
@@ -37,11 +36,7 @@ export function Stage() {
         className={layout?.overflows === true ? styles["scroller"] : styles["still"]}
       >
         <div className={styles["content"]} style={layout?.content}>
-          <div className={styles["layers"]} style={layout?.view} aria-hidden="true">
-            <canvas ref={maze} className={styles["layer"]} />
-            <canvas ref={trail} className={styles["layer"]} />
-            <canvas ref={live} className={styles["layer"]} />
-          </div>
+          <div ref={layers} className={styles["layers"]} style={layout?.view} aria-hidden="true" />
           <MazeGrid controller={controller} element={grid} />
         </div>
       </div>

@@ -3,16 +3,17 @@
  * Components hand their elements over in `mount` and read the view store.
  */
 import { MAX_GOALS, MAX_SIDE, sizeOf, type Cell } from "@corridor/maze";
+import type { Pose } from "@corridor/protocol";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import { PointerInput, type PointerFacts } from "../../canvas/pointer-input.ts";
 import { readPalette, type Palette } from "../../canvas/palette.ts";
-import { StageRenderer, type LayerCanvases } from "../../canvas/renderer.ts";
-import { watchPixelRatio, watchTheme } from "../../canvas/theme-watch.ts";
+import { watchPixelRatio, watchTheme } from "./theme-watch.ts";
 import { cellAt } from "../../canvas/viewport.ts";
 import { tell } from "../../stores/screen-store.ts";
 import { MazeEditor } from "./maze-editor.ts";
 import { hasRulers, stageLayout } from "./stage-layout.ts";
+import { openStageScreen, type StageScreen } from "./stage-screen.ts";
 import { createStageView } from "./stage-view.ts";
 import { tellUndoable } from "./tell-undoable.ts";
 import { ghostOf, type ToolRefusal } from "./tool-edit.ts";
@@ -23,7 +24,8 @@ export interface StageElements {
   scroller: HTMLElement;
   /** lies over the maze and takes the pointer */
   grid: HTMLElement;
-  canvases: LayerCanvases;
+  /** what the canvases lie in */
+  layers: HTMLElement;
 }
 
 type PointerEventName =
@@ -39,7 +41,7 @@ export class StageController {
   readonly #services: Services;
   readonly #words: Pick<i18n, "t">;
   readonly #pointer: PointerInput;
-  #renderer: StageRenderer | null = null;
+  #drawing: StageScreen | null = null;
   #elements: StageElements | null = null;
   #palette: Palette | null = null;
   #pixelRatio = 1;
@@ -50,7 +52,7 @@ export class StageController {
     this.editor = new MazeEditor({
       workspace: services.workspace,
       screen: services.screen,
-      pose: () => this.#renderer?.pose() ?? null,
+      pose: () => this.#pose(),
       refuse: (code) => this.#tellRefusal(code),
       goalsRemoved: (count) =>
         tellUndoable(services, words, words.t("stage.goalsRemoved", { count })),
@@ -66,14 +68,11 @@ export class StageController {
   mount(elements: StageElements): () => void {
     const { workspace, screen, simulator } = this.#services;
     const { scroller } = elements;
-    const renderer = new StageRenderer(elements.canvases, {
-      takeFrame: () => simulator.takeFrame(),
-      requestFrame: (paint) => requestAnimationFrame(paint),
-      cancelFrame: (request) => cancelAnimationFrame(request),
-      scrollTo: ({ x, y }) => scroller.scrollTo({ left: x, top: y, behavior: "instant" }),
-    });
+    const drawing = openStageScreen(simulator, elements.layers, ({ x, y }) =>
+      scroller.scrollTo({ left: x, top: y, behavior: "instant" }),
+    );
     this.#elements = elements;
-    this.#renderer = renderer;
+    this.#drawing = drawing;
     const recolour = (): void => {
       const style = getComputedStyle(document.documentElement);
       this.#palette = readPalette((property) => style.getPropertyValue(property));
@@ -83,7 +82,7 @@ export class StageController {
     const measure = new ResizeObserver(() => this.#divide());
     measure.observe(scroller);
     const onScroll = (): void =>
-      renderer.scrollTo({ x: scroller.scrollLeft, y: scroller.scrollTop });
+      drawing.scrollTo({ x: scroller.scrollLeft, y: scroller.scrollTop });
     scroller.addEventListener("scroll", onScroll, { passive: true });
     const onKey = (event: KeyboardEvent): void => {
       if (event.key === "Escape") this.#pointer.cancel();
@@ -96,25 +95,20 @@ export class StageController {
         this.#pixelRatio = pixelRatio;
         this.#show();
       }),
-      simulator.listen((message) => {
-        if (message.type === "frame") renderer.frameArrived();
-        if (message.type === "moment" && message.moment.kind === "bump") {
-          renderer.bumped(message.moment.pose);
-        }
-      }),
       workspace.subscribe(() => this.#divide()),
       screen.subscribe(() => this.#divide()),
       this.view.subscribe(() => this.#show()),
       () => measure.disconnect(),
       () => scroller.removeEventListener("scroll", onScroll),
       () => window.removeEventListener("keydown", onKey),
-      () => renderer.destroy(),
+      () => drawing.end(),
     ];
     this.#divide();
-    renderer.frameArrived();
+    this.#show();
+    onScroll();
     return () => {
       for (const stop of stops) stop();
-      this.#renderer = null;
+      this.#drawing = null;
       this.#elements = null;
     };
   }
@@ -178,8 +172,7 @@ export class StageController {
     if (layout === null || this.#palette === null) return;
     const { maze, program } = this.#services.workspace.getState();
     const { tool, showBeams, showTrail, showRulers } = this.#services.screen.getState();
-    const renderer = this.#renderer;
-    renderer?.show({
+    this.#drawing?.show({
       layout,
       pixelRatio: this.#pixelRatio,
       palette: this.#palette,
@@ -190,8 +183,15 @@ export class StageController {
       showBeams,
       showTrail,
       showRulers: hasRulers(layout.view.width, showRulers),
-      ghost: hover === null ? null : ghostOf(maze, tool, hover, renderer.pose()),
+      ghost: hover === null ? null : ghostOf(maze, tool, hover, this.#pose()),
+      measured: null,
+      isCalm: false,
     });
+  }
+
+  /** Where the robot was when the page was last told; null before the first frame. */
+  #pose(): Pose | null {
+    return this.#services.run.getState().snapshot?.pose ?? null;
   }
 
   #tellRefusal(code: ToolRefusal): void {

@@ -1,18 +1,18 @@
-/** Tells when the page's colours may have changed: another theme, or the system's. */
+/** Tells when the page's colours, words or fonts may have changed: another theme or language, or the system's. */
 
 /** @returns a function that ends it */
 export function watchTheme(onChange: () => void): () => void {
   const root = document.documentElement;
   const observer = new MutationObserver(onChange);
-  observer.observe(root, { attributes: true, attributeFilter: ["data-theme"] });
+  observer.observe(root, {
+    attributes: true,
+    attributeFilter: ["data-theme", "data-contrast", "lang"],
+  });
   const system = window.matchMedia("(prefers-color-scheme: dark)");
   system.addEventListener("change", onChange);
-  // Words on the canvas are drawn once; they must not stay in the fallback font.
-  document.fonts.addEventListener("loadingdone", onChange);
   return () => {
     observer.disconnect();
     system.removeEventListener("change", onChange);
-    document.fonts.removeEventListener("loadingdone", onChange);
   };
 }
 

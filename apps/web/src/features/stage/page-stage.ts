@@ -1,0 +1,41 @@
+/** Draws the stage on the page's main thread, where the browser cannot hand canvases to a worker. */
+import type { LayerCanvases } from "../../canvas/brush.ts";
+import { StageRenderer } from "../../canvas/renderer.ts";
+import type { Scroll } from "../../canvas/viewport.ts";
+import { FrameBuffer } from "../../worker/frame-buffer.ts";
+import type { SimulatorClient } from "../../worker/simulator-client.ts";
+import type { StageScreen } from "./stage-screen.ts";
+
+/** @param follow scrolls the stage so that the robot stays in sight */
+export function openPageStage(
+  simulator: SimulatorClient,
+  canvases: LayerCanvases<HTMLCanvasElement>,
+  follow: (scroll: Scroll) => void,
+): StageScreen {
+  const frames = new FrameBuffer();
+  const renderer = new StageRenderer({
+    takeFrame: () => frames.take(),
+    requestFrame: (paint) => requestAnimationFrame(paint),
+    cancelFrame: (request) => cancelAnimationFrame(request),
+    scrollTo: follow,
+  });
+  renderer.attach(canvases);
+  const stop = simulator.listen((message) => {
+    if (message.type !== "picture") return;
+    frames.add(message.frame);
+    renderer.frameArrived();
+  });
+  const onFont = (): void => renderer.fontArrived();
+  document.fonts.addEventListener("loadingdone", onFont);
+  simulator.send({ type: "stage-mount-here" });
+  return {
+    show: (scene) => renderer.show(scene),
+    scrollTo: (scroll) => renderer.scrollTo(scroll),
+    end: () => {
+      stop();
+      document.fonts.removeEventListener("loadingdone", onFont);
+      renderer.detach();
+      simulator.send({ type: "stage-unmount" });
+    },
+  };
+}

@@ -1,0 +1,97 @@
+/**
+ * Draws the stage in the worker, straight from the run's newest state, on canvases that the page has
+ * handed over. The page's main thread takes no part in a frame. Where a browser cannot hand canvases
+ * over, the page draws by itself and is sent every frame.
+ *
+ * A hidden page's worker is given no animation frames: nothing is drawn then, and the first frame after
+ * it shows the newest state.
+ */
+import { StageRenderer } from "../canvas/renderer.ts";
+import type { Scene } from "../canvas/scene.ts";
+import { FrameBuffer } from "./frame-buffer.ts";
+import type { StageToWorker } from "./stage-messages.ts";
+import type { Frame, FromWorker } from "./worker-messages.ts";
+
+export interface StagePainterPort {
+  post: (message: FromWorker) => void;
+  requestFrame: (paint: () => void) => number;
+  cancelFrame: (request: number) => void;
+  /** brings the run up to this very moment, right before it is drawn; may `add` a frame */
+  catchUp: () => void;
+  /** @param address of the font file */
+  loadFont: (address: string) => Promise<void>;
+}
+
+export class StagePainter {
+  readonly #port: StagePainterPort;
+  readonly #frames = new FrameBuffer();
+  readonly #renderer: StageRenderer;
+  #scene: Scene | null = null;
+  #isPageDrawing = false;
+  #font: string | null = null;
+
+  constructor(port: StagePainterPort) {
+    this.#port = port;
+    this.#renderer = new StageRenderer({
+      takeFrame: () => {
+        port.catchUp();
+        return this.#frames.take();
+      },
+      requestFrame: port.requestFrame,
+      cancelFrame: port.cancelFrame,
+      scrollTo: (scroll) => port.post({ type: "stage-scroll-to", scroll }),
+    });
+  }
+
+  /** What the run has come to. */
+  add(frame: Frame): void {
+    this.#frames.add(frame);
+    if (this.#isPageDrawing) {
+      this.#post();
+      return;
+    }
+    this.#renderer.frameArrived();
+  }
+
+  handle(message: StageToWorker): void {
+    switch (message.type) {
+      case "stage-mount":
+        this.#isPageDrawing = false;
+        this.#renderer.attach(message.canvases);
+        this.#useFont(message.font);
+        return;
+      case "stage-mount-here":
+        this.#isPageDrawing = true;
+        this.#post();
+        return;
+      case "stage-scene":
+        // The first one after a mount is whole.
+        this.#scene = { ...this.#scene, ...message.changes } as Scene;
+        this.#renderer.show(this.#scene);
+        return;
+      case "stage-scroll":
+        this.#renderer.scrollTo(message.scroll);
+        return;
+      case "stage-unmount":
+        this.#isPageDrawing = false;
+        this.#renderer.detach();
+        return;
+    }
+  }
+
+  #post(): void {
+    const frame = this.#frames.take();
+    if (frame !== null) this.#port.post({ type: "picture", frame });
+  }
+
+  /** Words are drawn in the fallback font until the page's own is there, and once more then. */
+  #useFont(address: string): void {
+    if (this.#font === address) return;
+    this.#font = address;
+    this.#port.loadFont(address).then(
+      () => this.#renderer.fontArrived(),
+      // The fallback font says the same.
+      () => {},
+    );
+  }
+}
