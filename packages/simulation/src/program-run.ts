@@ -17,6 +17,13 @@ export interface Decider {
   commandOf(rule: number): Command;
 }
 
+/** What a program run knows beside the robot. */
+export interface ProgramRunState {
+  rule: number;
+  isDecided: boolean;
+  decisions: Float64Array;
+}
+
 export class ProgramRun {
   readonly #simulation: Simulation;
   #decider: Decider;
@@ -39,6 +46,18 @@ export class ProgramRun {
   /** The line that decides now or began the manoeuvre that runs. */
   get line(): LineRef {
     return this.#rule < 0 ? "default" : this.#rule;
+  }
+
+  save(): ProgramRunState {
+    return { rule: this.#rule, isDecided: this.#isDecided, decisions: this.#decisions.slice() };
+  }
+
+  /** Goes on where it was saved; the robot is restored beside it. `decider`: the program of that moment. */
+  restore(state: ProgramRunState, decider: Decider = this.#decider): void {
+    this.#decider = decider;
+    this.#rule = state.rule;
+    this.#isDecided = state.isDecided;
+    this.#decisions = state.decisions.slice();
   }
 
   /** Takes the decision for the next tick, unless it is taken or a manoeuvre runs. */

@@ -13,6 +13,7 @@ import { MotionController, type MotionEnding } from "./motion/motion-controller.
 import type { Progress } from "./motion/progress.ts";
 import { PhysicsWorld } from "./physics/physics-world.ts";
 import { ROBOT_RADIUS } from "./settings.ts";
+import type { SimulationState } from "./simulation-state.ts";
 import { writeRange } from "./sensors/range-sensor.ts";
 
 /** A robot at a wall is off by rounding. */
@@ -68,6 +69,39 @@ export class Simulation {
     this.#goals = goalCells(maze);
     this.#sense();
     return true;
+  }
+
+  /** The robot as it is at the end of this tick. */
+  save(): SimulationState {
+    return {
+      physics: this.#physics.save(),
+      motion: this.#motion.save(),
+      heading: this.#heading,
+      distance: this.#distance,
+      goalTick: this.#goalTick,
+      tick: this.#tick,
+      isStopped: this.#isStopped,
+    };
+  }
+
+  /**
+   * Puts a saved robot back; what follows is what followed then, bit for bit.
+   * @param maze the maze that it was saved in
+   */
+  restore(state: SimulationState, maze: MazeDocument = this.#maze): void {
+    if (maze !== this.#maze) {
+      this.#maze = maze;
+      this.#grid = gridOf(maze);
+      this.#goals = goalCells(maze);
+    }
+    this.#physics.restore(state.physics, this.#grid);
+    this.#motion.restore(state.motion);
+    this.#heading = state.heading;
+    this.#distance = state.distance;
+    this.#goalTick = state.goalTick;
+    this.#tick = state.tick;
+    this.#isStopped = state.isStopped;
+    this.#sense();
   }
 
   /** Begins a command; a motion or manoeuvre that still runs is dropped where it stands. */

@@ -25,6 +25,14 @@ export class SnapshotDigest {
     for (let i = 0; i < report.motion.length; i++) this.#mix(report.motion.charCodeAt(i));
   }
 
+  /** Another digest that goes on from here. */
+  clone(): SnapshotDigest {
+    const copy = new SnapshotDigest();
+    copy.#a = this.#a;
+    copy.#b = this.#b;
+    return copy;
+  }
+
   /** The hash so far: 16 hexadecimal digits. */
   toString(): string {
     return hex(this.#a) + hex(this.#b);

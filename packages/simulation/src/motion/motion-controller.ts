@@ -20,7 +20,7 @@ import {
 import type { Progress } from "./progress.ts";
 
 /** Drive `left` more units, turn by `left` more degrees, or hold wheels for `left` more ticks. */
-interface Part {
+export interface Part {
   kind: "drive" | "turn" | "wheels";
   /** what is left; infinite for a motion that lasts until something else is chosen */
   left: number;
@@ -34,6 +34,18 @@ interface Part {
 
 /** How a manoeuvre ended. */
 export type MotionEnding = "completed" | "collided";
+
+/** What the robot is doing, at the end of a tick. */
+export interface MotionState {
+  parts: Part[];
+  next: number;
+  action: Command["action"];
+  isManoeuvre: boolean;
+  collided: boolean;
+  /** heading at the end of the turn that runs; NaN where none has begun */
+  target: number;
+  ending: MotionEnding | null;
+}
 
 /** Rounding leaves crumbs of a distance; smaller ones are none. */
 const CRUMB = 1e-9;
@@ -71,6 +83,28 @@ export class MotionController {
     const { kind, left, of } = part;
     const parts = this.#parts.length;
     return { action: this.#action, part: this.#next, parts, kind, left, of };
+  }
+
+  save(): MotionState {
+    return {
+      parts: this.#parts.map((part) => ({ ...part })),
+      next: this.#next,
+      action: this.#action,
+      isManoeuvre: this.#isManoeuvre,
+      collided: this.#collided,
+      target: this.#target,
+      ending: this.ending,
+    };
+  }
+
+  restore(state: MotionState): void {
+    this.#parts = state.parts.map((part) => ({ ...part }));
+    this.#next = state.next;
+    this.#action = state.action;
+    this.#isManoeuvre = state.isManoeuvre;
+    this.#collided = state.collided;
+    this.#target = state.target;
+    this.ending = state.ending;
   }
 
   /** Begins a command; the one before it is dropped where it stands. */

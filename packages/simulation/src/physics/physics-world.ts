@@ -15,7 +15,21 @@ import { writeUnitVector } from "@corridor/geometry";
 import Matter from "matter-js";
 import { ROBOT_RADIUS, TICK_SECONDS } from "../settings.ts";
 
-const { Body, Query } = Matter;
+const { Body, Bounds, Query } = Matter;
+
+/** The body and its contact at the end of a tick. */
+export interface PhysicsState {
+  x: number;
+  y: number;
+  /** corners of the body, x and y by turns: each carries its own crumbs of rounding */
+  corners: Float64Array;
+  velocityX: number;
+  velocityY: number;
+  inContact: boolean;
+  normalX: number;
+  normalY: number;
+  bumps: number;
+}
 
 /**
  * matter-js knows polygons only. One with 64 sides around the disc, a flat side to each of the four
@@ -41,6 +55,8 @@ export class PhysicsWorld {
   /** the blocks of the 3 x 3 cells around the robot */
   readonly #near: Matter.Body[] = [];
   readonly #velocity = { x: 0, y: 0 };
+  /** the body before it is put anywhere */
+  readonly #fresh: PhysicsState;
   #grid: Grid;
   #cell = -1;
   #inContact = false;
@@ -55,6 +71,7 @@ export class PhysicsWorld {
 
   constructor(grid: Grid, x: number, y: number) {
     this.#grid = grid;
+    this.#fresh = this.save();
     this.place(x, y);
   }
 
@@ -71,11 +88,38 @@ export class PhysicsWorld {
     return this.#inContact;
   }
 
-  /** Puts the robot at a free place and forgets its contacts. */
+  /** Puts the robot at a free place and forgets all that it met: no crumb of an earlier way stays. */
   place(x: number, y: number): void {
+    this.#takeOver(this.#fresh);
     this.#putAt(x, y);
-    this.#inContact = false;
-    this.bumps = 0;
+    this.#gatherBlocks();
+  }
+
+  /** The body and its contact as they are. */
+  save(): PhysicsState {
+    const { position, vertices, velocity } = this.#robot;
+    const corners = new Float64Array(2 * vertices.length);
+    for (const [index, { x, y }] of vertices.entries()) {
+      corners[2 * index] = x;
+      corners[2 * index + 1] = y;
+    }
+    return {
+      x: position.x,
+      y: position.y,
+      corners,
+      velocityX: velocity.x,
+      velocityY: velocity.y,
+      inContact: this.#inContact,
+      normalX: this.#normalX,
+      normalY: this.#normalY,
+      bumps: this.bumps,
+    };
+  }
+
+  /** Puts body and contact back as they were saved, in the grid that they were saved in. */
+  restore(state: PhysicsState, grid: Grid): void {
+    this.#grid = grid;
+    this.#takeOver(state);
     this.#gatherBlocks();
   }
 
@@ -176,6 +220,24 @@ export class PhysicsWorld {
     this.#inContact = true;
     this.#normalX = this.#wallX;
     this.#normalY = this.#wallY;
+  }
+
+  #takeOver(state: PhysicsState): void {
+    const robot = this.#robot;
+    robot.position.x = state.x;
+    robot.position.y = state.y;
+    for (const [index, corner] of robot.vertices.entries()) {
+      corner.x = state.corners[2 * index] ?? 0;
+      corner.y = state.corners[2 * index + 1] ?? 0;
+    }
+    robot.velocity.x = state.velocityX;
+    robot.velocity.y = state.velocityY;
+    // The previous position is written anew before each move, and every tick has the same length.
+    Bounds.update(robot.bounds, robot.vertices, robot.velocity);
+    this.#inContact = state.inContact;
+    this.#normalX = state.normalX;
+    this.#normalY = state.normalY;
+    this.bumps = state.bumps;
   }
 
   #putAt(x: number, y: number): void {

@@ -1,0 +1,89 @@
+import { generateTree, type MazeDocument } from "@corridor/maze";
+import { CompiledProgram, type ProgramDocument, type Rule } from "@corridor/program";
+import { paperPrograms } from "@corridor/program/testing";
+import { ProgramRun, Simulation } from "@corridor/simulation";
+import { describe, expect, it } from "vitest";
+import { LoopWatch, type LoopNotice } from "./loop-watch.ts";
+
+function mazeOf(blocks: string[], heading: MazeDocument["start"]["heading"]): MazeDocument {
+  const start = { column: 0, row: 0, heading };
+  return { format: "corridor/maze", version: 1, name: "", blocks, start, goals: [] };
+}
+
+function programOf(rules: Rule[], otherwise: ProgramDocument["default"]): ProgramDocument {
+  return { format: "corridor/program", version: 1, name: "", default: otherwise, rules };
+}
+
+/** Runs a program and returns what is noticed, with the tick. */
+function noticeOf(
+  maze: MazeDocument,
+  program: ProgramDocument,
+  seconds: number,
+): (LoopNotice & { tick: number }) | null {
+  const simulation = new Simulation(maze);
+  const run = new ProgramRun(simulation, new CompiledProgram(program));
+  const watch = new LoopWatch(maze);
+  for (let tick = 1; tick <= seconds * 60; tick++) {
+    run.step();
+    const notice = watch.look({
+      cell: simulation.cell,
+      isStopped: simulation.isStopped,
+      line: run.line,
+      isTurning: simulation.isManoeuvring,
+    });
+    if (notice !== null) return { ...notice, tick };
+  }
+  return null;
+}
+
+const ring = mazeOf(["...", ".#.", "..."], "east");
+/** The same ring with a way out of it that the robot drives past. */
+const ringWithExit = mazeOf(["....", ".#.#", "...#"], "east");
+const rightAtWalls = programOf(
+  [{ when: { sensor: "front", is: "<", than: 51 }, do: "right 90" }],
+  "forward",
+);
+const rightAtOpenings = programOf(
+  [
+    { when: { sensor: "front", is: "<", than: 51 }, do: "right 90" },
+    { when: { sensor: "right", is: ">", than: 120 }, do: "delayed right 90" },
+  ],
+  "forward",
+);
+
+describe("LoopWatch", () => {
+  it("says nothing of a robot whose round has taken it everywhere", () => {
+    expect(noticeOf(ring, rightAtWalls, 60)).toBeNull();
+  });
+
+  it("names the line that turns a robot round and round past a square that it never sees", () => {
+    const notice = noticeOf(ringWithExit, rightAtOpenings, 60);
+    expect(notice).toMatchObject({ kind: "circles", times: 3, line: 1 });
+  });
+
+  it("names the line that pushes against a wall, two seconds after it was met", () => {
+    const notice = noticeOf(mazeOf([".."], "east"), programOf([], "forward"), 10);
+    expect(notice).toMatchObject({ kind: "pushing", line: "default", cell: 1, times: 0 });
+    expect((notice?.tick ?? 0) / 60).toBeCloseTo(1.25 + 2, 1);
+  });
+
+  it("names the line that turns on the spot for ever", () => {
+    const notice = noticeOf(mazeOf([".."], "east"), programOf([], "turn 180"), 30);
+    expect(notice).toMatchObject({ kind: "staying", line: "default", cell: 0 });
+  });
+
+  it("is told once", () => {
+    const watch = new LoopWatch(mazeOf([".."], "east"));
+    const tick = { cell: 1, isStopped: true, line: 0, isTurning: false } as const;
+    const told = Array.from({ length: 1000 }, () => watch.look(tick)).filter(Boolean);
+    expect(told).toHaveLength(1);
+  });
+
+  it("never doubts the right-wall program on its way through a tree", () => {
+    const rightWall = paperPrograms.find(({ figure }) => figure === 22);
+    for (let seed = 1; seed <= 8; seed++) {
+      const maze = generateTree({ columns: 11, rows: 9, seed, name: "" });
+      expect(rightWall && noticeOf(maze, rightWall.program, 600)).toBeNull();
+    }
+  });
+});
