@@ -23,7 +23,7 @@ import type { ReadingRange } from "./reaching-readings.ts";
 const NEAREST = 24.5;
 
 /** Cells looked at before a looser bound has to do: large mazes with long corridors. */
-const MOST_WORK = 3_000_000;
+const MOST_WORK = 1_000_000;
 
 export interface MazeSight {
   /** all readings that the robot can have, in units */
@@ -85,45 +85,55 @@ function longestLine(cells: Cells): number {
 
 /** Square of the longest line that goes right and down, at most a row for each column. */
 function longestFall(cells: Cells): number {
-  const { columns, rows, isOpen } = cells;
-  const toRight = runsToRight(cells);
   const steepest = longestRun(cells);
-  // Columns and rows of the longest chain that enters the row below from above, by column.
-  let wide = new Int32Array(columns + 1);
-  let high = new Int32Array(columns + 1);
+  const toRight = runsToRight(cells);
   let longest = 0;
   for (let run = 1; run <= steepest; run++) {
-    wide.fill(0);
-    high.fill(0);
-    for (let row = rows - 1; row >= 0; row--) {
-      const nextWide = new Int32Array(columns + 1);
-      const nextHigh = new Int32Array(columns + 1);
-      let toLeft = 0;
-      for (let column = 0; column < columns; column++) {
-        const free = toRight[row * columns + column] ?? 0;
-        toLeft = isOpen[row * columns + column] === 1 ? toLeft + 1 : 0;
-        if (free === 0) continue;
-        // The line begins in this row and falls into the next one here, or ends in this row.
-        const before = Math.min(toLeft, run + 1) - 1;
-        const across = before + Math.max(1, wide[column] ?? 0);
-        const down = 1 + (high[column] ?? 0);
-        longest = Math.max(longest, across * across + down * down);
+    longest = Math.max(longest, longestChain(cells, toRight, run));
+  }
+  return longest;
+}
 
-        let mostWide = Math.min(free, run + 1);
-        let mostHigh = 1;
-        for (const length of [run, run + 1]) {
-          const crossing = column + length - 1;
-          if (free < length || (high[crossing] ?? 0) === 0) continue;
-          mostWide = Math.max(mostWide, length - 1 + (wide[crossing] ?? 0));
-          mostHigh = Math.max(mostHigh, 1 + (high[crossing] ?? 0));
-        }
-        nextWide[column] = mostWide;
-        nextHigh[column] = mostHigh;
-        longest = Math.max(longest, mostWide * mostWide + mostHigh * mostHigh);
+/** The same for lines that take `run` columns for a row, rounded up. */
+function longestChain(
+  { columns, rows }: Cells,
+  toRight: Readonly<Int32Array>,
+  run: number,
+): number {
+  // Columns and rows of the longest chain that enters a row from above, by its first column: of the
+  // row below, and of this one. Both are 0 where a block is.
+  let wide = new Int32Array(columns);
+  let high = new Int32Array(columns);
+  let ownWide = new Int32Array(columns);
+  let ownHigh = new Int32Array(columns);
+  let longest = 0;
+  for (let row = rows - 1; row >= 0; row--) {
+    let toLeft = 0;
+    for (let column = 0; column < columns; column++) {
+      const free = toRight[row * columns + column] ?? 0;
+      toLeft = free === 0 ? 0 : toLeft + 1;
+      let mostWide = Math.min(free, run + 1);
+      let mostHigh = free === 0 ? 0 : 1;
+      // The line crosses this row within `run` cells or one more, and falls into the next.
+      for (let length = run; length <= run + 1 && length <= free; length++) {
+        const crossing = column + length - 1;
+        const below = high[crossing] ?? 0;
+        if (below === 0) continue;
+        mostWide = Math.max(mostWide, length - 1 + (wide[crossing] ?? 0));
+        mostHigh = Math.max(mostHigh, 1 + below);
       }
-      wide = nextWide;
-      high = nextHigh;
+      ownWide[column] = mostWide;
+      ownHigh[column] = mostHigh;
+      if (free === 0) continue;
+      // The line begins in this row, somewhere to the left, and falls into the next one here.
+      const across = Math.min(toLeft, run + 1) - 1 + Math.max(1, wide[column] ?? 0);
+      const down = 1 + (high[column] ?? 0);
+      const began = across * across + down * down;
+      const whole = mostWide * mostWide + mostHigh * mostHigh;
+      longest = Math.max(longest, began, whole);
     }
+    [wide, ownWide] = [ownWide, wide];
+    [high, ownHigh] = [ownHigh, high];
   }
   return longest;
 }
