@@ -1,15 +1,91 @@
+import { basename } from "node:path";
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vite";
+import { VitePWA } from "vite-plugin-pwa";
+import { precompress } from "./build/precompress.ts";
+
+/** Addresses at which the page shows itself; all others belong to the relay. */
+const PAGE = /^\/(\?.*)?$/;
+
+const styleFiles = new Map<string, string>();
+
+/** "program-line": readable, and shorter than a hash once it is compressed. */
+function scopedName(name: string, path: string): string {
+  const file = basename(path).split(".")[0] ?? "";
+  const owner = styleFiles.get(file);
+  if (owner !== undefined && owner !== path) {
+    throw new Error(`${path} and ${owner} need different names: their classes would be the same`);
+  }
+  styleFiles.set(file, path);
+  return `${file}-${name}`;
+}
 
 export default defineConfig({
   root: import.meta.dirname,
-  plugins: [react({ compiler: true })],
+  plugins: [
+    react({ compiler: true }),
+    VitePWA({
+      // The page registers it itself, once it has time, and asks before a new version takes over.
+      injectRegister: false,
+      registerType: "prompt",
+      manifest: {
+        id: "/",
+        name: "Corridor",
+        short_name: "Corridor",
+        description:
+          "A free robot simulator: build a maze, drive by hand, by dropdown rules or from your own script.",
+        start_url: "/",
+        scope: "/",
+        display: "standalone",
+        // --paper and --surface of tokens.css
+        background_color: "#eef1f4",
+        theme_color: "#ffffff",
+        categories: ["education"],
+        icons: [
+          { src: "/mark.svg", sizes: "any", type: "image/svg+xml" },
+          { src: "/icon-192.png", sizes: "192x192", type: "image/png" },
+          { src: "/icon-512.png", sizes: "512x512", type: "image/png" },
+          {
+            src: "/icon-maskable-512.png",
+            sizes: "512x512",
+            type: "image/png",
+            purpose: "maskable",
+          },
+        ],
+      },
+      workbox: {
+        inlineWorkboxRuntime: true,
+        cleanupOutdatedCaches: true,
+        // The first visit is offline-ready too, without a reload.
+        clientsClaim: true,
+        skipWaiting: false,
+        globPatterns: ["**/*.{js,css,html}", "assets/inter-latin-*.woff2", "mark.svg"],
+        globIgnores: ["assets/inter-latin-ext-*.woff2", "sw.js"],
+        navigateFallback: "/index.html",
+        navigateFallbackAllowlist: [PAGE],
+        runtimeCaching: [
+          {
+            // Alphabets that only names of mazes and programs bring; each comes when it is needed.
+            urlPattern: /\/assets\/inter-[^/]*\.woff2$/,
+            handler: "CacheFirst",
+            options: { cacheName: "corridor-fonts", expiration: { maxEntries: 12 } },
+          },
+        ],
+      },
+    }),
+    precompress(),
+  ],
   worker: { format: "es" },
+  css: {
+    modules: {
+      generateScopedName: scopedName,
+    },
+  },
   build: {
     // The Content-Security-Policy forbids data: scripts; small assets stay files too.
     assetsInlineLimit: 0,
     target: "es2022",
-    // React and the schemas make one file of about 190 kB gzip; the size is watched by hand.
+    // React alone is more; e2e/first-screen.spec.ts holds the sum of what a first visit loads.
     chunkSizeWarningLimit: 700,
   },
 });

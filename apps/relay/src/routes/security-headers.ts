@@ -20,6 +20,7 @@ export function securityHeaders(isDevelopment: boolean): RequestHandler {
         // 'self' covers the WebSocket of the same host too.
         connectSrc: [SELF],
         workerSrc: [SELF],
+        manifestSrc: [SELF],
         imgSrc: [SELF, "data:", "blob:"],
         fontSrc: [SELF],
         formAction: [SELF],
