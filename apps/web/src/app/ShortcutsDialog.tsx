@@ -13,6 +13,7 @@ const rows = [
   ["stop", ["Space", "Esc"]],
   ["run", ["Ctrl+Enter"]],
   ["step", ["Ctrl+Shift+Enter"]],
+  ["timeline", ["←", "→", "Home", "End"]],
   ["undo", ["Ctrl+Z"]],
   ["redo", ["Ctrl+Shift+Z"]],
   ["maze", ["↑", "←", "↓", "→", "Space", "Enter"]],

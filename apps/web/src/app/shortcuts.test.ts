@@ -6,7 +6,15 @@ function press(key: string, changes: Partial<KeyPress> = {}): KeyPress {
   return { key, code, command: false, shift: false, alt: false, ...changes };
 }
 
-const everywhere: readonly Place[] = ["text", "choice", "grid", "radio", "button", "page"];
+const everywhere: readonly Place[] = [
+  "text",
+  "choice",
+  "grid",
+  "radio",
+  "slider",
+  "button",
+  "page",
+];
 
 describe("shortcutOf", () => {
   it.each([
@@ -39,6 +47,7 @@ describe("shortcutOf", () => {
     ["ArrowUp", "choice"],
     ["ArrowUp", "grid"],
     ["ArrowUp", "radio"],
+    ["ArrowLeft", "slider"],
     [" ", "button"],
     [" ", "radio"],
     [" ", "grid"],
@@ -48,10 +57,12 @@ describe("shortcutOf", () => {
     expect(shortcutOf(press(key), place, true)).toBeNull();
   });
 
-  it("drives with W while a button or a radio has the focus", () => {
-    expect(shortcutOf(press("w"), "button", true)).not.toBeNull();
-    expect(shortcutOf(press("w"), "radio", true)).not.toBeNull();
-  });
+  it.each(["button", "radio", "slider"] as const)(
+    "drives with W while a %s has the focus",
+    (place) => {
+      expect(shortcutOf(press("w"), place, true)).not.toBeNull();
+    },
+  );
 
   it.each(everywhere)("runs, steps and stops from anywhere: %s", (place) => {
     expect(shortcutOf(press("Enter", { command: true }), place, false)).toEqual({

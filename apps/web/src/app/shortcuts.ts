@@ -6,9 +6,9 @@ import type { DriveKey } from "../worker/worker-messages.ts";
 
 /**
  * Where the focus is. text: letters are typed; choice: arrows and letters choose (a select), grid:
- * the maze's squares; radio: arrows choose; button: Space and Enter press it; page: nowhere special.
+ * the maze's squares; radio: arrows choose; slider: arrows move it (the timeline); button: Space and Enter press it; page: nowhere special.
  */
-export type Place = "text" | "choice" | "grid" | "radio" | "button" | "page";
+export type Place = "text" | "choice" | "grid" | "radio" | "slider" | "button" | "page";
 
 export interface KeyPress {
   /** `KeyboardEvent.key` and `.code` */
@@ -59,8 +59,8 @@ function commandShortcut({ key, shift }: KeyPress, place: Place): Shortcut | nul
 }
 
 function driveKey({ key, code }: KeyPress, place: Place): DriveKey | null {
-  if (key === " ") return place === "page" ? "stop" : null;
-  if (place !== "radio" && arrows[key] !== undefined) return arrows[key];
+  if (key === " ") return place === "page" || place === "slider" ? "stop" : null;
+  if (place !== "radio" && place !== "slider" && arrows[key] !== undefined) return arrows[key];
   // Where the keyboard has no Latin letters, the places of W, A, S and D count.
   const letter = /^[a-z]$/i.test(key) ? key : code.replace("Key", "");
   return letters[letter.toLowerCase()] ?? null;

@@ -4,7 +4,7 @@
  */
 import { useEffect, useState } from "react";
 import { createHoldStore, type HoldStore } from "../features/drive/hold-store.ts";
-import { runOrPause } from "../features/transport/run-button.ts";
+import { runOrPause, stepOn } from "../features/transport/run-button.ts";
 import { redo, undo } from "../stores/workspace-store.ts";
 import { useServices, type Services } from "./services.ts";
 import { shortcutOf, type Place, type Shortcut } from "./shortcuts.ts";
@@ -87,9 +87,9 @@ function obey(
 ): void {
   switch (kind) {
     case "run-or-pause":
-      return simulator.send(runOrPause(run.getState().snapshot));
+      return simulator.send(runOrPause(run.getState()));
     case "step":
-      return simulator.send({ type: "step" });
+      return simulator.send(stepOn(run.getState()));
     case "undo":
       return undo(workspace);
     case "redo":
@@ -106,11 +106,10 @@ function obey(
 function placeOf(target: EventTarget | null): Place {
   if (!(target instanceof Element)) return "page";
   if (target.closest("[role=grid]") !== null) return "grid";
-  if (target.closest("select, [role=listbox], [role=slider], [role=tablist]") !== null) {
-    return "choice";
-  }
+  if (target.closest("select, [role=listbox], [role=tablist]") !== null) return "choice";
   if (target instanceof HTMLInputElement) {
     if (target.type === "radio") return "radio";
+    if (target.type === "range") return "slider";
     return target.type === "checkbox" ? "button" : "text";
   }
   if (target.closest("textarea, [contenteditable]") !== null) return "text";

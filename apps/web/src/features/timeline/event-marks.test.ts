@@ -52,8 +52,8 @@ describe("the marks of events", () => {
       fc.property(fc.array(anyEvent), fc.integer({ min: 1, max: 3_000 }), (events, at) => {
         const marks = marksOfRun(...events, goal(at));
         for (const [index, { x }] of marks.entries()) {
-          const before = marks[index - 1]?.x ?? -16;
-          expect(x - before).toBeGreaterThanOrEqual(15.8);
+          const before = marks[index - 1]?.x ?? -15;
+          expect(x - before).toBeGreaterThanOrEqual(14.8);
         }
         expect(ticks(marks.filter(({ event }) => event.kind === "goal"))).toEqual([at]);
       }),

@@ -6,7 +6,7 @@ import type { Timeline, TimelineEvent } from "@corridor/recording";
 import { xOf, type TimeScale } from "./time-scale.ts";
 
 /** Two marks stand at least this far apart, in px. */
-const MARK_PX = 16;
+const MARK_PX = 15;
 /** More neighbours than these are not weighed against each other. */
 const MOST_WEIGHED = 64;
 

@@ -1,5 +1,7 @@
-/** Goal reached and bumps, told in words once each; the place of the timeline. */
-import { Flag } from "lucide-react";
+/**
+ * Goal reached and bumps, told in words once each to those who listen; the timeline, the stage and the
+ * lines show them. Before a run it says, in the timeline's place, how to begin one.
+ */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -7,35 +9,16 @@ import { classNames } from "../../ui/class-names.ts";
 import { storyOf } from "./story.ts";
 import styles from "./transport.module.css";
 
-/** The mark of a bump, as on the stage. */
-function Burst() {
-  return (
-    <svg width="18" height="18" viewBox="-9 -9 18 18" aria-hidden="true">
-      <path
-        d="M0-8 1.9-4.6 5.7-5.7 4.6-1.9 8 0 4.6 1.9 5.7 5.7 1.9 4.6 0 8-1.9 4.6-5.7 5.7-4.6 1.9-8 0-4.6-1.9-5.7-5.7-1.9-4.6z"
-        fill="none"
-        stroke="currentColor"
-        strokeWidth="1.75"
-        strokeLinejoin="round"
-      />
-    </svg>
-  );
-}
-
 export function RunStory() {
   const { t } = useTranslation();
   const { run } = useServices();
   const moment = useStore(run, (state) => state.moment);
-  const isFresh = useStore(run, ({ snapshot }) => (snapshot?.tick ?? 0) === 0);
+  const isFresh = useStore(run, ({ nowTick }) => nowTick === 0);
   const story = moment === null ? null : storyOf(moment);
   return (
-    <output className={classNames(styles["story"], story !== null && styles[story.kind])}>
-      {story?.kind === "goal" && <Flag size={18} aria-hidden="true" />}
-      {story?.kind === "bump" && <Burst />}
-      {story !== null && (
-        <span>{t(`shell.story.${story.kind}.${story.teller}`, { ...story })}</span>
-      )}
-      {story === null && isFresh && <span className={styles["hint"]}>{t("shell.story.hint")}</span>}
+    <output className={classNames(styles["story"], !isFresh && "visually-hidden")}>
+      {story !== null && t(`shell.story.${story.kind}.${story.teller}`, { ...story })}
+      {story === null && isFresh && t("shell.story.hint")}
     </output>
   );
 }

@@ -1,73 +1,82 @@
-/** Run or Pause, Step, Reset, speed, the clock, bumps, and the story of the run. */
-import { Pause, Play, RotateCcw, SkipForward } from "lucide-react";
+/** Run or Pause, Step, Reset, speed, the clock, bumps, and the timeline of the run. */
+import { RotateCcw, SkipBack, SkipForward } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { formatClock } from "../../text/numbers.ts";
-import { Button } from "../../ui/Button.tsx";
+import { Button, IconButton } from "../../ui/Button.tsx";
 import { Select } from "../../ui/Select.tsx";
 import { speeds } from "../../worker/worker-messages.ts";
-import { isPauseOffered, runOrPause } from "./run-button.ts";
+import { PastBar } from "../timeline/PastBar.tsx";
+import { TimelineBar } from "../timeline/TimelineBar.tsx";
+import { Clock } from "./Clock.tsx";
+import { stepOn } from "./run-button.ts";
+import { RunButton } from "./RunButton.tsx";
 import { RunStory } from "./RunStory.tsx";
 import styles from "./transport.module.css";
 
 export function Transport() {
   const { t } = useTranslation();
+  const { run } = useServices();
+  const isFresh = useStore(run, ({ nowTick }) => nowTick === 0);
+  const view = useStore(run, (state) => state.view);
+  // Time flows: nobody steps back in it. The room for that is Reset's word.
+  const canStepBack = useStore(
+    run,
+    ({ snapshot, nowTick }) => nowTick > 0 && snapshot?.state !== "running",
+  );
   return (
-    <section className={styles["transport"]} aria-label={t("shell.run.controls")}>
+    <section
+      className={styles["transport"]}
+      aria-label={t("shell.run.controls")}
+      data-fresh={isFresh}
+      data-back={canStepBack}
+      data-view={view}
+    >
       <div className={styles["buttons"]}>
         <RunButton />
+        {canStepBack && <StepBack />}
         <StepAndReset />
         <SpeedMenu />
+        <PastBar />
       </div>
       <div className={styles["telling"]}>
         <Clock />
+        <TimelineBar />
         <RunStory />
       </div>
     </section>
   );
 }
 
-function RunButton() {
+function StepBack() {
   const { t } = useTranslation();
-  const { simulator, run } = useServices();
-  const isPause = useStore(run, ({ snapshot }) => isPauseOffered(snapshot));
-  const isFault = useStore(run, ({ fault }) => fault !== null);
-  const isMe = useStore(run, ({ snapshot }) => snapshot?.driver === "me");
+  const { simulator } = useServices();
   return (
-    <Button
-      kind={isPause ? "primary" : "run"}
+    <IconButton
+      kind="outline"
       size="large"
-      className={styles["run"]}
-      icon={
-        isPause ? (
-          <Pause aria-hidden="true" fill="currentColor" />
-        ) : (
-          <Play aria-hidden="true" fill="currentColor" />
-        )
-      }
-      disabled={isFault}
-      title={isMe ? t("shell.run.runProgram") : undefined}
-      aria-keyshortcuts="Control+Enter"
-      onClick={() => simulator.send(runOrPause(run.getState().snapshot))}
+      className={styles["back"]}
+      label={t("timeline.stepBack")}
+      onClick={() => simulator.send({ type: "seek-step", by: -1 })}
     >
-      {t(isPause ? "shell.run.pause" : "shell.run.run")}
-    </Button>
+      <SkipBack aria-hidden="true" fill="currentColor" />
+    </IconButton>
   );
 }
 
 function StepAndReset() {
   const { t } = useTranslation();
-  const { simulator } = useServices();
+  const { simulator, run } = useServices();
+  const isNow = useStore(run, ({ view }) => view === "now");
   return (
     <>
       <Button
         size="large"
         className={styles["step"]}
         icon={<SkipForward aria-hidden="true" fill="currentColor" />}
-        title={t("shell.run.stepNote")}
+        title={t(isNow ? "shell.run.stepNote" : "timeline.stepOnNote")}
         aria-keyshortcuts="Control+Shift+Enter"
-        onClick={() => simulator.send({ type: "step" })}
+        onClick={() => simulator.send(stepOn(run.getState()))}
       >
         {t("shell.run.step")}
       </Button>
@@ -104,21 +113,5 @@ function SpeedMenu() {
         simulator.send({ type: "speed", speed: next });
       }}
     />
-  );
-}
-
-function Clock() {
-  const { t } = useTranslation();
-  const { run } = useServices();
-  const tick = useStore(run, ({ snapshot }) => snapshot?.tick ?? 0);
-  const bumps = useStore(run, ({ snapshot }) => snapshot?.bumps ?? 0);
-  return (
-    <p className={styles["clock"]}>
-      <span className={styles["time"]}>
-        <span className="visually-hidden">{t("shell.run.time")} </span>
-        {formatClock(tick)}
-      </span>
-      <span className={styles["bumps"]}>{t("shell.run.bumps", { count: bumps })}</span>
-    </p>
   );
 }

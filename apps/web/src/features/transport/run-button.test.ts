@@ -1,6 +1,6 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { runOrPause } from "./run-button.ts";
+import { runOrPause, stepOn } from "./run-button.ts";
 
 describe("runOrPause", () => {
   it.each([
@@ -13,11 +13,31 @@ describe("runOrPause", () => {
   ] as const)(
     "is $type while $driver drives and the robot is $state",
     ({ driver, state, type }) => {
-      expect(runOrPause(snapshotOf({ driver, state }))).toEqual({ type });
+      expect(runOrPause({ snapshot: snapshotOf({ driver, state }), view: "now" })).toEqual({
+        type,
+      });
+    },
+  );
+
+  it.each(["me", "program", "remote"] as const)(
+    "is run from here while a moment is shown at which %s drove, and pause while it plays on",
+    (driver) => {
+      const paused = snapshotOf({ driver, state: "paused" });
+      expect(runOrPause({ snapshot: paused, view: "past" })).toEqual({ type: "run-here" });
+      const played = snapshotOf({ driver, state: "running" });
+      expect(runOrPause({ snapshot: played, view: "playing" })).toEqual({ type: "pause" });
     },
   );
 
   it("is run before the first snapshot", () => {
-    expect(runOrPause(null)).toEqual({ type: "run" });
+    expect(runOrPause({ snapshot: null, view: "now" })).toEqual({ type: "run" });
+  });
+});
+
+describe("Step", () => {
+  it("takes a decision now, and shows the next one of those taken in the past", () => {
+    expect(stepOn({ view: "now" })).toEqual({ type: "step" });
+    expect(stepOn({ view: "past" })).toEqual({ type: "seek-step", by: 1 });
+    expect(stepOn({ view: "playing" })).toEqual({ type: "seek-step", by: 1 });
   });
 });

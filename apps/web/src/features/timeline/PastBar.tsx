@@ -1,0 +1,40 @@
+/** What can be done from an earlier moment of the run: watch on from it, or go back to now. */
+import { History, Play, SkipForward } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Button } from "../../ui/Button.tsx";
+import styles from "./past-bar.module.css";
+
+/** There only while the past is shown. */
+export function PastBar() {
+  const { t } = useTranslation();
+  const { run, simulator } = useServices();
+  const view = useStore(run, (state) => state.view);
+  if (view === "now") return null;
+  return (
+    <div className={styles["bar"]}>
+      <span className={styles["note"]}>
+        <History size={16} aria-hidden="true" />
+        {t(`timeline.${view}Note`)}
+      </span>
+      {view === "past" && (
+        <Button
+          size="small"
+          icon={<Play aria-hidden="true" />}
+          title={t("timeline.watchNote")}
+          onClick={() => simulator.send({ type: "play" })}
+        >
+          {t("timeline.watch")}
+        </Button>
+      )}
+      <Button
+        size="small"
+        icon={<SkipForward aria-hidden="true" />}
+        onClick={() => simulator.send({ type: "now" })}
+      >
+        {t("timeline.backToNow")}
+      </Button>
+    </div>
+  );
+}

@@ -1,0 +1,64 @@
+/**
+ * Where in the run the shown moment is, and who drives it: the badge of a line, the flag at the goal,
+ * red at a bump. It moves by itself between two pictures of the timeline.
+ */
+import { Ellipsis, Flag, RadioTower, User } from "lucide-react";
+import { useLayoutEffect, useRef } from "react";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Badge } from "../../ui/Badge.tsx";
+import { classNames } from "../../ui/class-names.ts";
+import { xOf, type TimeScale } from "./time-scale.ts";
+import styles from "./timeline.module.css";
+
+interface PlayheadProps {
+  scale: TimeScale;
+  /** what happens at the shown moment */
+  event: "goal" | "bump" | null;
+}
+
+export function Playhead({ scale, event }: PlayheadProps) {
+  const { run } = useServices();
+  const head = useRef<HTMLDivElement>(null);
+  const isNow = useStore(run, ({ view }) => view === "now");
+  const isBumping = useStore(run, ({ snapshot }) => snapshot?.bumping === true);
+  useLayoutEffect(() => {
+    let drawn = -1;
+    const move = () => {
+      const x = Math.min(scale.width, Math.round(xOf(scale, run.getState().snapshot?.tick ?? 0)));
+      if (x === drawn || head.current === null) return;
+      drawn = x;
+      head.current.style.transform = `translateX(${x}px)`;
+    };
+    move();
+    return run.subscribe(move);
+  }, [run, scale]);
+  const tone = event === "goal" ? "good" : isBumping || event === "bump" ? "bad" : null;
+  return (
+    <div
+      ref={head}
+      className={classNames(styles["playhead"], styles[tone ?? (isNow ? "live" : "rest")])}
+    >
+      {tone === "good" ? (
+        <span className={styles["flag"]}>
+          <Flag size={14} aria-hidden="true" />
+        </span>
+      ) : (
+        <Badge tone={tone ?? (isNow ? "live" : "rest")}>
+          <DriverMark />
+        </Badge>
+      )}
+      <span className={styles["needle"]} />
+    </div>
+  );
+}
+
+/** The number of the line in charge, else a picture of who drives. */
+function DriverMark() {
+  const { run } = useServices();
+  const line = useStore(run, ({ snapshot }) => snapshot?.line ?? null);
+  const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
+  if (driver === "me") return <User size={14} aria-hidden="true" />;
+  if (driver === "remote") return <RadioTower size={14} aria-hidden="true" />;
+  return typeof line === "number" ? line + 1 : <Ellipsis size={14} aria-hidden="true" />;
+}

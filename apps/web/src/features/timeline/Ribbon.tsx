@@ -1,0 +1,88 @@
+/** The ribbon of who drove, and the axis below it. */
+import type { Who } from "@corridor/recording";
+import type { TFunction } from "i18next";
+import { useTranslation } from "react-i18next";
+import { classNames } from "../../ui/class-names.ts";
+import type { TimelinePicture } from "./picture.ts";
+import type { Segment } from "./ribbon.ts";
+import styles from "./timeline.module.css";
+
+/** Room around a segment's name, and the widths of letters and of characters as wide as they are high, in px. */
+const NAME_MARGIN = 5;
+const LETTER = 7;
+const WIDE_CHARACTER = 12;
+
+interface RibbonProps {
+  picture: TimelinePicture;
+  /** whether the newest moment is shown, so that the newest segment is alive */
+  isNow: boolean;
+}
+
+export function Ribbon({ picture, isNow }: RibbonProps) {
+  const { t } = useTranslation();
+  return (
+    <svg className={styles["picture"]} aria-hidden="true">
+      <rect className={styles["track"]} width="100%" height="20" rx="4" />
+      {picture.segments.map((segment) => (
+        <RibbonSegment
+          key={segment.x}
+          {...segment}
+          isNewest={isNow && segment.isNewest}
+          name={nameOf(t, segment.who)}
+        />
+      ))}
+      <g className={styles["axis"]}>
+        {picture.axis.map(({ tick, x, unit, value }, at) => (
+          <g key={tick} transform={`translate(${x} 0)`}>
+            <path d="M0.5 22v4" />
+            <text x={at === 0 ? 0 : 0.5} y={38} textAnchor={anchorOf(at, picture.axis.length)}>
+              {at === 0 ? t(`timeline.axis.${unit}`, { number: value }) : value}
+            </text>
+          </g>
+        ))}
+      </g>
+    </svg>
+  );
+}
+
+function RibbonSegment({ who, x, width, isNewest, name }: Segment & { name: string }) {
+  const kind = typeof who === "number" || who === "default" || who === "remote" ? "line" : who;
+  return (
+    <g className={classNames(styles["segment"], styles[kind], isNewest && styles["newest"])}>
+      <rect x={x} width={width} height="20" rx={Math.min(3, width / 2)} />
+      {fits(name, width) && (
+        <text x={x + width / 2} y={14}>
+          {name}
+        </text>
+      )}
+    </g>
+  );
+}
+
+/** The first and the last name of the axis stay within its ends. */
+function anchorOf(at: number, count: number): "start" | "middle" | "end" {
+  if (at === 0) return "start";
+  return at === count - 1 ? "end" : "middle";
+}
+
+function nameOf(t: TFunction, who: Who): string {
+  switch (who) {
+    case "me":
+      return t("timeline.me");
+    case "remote":
+      return t("timeline.remote");
+    case "default":
+      return t("timeline.otherwise");
+    case "mixed":
+      return "";
+    default:
+      return String(who + 1);
+  }
+}
+
+function fits(name: string, width: number): boolean {
+  if (name === "") return false;
+  let needed = NAME_MARGIN;
+  for (const character of name) needed += character >= "\u2e80" ? WIDE_CHARACTER : LETTER;
+  return needed <= width;
+}

@@ -1,0 +1,145 @@
+/**
+ * The timeline: who drove when and what happened, as a slider that shows any moment of the run. A press
+ * or a drag shows the moment under the pointer, a press on a mark exactly that of the event.
+ */
+import { useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { markUnder } from "./event-marks.ts";
+import { EventMarks } from "./EventMarks.tsx";
+import type { TimelinePicture } from "./picture.ts";
+import { Playhead } from "./Playhead.tsx";
+import { Ribbon } from "./Ribbon.tsx";
+import { Scrubber } from "./scrubber.ts";
+import { momentAt, sayMoment } from "./shown-moment.ts";
+import { timelineKey } from "./timeline-keys.ts";
+import { tickAt, xOf } from "./time-scale.ts";
+import styles from "./timeline.module.css";
+import { usePicture } from "./use-picture.ts";
+import { useShownMoment } from "./use-shown-moment.ts";
+
+/** What the tooltip tells, and where it points, in px from the left end. */
+interface Tip {
+  x: number;
+  text: string;
+}
+
+export function TimelineBar() {
+  const { t } = useTranslation();
+  const { run, simulator, timeline } = useServices();
+  const track = useRef<HTMLDivElement>(null);
+  const slider = useRef<HTMLInputElement>(null);
+  const picture = usePicture(timeline, track);
+  const moment = useShownMoment();
+  const isNow = useStore(run, ({ view }) => view === "now");
+  const [pointed, setPointed] = useState<Tip | null>(null);
+  const [isFocused, setFocused] = useState(false);
+  const [scrubber] = useState(() => new Scrubber(simulator));
+
+  const text = sayMoment(t, moment);
+  const ownTip =
+    isFocused && picture !== null ? { x: xOf(picture.scale, moment.tick), text } : null;
+  const tip = pointed ?? ownTip;
+  const eventKind = moment.event?.kind;
+
+  /** The moment under the pointer: of the mark there, else by its place; never after now. */
+  function tickUnder(event: PointerEvent<HTMLElement>, { scale, marks, endTick }: TimelinePicture) {
+    const box = track.current?.getBoundingClientRect();
+    if (box === undefined) return 0;
+    const x = event.clientX - box.left;
+    const mark = event.clientY < box.top ? markUnder(marks, x) : null;
+    return Math.min(mark?.event.tick ?? tickAt(scale, x), endTick);
+  }
+
+  function follow(event: PointerEvent<HTMLElement>): void {
+    if (picture === null || picture.endTick === 0) return;
+    const tick = tickUnder(event, picture);
+    const isHeld = event.currentTarget.hasPointerCapture(event.pointerId);
+    if (isHeld) show(tick);
+    setPointed({
+      x: xOf(picture.scale, tick),
+      text: sayMoment(t, momentAt(timeline.timeline, tick)),
+    });
+  }
+
+  function show(tick: number): void {
+    if (tick < run.getState().nowTick) {
+      scrubber.show(tick);
+      return;
+    }
+    scrubber.stop();
+    if (run.getState().view !== "now") simulator.send({ type: "now" });
+  }
+
+  function press(event: PointerEvent<HTMLElement>): void {
+    if (event.button !== 0 || picture === null || picture.endTick === 0) return;
+    event.currentTarget.setPointerCapture(event.pointerId);
+    // From here on the arrow keys go on.
+    event.preventDefault();
+    slider.current?.focus();
+    follow(event);
+  }
+
+  function onKey(event: KeyboardEvent): void {
+    if (event.altKey || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    const { snapshot, nowTick } = run.getState();
+    const message = timelineKey(event.key, snapshot?.tick ?? 0, nowTick);
+    if (message === null) return;
+    event.preventDefault();
+    scrubber.stop();
+    if (nowTick > 0) simulator.send(message);
+  }
+
+  return (
+    <div
+      className={styles["timeline"]}
+      onPointerDown={press}
+      onPointerMove={follow}
+      onPointerUp={(event) => {
+        if (event.pointerType !== "mouse") setPointed(null);
+      }}
+      onPointerLeave={() => setPointed(null)}
+      onPointerCancel={() => setPointed(null)}
+    >
+      {/* A native slider for the keyboard and for those who listen; the pointer has the picture. */}
+      <input
+        ref={slider}
+        type="range"
+        className={styles["slider"]}
+        aria-label={t("timeline.name")}
+        aria-valuetext={text}
+        min={0}
+        max={Math.max(1, moment.tick, picture?.endTick ?? 0)}
+        value={moment.tick}
+        onChange={(event) => show(Number(event.target.value))}
+        onKeyDown={onKey}
+        onFocus={(event) => setFocused(event.currentTarget.matches(":focus-visible"))}
+        onBlur={() => setFocused(false)}
+      />
+      <div ref={track} className={styles["body"]}>
+        {picture !== null && (
+          <>
+            <Ribbon picture={picture} isNow={isNow} />
+            <EventMarks marks={picture.marks} />
+            {picture.endTick > 0 && (
+              <Playhead
+                scale={picture.scale}
+                event={eventKind === "goal" || eventKind === "bump" ? eventKind : null}
+              />
+            )}
+            {tip !== null && (
+              <span
+                className={styles["tip"]}
+                style={{ insetInlineStart: tip.x }}
+                aria-hidden="true"
+              >
+                {tip.text}
+              </span>
+            )}
+          </>
+        )}
+      </div>
+    </div>
+  );
+}

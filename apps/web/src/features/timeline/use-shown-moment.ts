@@ -1,0 +1,43 @@
+/**
+ * The moment that is shown, with what the timeline tells of it. While the robot runs it follows once a
+ * second, as a screen reader can; otherwise at once.
+ */
+import { useEffect, useState } from "react";
+import { useServices } from "../../app/services.ts";
+import { momentAt, type ShownMoment } from "./shown-moment.ts";
+
+const SECOND = 60;
+
+export function useShownMoment(): ShownMoment {
+  const { run, timeline } = useServices();
+  const [moment, setMoment] = useState<ShownMoment>({ tick: 0, who: null, event: null });
+  useEffect(() => {
+    const look = () => {
+      const { snapshot } = run.getState();
+      const tick = snapshot?.tick ?? 0;
+      const isRunning = snapshot?.state === "running";
+      setMoment((shown) => {
+        if (isRunning && Math.floor(tick / SECOND) === Math.floor(shown.tick / SECOND)) {
+          return shown;
+        }
+        const next = momentAt(timeline.timeline, tick);
+        return isSame(shown, next) ? shown : next;
+      });
+    };
+    look();
+    const ends = [run.subscribe(look), timeline.listen(look)];
+    return () => {
+      for (const end of ends) end();
+    };
+  }, [run, timeline]);
+  return moment;
+}
+
+function isSame(one: ShownMoment, other: ShownMoment): boolean {
+  return (
+    one.tick === other.tick &&
+    one.who === other.who &&
+    one.event?.kind === other.event?.kind &&
+    one.event?.tick === other.event?.tick
+  );
+}

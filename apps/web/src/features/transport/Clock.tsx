@@ -1,0 +1,30 @@
+/** The time and the bumps of the shown moment; in words, too, when that is not now. */
+import { History } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { formatClock } from "../../text/numbers.ts";
+import styles from "./transport.module.css";
+
+export function Clock() {
+  const { t } = useTranslation();
+  const { run } = useServices();
+  const time = useStore(run, ({ snapshot }) => formatClock(snapshot?.tick ?? 0));
+  const bumps = useStore(run, ({ snapshot }) => snapshot?.bumps ?? 0);
+  const view = useStore(run, (state) => state.view);
+  return (
+    <p className={styles["clock"]}>
+      <span className={styles["time"]}>
+        <span className="visually-hidden">{t("shell.run.time")} </span>
+        {time}
+      </span>
+      {view !== "now" && (
+        <span className={styles["past"]}>
+          <History size={12} aria-hidden="true" />
+          {t(`timeline.${view}`)}
+        </span>
+      )}
+      <span className={styles["bumps"]}>{t("shell.run.bumps", { count: bumps })}</span>
+    </p>
+  );
+}

@@ -1,0 +1,43 @@
+/** Run, Pause, or Run from here: one place, one width, whatever it does. */
+import { Pause, Play } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Button } from "../../ui/Button.tsx";
+import { runButton, runOrPause } from "./run-button.ts";
+import styles from "./transport.module.css";
+
+export function RunButton() {
+  const { t } = useTranslation();
+  const { simulator, run } = useServices();
+  const does = useStore(run, runButton);
+  const isFault = useStore(run, ({ fault }) => fault !== null);
+  const isMe = useStore(run, ({ snapshot }) => snapshot?.driver === "me");
+  const note =
+    does === "run-here"
+      ? t("timeline.runFromHereNote")
+      : isMe && does === "run"
+        ? t("shell.run.runProgram")
+        : undefined;
+  return (
+    <Button
+      kind={does === "pause" ? "primary" : "run"}
+      size="large"
+      className={styles["run"]}
+      data-does={does}
+      icon={
+        does === "pause" ? (
+          <Pause aria-hidden="true" fill="currentColor" />
+        ) : (
+          <Play aria-hidden="true" fill="currentColor" />
+        )
+      }
+      disabled={isFault}
+      title={note}
+      aria-keyshortcuts="Control+Enter"
+      onClick={() => simulator.send(runOrPause(run.getState()))}
+    >
+      {does === "run-here" ? t("timeline.runFromHere") : t(`shell.run.${does}`)}
+    </Button>
+  );
+}
