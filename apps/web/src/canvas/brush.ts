@@ -17,6 +17,34 @@ export interface Brush
     CanvasTextDrawingStyles,
     CanvasTransform {}
 
+/** What the layers of the whole maze draw with: little enough that an SVG file can be drawn with it too. */
+export type Pen = Pick<
+  Brush,
+  | "beginPath"
+  | "closePath"
+  | "fill"
+  | "fillRect"
+  | "fillStyle"
+  | "fillText"
+  | "font"
+  | "lineCap"
+  | "lineJoin"
+  | "lineTo"
+  | "lineWidth"
+  | "moveTo"
+  | "restore"
+  | "rotate"
+  | "roundRect"
+  | "save"
+  | "scale"
+  | "setLineDash"
+  | "stroke"
+  | "strokeStyle"
+  | "textAlign"
+  | "textBaseline"
+  | "translate"
+>;
+
 /** What is drawn on: a canvas of the page, or an OffscreenCanvas. */
 export interface LayerCanvas {
   /** device pixels */

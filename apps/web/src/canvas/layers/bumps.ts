@@ -1,7 +1,7 @@
 /** Where the robot has bumped: a small red burst at the place of contact. */
 import { isBlock, type MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
-import type { Brush } from "../brush.ts";
+import type { Pen } from "../brush.ts";
 import type { Palette } from "../palette.ts";
 import { CELL, viewX, viewY, type Viewport } from "../viewport.ts";
 import { ROBOT_RADIUS } from "./robot.ts";
@@ -64,7 +64,7 @@ const POINTS = 8;
 
 /** Draws the bursts. */
 export function drawBumps(
-  context: Brush,
+  context: Pen,
   viewport: Viewport,
   palette: Palette,
   marks: readonly BumpMark[],

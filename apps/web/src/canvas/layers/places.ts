@@ -1,7 +1,8 @@
 /** Start and goals: dashed square with the first heading, and the flag. */
 import type { Cell, HeadingName, MazeDocument, Start } from "@corridor/maze";
-import type { Brush } from "../brush.ts";
+import type { Pen } from "../brush.ts";
 import type { Palette } from "../palette.ts";
+import { pathOf } from "../path-text.ts";
 import { CELL, visibleCells, viewX, viewY, type Box, type Viewport } from "../viewport.ts";
 
 /** The words that are drawn; they come from the page's catalogue. */
@@ -19,7 +20,7 @@ const quarterTurns: Record<HeadingName, number> = { north: 0, east: 1, south: 2,
 
 /** Draws start and goals inside the port. */
 export function drawPlaces(
-  context: Brush,
+  context: Pen,
   viewport: Viewport,
   palette: Palette,
   maze: MazeDocument,
@@ -51,7 +52,7 @@ export function cellBox(viewport: Viewport, cell: Cell): Box {
 }
 
 /** A goal in one cell. */
-export function drawGoal(context: Brush, box: Box, palette: Palette, word: string): void {
+export function drawGoal(context: Pen, box: Box, palette: Palette, word: string): void {
   const inset = Math.max(1.5, box.width * 0.04);
   context.beginPath();
   context.roundRect(
@@ -78,7 +79,7 @@ export function drawGoal(context: Brush, box: Box, palette: Palette, word: strin
   context.lineJoin = "round";
   context.lineCap = "round";
   context.strokeStyle = palette.goodInk;
-  context.stroke(new Path2D(FLAG));
+  context.stroke(pathOf(FLAG));
   context.restore();
   if (hasWord) {
     label(context, palette, palette.goodInk, word, box, box.y + box.height / 2 + 16);
@@ -87,7 +88,7 @@ export function drawGoal(context: Brush, box: Box, palette: Palette, word: strin
 
 /** The start in one cell, with an arrow head that points where the robot will face. */
 export function drawStart(
-  context: Brush,
+  context: Pen,
   box: Box,
   palette: Palette,
   start: Start,
@@ -129,7 +130,7 @@ export function drawStart(
 }
 
 function label(
-  context: Brush,
+  context: Pen,
   palette: Palette,
   colour: string,
   text: string,

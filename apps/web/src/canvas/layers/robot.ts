@@ -3,9 +3,10 @@
  * and equal the SVG files of the design.
  */
 import type { Snapshot } from "@corridor/protocol";
-import type { Brush } from "../brush.ts";
+import type { Pen } from "../brush.ts";
 import type { Dirt } from "../dirt.ts";
 import type { Palette } from "../palette.ts";
+import { pathOf } from "../path-text.ts";
 import { viewX, viewY, type Viewport } from "../viewport.ts";
 
 /** The robot's disc, in units (CONTRACT: radius 25). */
@@ -60,7 +61,7 @@ function shapesOf(face: Face): Shapes {
   let known = shapes.get(face);
   if (known === undefined) {
     const { eyes, mouth } = faces[face];
-    known = { body: new Path2D(BODY), eyes: new Path2D(eyes), mouth: new Path2D(mouth) };
+    known = { body: pathOf(BODY), eyes: pathOf(eyes), mouth: pathOf(mouth) };
     shapes.set(face, known);
   }
   return known;
@@ -68,7 +69,7 @@ function shapesOf(face: Face): Shapes {
 
 /** Draws the robot at its pose. */
 export function drawRobot(
-  context: Brush,
+  context: Pen,
   viewport: Viewport,
   palette: Palette,
   pose: Snapshot["pose"],

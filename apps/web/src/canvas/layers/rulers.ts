@@ -1,5 +1,5 @@
 /** Rulers along the top and the left, in the same centimetres as the program's numbers. */
-import type { Brush } from "../brush.ts";
+import type { Pen } from "../brush.ts";
 import type { Dirt } from "../dirt.ts";
 import type { Palette } from "../palette.ts";
 import { CELL, viewX, viewY, type Viewport } from "../viewport.ts";
@@ -15,7 +15,7 @@ export function numberStep(cellPx: number, room: number): number {
 }
 
 /** Draws both rulers beside the port. */
-export function drawRulers(context: Brush, viewport: Viewport, palette: Palette): void {
+export function drawRulers(context: Pen, viewport: Viewport, palette: Palette): void {
   const { port, columns, rows } = viewport;
   const cellPx = viewport.scale * CELL;
   context.font = `500 11px ${palette.font}`;
@@ -54,7 +54,7 @@ export function drawRulers(context: Brush, viewport: Viewport, palette: Palette)
 
 /** Marks on both rulers where the robot is. */
 export function drawRulerMarks(
-  context: Brush,
+  context: Pen,
   viewport: Viewport,
   palette: Palette,
   pose: { x: number; y: number },
@@ -75,7 +75,7 @@ export function drawRulerMarks(
 }
 
 function triangle(
-  context: Brush,
+  context: Pen,
   x: number,
   y: number,
   ax: number,

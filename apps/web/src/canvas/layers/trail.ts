@@ -4,7 +4,7 @@
  * Dots stand at round coordinates rather than at round distances, so that a robot that drives the
  * same corridor again puts them onto the old ones, and a dot is a place in the maze.
  */
-import type { Brush } from "../brush.ts";
+import type { Pen } from "../brush.ts";
 import type { Palette } from "../palette.ts";
 import type { Points } from "../trail.ts";
 import { viewX, viewY, type Viewport } from "../viewport.ts";
@@ -31,7 +31,7 @@ function widthAt(scale: number): number {
  *   cover the last dots
  */
 export function drawTrail(
-  context: Brush,
+  context: Pen,
   viewport: Viewport,
   palette: Palette,
   points: Points,

@@ -4,7 +4,7 @@
  * once a maze, size or theme.
  */
 import { isBlock, type MazeDocument } from "@corridor/maze";
-import type { Brush } from "../brush.ts";
+import type { Pen } from "../brush.ts";
 import type { Palette } from "../palette.ts";
 import { CELL, visibleCells, viewX, viewY, type CellRange, type Viewport } from "../viewport.ts";
 
@@ -13,7 +13,7 @@ const SEAM_FROM_PX = 8;
 
 /** Draws floor, grid and blocks inside the port. */
 export function drawWalls(
-  context: Brush,
+  context: Pen,
   viewport: Viewport,
   palette: Palette,
   maze: MazeDocument,
@@ -61,7 +61,7 @@ export function drawWalls(
 
 /** One rectangle for each run of blocks in a row. */
 function fillBlocks(
-  context: Brush,
+  context: Pen,
   viewport: Viewport,
   palette: Palette,
   maze: MazeDocument,
@@ -85,7 +85,7 @@ function fillBlocks(
 }
 
 /** The edge of the grid, which is solid. */
-function drawFrame(context: Brush, viewport: Viewport, palette: Palette): void {
+function drawFrame(context: Pen, viewport: Viewport, palette: Palette): void {
   const x = viewX(viewport, 0);
   const y = viewY(viewport, 0);
   const width = viewport.columns * CELL * viewport.scale;
@@ -109,7 +109,7 @@ function eachBorder(
 }
 
 function border(
-  context: Brush,
+  context: Pen,
   viewport: Viewport,
   column: number,
   row: number,
@@ -121,12 +121,12 @@ function border(
   line(context, x, y, isVertical ? x : x + cellPx, isVertical ? y + cellPx : y);
 }
 
-function line(context: Brush, fromX: number, fromY: number, toX: number, toY: number): void {
+function line(context: Pen, fromX: number, fromY: number, toX: number, toY: number): void {
   context.moveTo(fromX, fromY);
   context.lineTo(toX, toY);
 }
 
-function stroke(context: Brush, colour: string, width: number): void {
+function stroke(context: Pen, colour: string, width: number): void {
   context.strokeStyle = colour;
   context.lineWidth = width;
   context.stroke();
