@@ -18,6 +18,8 @@ export default defineConfig({
     actionTimeout: 15_000,
     viewport: { width: 1440, height: 900 },
     permissions: ["clipboard-read", "clipboard-write"],
+    // Journeys go to the relay itself; offline.spec.ts is about the service worker.
+    serviceWorkers: "block",
     // A trace takes a third of the time of a test; `--trace on` makes one where it is needed.
     screenshot: "only-on-failure",
     launchOptions: { executablePath: requireChromium(), args: [...chromiumArguments] },

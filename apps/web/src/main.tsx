@@ -101,6 +101,13 @@ async function open(): Promise<void> {
 
   await whenSettled(services.run);
   await Promise.allSettled([reader.load(), preloadParts()]);
+  if (!import.meta.env.PROD) return;
+  try {
+    const { offerUpdates } = await import("./features/offline/offer-update.ts");
+    await offerUpdates(services, words, () => location.reload());
+  } catch {
+    // Private windows and full storages refuse a service worker: the page needs a network, as before.
+  }
 }
 
 void start();

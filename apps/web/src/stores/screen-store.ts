@@ -12,6 +12,8 @@ export interface Message {
   id: number;
   tone: "info" | "bad";
   text: string;
+  /** information that waits for an answer, however long; by itself it leaves after some seconds */
+  stays?: boolean;
   /** one way to mend or take back, such as Undo */
   action?: { label: string; run: () => void } | undefined;
 }

@@ -1,4 +1,4 @@
-/** Messages that can be dismissed. Information leaves after 6 s; what went wrong stays. */
+/** Messages that can be dismissed. Information leaves after 6 s; what went wrong stays, and what is told to. */
 import { CircleAlert, X } from "lucide-react";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -41,13 +41,13 @@ function MessageCard({ message }: { message: Message }) {
   const { t } = useTranslation();
   const { screen } = useServices();
   const [isHeld, setIsHeld] = useState(false);
-  const { id, tone, text, action } = message;
+  const { id, tone, text, action, stays = tone === "bad" } = message;
 
   useEffect(() => {
-    if (tone === "bad" || isHeld) return;
+    if (stays || isHeld) return;
     const timer = setTimeout(() => dismiss(screen, id), STAYS_MS);
     return () => clearTimeout(timer);
-  }, [screen, id, tone, isHeld]);
+  }, [screen, id, stays, isHeld]);
 
   return (
     <span

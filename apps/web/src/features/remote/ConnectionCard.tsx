@@ -4,6 +4,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
+import { useOnline } from "../offline/use-online.ts";
 import { viewConnection, type ConnectionView } from "./connection-view.ts";
 import { useNow } from "./use-now.ts";
 import styles from "./remote.module.css";
@@ -14,6 +15,7 @@ export function ConnectionCard() {
   const status = useStore(remote, (state) => state.status);
   const now = useNow(status.kind === "connected");
   const view = viewConnection(status, now);
+  const isOnline = useOnline();
   const { title, note } = useWords(view);
   const isOpen = view.kind !== "off" && view.kind !== "lost" && view.kind !== "over";
   return (
@@ -28,7 +30,7 @@ export function ConnectionCard() {
         <p className={styles["cardTitle"]} aria-hidden={view.kind !== "quiet"}>
           {title}
         </p>
-        <p className={styles["note"]}>{note}</p>
+        <p className={styles["note"]}>{isOnline ? note : t("offline.offline")}</p>
       </div>
       {isOpen ? (
         <Button size="small" onClick={() => connection.disconnect()}>

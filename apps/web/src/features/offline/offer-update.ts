@@ -1,0 +1,32 @@
+/** Offers a new version of the page. Nothing reloads by itself: a run or a thought may be in the middle. */
+import type { i18n } from "i18next";
+import type { Services } from "../../app/services.ts";
+import { dismiss, tell } from "../../stores/screen-store.ts";
+import { startServiceWorker } from "./service-worker.ts";
+
+/**
+ * Starts the service worker and tells the reader of what it brings.
+ * @param reload loads the page again
+ */
+export async function offerUpdates(
+  { screen, works }: Pick<Services, "screen" | "works">,
+  words: Pick<i18n, "t">,
+  reload: () => void,
+): Promise<void> {
+  const offer = (take: () => Promise<void>): void => {
+    const id = tell(screen, {
+      tone: "info",
+      stays: true,
+      text: words.t("offline.newVersion"),
+      action: {
+        label: words.t("offline.reload"),
+        run: () => {
+          dismiss(screen, id);
+          works.autosave.flush();
+          void take().then(reload);
+        },
+      },
+    });
+  };
+  await startServiceWorker({ onReady: offer, onTaken: () => offer(() => Promise.resolve()) });
+}
