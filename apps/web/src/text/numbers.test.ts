@@ -32,3 +32,20 @@ describe("formatSeconds", () => {
     expect(formatSeconds(3599)).toBe("59.9");
   });
 });
+
+describe("the decimal sign", () => {
+  it.each([
+    ["en", "250.5", "0:17.7", "39.2"],
+    ["de", "250,5", "0:17,7", "39,2"],
+    ["es", "250,5", "0:17,7", "39,2"],
+    ["fr", "250,5", "0:17,7", "39,2"],
+    ["pt", "250,5", "0:17,7", "39,2"],
+    ["ja", "250.5", "0:17.7", "39.2"],
+    ["zh-Hans", "250.5", "0:17.7", "39.2"],
+    ["ar", "250.5", "0:17.7", "39.2"],
+  ])("of %s makes %s, %s and %s", (language, reading, clock, seconds) => {
+    expect(formatReading(250.5, language)).toBe(reading);
+    expect(formatClock(1063, language)).toBe(clock);
+    expect(formatSeconds(2352, language)).toBe(seconds);
+  });
+});

@@ -3,7 +3,7 @@ import { sensorNames } from "@corridor/protocol";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { formatReading } from "../../text/numbers.ts";
+import { decimalSign, formatReading } from "../../text/numbers.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import styles from "./drive.module.css";
@@ -11,7 +11,7 @@ import { readSensors, touchingSensor } from "./sensor-roles.ts";
 
 /** @param look cross: around the robot; row: one line of words, for phones */
 export function SensorCross({ look }: { look: "cross" | "row" }) {
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
   const { run, workspace } = useServices();
   const snapshot = useStore(run, (state) => state.snapshot);
   const program = useStore(workspace, (state) => state.program);
@@ -35,7 +35,10 @@ export function SensorCross({ look }: { look: "cross" | "row" }) {
           )}
         >
           <dt>{t(`drive.sensor.${sensor}`)}</dt>
-          <Reading text={snapshot === null ? "–" : formatReading(snapshot.sensors[sensor])} />
+          <Reading
+            text={snapshot === null ? "–" : formatReading(snapshot.sensors[sensor], i18n.language)}
+            sign={decimalSign(i18n.language)}
+          />
         </div>
       ))}
       {isCross && (
@@ -47,13 +50,13 @@ export function SensorCross({ look }: { look: "cross" | "row" }) {
   );
 }
 
-/** A reading on its decimal point, which stays in its place while digits come and go. */
-function Reading({ text }: { text: string }) {
-  const [whole = "", tenths] = text.split(".");
+/** A reading on its decimal sign, which stays in its place while digits come and go. */
+function Reading({ text, sign }: { text: string; sign: string }) {
+  const [whole = "", tenths] = text.split(sign);
   return (
     <dd>
       <span>{whole}</span>
-      <span>{tenths === undefined ? "" : `.${tenths}`}</span>
+      <span>{tenths === undefined ? "" : sign + tenths}</span>
     </dd>
   );
 }

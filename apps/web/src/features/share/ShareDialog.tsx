@@ -8,6 +8,7 @@ import { Checkbox } from "../../ui/Checkbox.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { sharedSearch } from "../../app/language.ts";
 import { LinkField } from "./LinkField.tsx";
 import { QrCard } from "./QrCard.tsx";
 import styles from "./share.module.css";
@@ -44,7 +45,8 @@ function ShareForm() {
   const program = useStore(workspace, (state) => state.program);
   const [withProgram, setWithProgram] = useState(false);
   const result = encodeLink(withProgram ? { maze, program } : { maze });
-  const link = result.ok ? `${location.origin}${location.pathname}#${result.text}` : null;
+  const { origin, pathname, search } = location;
+  const link = result.ok ? `${origin}${pathname}${sharedSearch(search)}#${result.text}` : null;
   return (
     <div className={styles["columns"]}>
       <div className={styles["main"]}>
