@@ -13,7 +13,10 @@ export async function offerUpdates(
   words: Pick<i18n, "t">,
   reload: () => void,
 ): Promise<void> {
+  let shown: number | null = null;
   const offer = (take: () => Promise<void>): void => {
+    // The newest offer stands for those before it.
+    if (shown !== null) dismiss(screen, shown);
     const id = tell(screen, {
       tone: "info",
       stays: true,
@@ -27,6 +30,7 @@ export async function offerUpdates(
         },
       },
     });
+    shown = id;
   };
   await startServiceWorker({ onReady: offer, onTaken: () => offer(() => Promise.resolve()) });
 }
