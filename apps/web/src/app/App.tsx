@@ -5,6 +5,7 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { DriverChoice } from "../features/drive/DriverChoice.tsx";
+import { FileDoor } from "../features/files/FileDoor.tsx";
 import { Messages } from "../features/messages/Messages.tsx";
 import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
 import { Stage } from "../features/stage/Stage.tsx";
@@ -29,7 +30,9 @@ export function App() {
   const { works } = useServices();
   return (
     <ErrorBoundary onError={() => works.autosave.flush()}>
-      <Page />
+      <FileDoor>
+        <Page />
+      </FileDoor>
     </ErrorBoundary>
   );
 }

@@ -1,6 +1,7 @@
 /** The bar at the top: the mark, the maze, and what can be done with it. */
 import { Ellipsis, Keyboard, RadioTower } from "lucide-react";
 import { useTranslation } from "react-i18next";
+import { LazyFileMenuItems } from "../features/files/lazy-file-menu-items.ts";
 import { LanguageButton } from "../features/language/LanguageButton.tsx";
 import { LanguageSelect } from "../features/language/LanguageSelect.tsx";
 import { PresetsButton } from "../features/presets/PresetsButton.tsx";
@@ -60,6 +61,7 @@ function More({ onKeys, onRemote }: Omit<TopBarProps, "isPhone">) {
         <MenuItem icon={<Keyboard aria-hidden="true" />} onSelect={onKeys}>
           {t("shell.keys.title")}
         </MenuItem>
+        <LazyFileMenuItems />
         <div className={styles["moreTheme"]}>
           <ThemeChoice />
         </div>

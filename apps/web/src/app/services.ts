@@ -10,6 +10,7 @@ import { createRemoteStore, type RemoteStore } from "../stores/remote-store.ts";
 import { createRunStore, type RunStore } from "../stores/run-store.ts";
 import { createScreenStore, type ScreenStore } from "../stores/screen-store.ts";
 import { TimelineStore } from "../stores/timeline-store.ts";
+import { ShownRun } from "../stores/shown-run.ts";
 import { createWorkspaceStore, type WorkspaceStore } from "../stores/workspace-store.ts";
 import { SimulatorClient, type WorkerPort } from "../worker/simulator-client.ts";
 import type { Moment } from "../worker/worker-messages.ts";
@@ -39,6 +40,8 @@ export interface Services {
   timeline: TimelineStore;
   remote: RemoteStore;
   screen: ScreenStore;
+  /** the run as the screen shows it, with its trail */
+  shownRun: ShownRun;
   works: WorksService;
   /** ready-made mazes that were solved on this device */
   solved: SolvedStore;
@@ -59,6 +62,7 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
   const run = createRunStore();
   const remote = createRemoteStore();
   const screen = createScreenStore();
+  const shownRun = new ShownRun();
 
   const now = () => performance.now();
   const later = (action: () => void, milliseconds: number) => setTimeout(action, milliseconds);
@@ -69,6 +73,7 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
     switch (message.type) {
       case "frame": {
         const { snapshot, progress, view, nowTick } = message.frame;
+        shownRun.add(message.frame);
         run.setState({ snapshot, progress, view, nowTick });
         // What happened stays told while an earlier moment is shown; a run that forgets it does not tell it.
         if (message.frame.trailReset && (run.getState().moment?.tick ?? Infinity) > nowTick) {
@@ -110,7 +115,7 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
   const works = new WorksService({ shelf, current, workspace, screen, words, later });
   const connection = new RemoteConnection({ simulator, remote, run, tab });
   const solved = createSolvedStore({ run, workspace, device });
-  return { simulator, workspace, run, timeline, remote, screen, works, solved, connection };
+  return { simulator, workspace, run, timeline, remote, screen, shownRun, works, solved, connection };
 }
 
 /** A random id. Not crypto.randomUUID: pages that are not secure do not have it. */

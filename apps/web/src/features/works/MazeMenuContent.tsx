@@ -4,6 +4,7 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
 import type { Work } from "../../app/works.ts";
+import { FileMenuItems } from "../files/FileMenuItems.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { openEmptyMaze } from "./empty-maze.ts";
 import { RenameField } from "./RenameField.tsx";
@@ -29,6 +30,7 @@ export function MazeMenuContent({ onDone }: MazeMenuContentProps) {
       >
         {t("works.newMaze")}
       </MenuItem>
+      <FileMenuItems />
       <WorksList
         works={works}
         onOpen={(work) => {

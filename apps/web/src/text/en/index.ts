@@ -1,5 +1,6 @@
 /** English: the catalogue that every other language is checked against. One file a feature. */
 import drive from "./drive.json" with { type: "json" };
+import files from "./files.json" with { type: "json" };
 import language from "./language.json" with { type: "json" };
 import offline from "./offline.json" with { type: "json" };
 import presets from "./presets.json" with { type: "json" };
@@ -13,6 +14,7 @@ import works from "./works.json" with { type: "json" };
 
 export const en = {
   drive,
+  files,
   language,
   offline,
   presets,

@@ -1,0 +1,68 @@
+/**
+ * The way of files into and out of the page. Files may be dropped or pasted anywhere; menus reach the
+ * rest through `useFileActions`.
+ */
+import { FileDown } from "lucide-react";
+import { useCallback, useEffect, useState, type ReactNode } from "react";
+import { useTranslation } from "react-i18next";
+import { useServices } from "../../app/services.ts";
+import { tell } from "../../stores/screen-store.ts";
+import { lazyDialog } from "../../ui/lazy-part.tsx";
+import { FileActionsProvider } from "./file-actions.ts";
+import { chooseFiles, listenForFiles } from "./incoming.ts";
+import type { FileReport, TextFile } from "./open-files.ts";
+import styles from "./files.module.css";
+
+const FileProblems = lazyDialog(async () => (await import("./FileProblems.tsx")).FileProblems);
+const PictureDialog = lazyDialog(async () => (await import("./PictureDialog.tsx")).PictureDialog);
+
+export function FileDoor({ children }: { children: ReactNode }) {
+  const { t, i18n } = useTranslation();
+  const services = useServices();
+  const [reports, setReports] = useState<readonly FileReport[]>([]);
+  const [isOver, setIsOver] = useState(false);
+  const [hasPicture, setHasPicture] = useState(false);
+
+  const take = useCallback(
+    async (files: readonly TextFile[]): Promise<void> => {
+      try {
+        const { openFiles } = await import("./open-files.ts");
+        setReports(await openFiles(services, i18n, files));
+      } catch {
+        tell(services.screen, { tone: "bad", text: i18n.t("offline.partFailed") });
+      }
+    },
+    [services, i18n],
+  );
+
+  useEffect(
+    () =>
+      listenForFiles({
+        over: setIsOver,
+        take: (files) => void take(files),
+        clipboardName: () => t("files.pasted"),
+      }),
+    [take, t],
+  );
+
+  return (
+    <FileActionsProvider
+      value={{
+        choose: () => chooseFiles((files) => void take(files)),
+        savePicture: () => setHasPicture(true),
+      }}
+    >
+      {children}
+      {isOver && (
+        <div className={styles["target"]}>
+          <p className={styles["targetWords"]}>
+            <FileDown aria-hidden="true" />
+            {t("files.drop")}
+          </p>
+        </div>
+      )}
+      <FileProblems isOpen={reports.length > 0} reports={reports} onClose={() => setReports([])} />
+      <PictureDialog isOpen={hasPicture} onClose={() => setHasPicture(false)} />
+    </FileActionsProvider>
+  );
+}

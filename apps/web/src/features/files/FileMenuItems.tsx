@@ -1,0 +1,45 @@
+/** The lines of a menu that open and save files. */
+import { FileBraces, FileInput, FileText, Image, ListOrdered } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useServices } from "../../app/services.ts";
+import { MenuItem } from "../../ui/Popover.tsx";
+import { useFileActions } from "./file-actions.ts";
+import { saveDocument, saveTextMaze } from "./save-file.ts";
+
+export function FileMenuItems() {
+  const { t } = useTranslation();
+  const { workspace } = useServices();
+  const { choose, savePicture } = useFileActions();
+  return (
+    <>
+      <MenuItem
+        icon={<FileInput aria-hidden="true" />}
+        note={t("files.openNote")}
+        onSelect={choose}
+      >
+        {t("files.open")}
+      </MenuItem>
+      <MenuItem
+        icon={<FileBraces aria-hidden="true" />}
+        onSelect={() => saveDocument(workspace.getState().maze, "maze")}
+      >
+        {t("files.saveMaze")}
+      </MenuItem>
+      <MenuItem
+        icon={<FileText aria-hidden="true" />}
+        onSelect={() => saveTextMaze(workspace.getState().maze)}
+      >
+        {t("files.saveText")}
+      </MenuItem>
+      <MenuItem
+        icon={<ListOrdered aria-hidden="true" />}
+        onSelect={() => saveDocument(workspace.getState().program, "program")}
+      >
+        {t("files.saveProgram")}
+      </MenuItem>
+      <MenuItem icon={<Image aria-hidden="true" />} onSelect={savePicture}>
+        {t("files.savePicture")}
+      </MenuItem>
+    </>
+  );
+}

@@ -1,0 +1,56 @@
+/** Says why files were not opened: in each, where, what stands there, and what would be right. */
+import { useTranslation } from "react-i18next";
+import { Button } from "../../ui/Button.tsx";
+import { Dialog } from "../../ui/Dialog.tsx";
+import { useFileActions } from "./file-actions.ts";
+import type { FileReport } from "./open-files.ts";
+import styles from "./files.module.css";
+
+interface FileProblemsProps {
+  isOpen: boolean;
+  reports: readonly FileReport[];
+  onClose: () => void;
+}
+
+export function FileProblems({ isOpen, reports, onClose }: FileProblemsProps) {
+  const { t } = useTranslation();
+  const { choose } = useFileActions();
+  return (
+    <Dialog
+      isOpen={isOpen}
+      onClose={onClose}
+      title={t("files.problems.title", { count: reports.length })}
+      subtitle={t("files.problems.kept")}
+      width="narrow"
+      footer={t("files.problems.mend")}
+    >
+      <div className={styles["reports"]}>
+        {reports.map(({ file, problems }) => (
+          <section key={file} className={styles["report"]} aria-label={file}>
+            <h3 className={styles["file"]}>{file}</h3>
+            <ul className={styles["problems"]}>
+              {problems.map(({ path, found, expected }) => (
+                <li key={`${path} ${found} ${expected}`} className={styles["problem"]}>
+                  <span className={styles["where"]}>
+                    {path === "" ? t("files.problems.whole") : path}
+                  </span>
+                  <span>{t("files.problems.found", { found })}</span>
+                  <span>{t("files.problems.expected", { expected })}</span>
+                </li>
+              ))}
+            </ul>
+          </section>
+        ))}
+        <Button
+          className={styles["again"]}
+          onClick={() => {
+            onClose();
+            choose();
+          }}
+        >
+          {t("files.problems.again")}
+        </Button>
+      </div>
+    </Dialog>
+  );
+}

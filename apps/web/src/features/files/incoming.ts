@@ -1,0 +1,102 @@
+/**
+ * Files on their way into the page: dragged over it, dropped, pasted, or chosen in the browser's own
+ * dialog. Small, because it listens from the first moment; reading them comes in a file of its own.
+ */
+import type { TextFile } from "./open-files.ts";
+
+interface IncomingPorts {
+  /** called when files begin or cease to hang over the page */
+  over: (isOver: boolean) => void;
+  take: (files: readonly TextFile[]) => void;
+  /** what a text from the clipboard is called; the maze in it too */
+  clipboardName: () => string;
+}
+
+/** Listens on the window. @returns a function that ends it */
+export function listenForFiles({ over, take, clipboardName }: IncomingPorts): () => void {
+  const end = new AbortController();
+  const { signal } = end;
+  // A drag enters each element before it leaves the one around it.
+  let depth = 0;
+  window.addEventListener(
+    "dragenter",
+    (event) => {
+      if (!hasFiles(event)) return;
+      depth++;
+      over(true);
+    },
+    { signal },
+  );
+  window.addEventListener(
+    "dragleave",
+    (event) => {
+      if (!hasFiles(event)) return;
+      depth = Math.max(0, depth - 1);
+      if (depth === 0) over(false);
+    },
+    { signal },
+  );
+  window.addEventListener(
+    "dragover",
+    (event) => {
+      if (!hasFiles(event)) return;
+      // Without this the browser would leave the page to show the file.
+      event.preventDefault();
+      if (event.dataTransfer !== null) event.dataTransfer.dropEffect = "copy";
+    },
+    { signal },
+  );
+  window.addEventListener(
+    "drop",
+    (event) => {
+      if (!hasFiles(event)) return;
+      event.preventDefault();
+      depth = 0;
+      over(false);
+      const files = [...(event.dataTransfer?.files ?? [])];
+      if (files.length > 0) take(files);
+    },
+    { signal },
+  );
+  window.addEventListener(
+    "paste",
+    (event) => {
+      if (isField(event.target) || event.clipboardData === null) return;
+      // What lies on top of the page has the keys to itself.
+      if (document.querySelector("dialog:modal, :popover-open") !== null) return;
+      const files = [...event.clipboardData.files];
+      const text = event.clipboardData.getData("text/plain");
+      if (files.length === 0 && text.trim() === "") return;
+      event.preventDefault();
+      const pasted = {
+        name: clipboardName(),
+        size: text.length,
+        text: () => Promise.resolve(text),
+      };
+      take(files.length > 0 ? files : [pasted]);
+    },
+    { signal },
+  );
+  return () => end.abort();
+}
+
+/** Opens the browser's dialog. `take` is not called when the reader leaves it. */
+export function chooseFiles(take: (files: readonly TextFile[]) => void): void {
+  const input = document.createElement("input");
+  input.type = "file";
+  input.multiple = true;
+  input.accept = ".json,.txt,.maze,application/json,text/plain";
+  input.addEventListener("change", () => take([...(input.files ?? [])]));
+  input.click();
+}
+
+function hasFiles(event: DragEvent): boolean {
+  return event.dataTransfer?.types.includes("Files") === true;
+}
+
+function isField(target: EventTarget | null): boolean {
+  return (
+    target instanceof HTMLElement &&
+    (target.isContentEditable || target.matches("input, textarea, select"))
+  );
+}

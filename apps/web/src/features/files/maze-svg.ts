@@ -1,0 +1,79 @@
+/** A maze as an SVG file: what the stage shows, by the same code, in one file that needs nothing else. */
+import { sizeOf, type MazeDocument } from "@corridor/maze";
+import type { Pose } from "@corridor/protocol";
+import { bumpMarks, drawBumps } from "../../canvas/layers/bumps.ts";
+import { drawPlaces, type PlaceWords } from "../../canvas/layers/places.ts";
+import { drawRobot, type Face } from "../../canvas/layers/robot.ts";
+import { drawRulers } from "../../canvas/layers/rulers.ts";
+import { drawTrail } from "../../canvas/layers/trail.ts";
+import { drawWalls } from "../../canvas/layers/walls.ts";
+import type { Palette } from "../../canvas/palette.ts";
+import { Dirt } from "../../canvas/dirt.ts";
+import { CELL, type Viewport } from "../../canvas/viewport.ts";
+import { escapeText, SvgPen } from "./svg-pen.ts";
+
+/** The robot and where it has been. */
+export interface DrawnRun {
+  pose: Pose;
+  face: Face;
+  /** x and y by turns, in units; ends at the robot */
+  points: readonly number[];
+  /** where the robot's centre was at bumps, x and y by turns, in units */
+  bumps: readonly number[];
+}
+
+export interface PictureScene extends PlaceWords {
+  maze: MazeDocument;
+  palette: Palette;
+  /** null: the maze alone */
+  run: DrawnRun | null;
+  hasRulers: boolean;
+}
+
+/** A square is as large as on a screen, and smaller where the picture would grow beyond a page. */
+const MAX_CELL_PX = 80;
+const MIN_CELL_PX = 8;
+const PAGE_PX = 1600;
+/** Around the maze: room for its frame, and for rulers. */
+const MARGIN = 8;
+const RULERS = { left: 48, top: 32 };
+
+/** @returns the file, and its size in CSS pixels */
+export function mazeSvg(scene: PictureScene): { text: string; width: number; height: number } {
+  const { maze, palette, run, hasRulers } = scene;
+  const { columns, rows } = sizeOf(maze);
+  const fitting = Math.floor(PAGE_PX / Math.max(columns, rows));
+  const cellPx = Math.min(MAX_CELL_PX, Math.max(MIN_CELL_PX, fitting));
+  const left = hasRulers ? RULERS.left : MARGIN;
+  const top = hasRulers ? RULERS.top : MARGIN;
+  const port = { x: left, y: top, width: columns * cellPx, height: rows * cellPx };
+  // The last number of a ruler stands half over its end.
+  const end = hasRulers ? 2 * MARGIN : MARGIN;
+  const width = left + port.width + end;
+  const height = top + port.height + end;
+  const viewport: Viewport = {
+    scale: cellPx / CELL,
+    originX: left,
+    originY: top,
+    port,
+    columns,
+    rows,
+  };
+
+  const pen = new SvgPen();
+  pen.fillStyle = palette.surface;
+  pen.fillRect(0, 0, width, height);
+  drawWalls(pen, viewport, palette, maze);
+  drawPlaces(pen, viewport, palette, maze, scene);
+  if (run !== null) {
+    drawTrail(pen, viewport, palette, run.points, "round");
+    drawBumps(pen, viewport, palette, bumpMarks(maze, run.bumps, run.pose.heading));
+    drawRobot(pen, viewport, palette, run.pose, run.face, new Dirt());
+  }
+  if (hasRulers) drawRulers(pen, viewport, palette);
+  const title = maze.name === "" ? "" : `<title>${escapeText(maze.name)}</title>\n`;
+  const text =
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" ` +
+    `viewBox="0 0 ${width} ${height}">\n${title}${pen.elements()}\n</svg>\n`;
+  return { text, width, height };
+}

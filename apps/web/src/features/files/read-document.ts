@@ -1,0 +1,58 @@
+/** Finds out what a text is by its content, and reads it: a document of Corridor, or a maze drawn as text. */
+import { readMaze, readTextMaze, type MazeDocument } from "@corridor/maze";
+import { readProgram, type ProgramDocument } from "@corridor/program";
+import type { FieldProblem, ReadResult } from "@corridor/protocol";
+
+export type OpenedDocument =
+  | { kind: "maze"; maze: MazeDocument }
+  | { kind: "program"; program: ProgramDocument };
+
+const readers: Record<string, (text: string) => ReadResult<OpenedDocument>> = {
+  "corridor/maze": (text) => {
+    const read = readMaze(text);
+    return read.ok ? { ok: true, value: { kind: "maze", maze: read.value } } : read;
+  },
+  "corridor/program": (text) => {
+    const read = readProgram(text);
+    return read.ok ? { ok: true, value: { kind: "program", program: read.value } } : read;
+  },
+};
+
+/**
+ * Reads one text.
+ * @param name what a maze without a name of its own is called
+ * @returns the document, or what is wrong with it
+ */
+export function readDocument(text: string, name: string): ReadResult<OpenedDocument> {
+  const content = text.replace(/^\uFEFF/, "");
+  if (!/^\s*[{[]/.test(content)) {
+    const read = readTextMaze(content, name);
+    return read.ok ? { ok: true, value: { kind: "maze", maze: read.value } } : read;
+  }
+  let input: unknown;
+  try {
+    input = JSON.parse(content);
+  } catch (error) {
+    return refuse("", error instanceof Error ? error.message : "broken text", "a JSON document");
+  }
+  const format: unknown =
+    typeof input === "object" && input !== null && "format" in input ? input.format : undefined;
+  const reader = typeof format === "string" ? readers[format] : undefined;
+  if (reader !== undefined) return reader(content);
+  const known = Object.keys(readers).map((each) => JSON.stringify(each));
+  const found = format === undefined ? "nothing" : JSON.stringify(format);
+  return refuse("format", found, `one of ${known.join(", ")}`);
+}
+
+/** The name of a file without its endings: "my-maze.maze.json" is "my-maze". */
+export function titleOf(file: string): string {
+  return file.replace(/(\.[\p{Letter}\p{Number}]{1,8}){1,2}$/u, "");
+}
+
+function refuse(
+  path: string,
+  found: string,
+  expected: string,
+): { ok: false; problems: FieldProblem[] } {
+  return { ok: false, problems: [{ path, found: found.slice(0, 120), expected }] };
+}

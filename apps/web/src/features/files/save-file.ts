@@ -1,0 +1,27 @@
+/** Gives the reader a file, by a download, which every browser knows. */
+import { writeTextMaze, type MazeDocument } from "@corridor/maze";
+import { fileName } from "./file-name.ts";
+
+/** @param name with its ending */
+export function saveFile(content: Blob, name: string): void {
+  const url = URL.createObjectURL(content);
+  const link = document.createElement("a");
+  link.href = url;
+  link.download = name;
+  link.click();
+  // The download has the data by the time the next task runs.
+  setTimeout(() => URL.revokeObjectURL(url), 0);
+}
+
+/** A document as a file that can be opened again: "long-way-round.maze.json". */
+export function saveDocument(document: { name: string }, kind: "maze" | "program" | "run"): void {
+  const text = `${JSON.stringify(document, null, 2)}\n`;
+  const file = `${fileName(document.name, kind)}.${kind}.json`;
+  saveFile(new Blob([text], { type: "application/json" }), file);
+}
+
+/** The maze drawn as text, for mails and other programs. */
+export function saveTextMaze(maze: MazeDocument): void {
+  const content = new Blob([writeTextMaze(maze)], { type: "text/plain" });
+  saveFile(content, `${fileName(maze.name, "maze")}.txt`);
+}

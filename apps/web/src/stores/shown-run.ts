@@ -1,0 +1,31 @@
+/**
+ * The run as the screen shows it, with its whole trail, for whoever wants a picture of it. The stage
+ * itself is drawn elsewhere; this only gathers what the calm frames of the panels bring anyway.
+ */
+import type { Snapshot } from "@corridor/protocol";
+import { Trail } from "../canvas/trail.ts";
+import type { Frame } from "../worker/worker-messages.ts";
+
+/** Bumps kept, the newest, as two numbers each. */
+const MAX_BUMP_NUMBERS = 200;
+
+export class ShownRun {
+  readonly #trail = new Trail();
+  #bumps: readonly number[] = [];
+  #snapshot: Snapshot | null = null;
+
+  add({ snapshot, corners, bumps, trailReset }: Frame): void {
+    this.#trail.add(corners, snapshot.pose, trailReset);
+    if (trailReset || bumps.length > 0) {
+      const before = trailReset ? [] : this.#bumps;
+      this.#bumps = [...before, ...bumps].slice(-MAX_BUMP_NUMBERS);
+    }
+    this.#snapshot = snapshot;
+  }
+
+  /** The robot, its trail and its bumps (x and y by turns, in units); null before the first frame. */
+  take(): { snapshot: Snapshot; points: readonly number[]; bumps: readonly number[] } | null {
+    if (this.#snapshot === null) return null;
+    return { snapshot: this.#snapshot, points: this.#trail.points(), bumps: this.#bumps };
+  }
+}
