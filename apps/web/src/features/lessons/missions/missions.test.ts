@@ -9,7 +9,7 @@ import { studyMistakes } from "./testing/mistakes.ts";
 
 function documentOf(mission: Mission): ChallengeDocument {
   const { name, task, short, hints } = words.missions[mission.id];
-  return challengeOf(mission, name, { task, short, hints });
+  return challengeOf(mission, name, { task, short, hints: Object.values(hints) });
 }
 
 describe("the path of missions", () => {

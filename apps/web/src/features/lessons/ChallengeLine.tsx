@@ -1,0 +1,39 @@
+/** The task above the maze in a few words; green and with what it took once it is met. */
+import { Check, Target } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { metText } from "./failure-text.ts";
+import styles from "./lessons.module.css";
+import { missionIds } from "./missions/mission.ts";
+
+export function ChallengeLine() {
+  const { t } = useTranslation(["missions", "words"], { useSuspense: false });
+  const { challenge: store } = useServices();
+  const challenge = useStore(store, (state) => state.challenge);
+  const mission = useStore(store, (state) => state.mission);
+  const result = useStore(store, (state) => state.result);
+  if (challenge === null) return null;
+  const id = missionIds.find((each) => each === mission);
+  if (result.state === "met") {
+    return (
+      <p className={styles["line"]} data-state="met" dir="auto">
+        <Check size={18} aria-hidden="true" />
+        {metText(t, challenge, result)}
+      </p>
+    );
+  }
+  const isHere = result.state === "here" && challenge.mazes.length > 1;
+  return (
+    <p className={styles["line"]} dir="auto">
+      <Target size={18} aria-hidden="true" />
+      <span className={styles["short"]}>
+        {isHere
+          ? t("missions:bar.here", { count: challenge.mazes.length })
+          : id === undefined
+            ? challenge.words.short
+            : t(`missions:missions.${id}.short`)}
+      </span>
+    </p>
+  );
+}

@@ -1,0 +1,28 @@
+/** For a reader who has never been here: one calm line at the top of the panel. */
+import { X } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Button, IconButton } from "../../ui/Button.tsx";
+import styles from "./lessons-invitation.module.css";
+
+const FIRST_MISSION = "make-it-move";
+
+/** Shows nothing to others. */
+export function LessonsInvitation() {
+  const { t } = useTranslation();
+  const { challenge, lessons } = useServices();
+  const isInvited = useStore(challenge, (state) => state.isInvited);
+  if (!isInvited) return null;
+  return (
+    <section className={styles["invitation"]} aria-label={t("lessons.lessons")}>
+      <p className={styles["words"]}>{t("lessons.invitation")}</p>
+      <Button size="small" kind="primary" onClick={() => void lessons.openMission(FIRST_MISSION)}>
+        {t("lessons.begin")}
+      </Button>
+      <IconButton label={t("lessons.notNow")} onClick={() => lessons.dismissInvitation()}>
+        <X aria-hidden="true" />
+      </IconButton>
+    </section>
+  );
+}

@@ -1,0 +1,138 @@
+/** The open mission in the panel: its task, hints one by one, the check, and the way on. */
+import { ArrowRight, House, ListChecks, RotateCcw } from "lucide-react";
+import { useEffect, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Button, IconButton } from "../../ui/Button.tsx";
+import { failureText, liveFailureText, metText } from "./failure-text.ts";
+import { LessonsDialog } from "./lazy-lessons.ts";
+import type { LessonsService } from "./lessons-service.ts";
+import { MissionHints } from "./MissionHints.tsx";
+import { MissionMazes } from "./MissionMazes.tsx";
+import styles from "./lessons.module.css";
+import { missionIds } from "./missions/mission.ts";
+
+/** Shows nothing while no challenge is open. */
+export function MissionCard() {
+  const { lessons, challenge } = useServices();
+  const isOpen = useStore(challenge, (state) => state.challenge !== null);
+  const [service, setService] = useState<LessonsService | null>(null);
+  useEffect(() => {
+    // What opened the challenge has loaded the lessons; this only takes them.
+    if (isOpen) void lessons.load().then(setService, () => undefined);
+  }, [isOpen, lessons]);
+  return isOpen && service !== null ? <OpenMission service={service} /> : null;
+}
+
+function OpenMission({ service }: { service: LessonsService }) {
+  const { t } = useTranslation(["missions", "words"], { useSuspense: false });
+  const { challenge: store } = useServices();
+  const challenge = useStore(store, (state) => state.challenge);
+  const mission = useStore(store, (state) => state.mission);
+  if (challenge === null) return null;
+  const at = missionIds.findIndex((each) => each === mission);
+  const id = missionIds[at];
+  const hints =
+    id === undefined
+      ? challenge.words.hints
+      : Object.values(t(`missions:missions.${id}.hints`, { returnObjects: true }));
+  return (
+    <section className={styles["card"]} aria-label={t("missions:card.label")}>
+      <div className={styles["head"]}>
+        <div className={styles["title"]}>
+          <p className={styles["number"]}>
+            {id === undefined
+              ? t("missions:card.shared")
+              : t("missions:card.number", { number: at + 1, all: missionIds.length })}
+          </p>
+          <h2 className={styles["name"]}>
+            {id === undefined ? challenge.name : t(`missions:missions.${id}.name`)}
+          </h2>
+        </div>
+        <IconButton label={t("missions:card.again")} onClick={() => service.beginAgain()}>
+          <RotateCcw aria-hidden="true" />
+        </IconButton>
+        <IconButton label={t("missions:card.own")} onClick={() => service.goHome()}>
+          <House aria-hidden="true" />
+        </IconButton>
+      </div>
+      <p className={styles["task"]}>
+        {id === undefined ? challenge.words.task : t(`missions:missions.${id}.task`)}
+      </p>
+      <Outcome />
+      {challenge.mazes.length > 1 && <MissionMazes service={service} />}
+      <MissionHints key={id ?? challenge.name} hints={hints} />
+      <Actions service={service} />
+    </section>
+  );
+}
+
+/** How it stands, spoken when it changes. */
+function Outcome() {
+  const { t } = useTranslation(["missions", "words"], { useSuspense: false });
+  const { challenge: store } = useServices();
+  const challenge = useStore(store, (state) => state.challenge);
+  const result = useStore(store, (state) => state.result);
+  const verdict = useStore(store, (state) => state.verdict);
+  if (challenge === null) return null;
+  const isMet = result.state === "met";
+  const text = isMet
+    ? metText(t, challenge, result)
+    : verdict?.failure
+      ? failureText(t, challenge, verdict.failure)
+      : liveFailureText(t, challenge, result);
+  return (
+    <output className={styles["outcome"]} data-state={isMet ? "met" : "failed"}>
+      {text}
+    </output>
+  );
+}
+
+function Actions({ service }: { service: LessonsService }) {
+  const { t } = useTranslation(["missions", "words"], { useSuspense: false });
+  const { challenge: store, lessons } = useServices();
+  const challenge = useStore(store, (state) => state.challenge);
+  const mission = useStore(store, (state) => state.mission);
+  const result = useStore(store, (state) => state.result);
+  const isChecking = useStore(store, (state) => state.isChecking);
+  const [isPathOpen, setIsPathOpen] = useState(false);
+  if (challenge === null) return null;
+  const isMet = result.state === "met";
+  const next = service.nextMission();
+  // A hand's drive and one maze with a goal need no check: what is seen is what counts.
+  const isSeen = challenge.mazes.length === 1 && ["reach", "stop"].includes(challenge.goal.kind);
+  return (
+    <div className={styles["actions"]}>
+      {!isSeen && challenge.allowed.drivers.includes("program") && (
+        <Button
+          size="small"
+          kind={isMet ? "outline" : "primary"}
+          disabled={isChecking}
+          icon={<ListChecks aria-hidden="true" />}
+          onClick={() => void service.check()}
+        >
+          {isChecking
+            ? t("missions:card.checking")
+            : t("missions:card.check", { count: challenge.mazes.length })}
+        </Button>
+      )}
+      {next !== null && (
+        <Button
+          size="small"
+          kind={isMet ? "primary" : "quiet"}
+          onClick={() => void lessons.openMission(next)}
+        >
+          {t("missions:card.next")}
+          <ArrowRight className={styles["onward"]} aria-hidden="true" />
+        </Button>
+      )}
+      {next === null && mission !== null && (
+        <Button size="small" onClick={() => setIsPathOpen(true)}>
+          {t("missions:card.last")}
+        </Button>
+      )}
+      <LessonsDialog isOpen={isPathOpen} onClose={() => setIsPathOpen(false)} />
+    </div>
+  );
+}

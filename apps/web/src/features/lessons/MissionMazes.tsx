@@ -1,0 +1,62 @@
+/** The mazes of a mission: which one is shown, and after a check which pass and which fail. */
+import { Check, X } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Button } from "../../ui/Button.tsx";
+import type { LessonsService } from "./lessons-service.ts";
+import styles from "./lessons.module.css";
+
+export function MissionMazes({ service }: { service: LessonsService }) {
+  const { t } = useTranslation("missions", { useSuspense: false });
+  const { challenge: store } = useServices();
+  const count = useStore(store, (state) => state.challenge?.mazes.length ?? 0);
+  const shown = useStore(store, (state) => state.maze);
+  const verdict = useStore(store, (state) => state.verdict);
+  const outcomes = verdict?.mazes ?? [];
+  const passed = outcomes.filter(({ failure }) => failure === null).length;
+  const failing = verdict?.failure?.maze ?? null;
+  return (
+    <div className={styles["mazes"]}>
+      <ul className={styles["mazeList"]} aria-label={t("card.mazes")}>
+        {Array.from({ length: count }, (_, at) => {
+          const outcome = outcomes[at];
+          const state =
+            outcome === undefined ? null : outcome.failure === null ? "passes" : "fails";
+          return (
+            <li key={at}>
+              <button
+                type="button"
+                className={styles["maze"]}
+                data-state={state ?? undefined}
+                aria-pressed={at === shown}
+                onClick={() => service.showMaze(at)}
+              >
+                {state === "passes" && <Check size={14} aria-hidden="true" />}
+                {state === "fails" && <X size={14} aria-hidden="true" />}
+                <span aria-hidden={state === null ? undefined : "true"}>
+                  {t("card.maze", { number: at + 1 })}
+                </span>
+                {state !== null && (
+                  <span className="visually-hidden">
+                    {t(state === "passes" ? "card.mazePasses" : "card.mazeFails", {
+                      number: at + 1,
+                    })}
+                  </span>
+                )}
+              </button>
+            </li>
+          );
+        })}
+      </ul>
+      {outcomes.length > 0 && (
+        <p className={styles["passed"]}>{t("card.passed", { passed, count })}</p>
+      )}
+      {failing !== null && failing !== shown && (
+        <Button size="small" onClick={() => service.showMaze(failing)}>
+          {t("card.openMaze", { number: failing + 1 })}
+        </Button>
+      )}
+    </div>
+  );
+}

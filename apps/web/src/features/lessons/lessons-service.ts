@@ -1,0 +1,331 @@
+/**
+ * What the reader does in the lessons: opens a mission, checks it, goes on to the next, goes back to
+ * the maze of before. A mission is tried in a work of its own, so that nothing else is touched.
+ */
+import {
+  readChallenge,
+  rightsOf,
+  startingProgram,
+  type ChallengeDocument,
+  type Verdict,
+} from "@corridor/challenge";
+import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
+import { createStore } from "zustand/vanilla";
+import { firstMaze, firstProgram } from "../../app/first-visit.ts";
+import { noChallenge } from "../../stores/challenge-store.ts";
+import { dismiss, tell } from "../../stores/screen-store.ts";
+import { newLineIds, setMaze, setProgram, undo } from "../../stores/workspace-store.ts";
+import { AttemptJudge, type Judgement } from "./attempt-judge.ts";
+import { startChecker, type ChallengeChecker } from "./challenge-checker.ts";
+import type { LessonsPorts } from "./lessons-ports.ts";
+import type { Done, LessonsRecord } from "./lessons-storage.ts";
+import { challengeOf, missionIds, type Mission, type MissionId } from "./missions/mission.ts";
+import { missions } from "./missions/missions.ts";
+
+export class LessonsService {
+  readonly #ports: LessonsPorts;
+  readonly #checker: ChallengeChecker;
+  /** what is done, for the path; changes with every mission */
+  readonly progress = createStore<Pick<LessonsRecord, "done">>(() => ({ done: {} }));
+  #judge: AttemptJudge | null = null;
+  /** id of the work that the open challenge is tried in */
+  #work: string | null = null;
+  #judged: Judgement = { kind: "open" };
+  /** to what was open before the first mission, also where it was never stored */
+  #wayHome: (() => void) | null = null;
+
+  constructor(ports: LessonsPorts, checker: ChallengeChecker = startChecker()) {
+    this.#ports = ports;
+    this.#checker = checker;
+    this.progress.setState({ done: ports.storage.record.done });
+    ports.run.subscribe(() => this.#look());
+    ports.workspace.subscribe((next, before) => {
+      if (ports.challenge.getState().challenge === null) return;
+      if (next.maze !== before.maze) this.#followMaze(next.maze);
+      if (next.program !== before.program) {
+        ports.challenge.setState({ verdict: null, result: { state: "open" } });
+      }
+    });
+  }
+
+  /** Opens a mission where it was left, or from its beginning. */
+  openMission(id: string): void {
+    const mission = missions.find((each) => each.id === id);
+    if (mission === undefined) return;
+    const { storage, works } = this.#ports;
+    const challenge = this.#documentOf(mission);
+    const attempt = works.list().find((work) => work.id === storage.record.works[id]);
+    this.#leaveHome();
+    const [maze] = challenge.mazes;
+    if (attempt !== undefined) works.open(attempt);
+    else if (maze !== undefined) {
+      works.begin(maze, startingProgram(challenge));
+      this.#keep({ works: { ...storage.record.works, [id]: works.currentId() } });
+    }
+    this.#start(challenge, id);
+  }
+
+  /** Opens a shared challenge in a work of its own. */
+  openShared(challenge: ChallengeDocument, program: ProgramDocument | null): void {
+    const { works, storage } = this.#ports;
+    const [maze] = challenge.mazes;
+    if (maze === undefined) return;
+    this.#leaveHome();
+    works.begin(maze, program ?? startingProgram(challenge));
+    storage.keepChallenge(works.currentId(), JSON.stringify(challenge));
+    this.#start(challenge, null);
+  }
+
+  /** Brings the challenge that belongs to the open work, if there is one. The robot stays where it is. */
+  sync(): void {
+    const { works, storage } = this.#ports;
+    const id = storage.missionOf(works.currentId());
+    const mission = missions.find((each) => each.id === id);
+    if (mission !== undefined) {
+      this.#show(this.#documentOf(mission), mission.id);
+      return;
+    }
+    const text = storage.challengeOf(works.currentId());
+    const read = text === null ? null : readChallenge(text);
+    if (read?.ok === true) this.#show(read.value, null);
+  }
+
+  /** Shows another maze of the challenge; the program stays. */
+  showMaze(index: number): void {
+    const { challenge, workspace, simulator } = this.#ports;
+    const maze = challenge.getState().challenge?.mazes[index];
+    if (maze === undefined) return;
+    setMaze(workspace, { ...maze, name: workspace.getState().maze.name });
+    simulator.send({ type: "reset" });
+  }
+
+  /** Puts the program back to what the mission begins with; the message takes that back. */
+  beginAgain(): void {
+    const { challenge: store, workspace, simulator, screen, words } = this.#ports;
+    const { challenge } = store.getState();
+    if (challenge === null) return;
+    const start = startingProgram(challenge);
+    setProgram(workspace, start, newLineIds(start.rules.length));
+    simulator.send({ type: "reset" });
+    const begun = workspace.getState().program;
+    const id = tell(screen, {
+      tone: "info",
+      text: words.t("missions:card.begun"),
+      action: {
+        label: words.t("missions:path.undo"),
+        run: () => {
+          dismiss(screen, id);
+          if (workspace.getState().program === begun) undo(workspace);
+        },
+      },
+    });
+  }
+
+  /** Runs the program in all mazes of the challenge, without the page. */
+  async check(): Promise<void> {
+    const { challenge: store, workspace, screen, words } = this.#ports;
+    const { challenge } = store.getState();
+    const { program } = workspace.getState();
+    if (challenge === null) return;
+    store.setState({ isChecking: true });
+    let verdict: Verdict;
+    try {
+      verdict = await this.#checker.check({ challenge, program });
+    } catch {
+      tell(screen, { tone: "bad", text: words.t("lessons.notLoaded") });
+      store.setState({ isChecking: false });
+      return;
+    }
+    store.setState({ isChecking: false });
+    // The answer to a program that is no longer there.
+    if (store.getState().challenge !== challenge || workspace.getState().program !== program)
+      return;
+    store.setState({ verdict });
+    if (verdict.passed) {
+      const ticks = Math.max(...verdict.mazes.map((each) => each.ticks));
+      const bumps = Math.max(...verdict.mazes.map((each) => each.bumps));
+      const lines = program.rules.length;
+      store.setState({ result: { state: "met", driver: "program", ticks, bumps, lines } });
+      this.#setDone({ lines, ticks });
+    } else if (this.#judged.kind === "met" && verdict.mazes.length <= 1) {
+      const code = verdict.mazes.length === 0 ? (verdict.failure?.code ?? "edited") : "edited";
+      store.setState({ result: { state: "failed", code, tick: this.#judged.tick } });
+    }
+  }
+
+  /** The mission after the open one; null after the last, and where no mission is open. */
+  nextMission(): MissionId | null {
+    const { mission } = this.#ports.challenge.getState();
+    const at = missionIds.findIndex((id) => id === mission);
+    return at < 0 ? null : (missionIds[at + 1] ?? null);
+  }
+
+  /** Back to what was open before the first mission. Missions stay where they are. */
+  goHome(): void {
+    const { works, storage } = this.#ports;
+    const home = works.list().find((work) => work.id === storage.record.home);
+    const way = this.#wayHome;
+    this.#wayHome = null;
+    if (home !== undefined) works.open(home);
+    else if (way !== null) way();
+    else works.begin(firstMaze, firstProgram);
+    this.#ports.simulator.send({ type: "reset" });
+    this.#ports.simulator.send({ type: "driver", driver: "program" });
+  }
+
+  /** Forgets what is done; the message takes that back. Attempts stay on the device. */
+  forgetProgress(): void {
+    const { storage, screen, words } = this.#ports;
+    const { done } = storage.record;
+    this.#keep({ done: {} });
+    this.progress.setState({ done: {} });
+    const id = tell(screen, {
+      tone: "info",
+      text: words.t("missions:path.resetDone"),
+      action: {
+        label: words.t("missions:path.undo"),
+        run: () => {
+          dismiss(screen, id);
+          this.#keep({ done: { ...done, ...storage.record.done } });
+          this.progress.setState({ done: storage.record.done });
+        },
+      },
+    });
+  }
+
+  #documentOf(mission: Mission): ChallengeDocument {
+    const { words } = this.#ports;
+    const { t } = words;
+    const key = `missions:missions.${mission.id}` as const;
+    return challengeOf(mission, t(`${key}.name`), {
+      task: t(`${key}.task`),
+      short: t(`${key}.short`),
+      hints: Object.values(t(`${key}.hints`, { returnObjects: true })),
+    });
+  }
+
+  /** Remembers the reader's own work before the first mission opens. */
+  #leaveHome(): void {
+    const { works, challenge } = this.#ports;
+    if (challenge.getState().challenge !== null) return;
+    const { maze, program } = this.#ports.workspace.getState();
+    this.#wayHome = () => void works.begin(maze, program);
+    this.#keep({ home: works.currentId() });
+  }
+
+  #start(challenge: ChallengeDocument, mission: string | null): void {
+    const { simulator } = this.#ports;
+    const [driver = "program"] = challenge.allowed.drivers;
+    simulator.send({ type: "reset" });
+    simulator.send({ type: "driver", driver });
+    this.#show(challenge, mission);
+  }
+
+  #show(challenge: ChallengeDocument, mission: string | null): void {
+    const { challenge: store, workspace } = this.#ports;
+    const maze = indexOf(challenge, workspace.getState().maze);
+    if (maze === null) {
+      this.#detach();
+      return;
+    }
+    this.#work = this.#ports.works.currentId();
+    this.#begin(challenge, maze);
+    const rights = rightsOf(challenge);
+    store.setState({ ...noChallenge, challenge, mission, maze, rights, isInvited: false });
+  }
+
+  /** Another maze of the challenge is shown, or the reader made this work into something else. */
+  #followMaze(maze: MazeDocument): void {
+    const { challenge: store, works, screen, words } = this.#ports;
+    const { challenge, maze: shown } = store.getState();
+    if (challenge === null || works.currentId() !== this.#work) return;
+    const index = indexOf(challenge, maze);
+    if (index === null && challenge.allowed.maze) return;
+    if (index === null) {
+      this.#detach();
+      tell(screen, { tone: "info", text: words.t("missions:card.replaced") });
+    } else if (index !== shown) {
+      this.#begin(challenge, index);
+      store.setState({ maze: index, result: { state: "open" } });
+    }
+  }
+
+  /** The open work is an ordinary one from here on. */
+  #detach(): void {
+    const { works, storage, challenge } = this.#ports;
+    const work = works.currentId();
+    const left = Object.entries(storage.record.works).filter(([, id]) => id !== work);
+    this.#keep({ works: Object.fromEntries(left) });
+    storage.dropChallenge(work);
+    this.#judge = null;
+    challenge.setState(noChallenge);
+  }
+
+  #begin(challenge: ChallengeDocument, maze: number): void {
+    this.#judge = new AttemptJudge(challenge, maze);
+    this.#judged = { kind: "open" };
+  }
+
+  /** A snapshot came. */
+  #look(): void {
+    const { run, challenge: store } = this.#ports;
+    const { snapshot, view } = run.getState();
+    const { challenge } = store.getState();
+    if (snapshot === null || view !== "now" || challenge === null || this.#judge === null) return;
+    const judged = this.#judge.see(snapshot);
+    if (judged === this.#judged) return;
+    this.#judged = judged;
+    if (judged.kind === "open") store.setState({ result: { state: "open" } });
+    else if (judged.kind === "failed") {
+      store.setState({ result: { state: "failed", code: judged.code, tick: judged.tick } });
+    } else this.#meet(challenge, judged);
+  }
+
+  /** A hand's drive counts as it was; a program's is run once more from the start, in every maze. */
+  #meet(challenge: ChallengeDocument, met: Extract<Judgement, { kind: "met" }>): void {
+    const { challenge: store, workspace } = this.#ports;
+    const { driver, tick: ticks, bumps } = met;
+    const lines = driver === "program" ? workspace.getState().program.rules.length : 0;
+    if (driver !== "program") {
+      store.setState({ result: { state: "met", driver, ticks, bumps, lines } });
+      this.#setDone({ lines, ticks });
+      return;
+    }
+    store.setState({ result: { state: "here", ticks, bumps, lines } });
+    if (challenge.mazes.length === 1) void this.check();
+  }
+
+  #setDone(done: Done): void {
+    const { storage, challenge } = this.#ports;
+    const { mission } = challenge.getState();
+    if (mission === null) return;
+    const before = storage.record.done[mission];
+    const isBetter =
+      before === undefined ||
+      done.lines < before.lines ||
+      (done.lines === before.lines && done.ticks < before.ticks);
+    if (isBetter) this.#keep({ done: { ...storage.record.done, [mission]: done } });
+    this.progress.setState({ done: storage.record.done });
+  }
+
+  #keep(part: Partial<LessonsRecord>): void {
+    const { storage, screen, words } = this.#ports;
+    if (storage.change(part)) return;
+    tell(screen, { tone: "bad", text: words.t("missions:card.blocked") });
+  }
+}
+
+/** Which maze of a challenge this is, whatever it is called; null when it is none of them. */
+function indexOf({ mazes }: ChallengeDocument, maze: MazeDocument): number | null {
+  const at = mazes.findIndex((each) => placesOf(each) === placesOf(maze));
+  return at < 0 ? null : at;
+}
+
+function placesOf({ blocks, start, goals }: MazeDocument): string {
+  return JSON.stringify([
+    blocks,
+    [start.column, start.row, start.heading],
+    goals.map(({ column, row }) => [column, row]),
+  ]);
+}

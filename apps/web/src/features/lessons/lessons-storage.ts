@@ -1,0 +1,120 @@
+/**
+ * What the device remembers of the lessons: missions that are done, which work holds the attempt at
+ * which mission, and where the reader came from. Shared challenges are kept by the work that they are
+ * tried in. Without a schema, so that the first screen can ask it.
+ */
+import type { KeyValueStorage } from "../../app/works.ts";
+
+/** What a mission took when it was done, at its best: the fewest lines, then the shortest time. */
+export interface Done {
+  lines: number;
+  ticks: number;
+}
+
+export interface LessonsRecord {
+  /** by id of the mission; ids of a later Corridor are kept as they are */
+  done: Readonly<Record<string, Done>>;
+  /** id of the work that holds the attempt, by id of the mission */
+  works: Readonly<Record<string, string>>;
+  /** id of the work that was open before the first mission; null when it is not known */
+  home: string | null;
+}
+
+const KEY = "corridor.lessons";
+const CHALLENGE_PREFIX = "corridor.challenge.";
+const nothing: LessonsRecord = { done: {}, works: {}, home: null };
+
+export class LessonsStorage {
+  readonly #device: KeyValueStorage;
+  /** also when the device keeps nothing, the page remembers */
+  #record: LessonsRecord;
+  readonly #challenges = new Map<string, string>();
+
+  constructor(device: KeyValueStorage) {
+    this.#device = device;
+    this.#record = parse(device.getItem(KEY));
+  }
+
+  /** Whether this device has seen the lessons, or was asked and said no. */
+  get isKnown(): boolean {
+    return this.#device.getItem(KEY) !== null;
+  }
+
+  get record(): LessonsRecord {
+    return this.#record;
+  }
+
+  /** @returns whether the device keeps it */
+  change(part: Partial<LessonsRecord>): boolean {
+    // Another tab may have added something since.
+    const stored = parse(this.#device.getItem(KEY));
+    this.#record = {
+      done: part.done ?? { ...stored.done, ...this.#record.done },
+      works: part.works ?? { ...stored.works, ...this.#record.works },
+      home: part.home === undefined ? this.#record.home : part.home,
+    };
+    return this.#keep(KEY, JSON.stringify(this.#record));
+  }
+
+  /** The mission whose attempt this work is; null when it is none. */
+  missionOf(work: string): string | null {
+    return Object.entries(this.#record.works).find(([, id]) => id === work)?.[0] ?? null;
+  }
+
+  /** The text of the shared challenge that is tried in this work; null when there is none. */
+  challengeOf(work: string): string | null {
+    return this.#challenges.get(work) ?? this.#device.getItem(CHALLENGE_PREFIX + work);
+  }
+
+  /** @returns whether the device keeps it */
+  keepChallenge(work: string, text: string): boolean {
+    this.#challenges.set(work, text);
+    return this.#keep(CHALLENGE_PREFIX + work, text);
+  }
+
+  dropChallenge(work: string): void {
+    this.#challenges.delete(work);
+    this.#device.removeItem(CHALLENGE_PREFIX + work);
+  }
+
+  #keep(key: string, text: string): boolean {
+    try {
+      this.#device.setItem(key, text);
+      return true;
+    } catch {
+      return false;
+    }
+  }
+}
+
+/** What cannot be read counts as nothing: the works themselves are kept elsewhere. */
+function parse(text: string | null): LessonsRecord {
+  let input: unknown;
+  try {
+    input = JSON.parse(text ?? "null");
+  } catch {
+    return nothing;
+  }
+  if (typeof input !== "object" || input === null) return nothing;
+  const { done, works, home } = input as Record<string, unknown>;
+  return {
+    done: entriesOf(done, isDone),
+    works: entriesOf(works, (value): value is string => typeof value === "string"),
+    home: typeof home === "string" ? home : null,
+  };
+}
+
+function entriesOf<Value>(
+  input: unknown,
+  isValue: (value: unknown) => value is Value,
+): Record<string, Value> {
+  if (typeof input !== "object" || input === null) return {};
+  const entries: [string, unknown][] = Object.entries(input);
+  return Object.fromEntries(entries.filter((entry): entry is [string, Value] => isValue(entry[1])));
+}
+
+function isDone(value: unknown): value is Done {
+  if (typeof value !== "object" || value === null) return false;
+  const { lines, ticks } = value as Record<string, unknown>;
+  return typeof lines === "number" && typeof ticks === "number";
+}
