@@ -5,6 +5,7 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { DriverChoice } from "../features/drive/DriverChoice.tsx";
+import { LessonsDialog } from "../features/lessons/lazy-lessons.ts";
 import { FileDoor } from "../features/files/FileDoor.tsx";
 import { Messages } from "../features/messages/Messages.tsx";
 import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
@@ -41,7 +42,7 @@ export function App() {
 function Page() {
   const { t } = useTranslation();
   const isPhone = useMediaQuery("(max-width: 599px)");
-  const [opened, setOpened] = useState<"keys" | "remote" | null>(null);
+  const [opened, setOpened] = useState<"keys" | "remote" | "lessons" | null>(null);
   const hold = useKeyboard(() => setOpened("keys"));
   const close = () => setOpened(null);
   return (
@@ -50,6 +51,7 @@ function Page() {
         isPhone={isPhone}
         onKeys={() => setOpened("keys")}
         onRemote={() => setOpened("remote")}
+        onLessons={() => setOpened("lessons")}
       />
       <main className={styles["stage"]}>
         <Stage />
@@ -71,6 +73,7 @@ function Page() {
           </div>
         </>
       )}
+      <LessonsDialog isOpen={opened === "lessons"} onClose={close} />
       <ShortcutsDialog isOpen={opened === "keys"} onClose={close} />
       <Dialog isOpen={opened === "remote"} onClose={close} title={t("drive.remote")}>
         <div className={styles["remote"]}>

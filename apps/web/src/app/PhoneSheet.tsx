@@ -4,6 +4,7 @@ import { useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { DriveTab } from "../features/drive/DriveTab.tsx";
 import type { HoldStore } from "../features/drive/hold-store.ts";
+import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
 import { LazyPresetsPanel } from "../features/presets/lazy-presets-panel.ts";
 import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
 import { Tabs } from "../ui/Tabs.tsx";
@@ -39,6 +40,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
         }}
         panelClassName={styles["sheetContent"]}
       >
+        {tab !== "presets" && <MissionPlace />}
         {tab === "drive" && <DriveTab hold={hold} />}
         {tab === "program" && <ProgramEditor />}
         {tab === "presets" && <LazyPresetsPanel />}

@@ -4,6 +4,7 @@ import { useStore } from "zustand";
 import { DriveFoot } from "../features/drive/DriveFoot.tsx";
 import { DriverChoice } from "../features/drive/DriverChoice.tsx";
 import type { HoldStore } from "../features/drive/hold-store.ts";
+import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
 import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
 import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
 import styles from "./app.module.css";
@@ -25,6 +26,7 @@ export function SidePanel({ hold }: { hold: HoldStore }) {
       ) : (
         <>
           <div className={styles["program"]}>
+            <MissionPlace />
             <ProgramEditor />
           </div>
           <DriveFoot hold={hold} />

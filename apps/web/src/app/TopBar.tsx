@@ -1,9 +1,10 @@
 /** The bar at the top: the mark, the maze, and what can be done with it. */
-import { Ellipsis, Keyboard, RadioTower } from "lucide-react";
+import { Ellipsis, Keyboard, RadioTower, Target } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { LazyFileMenuItems } from "../features/files/lazy-file-menu-items.ts";
 import { LanguageButton } from "../features/language/LanguageButton.tsx";
 import { LanguageSelect } from "../features/language/LanguageSelect.tsx";
+import { LessonsButton } from "../features/lessons/LessonsButton.tsx";
 import { PresetsButton } from "../features/presets/PresetsButton.tsx";
 import { ShareButton } from "../features/share/ShareButton.tsx";
 import { ThemeButton } from "../features/theme/ThemeButton.tsx";
@@ -18,9 +19,10 @@ interface TopBarProps {
   isPhone: boolean;
   onKeys: () => void;
   onRemote: () => void;
+  onLessons: () => void;
 }
 
-export function TopBar({ isPhone, onKeys, onRemote }: TopBarProps) {
+export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
   return (
     <header className={styles["bar"]}>
@@ -28,9 +30,10 @@ export function TopBar({ isPhone, onKeys, onRemote }: TopBarProps) {
       <MazeMenu />
       <div className={styles["barEnd"]}>
         {!isPhone && <PresetsButton />}
+        {!isPhone && <LessonsButton />}
         <ShareButton />
         {isPhone ? (
-          <More onKeys={onKeys} onRemote={onRemote} />
+          <More onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
         ) : (
           <div className={styles["barLast"]}>
             <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
@@ -46,7 +49,7 @@ export function TopBar({ isPhone, onKeys, onRemote }: TopBarProps) {
 }
 
 /** What a phone's bar has no room for. */
-function More({ onKeys, onRemote }: Omit<TopBarProps, "isPhone">) {
+function More({ onKeys, onRemote, onLessons }: Omit<TopBarProps, "isPhone">) {
   const { t } = useTranslation();
   const menu = usePopover();
   return (
@@ -55,6 +58,9 @@ function More({ onKeys, onRemote }: Omit<TopBarProps, "isPhone">) {
         <Ellipsis aria-hidden="true" />
       </IconButton>
       <Popover {...menu.panel} label={t("shell.more")} align="end">
+        <MenuItem icon={<Target aria-hidden="true" />} onSelect={onLessons}>
+          {t("lessons.lessons")}
+        </MenuItem>
         <MenuItem icon={<RadioTower aria-hidden="true" />} onSelect={onRemote}>
           {t("drive.remote")}
         </MenuItem>

@@ -5,6 +5,9 @@
 import type { i18n } from "i18next";
 import { createContext, useContext } from "react";
 import { createSolvedStore, type SolvedStore } from "../features/presets/solved-presets.ts";
+import { LessonsGate } from "../features/lessons/lessons-gate.ts";
+import { LessonsStorage } from "../features/lessons/lessons-storage.ts";
+import { createChallengeStore, type ChallengeStore } from "../stores/challenge-store.ts";
 import { createMomentTeller } from "../stores/moment-teller.ts";
 import { createRemoteStore, type RemoteStore } from "../stores/remote-store.ts";
 import { createRunStore, type RunStore } from "../stores/run-store.ts";
@@ -28,7 +31,7 @@ export interface Browser {
   device: KeyValueStorage;
   /** sessionStorage: what stays in this tab */
   tab: KeyValueStorage;
-  words: Pick<i18n, "t">;
+  words: Pick<i18n, "t" | "loadNamespaces">;
   /** reads stored works; loaded already where something is stored */
   reader: WorkReader;
 }
@@ -46,6 +49,9 @@ export interface Services {
   /** ready-made mazes that were solved on this device */
   solved: SolvedStore;
   connection: RemoteConnection;
+  /** the challenge that is open, if any */
+  challenge: ChallengeStore;
+  lessons: LessonsGate;
 }
 
 /** Builds everything and connects it: documents flow to the worker, what it tells flows to the stores. */
@@ -115,7 +121,32 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
   const works = new WorksService({ shelf, current, workspace, screen, words, later });
   const connection = new RemoteConnection({ simulator, remote, run, tab });
   const solved = createSolvedStore({ run, workspace, device });
-  return { simulator, workspace, run, timeline, remote, screen, shownRun, works, solved, connection };
+  const challenge = createChallengeStore();
+  const storage = new LessonsStorage(device);
+  const lessons = new LessonsGate({
+    simulator,
+    workspace,
+    run,
+    screen,
+    works,
+    challenge,
+    storage,
+    words,
+  });
+  return {
+    simulator,
+    workspace,
+    run,
+    timeline,
+    remote,
+    screen,
+    shownRun,
+    works,
+    solved,
+    connection,
+    challenge,
+    lessons,
+  };
 }
 
 /** A random id. Not crypto.randomUUID: pages that are not secure do not have it. */

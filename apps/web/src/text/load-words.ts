@@ -12,6 +12,8 @@ export interface Words {
 
 type Loader = () => Promise<Words>;
 
+const englishMissions: Loader = async () => (await import("./en/missions.json")).default;
+
 /** The compiler asks for a line here for each language and each namespace. */
 const loaders: {
   words: Record<Exclude<LanguageTag, "en">, Loader>;
@@ -19,6 +21,12 @@ const loaders: {
   words: {
     ar: async () => (await import("./ar/index.ts")).ar,
     de: async () => (await import("./de/index.ts")).de,
+  },
+  missions: {
+    en: englishMissions,
+    // Drafts speak English here until their missions are translated.
+    ar: englishMissions,
+    de: englishMissions,
   },
 };
 

@@ -4,9 +4,12 @@
  * loaded in whatever language the page has when it is first used: `useTranslation("missions")`.
  */
 import type { en } from "./en/index.ts";
+import type missions from "./en/missions.json";
 
 export interface Namespaces {
   words: typeof en;
+  /** the lessons */
+  missions: typeof missions;
 }
 
 export type Namespace = keyof Namespaces;

@@ -10,6 +10,7 @@ import { Button, IconButton } from "../../ui/Button.tsx";
 import { lazyDialog } from "../../ui/lazy-part.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
 import { ViewMenu } from "./ViewMenu.tsx";
+import { ChallengePlace } from "../lessons/OpenChallenge.tsx";
 import styles from "./tool-strip.module.css";
 
 const ClearDialog = lazyDialog(async () => (await import("./ClearDialog.tsx")).ClearDialog);
@@ -68,6 +69,7 @@ export function ToolStrip() {
           <span className={styles["word"]}>{t("stage.resize")}</span>
         </Button>
       </div>
+      <ChallengePlace />
       <ViewMenu onClear={() => setDialog("clear")} onResize={() => setDialog("resize")} />
       <ClearDialog isOpen={dialog === "clear"} onClose={close} />
       <ResizeDialog isOpen={dialog === "resize"} onClose={close} />

@@ -2,6 +2,7 @@
 import drive from "./drive.json" with { type: "json" };
 import files from "./files.json" with { type: "json" };
 import language from "./language.json" with { type: "json" };
+import lessons from "./lessons.json" with { type: "json" };
 import offline from "./offline.json" with { type: "json" };
 import presets from "./presets.json" with { type: "json" };
 import program from "./program.json" with { type: "json" };
@@ -16,6 +17,7 @@ export const en = {
   drive,
   files,
   language,
+  lessons,
   offline,
   presets,
   program,
