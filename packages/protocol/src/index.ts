@@ -37,7 +37,7 @@ export {
   type Resume,
 } from "./messages.ts";
 export { problemSchema, type ProblemDocument } from "./problem.ts";
-export { type DriverName, type Pose, type SensorReadings } from "./quantities.ts";
+export { driverSchema, type DriverName, type Pose, type SensorReadings } from "./quantities.ts";
 export { registrationSchema, robotIdSchema, type Registration } from "./registration.ts";
 export { snapshotSchema, type LineRef, type RobotReport, type Snapshot } from "./snapshot.ts";
 export type { SocketEvents, SocketFactory, SocketPort } from "./socket-port.ts";

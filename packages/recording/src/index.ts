@@ -1,5 +1,13 @@
-export type { RunDocument } from "./run-document.ts";
+export type { BumpCause } from "./approach.ts";
+export { openRun } from "./open-run.ts";
+export type { PlaceLog } from "./place-log.ts";
+export type { Playback } from "./playback.ts";
+export { Recording, type WrittenRun } from "./recording.ts";
+export { type RunDocument } from "./run-document.ts";
 export { type RunInput, type TimedInput } from "./run-input.ts";
+export { MAX_RUN_TEXT_LENGTH } from "./run-limits.ts";
+export { parseRun, readRun } from "./run-schema.ts";
+export { Run } from "./run.ts";
 export {
   Timeline,
   turnNames,

@@ -7,7 +7,7 @@ export type RunInput =
   /** somebody else takes the robot, which stops */
   | { do: "driver"; driver: DriverName }
   /** a command of the hand, or with its number `seq` a script's */
-  | { do: "command"; command: Command; seq?: number }
+  | { do: "command"; command: Command; seq?: number | undefined }
   /** what the script's command does is over before its end */
   | { do: "cancel" }
   | { do: "program"; program: ProgramDocument }

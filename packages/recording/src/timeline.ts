@@ -6,7 +6,7 @@
  * kind closer than that are one mark; where a run of many hours has too many all the same, that
  * shortest time doubles.
  *
- * The end that records calls `drives`, `happened` and `forgetFrom`; what changed crosses to another
+ * The end that records calls `drives`, `happened` and `forgetAfter`; what changed crosses to another
  * thread by `take` and `merge`.
  */
 import type { LineRef } from "@corridor/protocol";
@@ -177,19 +177,15 @@ export class Timeline {
     this.#endTick = tick;
   }
 
-  /** Forgets what came after the end of `tick`: the run goes on from there in another way. */
+  /** Forgets what came after the end of `tick`, and what was decided there: another way follows. */
   forgetAfter(tick: number): void {
-    this.#cutStretches(this.#ticks.countUpTo(tick));
-    this.#cutEvents(this.eventsUpTo(tick));
+    this.#cutStretches(this.#ticks.countUpTo(tick - 1));
+    let events = this.eventsUpTo(tick);
+    while (this.#eventTicks.at(events - 1) === tick && isTurn(this.#eventCodes.at(events - 1))) {
+      events--;
+    }
+    this.#cutEvents(events);
     this.#endTick = tick;
-  }
-
-  /** Forgets everything: a new run begins. */
-  clear(): void {
-    this.#cutStretches(0);
-    this.#cutEvents(0);
-    this.#endTick = 0;
-    this.#shortest = SHORTEST;
   }
 
   /** What changed since the last call; null when nothing did. */
@@ -266,6 +262,10 @@ export class Timeline {
     this.#eventWhos.truncate(length);
     this.#sameEvents = Math.min(this.#sameEvents, length);
   }
+}
+
+function isTurn(code: number): boolean {
+  return code < turnNames.length;
 }
 
 function codeOfWho(who: Who): number {

@@ -60,13 +60,18 @@ export class ProgramRun {
     this.#decisions = state.decisions.slice();
   }
 
-  /** Takes the decision for the next tick, unless it is taken or a manoeuvre runs. */
-  decide(): void {
+  /**
+   * Takes the decision for the next tick, unless it is taken or a manoeuvre runs.
+   * @returns the command that was decided now; null when nothing was to be decided
+   */
+  decide(): Command | null {
     const simulation = this.#simulation;
-    if (this.#isDecided || simulation.isManoeuvring) return;
+    if (this.#isDecided || simulation.isManoeuvring) return null;
     this.#rule = this.#decider.decide(simulation.readings);
     this.#isDecided = true;
-    simulation.apply(this.#decider.commandOf(this.#rule));
+    const command = this.#decider.commandOf(this.#rule);
+    simulation.apply(command);
+    return command;
   }
 
   /** Drops a decision whose tick has not run: the readings or the rules have changed. */

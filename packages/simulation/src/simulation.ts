@@ -143,6 +143,11 @@ export class Simulation {
     return this.#motion.isManoeuvring;
   }
 
+  /** Index of the manoeuvre's part that runs, or ran last. */
+  get part(): number {
+    return this.#motion.part;
+  }
+
   /** How far the manoeuvre is; null when none runs. */
   get progress(): Progress | null {
     return this.#motion.progress;
@@ -177,6 +182,15 @@ export class Simulation {
   get cell(): number {
     const { x, y } = this.#physics;
     return ((y / CELL) | 0) * this.#grid.columns + ((x / CELL) | 0);
+  }
+
+  /** The robot's centre, in units. */
+  get x(): number {
+    return this.#physics.x;
+  }
+
+  get y(): number {
+    return this.#physics.y;
   }
 
   get pose(): Pose {

@@ -76,6 +76,11 @@ export class MotionController {
     return this.#isManoeuvre;
   }
 
+  /** Index of the part that runs; 0 where the motion has no parts. */
+  get part(): number {
+    return this.#next;
+  }
+
   /** How far the manoeuvre is; null when none runs. */
   get progress(): Progress | null {
     const part = this.#parts[this.#next];

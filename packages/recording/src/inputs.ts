@@ -1,0 +1,97 @@
+/**
+ * The inputs of a run in the order of their ticks.
+ */
+import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument, Rule } from "@corridor/program";
+import type { RunInput, TimedInput } from "./run-input.ts";
+
+/** What a robot runs in and by. */
+export interface Documents {
+  maze: MazeDocument;
+  program: ProgramDocument;
+}
+
+export class Inputs {
+  readonly #inputs: TimedInput[] = [];
+  #revision = 0;
+
+  get length(): number {
+    return this.#inputs.length;
+  }
+
+  /** Rises with each change. */
+  get revision(): number {
+    return this.#revision;
+  }
+
+  at(index: number): TimedInput | undefined {
+    return this.#inputs[index];
+  }
+
+  /** What the run began with is another: documents written before are out of date. */
+  touch(): void {
+    this.#revision++;
+  }
+
+  /** @param current the documents of the run before this input: what an edit leaves alone is kept once */
+  add(tick: number, input: RunInput, current: Documents): void {
+    this.#revision++;
+    this.#inputs.push({ tick, ...shared(input, current) });
+  }
+
+  /**
+   * Takes back the edits that stand at the end, from an index on, all but those of a kind.
+   * @returns those that were left
+   */
+  dropEdits(from: number, kind: "program" | "maze"): TimedInput[] {
+    const left = this.#inputs.slice(from).filter((input) => input.do !== kind);
+    this.#inputs.length = from;
+    this.#inputs.push(...left);
+    return left;
+  }
+
+  /** Index of the first input at or after a tick. */
+  indexAt(tick: number): number {
+    let low = 0;
+    let high = this.#inputs.length;
+    while (low < high) {
+      const middle = (low + high) >>> 1;
+      if ((this.#inputs[middle]?.tick ?? Infinity) < tick) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  }
+
+  forgetAfter(tick: number): void {
+    this.#revision++;
+    this.#inputs.length = this.indexAt(tick + 1);
+  }
+
+  list(): TimedInput[] {
+    return [...this.#inputs];
+  }
+}
+
+/** The input with every line or row that it leaves as it was taken from the documents before it. */
+function shared(input: RunInput, current: Documents): RunInput {
+  if (input.do === "program") {
+    const rules = input.program.rules.map((rule, index) => {
+      const before = current.program.rules[index];
+      return before !== undefined && isSameRule(before, rule) ? before : rule;
+    });
+    return { do: "program", program: { ...input.program, rules } };
+  }
+  if (input.do === "maze") {
+    const blocks = input.maze.blocks.map((row, index) => {
+      const before = current.maze.blocks[index];
+      // Equal texts, but one copy of it in memory.
+      return before === row ? before : row;
+    });
+    return { do: "maze", maze: { ...input.maze, blocks } };
+  }
+  return input;
+}
+
+function isSameRule(one: Rule, other: Rule): boolean {
+  return JSON.stringify(one) === JSON.stringify(other);
+}

@@ -1,0 +1,54 @@
+/** A run of its own that goes through what was recorded: the shown past, and the way to any moment. */
+import type { Inputs } from "./inputs.ts";
+import type { Keyframes } from "./keyframes.ts";
+import { Run } from "./run.ts";
+
+export class Playback {
+  readonly #inputs: Inputs;
+  readonly #keyframes: Keyframes;
+  readonly #run: Run;
+  /** index of the next input */
+  #next = 0;
+
+  constructor(inputs: Inputs, keyframes: Keyframes) {
+    this.#inputs = inputs;
+    this.#keyframes = keyframes;
+    const { maze, program } = keyframes.before(0).state;
+    this.#run = new Run(maze, program);
+    this.#takeInputs();
+  }
+
+  /** The run at the moment that was gone to; not to be changed. */
+  get run(): Run {
+    return this.#run;
+  }
+
+  /** Goes to the moment at the end of a tick of the recording, with all inputs that came there. */
+  goTo(tick: number): void {
+    const { state } = this.#keyframes.before(tick);
+    const isAhead = tick >= this.#run.tick && this.#run.tick >= state.simulation.tick;
+    if (!isAhead) {
+      this.#run.restore(state);
+      this.#next = this.#inputs.indexAt(this.#run.tick);
+      this.#takeInputs();
+    }
+    while (this.#run.tick < tick) this.step();
+  }
+
+  /** One tick of the recording. */
+  step(): void {
+    this.#run.step();
+    this.#takeInputs();
+  }
+
+  #takeInputs(): void {
+    const { tick } = this.#run;
+    for (
+      let input = this.#inputs.at(this.#next);
+      input?.tick === tick;
+      input = this.#inputs.at(++this.#next)
+    ) {
+      this.#run.apply(input);
+    }
+  }
+}

@@ -1,0 +1,175 @@
+import { plainActions } from "@corridor/protocol";
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { openRun } from "./open-run.ts";
+import { Recording } from "./recording.ts";
+import { readRun } from "./run-schema.ts";
+import type { Run } from "./run.ts";
+import {
+  anyLivelyProgram,
+  anyOperations,
+  anySmallMaze,
+  perform,
+  type Operation,
+} from "./testing/operations.ts";
+
+/** All that is shown of a moment. */
+function shownOf(run: Run): unknown {
+  const { driver, line, command, progress, decidedAt, maze, program } = run;
+  return { ...run.report(), driver, line, command, progress, decidedAt, maze, program };
+}
+
+/** Records the operations; with what was live at each tick, inputs included. */
+function record(recording: Recording, operations: readonly Operation[]): Map<number, unknown> {
+  const live = new Map<number, unknown>();
+  const note = () => live.set(recording.run.tick, shownOf(recording.run));
+  note();
+  for (const operation of operations) {
+    perform(recording, operation, note);
+    note();
+  }
+  return live;
+}
+
+function fileOf(recording: Recording): string {
+  const written = recording.toDocument("any");
+  if (!written.ok) throw new Error(written.reason);
+  return JSON.stringify(written.run);
+}
+
+const anyRun = fc.record({
+  maze: anySmallMaze,
+  program: anyLivelyProgram,
+  operations: anyOperations,
+});
+
+describe("a run of any operations", () => {
+  it("as a file replays to the same bits, and so does the file of that replay", () => {
+    let ticks = 0;
+    fc.assert(
+      fc.property(anyRun, ({ maze, program, operations }) => {
+        const recording = new Recording(maze, program);
+        record(recording, operations);
+        let file = fileOf(recording);
+        for (let copy = 0; copy < 2; copy++) {
+          const read = readRun(file);
+          if (!read.ok) throw new Error(JSON.stringify(read.problems));
+          const opened = openRun(read.value);
+          if (!opened.ok) throw new Error(JSON.stringify(opened.problems));
+          expect(shownOf(opened.value.run)).toEqual(shownOf(recording.run));
+          expect(opened.value.run.digest()).toBe(recording.run.digest());
+          file = fileOf(opened.value);
+        }
+        ticks += recording.run.tick;
+      }),
+      { numRuns: 200 },
+    );
+    expect(ticks).toBeGreaterThan(10_000);
+  });
+
+  it("shows every moment again as it was live, in any order", () => {
+    fc.assert(
+      fc.property(
+        anyRun,
+        fc.array(fc.nat(), { minLength: 1, maxLength: 8 }),
+        ({ maze, program, operations }, moments) => {
+          const recording = new Recording(maze, program);
+          const live = record(recording, operations);
+          const playback = recording.playback();
+          for (const moment of moments) {
+            const tick = moment % (recording.run.tick + 1);
+            playback.goTo(tick);
+            expect(shownOf(playback.run)).toEqual(live.get(tick));
+          }
+        },
+      ),
+      { numRuns: 200 },
+    );
+  });
+
+  it("cut anywhere and run on is the run that these inputs alone would have made", () => {
+    fc.assert(
+      fc.property(
+        anyRun,
+        fc.nat(),
+        anyOperations,
+        ({ maze, program, operations }, moment, later) => {
+          const recording = new Recording(maze, program);
+          const live = record(recording, operations);
+          const tick = moment % (recording.run.tick + 1);
+          recording.truncate(tick);
+          expect(shownOf(recording.run)).toEqual(live.get(tick));
+          record(recording, later);
+          const opened = openRun(JSON.parse(fileOf(recording)));
+          if (!opened.ok) throw new Error(JSON.stringify(opened.problems));
+          const fresh = opened.value;
+          expect(fresh.run.digest()).toBe(recording.run.digest());
+          const end = recording.run.tick;
+          for (const log of ["corners", "bumps"] as const) {
+            const count = recording[log].countUpTo(end);
+            expect(fresh[log].countUpTo(end)).toBe(count);
+            expect(fresh[log].between(0, count)).toEqual(recording[log].between(0, count));
+          }
+        },
+      ),
+      { numRuns: 200 },
+    );
+  });
+
+  it("steps back and on from decision to decision, and to nothing else", () => {
+    fc.assert(
+      fc.property(anyRun, fc.nat(), ({ maze, program, operations }, moment) => {
+        const recording = new Recording(maze, program);
+        const decisions = new Set([0]);
+        const note = () => decisions.add(recording.run.decidedAt);
+        for (const operation of operations) {
+          perform(recording, operation, note);
+          note();
+        }
+        const ticks = [...decisions].toSorted((a, b) => a - b);
+        const tick = moment % (recording.run.tick + 1);
+        const playback = recording.playback();
+        expect(recording.decisionBefore(tick, playback)).toBe(
+          ticks.findLast((each) => each < tick) ?? 0,
+        );
+        expect(recording.decisionAfter(tick, playback)).toBe(
+          ticks.find((each) => each > tick) ?? null,
+        );
+      }),
+      { numRuns: 200 },
+    );
+  });
+});
+
+describe("steps over a long straight drive", () => {
+  const maze = {
+    format: "corridor/maze" as const,
+    version: 1 as const,
+    name: "corridor",
+    blocks: [".".repeat(40)],
+    start: { column: 0, row: 0, heading: "east" as const },
+    goals: [],
+  };
+  const program = {
+    format: "corridor/program" as const,
+    version: 1 as const,
+    name: "turn at the end",
+    default: "forward" as const,
+    rules: [
+      { when: { sensor: "front" as const, is: "<" as const, than: 50 }, do: plainActions[5] },
+    ],
+  };
+
+  it("take it for one decision, past every keyframe on its way", () => {
+    const recording = new Recording(maze, program);
+    for (let tick = 0; tick < 6000; tick++) recording.step();
+    const playback = recording.playback();
+    const turn = recording.decisionAfter(0, playback);
+    expect(turn).toBeGreaterThan(2300);
+    expect(turn).toBeLessThan(2400);
+    const drive = recording.decisionAfter(turn ?? 0, playback);
+    expect(drive).toBe((turn ?? 0) + 72);
+    expect(recording.decisionBefore(5000, playback)).toBeGreaterThan(4600);
+    expect(recording.decisionBefore(turn ?? 0, playback)).toBe(0);
+  });
+});

@@ -1,0 +1,237 @@
+/**
+ * A run with its past: the live run and all that it takes to show any earlier moment of it, to go on
+ * from there in another way, and to give the whole as a document.
+ *
+ * Kept are the inputs, sparse keyframes, the timeline and the trail, in packed arrays; every other
+ * moment is run again from the keyframe before it, by the same class that ran it live.
+ */
+import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
+import type { Command } from "@corridor/protocol";
+import { Inputs, type Documents } from "./inputs.ts";
+import { Keyframes } from "./keyframes.ts";
+import { PlaceLog } from "./place-log.ts";
+import { Playback } from "./playback.ts";
+import type { RunDocument } from "./run-document.ts";
+import type { RunInput } from "./run-input.ts";
+import { MAX_RUN_INPUTS, MAX_RUN_TICKS } from "./run-limits.ts";
+import { Run, type RunState } from "./run.ts";
+import { Timeline, type TurnName } from "./timeline.ts";
+import { TrailPen } from "./trail-pen.ts";
+
+/** A run as a document, or why it cannot be one. */
+export type WrittenRun =
+  | { ok: true; run: RunDocument }
+  | { ok: false; reason: "too-long" | "too-many-inputs" };
+
+/** Edits of one tick: the index of the first, and the run before it. */
+interface EditsOfTick {
+  from: number;
+  before: RunState;
+}
+
+/** Bytes of an input beside the documents that it shares with others, roughly. */
+const INPUT_BYTES = 400;
+
+export class Recording {
+  readonly timeline = new Timeline();
+  /** corners of the trail */
+  readonly corners = new PlaceLog();
+  /** where the robot's centre was at each bump */
+  readonly bumps = new PlaceLog();
+  readonly #run: Run;
+  readonly #inputs = new Inputs();
+  readonly #pen: TrailPen;
+  #first: Documents;
+  #keyframes: Keyframes;
+  #edits: EditsOfTick | null = null;
+
+  constructor(maze: MazeDocument, program: ProgramDocument) {
+    this.#first = { maze, program };
+    this.#run = new Run(maze, program);
+    const { x, y } = this.#run;
+    this.#pen = new TrailPen(x, y);
+    this.corners.push(0, x, y);
+    this.#keyframes = new Keyframes({ state: this.#run.save(), pen: this.#pen.save() });
+  }
+
+  /** The live run: its newest moment. To be changed by `input` and `step` only. */
+  get run(): Run {
+    return this.#run;
+  }
+
+  /** Rises whenever inputs came or were forgotten: then a document written before is out of date. */
+  get revision(): number {
+    return this.#inputs.revision;
+  }
+
+  /** Bytes held, roughly. */
+  get byteLength(): number {
+    const { timeline, corners, bumps } = this;
+    return (
+      timeline.byteLength +
+      corners.byteLength +
+      bumps.byteLength +
+      this.#keyframes.byteLength +
+      this.#inputs.length * INPUT_BYTES
+    );
+  }
+
+  /**
+   * Gives the run an input at the end of its newest tick.
+   * @returns false where it cannot be: then nothing has changed
+   */
+  input(input: RunInput): boolean {
+    const run = this.#run;
+    if (input.do === "program" && run.tick === 0 && this.#inputs.length === 0) {
+      this.#beginWith(input.program);
+      return true;
+    }
+    const before = { maze: run.maze, program: run.program };
+    const isEdit = input.do === "program" || input.do === "maze";
+    const edits = isEdit ? this.#editsOfThisTick() : null;
+    if (!run.apply(input)) return false;
+    if (isEdit && edits !== null) this.#redo(edits, input);
+    this.#edits = edits;
+    this.#inputs.add(run.tick, input, before);
+    if (isEdit) {
+      this.timeline.happened({ kind: "edit", what: input.do, tick: run.tick, who: run.who });
+    }
+    return true;
+  }
+
+  /** Where the edits at this tick begin that nothing but edits came after, and the run before them. */
+  #editsOfThisTick(): EditsOfTick {
+    const edits = this.#edits;
+    if (edits !== null && edits.before.simulation.tick === this.#run.tick) return edits;
+    return { from: this.#inputs.length, before: this.#run.save() };
+  }
+
+  /** Of the edits of one tick only the last of each kind counts: the run is as if the others never came. */
+  #redo({ from, before }: EditsOfTick, last: Extract<RunInput, { do: "program" | "maze" }>): void {
+    if (from === this.#inputs.length) return;
+    this.#run.restore(before);
+    for (const input of this.#inputs.dropEdits(from, last.do)) this.#run.apply(input);
+    this.#run.apply(last);
+  }
+
+  /** A program that is edited before anything happened is the one that the run begins with. */
+  #beginWith(program: ProgramDocument): void {
+    this.#first = { ...this.#first, program };
+    this.#run.restore(new Run(this.#first.maze, program).save());
+    this.#keyframes = new Keyframes({ state: this.#run.save(), pen: this.#pen.save() });
+    this.#inputs.touch();
+  }
+
+  /** One tick. */
+  step(): void {
+    const { timeline } = this;
+    const run = this.#run;
+    const { who, bumps, goalTick, x, y } = run;
+    const from = run.tick;
+    if (run.decidedAt === from) {
+      timeline.drives(from, who);
+      const turn = turnOf(run.decision);
+      if (turn !== null) timeline.happened({ kind: "turn", turn, tick: from, who });
+    }
+    run.step();
+    const { tick } = run;
+    timeline.reachedTick(tick);
+    if (this.#pen.follow(run.x, run.y)) this.corners.push(tick, x, y);
+    if (run.bumps !== bumps) {
+      this.bumps.push(tick, run.x, run.y);
+      timeline.happened({ kind: "bump", tick, who });
+    }
+    if (run.goalTick !== goalTick) timeline.happened({ kind: "goal", tick, who });
+    if (tick >= this.#keyframes.dueAt) {
+      this.#keyframes.add({ state: run.save(), pen: this.#pen.save() });
+    }
+  }
+
+  /** A run of its own through what was recorded. */
+  playback(): Playback {
+    return new Playback(this.#inputs, this.#keyframes);
+  }
+
+  /** Forgets what came after the end of `tick`; the live run is at that moment again, with its inputs. */
+  truncate(tick: number): void {
+    const run = this.#run;
+    const { state, pen } = this.#keyframes.before(tick);
+    this.#edits = null;
+    this.#inputs.forgetAfter(tick);
+    this.#keyframes.forgetAfter(tick);
+    this.timeline.forgetAfter(tick);
+    this.corners.forgetAfter(tick);
+    this.bumps.forgetAfter(tick);
+    this.#pen.restore(pen);
+    run.restore(state);
+    let next = this.#inputs.indexAt(run.tick);
+    for (;;) {
+      for (
+        let input = this.#inputs.at(next);
+        input?.tick === run.tick;
+        input = this.#inputs.at(++next)
+      ) {
+        run.apply(input);
+      }
+      if (run.tick >= tick) return;
+      run.step();
+      this.#pen.follow(run.x, run.y);
+    }
+  }
+
+  /** Tick of the last decision before the one that holds at `tick`; 0 where that is the first. */
+  decisionBefore(tick: number, playback: Playback): number {
+    if (tick <= 0) return 0;
+    playback.goTo(tick - 1);
+    return playback.run.decidedAt;
+  }
+
+  /** Tick of the first decision after `tick`; null when none came. */
+  decisionAfter(tick: number, playback: Playback): number | null {
+    const { run } = playback;
+    const skipped = this.#keyframes.decidedBefore(tick).state.simulation.tick;
+    playback.goTo(Math.max(tick, skipped));
+    while (run.decidedAt <= tick && run.tick < this.#run.tick) playback.step();
+    return run.decidedAt > tick ? run.decidedAt : null;
+  }
+
+  /** The run so far as a document. */
+  toDocument(name: string): WrittenRun {
+    const { tick } = this.#run;
+    if (tick > MAX_RUN_TICKS) return { ok: false, reason: "too-long" };
+    if (this.#inputs.length > MAX_RUN_INPUTS) return { ok: false, reason: "too-many-inputs" };
+    const run: RunDocument = {
+      format: "corridor/run",
+      version: 1,
+      name,
+      ...this.#first,
+      seed: 0,
+      ticks: tick,
+      inputs: this.#inputs.list(),
+      digest: this.#run.digest(),
+    };
+    return { ok: true, run };
+  }
+}
+
+/** The turn that a command makes; null where it makes none. */
+function turnOf(command: Command): TurnName | null {
+  switch (command.action) {
+    case "left 90":
+    case "right 90":
+    case "turn 180":
+    case "delayed left 90":
+    case "delayed right 90":
+      return command.action;
+    case "turn":
+      if (command.degrees === 0) return null;
+      return command.degrees < 0 ? "turn left" : "turn right";
+    case "forward":
+    case "reverse":
+    case "stop":
+    case "move":
+    case "drive":
+      return null;
+  }
+}

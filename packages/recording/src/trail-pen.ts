@@ -1,0 +1,57 @@
+/**
+ * Where a trail has its corners: a straight line costs one point however long it is. What is not yet a
+ * corner ends at the robot itself.
+ */
+
+/** A pen as plain data. */
+export interface PenState {
+  x: number;
+  y: number;
+  wayX: number;
+  wayY: number;
+}
+
+export class TrailPen {
+  #x: number;
+  #y: number;
+  #wayX = 0;
+  #wayY = 0;
+
+  constructor(x: number, y: number) {
+    this.#x = x;
+    this.#y = y;
+  }
+
+  /**
+   * Follows the robot to where it is at the end of a tick.
+   * @returns whether it turned off where it was before: there the trail has a corner
+   */
+  follow(x: number, y: number): boolean {
+    const wayX = x - this.#x;
+    const wayY = y - this.#y;
+    if (wayX === 0 && wayY === 0) return false;
+    const cross = wayX * this.#wayY - wayY * this.#wayX;
+    const dot = wayX * this.#wayX + wayY * this.#wayY;
+    // Compared with the way at the last corner, so that a gentle curve gets its corners too. A way
+    // that differs by less than a thousandth is straight: rounding, not driving.
+    const isCorner = dot <= 0 || cross * cross > 1e-6 * dot * dot;
+    if (isCorner) {
+      this.#wayX = wayX;
+      this.#wayY = wayY;
+    }
+    this.#x = x;
+    this.#y = y;
+    return isCorner;
+  }
+
+  save(): PenState {
+    return { x: this.#x, y: this.#y, wayX: this.#wayX, wayY: this.#wayY };
+  }
+
+  restore(state: PenState): void {
+    this.#x = state.x;
+    this.#y = state.y;
+    this.#wayX = state.wayX;
+    this.#wayY = state.wayY;
+  }
+}
