@@ -36,3 +36,108 @@ export async function tooSmallToTouch(page: Page): Promise<string[]> {
     });
   });
 }
+
+/**
+ * Texts that cannot be read: cut off by what holds them, wider than their button or menu, off the
+ * screen, or printed over one another. Asked of the topmost dialog or menu, else of the whole page.
+ */
+export async function unreadable(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    interface Box {
+      left: number;
+      right: number;
+      top: number;
+      bottom: number;
+    }
+    const slack = 1.5;
+    const open = [...document.querySelectorAll("dialog[open], :popover-open")];
+    const root = open.at(-1) ?? document.body;
+    const faults = new Set<string>();
+    const seen: { box: Box; text: string; control: Element | null }[] = [];
+    const { clientWidth, scrollWidth } = document.documentElement;
+    if (scrollWidth > clientWidth) faults.add(`the page is ${scrollWidth} px wide`);
+
+    const isHidden = (element: Element): boolean => {
+      for (let at: Element | null = element; at !== null; at = at.parentElement) {
+        if (getComputedStyle(at).clipPath === "inset(50%)") return true;
+      }
+      return !element.checkVisibility({ visibilityProperty: true, opacityProperty: true });
+    };
+
+    const walker = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);
+    for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
+      const text = node.textContent?.trim() ?? "";
+      const holder = node.parentElement;
+      if (text === "" || holder === null || isHidden(holder)) continue;
+      if (holder.closest("svg, option, script, style, pre, code") !== null) continue;
+      const range = document.createRange();
+      range.selectNodeContents(node);
+      const control = holder.closest("button, label, [role=tab], [role=menuitemradio], kbd");
+      for (const rect of range.getClientRects()) {
+        let shown: Box = { left: rect.left, right: rect.right, top: rect.top, bottom: rect.bottom };
+        let isScrolledAway = false;
+        for (let at: Element | null = holder; at !== null && at !== root; at = at.parentElement) {
+          const style = getComputedStyle(at);
+          if (style.overflowX === "visible") continue;
+          const edge = at.getBoundingClientRect();
+          const isCut = shown.left < edge.left - slack || shown.right > edge.right + slack;
+          if (isCut && !isScrolledAway) faults.add(`cut off: ${text}`);
+          const isScroller = style.overflowY === "auto" || style.overflowY === "scroll";
+          if (isScroller) {
+            shown = {
+              ...shown,
+              top: Math.max(shown.top, edge.top),
+              bottom: Math.min(shown.bottom, edge.bottom),
+            };
+            if (shown.bottom - shown.top < 2) isScrolledAway = true;
+          } else if (style.overflowY !== "visible") {
+            const isLow = shown.bottom > edge.bottom + 4 || shown.top < edge.top - 4;
+            if (isLow && !isScrolledAway) faults.add(`cut off below: ${text}`);
+          }
+        }
+        if (isScrolledAway) continue;
+        if (shown.left < -slack || shown.right > clientWidth + slack) {
+          faults.add(`off the screen: ${text}`);
+        }
+        if (control !== null) {
+          const edge = control.getBoundingClientRect();
+          if (shown.left < edge.left - slack || shown.right > edge.right + slack) {
+            faults.add(`wider than its control: ${text}`);
+          }
+          if (shown.top < edge.top - 4 || shown.bottom > edge.bottom + 4) {
+            faults.add(`higher than its control: ${text}`);
+          }
+        }
+        seen.push({ box: shown, text, control });
+      }
+    }
+
+    // What a select shows is no text of the page: it is measured with the same letters.
+    const pen = document.createElement("canvas").getContext("2d");
+    for (const select of root.querySelectorAll("select")) {
+      if (pen === null || isHidden(select)) continue;
+      const style = getComputedStyle(select);
+      pen.font = style.font;
+      const text = select.selectedOptions[0]?.textContent ?? "";
+      const room =
+        select.clientWidth -
+        Number.parseFloat(style.paddingInlineStart) -
+        Number.parseFloat(style.paddingInlineEnd);
+      const width = pen.measureText(text).width;
+      if (width > room + 2)
+        faults.add(`cut off in a menu, ${(width - room).toFixed(0)} px: ${text}`);
+    }
+
+    const isOver = (one: Box, other: Box): boolean =>
+      Math.min(one.right, other.right) - Math.max(one.left, other.left) > 3 &&
+      Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top) > 5;
+    for (const [at, one] of seen.entries()) {
+      for (const other of seen.slice(at + 1)) {
+        if (one.text !== other.text && isOver(one.box, other.box)) {
+          faults.add(`printed over one another: ${one.text} | ${other.text}`);
+        }
+      }
+    }
+    return [...faults];
+  });
+}

@@ -1,0 +1,149 @@
+/** Every language has room: nothing is cut off or runs over, on the smallest phone and on a desktop. */
+import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
+import { unreadable } from "./support/layout.ts";
+import { languageTags, Words } from "./support/words.ts";
+
+const languages = [
+  { name: "a language 40 % longer than English", tag: "de", words: Words.longest(), isMade: true },
+  ...languageTags().map((tag) => ({ name: tag, tag, words: Words.of(tag), isMade: false })),
+];
+
+const sizes = [
+  { width: 320, height: 640 },
+  { width: 390, height: 844 },
+  { width: 1024, height: 768 },
+];
+
+for (const { name, tag, words, isMade } of languages) {
+  for (const size of sizes) {
+    test(`reads everything in ${name} at ${size.width} x ${size.height}`, async ({
+      openWindow,
+    }) => {
+      const isPhone = size.width < 600;
+      const window = await openWindow({
+        viewport: size,
+        hasTouch: isPhone,
+        isMobile: isPhone,
+        serviceWorkers: "block",
+      });
+      const { page } = window;
+      if (isMade) {
+        await page.route("**/assets/de-*.js", (route) =>
+          route.fulfill({ contentType: "text/javascript", body: words.asModule("de") }),
+        );
+      }
+      await page.goto(`/?lang=${tag}`);
+      await expect(page.getByRole("grid")).toBeVisible();
+      const faults: string[] = [];
+      const look = async (state: string): Promise<void> => {
+        await page.evaluate(() =>
+          Promise.allSettled(document.getAnimations().map((animation) => animation.finished)),
+        );
+        faults.push(...(await unreadable(page)).map((fault) => `${state}: ${fault}`));
+      };
+      const floating = page.locator("dialog[open], :popover-open");
+      const button = (path: string, values = {}) =>
+        page.getByRole("button", { name: words.t(path, values), exact: true });
+      const opened = async (path: string, open: () => Promise<void>): Promise<void> => {
+        await open();
+        await expect(floating).not.toHaveCount(0);
+        await look(path);
+        await page.keyboard.press("Escape");
+        await expect(floating).toHaveCount(0);
+      };
+
+      await look("first visit");
+      await page.locator('[aria-keyshortcuts="Control+Shift+Enter"]').click();
+      await look("after a step");
+      await opened("share", () => button("share.share").click());
+      await opened("stage.view", () => button("stage.view").click());
+      await opened("program.algorithms", () => button("program.algorithms").click());
+      if (isPhone) {
+        for (const tab of ["drive", "presets", "program"]) {
+          await page.getByRole("tab", { name: words.t(`shell.tabs.${tab}`), exact: true }).click();
+          await look(tab);
+        }
+        await opened("line", () => button("program.lineMenu", { line: 1 }).click());
+        await opened("more", () => button("shell.more").click());
+        await button("shell.more").click();
+        await opened("keys", () => button("shell.keys.title").click());
+        await button("shell.more").click();
+        await opened("remote", () => button("drive.remote").click());
+      } else {
+        await opened("presets", () => button("presets.presets").click());
+        await opened("keys", () => button("shell.keys.title").click());
+        await opened("theme", () => button("works.theme").click());
+        await opened("resize", () => button("stage.resize").click());
+        await opened("clear", () => button("stage.clear").click());
+        await page.getByRole("radio", { name: words.t("drive.remote"), exact: true }).click();
+        await look("remote");
+        await page.getByRole("radio", { name: words.t("drive.program"), exact: true }).click();
+      }
+      await page.getByRole("textbox", { name: words.t("program.numberOf", { line: 1 }) }).fill("x");
+      await look("bad number");
+      expect(faults).toEqual([]);
+    });
+  }
+}
+
+for (const { fault, html } of [
+  { fault: "cut off: Reset", html: `<p style="overflow: hidden; width: 20px">Reset</p>` },
+  {
+    fault: "cut off below: two lines",
+    html: `<p style="overflow: hidden; width: 40px; height: 20px">two lines</p>`,
+  },
+  {
+    fault: "wider than its control: Reset",
+    html: `<button style="width: 20px; padding: 0">Reset</button>`,
+  },
+  { fault: "off the screen: Reset", html: `<p style="position: fixed; left: -20px">Reset</p>` },
+  {
+    fault: "printed over one another: one | two",
+    html: `<p>one</p><p style="margin-top: -30px">two</p>`,
+  },
+  {
+    fault: "cut off in a menu",
+    html: `<select style="width: 40px"><option>delayed right 90</option></select>`,
+  },
+  { fault: "the page is", html: `<p style="width: 3000px">wide</p>` },
+]) {
+  test(`notices what cannot be read: ${fault}`, async ({ page }) => {
+    await page.setContent(`<meta charset="utf-8" /><p>fine</p>${html}`);
+    expect(await unreadable(page)).toEqual([expect.stringContaining(fault)]);
+  });
+}
+
+test("finds the page mirrored in Arabic, and the maze and the robot's sides as they were", async ({
+  openWindow,
+}) => {
+  const english = await openWindow();
+  await english.open();
+  const arabic = await openWindow();
+  await arabic.page.goto("/?lang=ar");
+  await expect(arabic.page.getByRole("grid")).toBeVisible();
+  await expect(arabic.page.locator("html")).toHaveAttribute("dir", "rtl");
+  await expect(arabic.page).toHaveTitle(Words.of("ar").t("language.pageTitle"));
+
+  const middle = async ({ page }: CorridorPage, selector: string): Promise<number> => {
+    const box = await page.locator(selector).first().boundingBox();
+    if (box === null) throw new Error(`no ${selector}`);
+    return box.x + box.width / 2;
+  };
+  // The panel changes sides; inside of it, left stays left of right.
+  expect(await middle(english, "aside")).toBeGreaterThan(720);
+  expect(await middle(arabic, "aside")).toBeLessThan(720);
+  for (const side of [english, arabic]) {
+    const [left, , right] = ["A", "Space", "D"].map((key) =>
+      side.page.locator("aside button", { hasText: new RegExp(`^${key}$`) }),
+    );
+    const leftBox = await left?.boundingBox();
+    const rightBox = await right?.boundingBox();
+    expect(leftBox?.x).toBeLessThan(rightBox?.x ?? 0);
+    // The first column of the maze is the left one.
+    const cells = side.page.getByRole("gridcell");
+    const first = await cells.nth(0).boundingBox();
+    const second = await cells.nth(1).boundingBox();
+    expect(first?.x).toBeLessThan(second?.x ?? 0);
+  }
+});
