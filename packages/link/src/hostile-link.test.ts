@@ -1,9 +1,18 @@
 import { generateTree, parseMaze } from "@corridor/maze";
-import { parseProgram } from "@corridor/program";
+import { parseProgram, type ProgramDocument } from "@corridor/program";
+import { parseRun, type TimedInput } from "@corridor/recording";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { checkOf, digitsOf, textOf } from "./digits.ts";
 import { decodeLink, encodeLink, MAX_LINK_LENGTH } from "./link.ts";
+
+const program: ProgramDocument = {
+  format: "corridor/program",
+  version: 1,
+  name: "Turns",
+  default: "forward",
+  rules: [{ when: { sensor: "front", is: "<", than: 50 }, do: "left 90" }],
+};
 
 /** A link whose length and check are right, whatever stands in it: made by hand, not by Corridor. */
 function forge(body: readonly number[]): string {
@@ -41,6 +50,38 @@ describe("a forged link with a right check", () => {
       expect(text).toHaveLength(MAX_LINK_LENGTH);
       expect(decodeLink(text)).toMatchObject({ ok: false });
     }
+  });
+
+  it("of a run gives a legal run or a refusal, whatever was changed in it", () => {
+    const maze = generateTree({ columns: 9, rows: 9, seed: 1, name: "Tree" });
+    const inputs: TimedInput[] = [
+      { tick: 10, do: "driver", driver: "me" },
+      { tick: 20, do: "command", command: { action: "move", distance: 12.5 }, seq: 4 },
+      { tick: 30, do: "program", program: { ...program, default: "stop", rules: [] } },
+      { tick: 40, do: "maze", maze: { ...maze, name: "Other" } },
+    ];
+    const digest = "0123456789abcdef";
+    const format = "corridor/run" as const;
+    const link = encodeLink({
+      run: { format, version: 1, name: "", maze, program, seed: 0, ticks: 50, inputs, digest },
+    });
+    const body = digitsOf(link.ok ? link.text.slice(6) : "").map((digit) => digit ?? 0);
+    expect(decodeLink(forge(body)).ok).toBe(true);
+    const change = fc.tuple(fc.nat({ max: body.length - 1 }), fc.integer({ min: 0, max: 63 }));
+    let legal = 0;
+    fc.assert(
+      fc.property(fc.array(change, { minLength: 1, maxLength: 4 }), (changes) => {
+        const changed = [...body];
+        for (const [at, digit] of changes) changed[at] = digit;
+        const result = decodeLink(forge(changed));
+        const { run } = result.ok ? result.value : {};
+        if (run === undefined) return;
+        legal += 1;
+        expect(parseRun(run).ok).toBe(true);
+      }),
+      { numRuns: 1_000 },
+    );
+    expect(legal).toBeGreaterThan(0);
   });
 
   it("cannot hide anything behind its documents", () => {

@@ -1,6 +1,6 @@
 /**
- * Share links: what follows `#` in the URL. A maze, a program or both travel inside the link itself, so
- * they need no server and reach none.
+ * Share links: what follows `#` in the URL. A maze, a program or both, or a recorded run travel inside
+ * the link itself, so they need no server and reach none.
  *
  * A link is the version (one character), its length (one), a check (four), and the documents through a
  * range coder. It is read in full or refused: characters, length and check are looked at before anything
@@ -9,23 +9,28 @@
 import { parseMaze, type MazeDocument } from "@corridor/maze";
 import { parseProgram, type ProgramDocument } from "@corridor/program";
 import type { FieldProblem } from "@corridor/protocol";
+import { parseRun, type RunDocument } from "@corridor/recording";
 import { CHECK_LENGTH, checkOf, digitsOf, textOf } from "./digits.ts";
+import type { Choices } from "./edit-coder.ts";
 import { codeMaze } from "./maze-coder.ts";
+import { codeUniform } from "./numbers.ts";
 import { codeProgram } from "./program-coder.ts";
 import { Decoder, Encoder, type BitCoder } from "./range-coder.ts";
+import { codeRun } from "./run-coder.ts";
 import { isShorterPlain, shortestBlockWay } from "./shortest-way.ts";
 
-/** What a link carries; at least one of the two. */
+/** What a link carries: a maze, a program or both; or a run, which has its own. */
 export interface LinkContent {
   maze?: MazeDocument;
   program?: ProgramDocument;
+  run?: RunDocument;
 }
 
 /** Why there is no link for a content. */
 export type EncodeRefusal =
-  /** neither a maze nor a program was given */
+  /** nothing was given */
   | "empty"
-  /** the link would be longer than any reader takes; a smaller or simpler maze fits */
+  /** the link would be longer than any reader takes; a smaller or simpler maze, or a shorter run fits */
   | "too-big";
 
 /** Why a link cannot be read. */
@@ -60,6 +65,24 @@ const LENGTH_CYCLE = 64;
 /** A link that would lack more than this has more likely a few characters too many. */
 const MAX_LACKING = 56;
 
+/** Behind a head with `more` set stands what follows, one of so many. */
+const SECTIONS = 16;
+const RUN = 0;
+
+/** What an encoder chooses: whatever takes the fewest characters. */
+const shortest: Choices = {
+  waysOf: (maze) => ({
+    blocks: shortestBlockWay(maze),
+    isPlainName: isShorterPlain(maze.name),
+  }),
+  isPlainName: isShorterPlain,
+};
+/** A decoder finds them in the link. */
+const none: Choices = {
+  waysOf: () => ({ blocks: 0, isPlainName: false }),
+  isPlainName: () => false,
+};
+
 /** What a decoder hands to the functions that also write; none of it is read. */
 const anyMaze: MazeDocument = {
   format: "corridor/maze",
@@ -77,27 +100,45 @@ const anyProgram: ProgramDocument = {
   rules: [],
 };
 
+const anyRun: RunDocument = {
+  format: "corridor/run",
+  version: 1,
+  name: "",
+  maze: anyMaze,
+  program: anyProgram,
+  seed: 0,
+  ticks: 0,
+  inputs: [],
+  digest: "0000000000000000",
+};
+
 /**
  * The text of a link.
- * @param content documents that passed their schemas
+ * @param content documents that passed their schemas; a run goes alone
  * @returns what follows `#`: letters, digits, "-" and "_"
  */
-export function encodeLink({ maze, program }: LinkContent): EncodeResult {
-  if (maze === undefined && program === undefined) {
-    return refuse("empty", "neither of both", "a maze, a program or both");
+export function encodeLink({ maze, program, run }: LinkContent): EncodeResult {
+  if (maze === undefined && program === undefined && run === undefined) {
+    return refuse("empty", "nothing", "a maze, a program or both, or a run");
   }
   const encoder = new Encoder();
-  codeHead(encoder, { more: false, maze: maze !== undefined, program: program !== undefined });
-  if (maze !== undefined) {
-    const isPlainName = isShorterPlain(maze.name);
-    codeMaze(encoder, maze, { blocks: shortestBlockWay(maze), isPlainName });
+  if (run === undefined) {
+    codeHead(encoder, { more: false, maze: maze !== undefined, program: program !== undefined });
+    if (maze !== undefined) codeMaze(encoder, maze, shortest.waysOf(maze));
+    if (program !== undefined) codeProgram(encoder, program, shortest.isPlainName(program.name));
+  } else {
+    codeHead(encoder, { more: true, maze: false, program: false });
+    codeUniform(encoder, SECTIONS, RUN);
+    if (codeRun(encoder, run, shortest) === null) {
+      return refuse("too-big", "a run of very many edits", "a shorter run: share it as a file");
+    }
   }
-  if (program !== undefined) codeProgram(encoder, program, isShorterPlain(program.name));
   const digits = encoder.finish();
   const length = digits.length % LENGTH_CYCLE;
   const text = VERSION + textOf([length, ...checkOf(VERSION, [length, ...digits]), ...digits]);
   if (text.length > MAX_LINK_LENGTH) {
-    const expected = `at most ${MAX_LINK_LENGTH} characters: share a smaller or simpler maze`;
+    const smaller = run === undefined ? "a smaller or simpler maze" : "a shorter run, or its file";
+    const expected = `at most ${MAX_LINK_LENGTH} characters: share ${smaller}`;
     return refuse("too-big", `${text.length} characters`, expected);
   }
   return { ok: true, text };
@@ -146,7 +187,11 @@ export function decodeLink(text: string): DecodeResult {
   const decoder = new Decoder(body);
   const content = readBody(decoder);
   if (content === "more") {
-    return refuse("unknown-version", "more than a maze and a program", "a link of this version");
+    return refuse(
+      "unknown-version",
+      "neither a maze nor a program nor a run",
+      "a link of this version",
+    );
   }
   if (content === null || decoder.missing() !== 0) {
     return refuse("damaged", "what no Corridor writes", "a link made by Corridor");
@@ -162,7 +207,7 @@ function refuse<Code extends string>(
   return { ok: false, code, problems: [{ path: "link", found, expected }] };
 }
 
-/** Which parts follow. `more` is kept for a later version to say that there is something else. */
+/** Which parts follow. `more` says that it is something else, whose section comes next. */
 function codeHead(
   coder: BitCoder,
   parts: { more: boolean; maze: boolean; program: boolean },
@@ -175,11 +220,15 @@ function codeHead(
 
 function readBody(decoder: Decoder): LinkContent | "more" | null {
   const parts = codeHead(decoder, { more: false, maze: false, program: false });
-  if (parts.more) return "more";
+  if (parts.more) {
+    if (parts.maze || parts.program || codeUniform(decoder, SECTIONS, 0) !== RUN) return "more";
+    const run = codeRun(decoder, anyRun, none);
+    return run === null ? null : { run };
+  }
   if (!parts.maze && !parts.program) return null;
   const content: LinkContent = {};
   if (parts.maze) {
-    const maze = codeMaze(decoder, anyMaze, { blocks: 0, isPlainName: false });
+    const maze = codeMaze(decoder, anyMaze, none.waysOf(anyMaze));
     if (maze === null) return null;
     content.maze = maze;
   }
@@ -192,8 +241,13 @@ function readBody(decoder: Decoder): LinkContent | "more" | null {
 }
 
 /** The schemas have the last word, whatever a link says. */
-function checkContent({ maze, program }: LinkContent): DecodeResult {
+function checkContent({ maze, program, run }: LinkContent): DecodeResult {
   const value: LinkContent = {};
+  if (run !== undefined) {
+    const read = parseRun(run);
+    if (!read.ok) return { ok: false, code: "damaged", problems: inside("run", read.problems) };
+    value.run = read.value;
+  }
   if (maze !== undefined) {
     const read = parseMaze(maze);
     if (!read.ok) return { ok: false, code: "damaged", problems: inside("maze", read.problems) };

@@ -37,6 +37,7 @@ export class SymbolModel {
 
 /** No number in a document needs more binary digits. */
 const MAX_BITS = 20;
+const MAX_WHOLE = (1 << MAX_BITS) - 1;
 /** Leading digits that have forks of their own; what follows them is as good as random. */
 const LEARNED_PREFIXES = 1_024;
 
@@ -64,6 +65,22 @@ export class NumberModel {
       prefix = prefix * 2 + coded;
     }
     return prefix - 1;
+  }
+}
+
+/** Any number, exactly; small whole ones and those seen before short. */
+export class RealModel {
+  readonly #wholes = new NumberModel();
+  /** is it no small whole number, is it negative */
+  readonly #forms = new BitModel(2, 4);
+
+  code(coder: BitCoder, value: number): number {
+    // -0 is a legal number in JSON; its sign would be lost on the short way.
+    const isWhole = Number.isInteger(value) && !Object.is(value, -0) && Math.abs(value) < MAX_WHOLE;
+    if (this.#forms.code(coder, 0, isWhole ? 0 : 1) === 1) return codeFloat(coder, value);
+    const isNegative = this.#forms.code(coder, 1, value < 0 ? 1 : 0) === 1;
+    const size = this.#wholes.code(coder, Math.abs(value));
+    return isNegative ? -size : size;
   }
 }
 

@@ -13,8 +13,8 @@ import {
 } from "@corridor/program";
 import { plainActions } from "@corridor/protocol";
 import { codeName } from "./name-coder.ts";
-import { codeFloat, NumberModel, SymbolModel } from "./numbers.ts";
-import { BitModel, type BitCoder } from "./range-coder.ts";
+import { NumberModel, RealModel, SymbolModel } from "./numbers.ts";
+import type { BitCoder } from "./range-coder.ts";
 
 /** Condition of a line: 0 is `[Do nothing]`, then the menu in its order. */
 const KIND_BITS = 4;
@@ -53,11 +53,9 @@ export function codeProgram(
 }
 
 /** Conditions, learning which kinds and numbers a program uses. */
-class ConditionCoder {
+export class ConditionCoder {
   readonly #kinds = new SymbolModel(KIND_BITS);
-  readonly #wholes = new NumberModel();
-  /** is it no small whole number, is it negative */
-  readonly #forms = new BitModel(2, 4);
+  readonly #numbers = new RealModel();
 
   /** @returns undefined where a link asks for a kind that there is not */
   code(coder: BitCoder, condition: Condition | null): Condition | null | undefined {
@@ -65,16 +63,7 @@ class ConditionCoder {
     const symbol = this.#kinds.code(coder, place);
     if (symbol === 0) return null;
     const kind = conditionKinds[symbol - 1];
-    const number = this.#codeNumber(coder, condition === null ? 0 : numberOf(condition));
+    const number = this.#numbers.code(coder, condition === null ? 0 : numberOf(condition));
     return kind === undefined ? undefined : conditionOf(kind, number);
-  }
-
-  #codeNumber(coder: BitCoder, number: number): number {
-    // -0 is a legal number in JSON; its sign would be lost on the short way.
-    const isWhole = Number.isInteger(number) && !Object.is(number, -0);
-    if (this.#forms.code(coder, 0, isWhole ? 0 : 1) === 1) return codeFloat(coder, number);
-    const isNegative = this.#forms.code(coder, 1, number < 0 ? 1 : 0) === 1;
-    const size = this.#wholes.code(coder, Math.abs(number));
-    return isNegative ? -size : size;
   }
 }

@@ -5,7 +5,7 @@ export type { Playback } from "./playback.ts";
 export { Recording, type WrittenRun } from "./recording.ts";
 export { type RunDocument } from "./run-document.ts";
 export { type RunInput, type TimedInput } from "./run-input.ts";
-export { MAX_RUN_TEXT_LENGTH } from "./run-limits.ts";
+export { MAX_RUN_INPUTS, MAX_RUN_NAME_LENGTH, MAX_RUN_TEXT_LENGTH } from "./run-limits.ts";
 export { parseRun, readRun } from "./run-schema.ts";
 export { Run } from "./run.ts";
 export {

@@ -1,0 +1,180 @@
+/**
+ * Edits of a maze or a program as bits: only what is another than before. A run has many of them, each
+ * of which changes a block or a number.
+ */
+import {
+  BLOCK,
+  headingNames,
+  MAX_GOALS,
+  MAX_SIDE,
+  OPEN,
+  sizeOf,
+  type Cell,
+  type MazeDocument,
+} from "@corridor/maze";
+import {
+  kindOf,
+  MAX_NAME_LENGTH,
+  MAX_RULES,
+  numberOf,
+  type ProgramDocument,
+  type Rule,
+} from "@corridor/program";
+import { plainActions, type PlainAction } from "@corridor/protocol";
+import { cellsOf, codeMaze, type MazeWays } from "./maze-coder.ts";
+import { codeName } from "./name-coder.ts";
+import { codeUniform, NumberModel, SymbolModel } from "./numbers.ts";
+import { ConditionCoder } from "./program-coder.ts";
+import { BitModel, type BitCoder } from "./range-coder.ts";
+
+/** What an encoder may choose; a decoder finds it in the link, and is asked all the same. */
+export interface Choices {
+  waysOf: (maze: MazeDocument) => MazeWays;
+  isPlainName: (name: string) => boolean;
+}
+
+/** An edit of more squares goes as the whole maze. */
+const MAX_FLIPS = 256;
+
+/** Edits of mazes. */
+export class MazeEditCoder {
+  readonly #choices: Choices;
+  /** is it the whole maze, are start and goals others */
+  readonly #bits = new BitModel(3, 4);
+  readonly #counts = new NumberModel();
+  readonly #distances = new NumberModel();
+
+  constructor(choices: Choices) {
+    this.#choices = choices;
+  }
+
+  /**
+   * Writes or reads an edit.
+   * @param after what to write; a decoder is given any legal maze and ignores it
+   * @returns the maze after it, still to be checked; null where a link asks for what no encoder writes
+   */
+  code(coder: BitCoder, before: MazeDocument, after: MazeDocument): MazeDocument | null {
+    const flips = flipsBetween(before, after);
+    const isWhole = this.#bits.code(coder, 0, flips === null ? 1 : 0) === 1;
+    if (isWhole) return codeMaze(coder, after, this.#choices.waysOf(after));
+    const blocks = this.#codeFlips(coder, before, flips ?? []);
+    if (blocks === null) return null;
+    const isStart = this.#bits.code(coder, 1, isSameStart(before, after) ? 0 : 1) === 1;
+    const start = isStart
+      ? { ...codeCell(coder, after.start), heading: codeHeading(coder, after) }
+      : before.start;
+    const isGoals = this.#bits.code(coder, 2, isSameGoals(before, after) ? 0 : 1) === 1;
+    const goals = isGoals ? this.#codeGoals(coder, after.goals) : before.goals;
+    return goals === null ? null : { ...before, blocks, start, goals };
+  }
+
+  #codeFlips(coder: BitCoder, before: MazeDocument, flips: readonly number[]): string[] | null {
+    const { columns, rows } = sizeOf(before);
+    const count = this.#counts.code(coder, flips.length);
+    if (count > MAX_FLIPS) return null;
+    const blocks = [...before.blocks];
+    let last = -1;
+    for (let at = 0; at < count; at += 1) {
+      last += this.#distances.code(coder, (flips[at] ?? 0) - last - 1) + 1;
+      if (last >= columns * rows) return null;
+      const column = last % columns;
+      const row = (last - column) / columns;
+      const line = blocks[row] ?? "";
+      const mark = line[column] === BLOCK ? OPEN : BLOCK;
+      blocks[row] = line.slice(0, column) + mark + line.slice(column + 1);
+    }
+    return blocks;
+  }
+
+  #codeGoals(coder: BitCoder, goals: readonly Cell[]): Cell[] | null {
+    const count = this.#counts.code(coder, goals.length);
+    if (count > MAX_GOALS) return null;
+    return Array.from({ length: count }, (_, at) => codeCell(coder, goals[at]));
+  }
+}
+
+/** Edits of programs, learning which actions, conditions and numbers the run uses. */
+export class ProgramEditCoder {
+  readonly #choices: Choices;
+  /** are name and default others; is a line another */
+  readonly #bits = new BitModel(3, 4);
+  readonly #counts = new NumberModel();
+  readonly #actions = new SymbolModel(3);
+  readonly #conditions = new ConditionCoder();
+
+  constructor(choices: Choices) {
+    this.#choices = choices;
+  }
+
+  /**
+   * Writes or reads an edit.
+   * @param after what to write; a decoder is given any legal program and ignores it
+   * @returns the program after it, still to be checked; null where a link asks for what no encoder writes
+   */
+  code(coder: BitCoder, before: ProgramDocument, after: ProgramDocument): ProgramDocument | null {
+    const isNamed = this.#bits.code(coder, 0, before.name === after.name ? 0 : 1) === 1;
+    const isPlain = isNamed && this.#choices.isPlainName(after.name);
+    const name = isNamed ? codeName(coder, after.name, MAX_NAME_LENGTH, isPlain) : before.name;
+    const isDefault = this.#bits.code(coder, 1, before.default === after.default ? 0 : 1) === 1;
+    const byDefault = isDefault ? this.#codeAction(coder, after.default) : before.default;
+    const count = this.#counts.code(coder, after.rules.length);
+    if (byDefault === undefined || count > MAX_RULES) return null;
+    const rules: Rule[] = [];
+    for (let at = 0; at < count; at += 1) {
+      const rule = this.#codeRule(coder, before.rules[at], after.rules[at]);
+      if (rule === null) return null;
+      rules.push(rule);
+    }
+    return { ...before, name, default: byDefault, rules };
+  }
+
+  #codeRule(coder: BitCoder, before: Rule | undefined, after: Rule | undefined): Rule | null {
+    const isOther = before === undefined || after === undefined || !isSameRule(before, after);
+    if (before !== undefined && this.#bits.code(coder, 2, isOther ? 1 : 0) === 0) return before;
+    const when = this.#conditions.code(coder, after?.when ?? null);
+    const action = this.#codeAction(coder, after?.do ?? "forward");
+    return when === undefined || action === undefined ? null : { when, do: action };
+  }
+
+  #codeAction(coder: BitCoder, action: PlainAction): PlainAction | undefined {
+    return plainActions[this.#actions.code(coder, plainActions.indexOf(action))];
+  }
+}
+
+/** The cells that differ, counted row by row; null where more than a few of them or the size do. */
+function flipsBetween(before: MazeDocument, after: MazeDocument): number[] | null {
+  const [size, other] = [sizeOf(before), sizeOf(after)];
+  const isSameShape = size.columns === other.columns && size.rows === other.rows;
+  if (!isSameShape || before.name !== after.name) return null;
+  const cells = cellsOf(after);
+  const flips: number[] = [];
+  for (const [at, cell] of cellsOf(before).entries()) if (cell !== cells[at]) flips.push(at);
+  return flips.length > MAX_FLIPS ? null : flips;
+}
+
+function isSameStart({ start: a }: MazeDocument, { start: b }: MazeDocument): boolean {
+  return a.column === b.column && a.row === b.row && a.heading === b.heading;
+}
+
+function isSameGoals({ goals: a }: MazeDocument, { goals: b }: MazeDocument): boolean {
+  return (
+    a.length === b.length &&
+    a.every(({ column, row }, at) => column === b[at]?.column && row === b[at]?.row)
+  );
+}
+
+function isSameRule(a: Rule, b: Rule): boolean {
+  if (a.do !== b.do) return false;
+  if (a.when === null || b.when === null) return a.when === b.when;
+  return kindOf(a.when) === kindOf(b.when) && Object.is(numberOf(a.when), numberOf(b.when));
+}
+
+function codeCell(coder: BitCoder, cell: Cell = { column: 0, row: 0 }): Cell {
+  const column = codeUniform(coder, MAX_SIDE, cell.column);
+  return { column, row: codeUniform(coder, MAX_SIDE, cell.row) };
+}
+
+function codeHeading(coder: BitCoder, { start }: MazeDocument): MazeDocument["start"]["heading"] {
+  const place = codeUniform(coder, headingNames.length, headingNames.indexOf(start.heading));
+  return headingNames[place] ?? "north";
+}

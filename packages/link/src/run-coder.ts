@@ -1,0 +1,209 @@
+/**
+ * A recorded run as bits, written and read by one function: maze and program that it began with, its
+ * inputs in the order of their ticks, its length, digest and name.
+ *
+ * A few characters can ask for many edits, and an edit for a large maze. What a run may cost is
+ * therefore counted while it is written and read, and more than the largest document is refused.
+ */
+import { sizeOf, type MazeDocument } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
+import { plainActions, type Command, type DriverName } from "@corridor/protocol";
+import {
+  MAX_RUN_INPUTS,
+  MAX_RUN_NAME_LENGTH,
+  type RunDocument,
+  type RunInput,
+  type TimedInput,
+} from "@corridor/recording";
+import { MazeEditCoder, ProgramEditCoder, type Choices } from "./edit-coder.ts";
+import { codeMaze } from "./maze-coder.ts";
+import { codeName } from "./name-coder.ts";
+import { codeUniform, NumberModel, RealModel, SymbolModel } from "./numbers.ts";
+import { codeProgram } from "./program-coder.ts";
+import { BitModel, type BitCoder } from "./range-coder.ts";
+
+/** Cells, lines and inputs that all edits together may bring: a run of a megabyte of JSON. */
+const MAX_COST = 1_000_000;
+
+const kinds = ["command", "driver", "cancel", "program", "maze"] as const;
+const drivers = ["me", "program", "remote"] as const satisfies readonly DriverName[];
+/** In the order of their symbols. */
+const actions: readonly Command["action"][] = [...plainActions, "move", "turn", "drive"];
+
+/**
+ * Writes or reads a run.
+ * @param run what to write; a decoder is given any legal run and ignores it
+ * @returns the run as a decoder will read it, still to be checked by its schema; null where it is more
+ * than a link may carry, or a link asks for what no encoder writes
+ */
+export function codeRun(coder: BitCoder, run: RunDocument, choices: Choices): RunDocument | null {
+  const maze = codeMaze(coder, run.maze, choices.waysOf(run.maze));
+  if (maze === null) return null;
+  const program = codeProgram(coder, run.program, choices.isPlainName(run.program.name));
+  if (program === null) return null;
+  const inputs = new InputCoder(maze, program, choices).codeAll(coder, run.inputs);
+  if (inputs === null) return null;
+  const last = inputs.at(-1)?.tick ?? 0;
+  const ticks = last + new TickModel().code(coder, run.ticks - last);
+  const digest = codeDigest(coder, run.digest);
+  const isPlain = choices.isPlainName(run.name);
+  const name = codeName(coder, run.name, MAX_RUN_NAME_LENGTH, isPlain);
+  return {
+    format: "corridor/run",
+    version: 1,
+    name,
+    maze,
+    program,
+    seed: 0,
+    ticks,
+    inputs,
+    digest,
+  };
+}
+
+/** The inputs of one run, each known by what came before it. */
+class InputCoder {
+  #maze: MazeDocument;
+  #program: ProgramDocument;
+  #cost = 0;
+  #seq = 0;
+  readonly #waits = new TickModel();
+  readonly #kinds = new SymbolModel(3);
+  readonly #drivers = new SymbolModel(2);
+  readonly #commands = new CommandCoder();
+  /** is it a script's, is its number not the next one */
+  readonly #seqBits = new BitModel(2, 4);
+  readonly #seqs = new RealModel();
+  readonly #mazes: MazeEditCoder;
+  readonly #programs: ProgramEditCoder;
+
+  constructor(maze: MazeDocument, program: ProgramDocument, choices: Choices) {
+    this.#maze = maze;
+    this.#program = program;
+    this.#mazes = new MazeEditCoder(choices);
+    this.#programs = new ProgramEditCoder(choices);
+  }
+
+  codeAll(coder: BitCoder, inputs: readonly TimedInput[]): TimedInput[] | null {
+    const count = new NumberModel().code(coder, inputs.length);
+    if (count > MAX_RUN_INPUTS) return null;
+    const coded: TimedInput[] = [];
+    let tick = 0;
+    for (let at = 0; at < count; at += 1) {
+      const input = inputs[at];
+      tick += this.#waits.code(coder, (input?.tick ?? 0) - tick);
+      const read = this.#code(coder, input);
+      if (read === null || this.#cost > MAX_COST) return null;
+      coded.push({ tick, ...read });
+    }
+    return coded;
+  }
+
+  #code(coder: BitCoder, input: TimedInput | undefined): RunInput | null {
+    this.#cost += 1;
+    const kind = kinds[this.#kinds.code(coder, kinds.indexOf(input?.do ?? "cancel"))];
+    if (kind === undefined) return null;
+    switch (kind) {
+      case "command":
+        return this.#codeCommand(coder, input?.do === kind ? input : undefined);
+      case "driver": {
+        const wanted = input?.do === kind ? input.driver : "me";
+        const driver = drivers[this.#drivers.code(coder, drivers.indexOf(wanted))];
+        return driver === undefined ? null : { do: kind, driver };
+      }
+      case "cancel":
+        return { do: kind };
+      case "program": {
+        const after = input?.do === kind ? input.program : this.#program;
+        const program = this.#programs.code(coder, this.#program, after);
+        if (program === null) return null;
+        this.#cost += program.rules.length;
+        this.#program = program;
+        return { do: kind, program };
+      }
+      case "maze": {
+        const after = input?.do === kind ? input.maze : this.#maze;
+        const maze = this.#mazes.code(coder, this.#maze, after);
+        if (maze === null) return null;
+        const { columns, rows } = sizeOf(maze);
+        this.#cost += columns * rows;
+        this.#maze = maze;
+        return { do: kind, maze };
+      }
+    }
+  }
+
+  #codeCommand(
+    coder: BitCoder,
+    input: { command: Command; seq?: number | undefined } | undefined,
+  ): RunInput | null {
+    const command = this.#commands.code(coder, input?.command ?? { action: "stop" });
+    if (command === null) return null;
+    const seq = input?.seq ?? 0;
+    if (this.#seqBits.code(coder, 0, seq > 0 ? 1 : 0) === 0) return { do: "command", command };
+    const isOther = this.#seqBits.code(coder, 1, seq === this.#seq + 1 ? 0 : 1) === 1;
+    this.#seq = isOther ? this.#seqs.code(coder, seq) : this.#seq + 1;
+    return { do: "command", command, seq: this.#seq };
+  }
+}
+
+/** What a decoder hands to itself. */
+const idle: { left: number; right: number; milliseconds?: number | undefined } = {
+  left: 0,
+  right: 0,
+};
+
+/** Commands, learning which ones a run uses and how far they go. */
+class CommandCoder {
+  readonly #actions = new SymbolModel(4);
+  readonly #amounts = new RealModel();
+  readonly #bits = new BitModel(1, 4);
+
+  code(coder: BitCoder, command: Command): Command | null {
+    const action = actions[this.#actions.code(coder, actions.indexOf(command.action))];
+    const amount = (value: number): number => this.#amounts.code(coder, value);
+    if (action === undefined) return null;
+    if (action === "move") {
+      return { action, distance: amount(command.action === action ? command.distance : 0) };
+    }
+    if (action === "turn") {
+      return { action, degrees: amount(command.action === action ? command.degrees : 0) };
+    }
+    if (action === "drive") {
+      return this.#codeDrive(coder, command.action === action ? command : idle);
+    }
+    return { action };
+  }
+
+  #codeDrive(coder: BitCoder, drive: typeof idle): Command {
+    const amount = (value: number): number => this.#amounts.code(coder, value);
+    const left = amount(drive.left);
+    const right = amount(drive.right);
+    const { milliseconds } = drive;
+    const isTimed = this.#bits.code(coder, 0, milliseconds === undefined ? 0 : 1) === 1;
+    return isTimed
+      ? { action: "drive", left, right, milliseconds: amount(milliseconds ?? 0) }
+      : { action: "drive", left, right };
+  }
+}
+
+/** Whole numbers of ticks, from 0 to a day: what is above 65,535 apart from what is below. */
+class TickModel {
+  readonly #high = new NumberModel();
+  readonly #low = new NumberModel();
+
+  code(coder: BitCoder, ticks: number): number {
+    const high = this.#high.code(coder, ticks >>> 16);
+    return high * 65_536 + this.#low.code(coder, ticks & 65_535);
+  }
+}
+
+/** 16 hexadecimal digits. */
+function codeDigest(coder: BitCoder, digest: string): string {
+  let coded = "";
+  for (let at = 0; at < 16; at += 4) {
+    const part = Number.parseInt(digest.slice(at, at + 4), 16);
+    coded += codeUniform(coder, 65_536, part).toString(16).padStart(4, "0");
+  }
+  return coded;
+}
