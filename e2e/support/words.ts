@@ -13,17 +13,22 @@ const folder = new URL("../../apps/web/src/text/", import.meta.url);
 export class Words {
   readonly #catalogue: Catalogue;
 
-  private constructor(catalogue: Catalogue) {
+  /** what stands around a value: where text runs right-to-left, the page sets values apart */
+  readonly #isolate: readonly [string, string];
+
+  private constructor(catalogue: Catalogue, isRightToLeft: boolean) {
     this.#catalogue = catalogue;
+    this.#isolate = isRightToLeft ? ["\u2068", "\u2069"] : ["", ""];
   }
 
   /** A language of the page; what a draft lacks is in English, as on the page. */
   static of(tag: string): Words {
-    return new Words(merged(readCatalogue("en"), readCatalogue(tag)));
+    const isRightToLeft = new Intl.Locale(tag).maximize().script === "Arab";
+    return new Words(merged(readCatalogue("en"), readCatalogue(tag)), isRightToLeft);
   }
 
   static longest(): Words {
-    return new Words(mapped(readCatalogue("en"), stretched));
+    return new Words(mapped(readCatalogue("en"), stretched), false);
   }
 
   /** The text of a path such as "shell.run.run", with the values of its placeholders. */
@@ -31,7 +36,11 @@ export class Words {
     let at: string | Catalogue | undefined = this.#catalogue;
     for (const key of path.split(".")) at = typeof at === "object" ? at[key] : undefined;
     if (typeof at !== "string") throw new Error(`no text ${path}`);
-    return at.replaceAll(/\{\{(\w+)\}\}/g, (_, name: string) => String(values[name] ?? ""));
+    const [begin, end] = this.#isolate;
+    return at.replaceAll(
+      /\{\{(\w+)\}\}/g,
+      (_, name: string) => `${begin}${values[name] ?? ""}${end}`,
+    );
   }
 
   /** A module that exports all words under a name, as a language's chunk does. */
