@@ -12,10 +12,11 @@
  */
 import { CELL, type Grid } from "@corridor/maze";
 import { writeUnitVector } from "@corridor/geometry";
-import Matter from "matter-js";
+import type Matter from "matter-js";
+import Body from "matter-js/src/body/Body.js";
+import Query from "matter-js/src/collision/Query.js";
+import Bounds from "matter-js/src/geometry/Bounds.js";
 import { ROBOT_RADIUS, TICK_SECONDS } from "../settings.ts";
-
-const { Body, Bounds, Query } = Matter;
 
 /** The body and its contact at the end of a tick. */
 export interface PhysicsState {
