@@ -1,5 +1,5 @@
 /** The open mission in the panel: its task, hints one by one, the check, and the way on. */
-import { ArrowRight, House, ListChecks, RotateCcw } from "lucide-react";
+import { ArrowRight, House, ListChecks, ListRestart } from "lucide-react";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -51,7 +51,7 @@ function OpenMission({ service }: { service: LessonsService }) {
           </h2>
         </div>
         <IconButton label={t("missions:card.again")} onClick={() => service.beginAgain()}>
-          <RotateCcw aria-hidden="true" />
+          <ListRestart aria-hidden="true" />
         </IconButton>
         <IconButton label={t("missions:card.own")} onClick={() => service.goHome()}>
           <House aria-hidden="true" />

@@ -50,12 +50,14 @@ export function MissionMazes({ service }: { service: LessonsService }) {
         })}
       </ul>
       {outcomes.length > 0 && (
-        <p className={styles["passed"]}>{t("card.passed", { passed, count })}</p>
-      )}
-      {failing !== null && failing !== shown && (
-        <Button size="small" onClick={() => service.showMaze(failing)}>
-          {t("card.openMaze", { number: failing + 1 })}
-        </Button>
+        <div className={styles["passed"]}>
+          <p>{t("card.passed", { passed, count })}</p>
+          {failing !== null && failing !== shown && (
+            <Button size="small" onClick={() => service.showMaze(failing)}>
+              {t("card.openMaze", { number: failing + 1 })}
+            </Button>
+          )}
+        </div>
       )}
     </div>
   );

@@ -5,6 +5,7 @@ import { useId } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { useRights } from "../lessons/use-rights.ts";
 import { chooseAlgorithm, chooseMaze } from "./choose-preset.ts";
 import { MazePicture } from "./MazePicture.tsx";
 import { PresetCard } from "./PresetCard.tsx";
@@ -19,6 +20,7 @@ interface PresetsPanelProps {
 export function PresetsPanel({ onChosen }: PresetsPanelProps) {
   const { t, i18n } = useTranslation();
   const services = useServices();
+  const rights = useRights();
   const randomId = useId();
   const algorithmsId = useId();
   const blocks = useStore(services.workspace, (state) => state.maze.blocks);
@@ -54,32 +56,34 @@ export function PresetsPanel({ onChosen }: PresetsPanelProps) {
           }}
         />
       </section>
-      <section className={styles["section"]} aria-labelledby={algorithmsId}>
-        <h3 id={algorithmsId} className={styles["heading"]}>
-          {t("presets.algorithms")}
-        </h3>
-        <ul className={styles["algorithms"]}>
-          {programPresets.map((preset) => {
-            const name = t(`program.preset.${preset.id}.name`);
-            const { rules, default: otherwise } = preset.program;
-            return (
-              <PresetCard
-                key={preset.id}
-                title={name}
-                hint={t(`program.preset.${preset.id}.note`)}
-                isOpen={
-                  JSON.stringify([rules, otherwise]) ===
-                  JSON.stringify([program.rules, program.default])
-                }
-                onChoose={() => {
-                  chooseAlgorithm(services, i18n, { ...preset.program, name });
-                  onChosen?.();
-                }}
-              />
-            );
-          })}
-        </ul>
-      </section>
+      {rights === null && (
+        <section className={styles["section"]} aria-labelledby={algorithmsId}>
+          <h3 id={algorithmsId} className={styles["heading"]}>
+            {t("presets.algorithms")}
+          </h3>
+          <ul className={styles["algorithms"]}>
+            {programPresets.map((preset) => {
+              const name = t(`program.preset.${preset.id}.name`);
+              const { rules, default: otherwise } = preset.program;
+              return (
+                <PresetCard
+                  key={preset.id}
+                  title={name}
+                  hint={t(`program.preset.${preset.id}.note`)}
+                  isOpen={
+                    JSON.stringify([rules, otherwise]) ===
+                    JSON.stringify([program.rules, program.default])
+                  }
+                  onChoose={() => {
+                    chooseAlgorithm(services, i18n, { ...preset.program, name });
+                    onChosen?.();
+                  }}
+                />
+              );
+            })}
+          </ul>
+        </section>
+      )}
     </div>
   );
 }

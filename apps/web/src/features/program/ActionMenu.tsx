@@ -3,6 +3,7 @@ import { menuActions } from "@corridor/program";
 import type { PlainAction } from "@corridor/protocol";
 import { useTranslation } from "react-i18next";
 import { Select } from "../../ui/Select.tsx";
+import { useRights } from "../lessons/use-rights.ts";
 import { ActionIcon } from "./ProgramIcons.tsx";
 import styles from "./program.module.css";
 
@@ -10,17 +11,24 @@ interface ActionMenuProps {
   label: string;
   value: PlainAction;
   onChange: (action: PlainAction) => void;
+  /** what a challenge may keep as it is: the action of a line, or the one after "otherwise" */
+  edit?: "action" | "otherwise";
 }
 
-/** An action that the paper's menu does not have (stop) stays a choice while a program uses it. */
-export function ActionMenu({ label, value, onChange }: ActionMenuProps) {
+/** An action that the menu does not have (stop) stays a choice while a program uses it. */
+export function ActionMenu({ label, value, onChange, edit = "action" }: ActionMenuProps) {
   const { t } = useTranslation();
-  const actions = menuActions.includes(value) ? menuActions : [...menuActions, value];
+  const rights = useRights();
+  const offered = rights?.actions ?? menuActions;
+  const actions = offered.includes(value) ? offered : [...offered, value];
+  const isFixed = rights?.edits.has(edit) === false;
   return (
     <Select
       label={label}
       className={styles["action"]}
       value={value}
+      disabled={isFixed}
+      title={isFixed ? t("lessons.partFixed") : undefined}
       options={actions.map((action) => ({ value: action, label: t(`program.action.${action}`) }))}
       icon={<ActionIcon action={value} />}
       onChange={onChange}

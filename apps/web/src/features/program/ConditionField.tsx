@@ -15,6 +15,7 @@ import { FieldError } from "../../ui/FieldError.tsx";
 import { NumberInput } from "../../ui/NumberInput.tsx";
 import { Select } from "../../ui/Select.tsx";
 import { useNumberDraft } from "../../ui/use-number-draft.ts";
+import { useRights } from "../lessons/use-rights.ts";
 import { choiceOf, DO_NOTHING, kindOfChoice } from "./condition-menu.ts";
 import { applyEdit, chooseCondition, type RememberedNumbers } from "./program-actions.ts";
 import { SensorIcon } from "./ProgramIcons.tsx";
@@ -30,10 +31,16 @@ interface ConditionMenuProps {
 export function ConditionMenu({ index, condition, remembered }: ConditionMenuProps) {
   const { t } = useTranslation();
   const { workspace } = useServices();
+  const rights = useRights();
+  const own = condition === null ? null : kindOf(condition);
+  const offered = conditionKinds.filter(
+    (kind) => kind === own || (rights?.conditions.includes(kind) ?? true),
+  );
+  const isFixed = rights?.edits.has("condition") === false;
   const options = [
     { value: DO_NOTHING, label: t("program.doNothing") },
-    ...conditionKinds.map((kind, at) => ({
-      value: String(at),
+    ...offered.map((kind) => ({
+      value: String(conditionKinds.indexOf(kind)),
       label:
         kind.than === "right"
           ? `${t("program.sensor.left")} ${kind.is} ${t("program.sensor.right")} +`
@@ -46,7 +53,9 @@ export function ConditionMenu({ index, condition, remembered }: ConditionMenuPro
       className={styles["condition"]}
       value={choiceOf(condition)}
       options={options}
-      icon={<SensorIcon kind={condition === null ? null : kindOf(condition)} />}
+      disabled={isFixed}
+      title={isFixed ? t("lessons.partFixed") : undefined}
+      icon={<SensorIcon kind={own} />}
       onChange={(choice) => chooseCondition(workspace, index, kindOfChoice(choice), remembered)}
     />
   );
@@ -56,6 +65,8 @@ export function ConditionMenu({ index, condition, remembered }: ConditionMenuPro
 export function ConditionNumber({ index, condition }: { index: number; condition: Condition }) {
   const { t } = useTranslation();
   const { workspace } = useServices();
+  const rights = useRights();
+  const isFixed = rights?.edits.has("number") === false;
   const endStroke = useRef<(() => void) | null>(null);
   const range = numberRange(kindOf(condition));
   const draft = useNumberDraft(numberOf(condition), range, (number) => {
@@ -71,6 +82,8 @@ export function ConditionNumber({ index, condition }: { index: number; condition
         draft={draft}
         errorId={errorId}
         className={styles["number"]}
+        disabled={isFixed}
+        title={isFixed ? t("lessons.partFixed") : undefined}
         aria-label={t("program.numberOf", { line: index + 1 })}
         onBlur={() => {
           endStroke.current?.();

@@ -4,6 +4,7 @@ import { useTranslation } from "react-i18next";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { IconButton } from "../../ui/Button.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
+import { useRights } from "../lessons/use-rights.ts";
 import styles from "./program.module.css";
 
 interface LineToolsProps {
@@ -16,17 +17,36 @@ interface LineToolsProps {
 
 export function LineTools(props: LineToolsProps) {
   const isBig = useMediaQuery("(max-width: 599px), (pointer: coarse)");
-  return isBig ? <ToolMenu {...props} /> : <ToolButtons {...props} />;
+  const edits = useRights()?.edits;
+  const canMove = edits?.has("order") ?? true;
+  const canDelete = edits?.has("lines") ?? true;
+  if (!canMove && !canDelete) return null;
+  const tools = { ...props, canMove, canDelete };
+  return isBig ? <ToolMenu {...tools} /> : <ToolButtons {...tools} />;
 }
 
-function ToolButtons({ line, isFirst, isLast, onMove, onDelete }: LineToolsProps) {
+interface AllowedTools extends LineToolsProps {
+  /** what an open challenge leaves */
+  canMove: boolean;
+  canDelete: boolean;
+}
+
+function ToolButtons({
+  canMove,
+  canDelete,
+  line,
+  isFirst,
+  isLast,
+  onMove,
+  onDelete,
+}: AllowedTools) {
   const { t } = useTranslation();
   return (
     <div className={styles["tools"]}>
       <IconButton
         label={t("program.moveUp", { line })}
         data-move="up"
-        disabled={isFirst}
+        disabled={isFirst || !canMove}
         onClick={() => onMove(-1)}
       >
         <ArrowUp aria-hidden="true" />
@@ -34,19 +54,19 @@ function ToolButtons({ line, isFirst, isLast, onMove, onDelete }: LineToolsProps
       <IconButton
         label={t("program.moveDown", { line })}
         data-move="down"
-        disabled={isLast}
+        disabled={isLast || !canMove}
         onClick={() => onMove(1)}
       >
         <ArrowDown aria-hidden="true" />
       </IconButton>
-      <IconButton label={t("program.delete", { line })} onClick={onDelete}>
+      <IconButton label={t("program.delete", { line })} disabled={!canDelete} onClick={onDelete}>
         <Trash2 aria-hidden="true" />
       </IconButton>
     </div>
   );
 }
 
-function ToolMenu({ line, isFirst, isLast, onMove, onDelete }: LineToolsProps) {
+function ToolMenu({ canMove, canDelete, line, isFirst, isLast, onMove, onDelete }: AllowedTools) {
   const { t } = useTranslation();
   const menu = usePopover();
   return (
@@ -57,19 +77,19 @@ function ToolMenu({ line, isFirst, isLast, onMove, onDelete }: LineToolsProps) {
       <Popover {...menu.panel} label={t("program.lineMenu", { line })} align="end">
         <MenuItem
           icon={<ArrowUp aria-hidden="true" />}
-          disabled={isFirst}
+          disabled={isFirst || !canMove}
           onSelect={() => onMove(-1)}
         >
           {t("program.up")}
         </MenuItem>
         <MenuItem
           icon={<ArrowDown aria-hidden="true" />}
-          disabled={isLast}
+          disabled={isLast || !canMove}
           onSelect={() => onMove(1)}
         >
           {t("program.down")}
         </MenuItem>
-        <MenuItem icon={<Trash2 aria-hidden="true" />} onSelect={onDelete}>
+        <MenuItem icon={<Trash2 aria-hidden="true" />} disabled={!canDelete} onSelect={onDelete}>
           {t("program.remove")}
         </MenuItem>
       </Popover>

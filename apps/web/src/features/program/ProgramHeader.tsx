@@ -9,12 +9,14 @@ import { tell } from "../../stores/screen-store.ts";
 import { beginStroke, redo, undo } from "../../stores/workspace-store.ts";
 import { IconButton } from "../../ui/Button.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
+import { useRights } from "../lessons/use-rights.ts";
 import { applyEdit, loadProgram } from "./program-actions.ts";
 import styles from "./program.module.css";
 
 export function ProgramHeader() {
   const { t } = useTranslation();
   const { workspace } = useServices();
+  const rights = useRights();
   const canUndo = useStore(workspace.temporal, (state) => state.pastStates.length > 0);
   const canRedo = useStore(workspace.temporal, (state) => state.futureStates.length > 0);
   return (
@@ -22,7 +24,8 @@ export function ProgramHeader() {
       <div className={styles["header"]}>
         <h2 className="visually-hidden">{t("program.program")}</h2>
         <ProgramName />
-        <AlgorithmMenu />
+        {/* A challenge is to be solved, not looked up. */}
+        {rights === null && <AlgorithmMenu />}
         <IconButton label={t("program.undo")} disabled={!canUndo} onClick={() => undo(workspace)}>
           <Undo2 aria-hidden="true" />
         </IconButton>

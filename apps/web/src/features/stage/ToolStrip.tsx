@@ -11,6 +11,7 @@ import { lazyDialog } from "../../ui/lazy-part.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
 import { ViewMenu } from "./ViewMenu.tsx";
 import { ChallengePlace } from "../lessons/OpenChallenge.tsx";
+import { useRights } from "../lessons/use-rights.ts";
 import styles from "./tool-strip.module.css";
 
 const ClearDialog = lazyDialog(async () => (await import("./ClearDialog.tsx")).ClearDialog);
@@ -25,6 +26,7 @@ const icons: Record<Tool, typeof Flag> = {
 export function ToolStrip() {
   const { screen } = useServices();
   const { t } = useTranslation();
+  const isFixed = useRights()?.maze === false;
   const tool = useStore(screen, (state) => state.tool);
   const [dialog, setDialog] = useState<"clear" | "resize" | null>(null);
   const close = (): void => setDialog(null);
@@ -48,32 +50,44 @@ export function ToolStrip() {
       </div>
       <div className={styles["edits"]}>
         <HistoryButtons />
-        <Button
-          kind="quiet"
-          size="small"
-          className={styles["whole"]}
-          title={t("stage.clear")}
-          icon={<Eraser aria-hidden="true" />}
-          onClick={() => setDialog("clear")}
-        >
-          <span className={styles["word"]}>{t("stage.clear")}</span>
-        </Button>
-        <Button
-          kind="quiet"
-          size="small"
-          className={styles["whole"]}
-          title={t("stage.resize")}
-          icon={<Scaling aria-hidden="true" />}
-          onClick={() => setDialog("resize")}
-        >
-          <span className={styles["word"]}>{t("stage.resize")}</span>
-        </Button>
+        {!isFixed && (
+          <WholeMaze onClear={() => setDialog("clear")} onResize={() => setDialog("resize")} />
+        )}
       </div>
       <ChallengePlace />
       <ViewMenu onClear={() => setDialog("clear")} onResize={() => setDialog("resize")} />
       <ClearDialog isOpen={dialog === "clear"} onClose={close} />
       <ResizeDialog isOpen={dialog === "resize"} onClose={close} />
     </div>
+  );
+}
+
+/** A challenge may keep the maze as it is: then there is nothing to clear or resize. */
+function WholeMaze({ onClear, onResize }: { onClear: () => void; onResize: () => void }) {
+  const { t } = useTranslation();
+  return (
+    <>
+      <Button
+        kind="quiet"
+        size="small"
+        className={styles["whole"]}
+        title={t("stage.clear")}
+        icon={<Eraser aria-hidden="true" />}
+        onClick={onClear}
+      >
+        <span className={styles["word"]}>{t("stage.clear")}</span>
+      </Button>
+      <Button
+        kind="quiet"
+        size="small"
+        className={styles["whole"]}
+        title={t("stage.resize")}
+        icon={<Scaling aria-hidden="true" />}
+        onClick={onResize}
+      >
+        <span className={styles["word"]}>{t("stage.resize")}</span>
+      </Button>
+    </>
   );
 }
 

@@ -6,6 +6,7 @@ import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
+import { useRights } from "../lessons/use-rights.ts";
 import styles from "./tool-strip.module.css";
 
 const choices = ["showBeams", "showTrail", "showRulers"] as const;
@@ -19,6 +20,7 @@ interface ViewMenuProps {
 export function ViewMenu({ onClear, onResize }: ViewMenuProps) {
   const { screen } = useServices();
   const { t } = useTranslation();
+  const isFixed = useRights()?.maze === false;
   const state = useStore(screen);
   const menu = usePopover();
   return (
@@ -38,14 +40,16 @@ export function ViewMenu({ onClear, onResize }: ViewMenuProps) {
               />
             </div>
           ))}
-          <div className={styles["wholeItems"]}>
-            <MenuItem icon={<Scaling aria-hidden="true" />} onSelect={onResize}>
-              {t("stage.resize")}
-            </MenuItem>
-            <MenuItem icon={<Eraser aria-hidden="true" />} onSelect={onClear}>
-              {t("stage.clear")}
-            </MenuItem>
-          </div>
+          {!isFixed && (
+            <div className={styles["wholeItems"]}>
+              <MenuItem icon={<Scaling aria-hidden="true" />} onSelect={onResize}>
+                {t("stage.resize")}
+              </MenuItem>
+              <MenuItem icon={<Eraser aria-hidden="true" />} onSelect={onClear}>
+                {t("stage.clear")}
+              </MenuItem>
+            </div>
+          )}
           <p className={styles["figures"]}>{t("stage.figures")}</p>
         </div>
       </Popover>

@@ -16,7 +16,7 @@ const maze: MazeDocument = {
 };
 const at = (column: number, row: number) => ({ column, row });
 
-function newEditor() {
+function newEditor({ isFixed = false } = {}) {
   const workspace = createWorkspaceStore(maze, firstProgram);
   const screen = createScreenStore();
   const refusals: ToolRefusal[] = [];
@@ -25,12 +25,23 @@ function newEditor() {
     workspace,
     screen,
     pose: () => ({ x: 50, y: 150, heading: 0 }),
+    isFixed: () => isFixed,
     refuse: (code) => refusals.push(code),
     goalsRemoved: (count) => goalsRemoved.push(count),
   });
   const blocks = () => workspace.getState().maze.blocks;
   return { workspace, screen, refusals, goalsRemoved, editor, blocks };
 }
+
+it("of a maze that stays as it is says so once a press, and changes nothing", () => {
+  const { workspace, editor, refusals } = newEditor({ isFixed: true });
+  editor.follow({ type: "begin", cell: at(2, 0) });
+  editor.follow({ type: "paint", cells: [at(3, 0)] });
+  editor.follow({ type: "end" });
+  expect(refusals).toEqual(["maze-fixed"]);
+  expect(workspace.getState().maze).toBe(maze);
+  expect(workspace.temporal.getState().pastStates).toEqual([]);
+});
 
 describe("a stroke of blocks", () => {
   it("is one step of undo and of redo, however many squares it fills", () => {

@@ -22,6 +22,8 @@ export interface MazeEditorPort {
   screen: ScreenStore;
   /** where the robot is now; null before the first frame */
   pose: () => Pose | null;
+  /** whether an open challenge keeps its maze as it is */
+  isFixed: () => boolean;
   /** says in words why nothing happened */
   refuse: (code: ToolRefusal) => void;
   /** says that a stroke of blocks has buried so many goals, once it is over */
@@ -63,7 +65,11 @@ export class MazeEditor {
   }
 
   #begin(cell: Cell): void {
-    const { workspace, screen, pose } = this.#port;
+    const { workspace, screen, pose, isFixed, refuse } = this.#port;
+    if (isFixed()) {
+      refuse("maze-fixed");
+      return;
+    }
     const { maze } = workspace.getState();
     const { tool } = screen.getState();
     this.#stroke = {

@@ -6,6 +6,7 @@ import { MAX_GOALS, MAX_SIDE, sizeOf, type Cell } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
+import type { Ghost } from "../../canvas/layers/ghost.ts";
 import { PointerInput, type PointerFacts } from "../../canvas/pointer-input.ts";
 import { readPalette, type Palette } from "../../canvas/palette.ts";
 import { watchPixelRatio, watchTheme } from "./theme-watch.ts";
@@ -53,6 +54,7 @@ export class StageController {
       workspace: services.workspace,
       screen: services.screen,
       pose: () => this.#pose(),
+      isFixed: () => this.#isMazeFixed(),
       refuse: (code) => this.#tellRefusal(code),
       goalsRemoved: (count) =>
         tellUndoable(services, words, words.t("stage.goalsRemoved", { count })),
@@ -171,7 +173,7 @@ export class StageController {
     const { layout, hover } = this.view.getState();
     if (layout === null || this.#palette === null) return;
     const { maze, program } = this.#services.workspace.getState();
-    const { tool, showBeams, showTrail, showRulers } = this.#services.screen.getState();
+    const { showBeams, showTrail, showRulers } = this.#services.screen.getState();
     this.#drawing?.show({
       layout,
       pixelRatio: this.#pixelRatio,
@@ -183,10 +185,21 @@ export class StageController {
       showBeams,
       showTrail,
       showRulers: hasRulers(layout.view.width, showRulers),
-      ghost: hover === null ? null : ghostOf(maze, tool, hover, this.#pose()),
+      ghost: hover === null ? null : this.#ghostAt(hover),
       measured: null,
       isCalm: false,
     });
+  }
+
+  /** An open challenge may keep its maze as it is. */
+  #isMazeFixed(): boolean {
+    return this.#services.challenge.getState().rights?.maze === false;
+  }
+
+  #ghostAt(cell: Cell): Ghost {
+    if (this.#isMazeFixed()) return { kind: "refused", cell };
+    const { maze } = this.#services.workspace.getState();
+    return ghostOf(maze, this.#services.screen.getState().tool, cell, this.#pose());
   }
 
   /** Where the robot was when the page was last told; null before the first frame. */

@@ -19,7 +19,11 @@ import { ROBOT_RADIUS } from "../../canvas/layers/robot.ts";
 import { CELL } from "../../canvas/viewport.ts";
 import type { Tool } from "../../stores/screen-store.ts";
 
-export type ToolRefusal = MazeRefusal | "robot-here";
+export type ToolRefusal =
+  | MazeRefusal
+  | "robot-here"
+  /** an open challenge keeps its maze as it is */
+  | "maze-fixed";
 
 export type ToolEdit = { ok: true; maze: MazeDocument } | { ok: false; code: ToolRefusal };
 

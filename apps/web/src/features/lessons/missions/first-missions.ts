@@ -17,7 +17,7 @@ export const firstMissions: readonly Mission[] = [
   {
     id: "make-it-move",
     challenge: {
-      mazes: [room(["#######", "#.....#", "#######"], eastFrom(1, 1), { column: 5, row: 1 })],
+      mazes: [room(["#########", "#.......#", "#########"], eastFrom(1, 1), { column: 5, row: 1 })],
       program: lines("forward"),
       goal: { kind: "reach" },
       // Run works too: whoever presses it first has made it move.

@@ -37,7 +37,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
     wrong: {
       why: "presses the key instead of holding it",
       attempt: hold(6),
-      feedback: { code: "not-reached", maze: 0, line: null, tick: 3600, needed: 5, found: 1 },
+      feedback: { code: "not-reached", maze: 0, line: null, tick: 3600, needed: 7, found: 1 },
     },
   },
   "how-far": {
