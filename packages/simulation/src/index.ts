@@ -3,7 +3,13 @@ export type { Progress } from "./motion/progress.ts";
 export type { MotionEnding } from "./motion/motion-controller.ts";
 export { ProgramRun, type Decider, type ProgramRunState } from "./program-run.ts";
 export { replayDigest, type Inputs } from "./replay.ts";
-export { DELAY_DISTANCE, ROBOT_RADIUS, TICK_SECONDS, TICKS_PER_SECOND } from "./settings.ts";
+export {
+  DELAY_DISTANCE,
+  LEAVE_DISTANCE,
+  ROBOT_RADIUS,
+  TICK_SECONDS,
+  TICKS_PER_SECOND,
+} from "./settings.ts";
 export { Simulation } from "./simulation.ts";
 export type { SimulationState } from "./simulation-state.ts";
 export { SnapshotDigest } from "./snapshot-digest.ts";

@@ -86,8 +86,9 @@ export class MotionController {
     const part = this.#parts[this.#next];
     if (part === undefined || !this.#isManoeuvre) return null;
     const { kind, left, of } = part;
+    const way = (kind === "turn" ? part.angular : part.linear) < 0 ? -1 : 1;
     const parts = this.#parts.length;
-    return { action: this.#action, part: this.#next, parts, kind, left, of };
+    return { action: this.#action, part: this.#next, parts, kind, way, left, of };
   }
 
   save(): MotionState {

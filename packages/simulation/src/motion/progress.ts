@@ -7,6 +7,8 @@ export interface Progress {
   part: number;
   parts: number;
   kind: "drive" | "turn" | "wheels";
+  /** 1 along the heading or clockwise, -1 against */
+  way: 1 | -1;
   /** what the part has still to do: units of a drive, degrees of a turn, ticks of wheels */
   left: number;
   /** what it had to do when it began */
