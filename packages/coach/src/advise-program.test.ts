@@ -62,9 +62,10 @@ const studentProgram: fc.Arbitrary<ProgramDocument> = fc
 
 const tree = generateTree({ columns: 11, rows: 11, seed: 5, name: "" });
 
-function programOf(
-  ...lines: [when: string, action: ProgramDocument["default"]][]
-): ProgramDocument {
+/** "right > 60" and what to do then. */
+type Line = [when: string, action: ProgramDocument["default"]];
+
+function programOf(...lines: Line[]): ProgramDocument {
   return {
     format: "corridor/program",
     version: 1,
@@ -159,9 +160,7 @@ describe("a line that can never decide", () => {
     ],
   ] as const)("%s", (_, lines, mend) => {
     const actions = ["forward", "turn 180", "reverse"] as const;
-    const program = programOf(
-      ...lines.map((when, at) => [when, actions[at] ?? "stop"] as [string, "stop"]),
-    );
+    const program = programOf(...lines.map((when, at) => [when, actions[at] ?? "stop"] as Line));
     const advice = adviseProgram(program, tree).find(({ line }) => line === lines.length - 1);
     expect(advice).toMatchObject({ kind: "never-decides", mend });
   });
@@ -257,9 +256,7 @@ describe("turns at the wrong moment", () => {
       ],
     ],
   ] as const)("is not %s", (_, lines) => {
-    expect(
-      adviseProgram(programOf(...lines.map(([a, b]) => [a, b] as [string, "stop"])), tree),
-    ).toEqual([]);
+    expect(adviseProgram(programOf(...lines.map(([a, b]) => [a, b] as Line)), tree)).toEqual([]);
   });
 
   it("is not a turn of a robot that only turns", () => {
@@ -307,10 +304,8 @@ describe("every advice", () => {
         arbitraryMaze,
         fc.integer({ min: -180, max: 180 }),
         (program, maze, degrees) => {
-          const advised = adviseProgram(program, maze).flatMap(({ line, kind }) =>
-            kind === "never-true-here" && line !== "default"
-              ? [program.rules[line]?.when ?? null]
-              : [],
+          const advised = adviseProgram(program, maze).flatMap((each) =>
+            each.kind === "never-true-here" ? [program.rules[each.line]?.when ?? null] : [],
           );
           const simulation = new Simulation(maze);
           // A hand may have turned the robot before the program begins.

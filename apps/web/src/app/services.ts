@@ -4,6 +4,7 @@
  */
 import type { i18n } from "i18next";
 import { createContext, useContext } from "react";
+import { createAdviceStore, type AdviceStore } from "../features/program/advice-store.ts";
 import { createSolvedStore, type SolvedStore } from "../features/presets/solved-presets.ts";
 import { LessonsGate } from "../features/lessons/lessons-gate.ts";
 import { LessonsStorage } from "../features/lessons/lessons-storage.ts";
@@ -48,6 +49,8 @@ export interface Services {
   works: WorksService;
   /** ready-made mazes that were solved on this device */
   solved: SolvedStore;
+  /** what the coach says about the program's lines */
+  advice: AdviceStore;
   connection: RemoteConnection;
   /** the challenge that is open, if any */
   challenge: ChallengeStore;
@@ -121,6 +124,7 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
   const works = new WorksService({ shelf, current, workspace, screen, words, later });
   const connection = new RemoteConnection({ simulator, remote, run, tab });
   const solved = createSolvedStore({ run, workspace, device });
+  const advice = createAdviceStore({ workspace, load: () => import("@corridor/coach"), later });
   const challenge = createChallengeStore();
   const storage = new LessonsStorage(device);
   const lessons = new LessonsGate({
@@ -134,6 +138,7 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
     words,
   });
   return {
+    advice,
     simulator,
     workspace,
     run,

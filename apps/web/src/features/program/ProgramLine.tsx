@@ -1,7 +1,6 @@
 /** One line of the program as a sentence: if …, then …, and whether it is true now. */
 import type { Rule } from "@corridor/program";
 import { setAction } from "@corridor/program";
-import { Check, X } from "lucide-react";
 import { memo } from "react";
 import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
@@ -13,11 +12,17 @@ import { Badge } from "../../ui/Badge.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import { ActionMenu } from "./ActionMenu.tsx";
+import { adviceOn } from "./advice-store.ts";
+import { AdviceNote } from "./AdviceNote.tsx";
 import { ConditionMenu, ConditionNumber } from "./ConditionField.tsx";
-import { shownTruth, type ShownTruth } from "./line-state.ts";
+import { LineBump, LineProgress } from "./LineNotes.tsx";
+import { shownBump, shownProgress, shownTruth } from "./line-state.ts";
 import { LineTools } from "./LineTools.tsx";
+import { LineTruth } from "./LineTruth.tsx";
 import { applyEdit, deleteLine, moveLine, type RememberedNumbers } from "./program-actions.ts";
 import styles from "./program.module.css";
+import { takeMend } from "./take-mend.ts";
+import { useAdviceText } from "./use-advice-text.ts";
 import { useLineName } from "./use-line-name.ts";
 
 interface ProgramLineProps {
@@ -35,15 +40,33 @@ interface ProgramLineProps {
 export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   const { id, index, count, rule, isDeciding, isPassedOver, remembered } = props;
   const { t } = useTranslation();
-  const { workspace, screen, run } = useServices();
+  const { workspace, screen, run, advice, challenge } = useServices();
   const truth = useStore(
     run,
     useShallow(({ snapshot }) => shownTruth(rule.when, snapshot)),
   );
-  const name = useLineName(index, rule, isDeciding, truth);
+  const progress = useStore(
+    run,
+    useShallow((state) => shownProgress(index, state)),
+  );
+  const bump = useStore(
+    run,
+    useShallow((state) => shownBump(index, state)),
+  );
+  const given = useStore(advice, (state) => adviceOn(index, state));
+  const adviceText = useAdviceText(given, rule.when);
+  const isBumped = bump !== null;
+  const name = useLineName({
+    index,
+    rule,
+    state: isBumped ? "bumped" : isDeciding ? "running" : isPassedOver ? "notRead" : "resting",
+    truth,
+    advice: adviceText?.reason ?? null,
+  });
   const line = index + 1;
 
   function move(by: -1 | 1) {
+    if (challenge.getState().rights?.edits.has("order") === false) return;
     // Moving the element takes its focus away: it is given back as soon as the line has its new place.
     const focused = document.activeElement;
     flushSync(() => moveLine(workspace, index, by));
@@ -51,6 +74,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   }
 
   function remove() {
+    if (challenge.getState().rights?.edits.has("lines") === false) return;
     const bringBack = deleteLine(workspace, index);
     tell(screen, {
       tone: "info",
@@ -58,6 +82,25 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       action: { label: t("program.undo"), run: bringBack },
     });
     focusNeighbour(workspace.getState().lineIds, index);
+  }
+
+  function mend() {
+    const by = given?.mend ?? null;
+    const mended = by === null ? null : advice.mended(by);
+    if (by === null || mended === null) return;
+    if (by.kind === "delete") {
+      remove();
+      return;
+    }
+    flushSync(() => takeMend(workspace, by, mended));
+    // The button is gone with its advice; the line says what it asks and does now.
+    document.getElementById(lineElementId(id))?.focus();
+  }
+
+  function hide() {
+    if (given === null) return;
+    flushSync(() => advice.hide(given));
+    document.getElementById(lineElementId(id))?.focus();
   }
 
   function onKeyDown(event: React.KeyboardEvent) {
@@ -87,11 +130,14 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
         styles["line"],
         isDeciding && styles["deciding"],
         isPassedOver && styles["passedOver"],
+        isBumped && styles["bumped"],
       )}
     >
       <div className={styles["gutter"]}>
-        <Badge tone={isDeciding ? "live" : "rest"}>{line}</Badge>
-        {isDeciding && <RobotFace size={22} className={styles["robot"]} />}
+        <Badge tone={isBumped ? "bad" : isDeciding ? "live" : "rest"}>{line}</Badge>
+        {(isDeciding || isBumped) && (
+          <RobotFace size={22} mood={isBumped ? "bumped" : "driving"} className={styles["robot"]} />
+        )}
       </div>
       <span className={classNames(styles["word"], styles["if"])}>
         {index === 0 ? t("program.if") : t("program.elseIf")}
@@ -99,7 +145,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       <div className={classNames(styles["ask"], rule.when?.than === "right" && styles["compares"])}>
         <ConditionMenu index={index} condition={rule.when} remembered={remembered} />
         {rule.when !== null && <ConditionNumber index={index} condition={rule.when} />}
-        <TruthMark hasCondition={rule.when !== null} truth={truth} />
+        <LineTruth hasCondition={rule.when !== null} truth={truth} />
       </div>
       <span className={classNames(styles["word"], styles["then"])}>{t("program.then")}</span>
       <div className={styles["do"]}>
@@ -118,29 +164,25 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
           onDelete={remove}
         />
       </div>
+      {isBumped ? (
+        <div className={styles["note"]}>
+          <LineBump bump={bump} />
+        </div>
+      ) : (
+        progress !== null && (
+          <div className={styles["note"]}>
+            <LineProgress progress={progress} />
+          </div>
+        )
+      )}
+      {adviceText !== null && (
+        <div className={styles["advice"]}>
+          <AdviceNote text={adviceText} onMend={mend} onHide={hide} />
+        </div>
+      )}
     </li>
   );
 });
-
-/** A tick or a cross with both numbers; a line that does nothing is skipped. */
-function TruthMark({ hasCondition, truth }: { hasCondition: boolean; truth: ShownTruth | null }) {
-  const { t } = useTranslation();
-  if (!hasCondition) {
-    return <span className={styles["truth"]}>{t("program.skipped")}</span>;
-  }
-  if (truth === null) return null;
-  const { isTrue, left, right } = truth;
-  return (
-    <span className={classNames(styles["truth"], isTrue && styles["true"])}>
-      <span className={styles["mark"]}>
-        {isTrue ? <Check size={14} aria-hidden="true" /> : <X size={14} aria-hidden="true" />}
-        <span className="visually-hidden">{t(isTrue ? "program.true" : "program.false")}</span>
-        {left}
-      </span>{" "}
-      <span>{right}</span>
-    </span>
-  );
-}
 
 function lineElementId(id: number): string {
   return `program-line-${id}`;

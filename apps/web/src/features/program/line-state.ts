@@ -1,6 +1,7 @@
 /** How the lines of the program stand at the shown moment. */
 import { truthOf, type Condition } from "@corridor/program";
 import type { LineRef, Snapshot } from "@corridor/protocol";
+import type { RunState } from "../../stores/run-store.ts";
 import { truthText } from "./truth-text.ts";
 
 /** The line that drives the robot; null while the program does not drive. */
@@ -30,4 +31,53 @@ export function shownTruth(
   if (snapshot === null) return null;
   const truth = truthOf(condition, snapshot.sensors);
   return truth === null ? null : { isTrue: truth.isTrue, ...truthText(truth) };
+}
+
+/** How far the line's manoeuvre is, in whole units for eyes; flat like the truth. */
+export interface ShownProgress {
+  /** what the part that runs leads to: the turn of a delayed turn, the end of a turn, the way out */
+  kind: "approach" | "turn" | "leave";
+  /** whole cm or degrees that are left, rounded up: 0 is never shown */
+  left: number;
+  of: number;
+}
+
+/** @returns null when no manoeuvre of this line runs at the shown moment */
+export function shownProgress(
+  line: LineRef,
+  { snapshot, progress }: Pick<RunState, "snapshot" | "progress">,
+): ShownProgress | null {
+  if (progress === null || progress.kind === "wheels" || decidingLine(snapshot) !== line) {
+    return null;
+  }
+  const { kind, part, parts, of } = progress;
+  const left = Math.ceil(progress.left - CRUMB);
+  if (kind === "turn") return { kind, left, of };
+  return { kind: part < parts - 1 ? "approach" : "leave", left, of };
+}
+
+/** Rounding leaves crumbs of a distance; they are none. */
+const CRUMB = 1e-6;
+
+/** A bump as its line shows it: how far it came, and how far it would have gone. Whole cm. */
+export interface ShownBump {
+  /** null when it is not known, as for a bump of the past */
+  driven: number | null;
+  /** null for a motion that lasts until something else is chosen */
+  needed: number | null;
+}
+
+/** @returns null unless the robot touches, at the shown moment, the wall that this line drove it into */
+export function shownBump(
+  line: LineRef,
+  { snapshot, moment }: Pick<RunState, "snapshot" | "moment">,
+): ShownBump | null {
+  if (snapshot === null || !snapshot.bumping || snapshot.driver !== "program") return null;
+  // The newest bump is the one that is seen when no other came after or before it.
+  const isKnown = moment?.kind === "bump" && moment.bumps === snapshot.bumps;
+  if (!isKnown) return snapshot.line === line ? { driven: null, needed: null } : null;
+  const { cause } = moment;
+  if (moment.line !== line) return null;
+  if (cause === null) return { driven: null, needed: null };
+  return { driven: Math.round(cause.driven), needed: cause.needed };
 }

@@ -3,39 +3,52 @@ import type { Rule } from "@corridor/program";
 import { useTranslation } from "react-i18next";
 import type { ShownTruth } from "./line-state.ts";
 
-/** "Line 1, running: if right is more than 60, delayed right 90. Right is 250, true." */
-export function useLineName(
-  index: number,
-  rule: Rule,
-  isDeciding: boolean,
-  truth: ShownTruth | null,
-): string {
-  const { t } = useTranslation();
-  const line = index + 1;
-  const head = isDeciding
-    ? t("program.name.running", { line })
-    : t("program.name.resting", { line });
-  const action = t(`program.action.${rule.do}`);
-  const { when } = rule;
-  if (when === null) return `${head} ${t("program.name.nothing")}`;
+export interface LineNameParts {
+  index: number;
+  rule: Rule;
+  /** notRead: a line above won */
+  state: "resting" | "running" | "bumped" | "notRead";
+  truth: ShownTruth | null;
+  /** the reason of its advice, a whole sentence; null when there is none */
+  advice: string | null;
+}
 
-  const sensor = t(`program.sensor.${when.sensor}`);
-  const sentence =
-    when.than === "right"
-      ? t(when.is === ">" ? "program.name.moreThanRight" : "program.name.lessThanRight", {
-          sensor,
-          number: when.plus,
-          action,
-        })
-      : t(when.is === ">" ? "program.name.more" : "program.name.less", {
-          sensor,
-          number: when.than,
-          action,
-        });
-  if (truth === null) return `${head} ${sentence}`;
-  const told = t(truth.isTrue ? "program.name.isTrue" : "program.name.isFalse", {
-    sensor: t(`program.sensorFirst.${when.sensor}`),
-    number: truth.left,
-  });
-  return `${head} ${sentence} ${told}`;
+/** "Line 1, running: if right is more than 60, delayed right 90. Right is 250, true." */
+export function useLineName({ index, rule, state, truth, advice }: LineNameParts): string {
+  const { t } = useTranslation();
+  const { when } = rule;
+  const head = t(`program.name.${state === "notRead" ? "resting" : state}`, { line: index + 1 });
+  const sentences = [];
+  if (when === null) sentences.push(t("program.name.nothing"));
+  else {
+    const action = t(`program.action.${rule.do}`);
+    const sensor = t(`program.sensor.${when.sensor}`);
+    const isMore = when.is === ">";
+    sentences.push(
+      when.than === "right"
+        ? t(isMore ? "program.name.moreThanRight" : "program.name.lessThanRight", {
+            sensor,
+            number: when.plus,
+            action,
+          })
+        : t(isMore ? "program.name.more" : "program.name.less", {
+            sensor,
+            number: when.than,
+            action,
+          }),
+    );
+    if (truth !== null) {
+      const fact = {
+        sensor: t(`program.sensorFirst.${when.sensor}`),
+        number: truth.left,
+      };
+      sentences.push(
+        state === "notRead"
+          ? t(truth.isTrue ? "program.name.isTrueNotRead" : "program.name.isFalseNotRead", fact)
+          : t(truth.isTrue ? "program.name.isTrue" : "program.name.isFalse", fact),
+      );
+    }
+  }
+  if (advice !== null) sentences.push(t("program.name.advice", { advice }));
+  return [head, ...sentences].join(" ");
 }

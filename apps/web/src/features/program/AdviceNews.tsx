@@ -1,0 +1,29 @@
+/** Tells advice that came up once to those who listen; those who look see it in its line. */
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { adviceOn } from "./advice-store.ts";
+import { useAdviceText } from "./use-advice-text.ts";
+
+export function AdviceNews() {
+  const { t } = useTranslation();
+  const { workspace, advice } = useServices();
+  const news = useStore(advice, (state) =>
+    state.news !== null && adviceOn(state.news.line, state)?.kind === state.news.kind
+      ? state.news
+      : null,
+  );
+  const line = news?.line ?? "default";
+  const when = useStore(workspace, ({ program }) =>
+    line === "default" ? null : (program.rules[line]?.when ?? null),
+  );
+  const text = useAdviceText(news, when);
+  return (
+    <output className="visually-hidden">
+      {text !== null &&
+        (line === "default"
+          ? t("program.advice.newsOtherwise", { advice: text.reason })
+          : t("program.advice.news", { line: line + 1, advice: text.reason }))}
+    </output>
+  );
+}

@@ -1,0 +1,30 @@
+/** Advice in its line: why, one button that mends it, and one that hides it. Nothing is broken, so it is calm. */
+import { Lightbulb, X } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { Button, IconButton } from "../../ui/Button.tsx";
+import styles from "./line-notes.module.css";
+import type { AdviceText } from "./use-advice-text.ts";
+
+interface AdviceNoteProps {
+  text: AdviceText;
+  onMend: () => void;
+  onHide: () => void;
+}
+
+export function AdviceNote({ text, onMend, onHide }: AdviceNoteProps) {
+  const { t } = useTranslation();
+  return (
+    <div className={styles["advice"]}>
+      <Lightbulb size={16} aria-hidden="true" />
+      <p>{text.reason}</p>
+      {text.mend !== null && (
+        <Button size="small" className={styles["mend"]} onClick={onMend}>
+          {text.mend}
+        </Button>
+      )}
+      <IconButton label={t("program.advice.hide")} onClick={onHide}>
+        <X aria-hidden="true" />
+      </IconButton>
+    </div>
+  );
+}

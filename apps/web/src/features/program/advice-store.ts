@@ -1,0 +1,121 @@
+/**
+ * The advice that stands in the lines: what the coach says about the program as it is now, less what
+ * the reader has hidden. Advice goes at once when its reason is gone and comes only when the edits have
+ * settled, so that nothing flickers while a number is being typed. React-free.
+ */
+import type { Advice, Mend } from "@corridor/coach";
+import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
+import type { LineRef } from "@corridor/protocol";
+import { createStore, type StoreApi } from "zustand/vanilla";
+import type { WorkspaceStore } from "../../stores/workspace-store.ts";
+
+/** The coach's functions; they come in a file of their own once the page has time. */
+export interface Coach {
+  adviseProgram: (program: ProgramDocument, maze: MazeDocument) => Advice[];
+  applyMend: (program: ProgramDocument, mend: Mend) => ProgramDocument;
+}
+
+export interface AdvicePorts {
+  workspace: WorkspaceStore;
+  load: () => Promise<Coach>;
+  /** runs a function later, such as `setTimeout` */
+  later: (run: () => void, milliseconds: number) => void;
+}
+
+export interface AdviceState {
+  /** what to show, from the top line down */
+  shown: readonly Advice[];
+  /** the newest that came up, to be told once to those who listen */
+  news: Advice | null;
+}
+
+export interface AdviceStore extends Pick<
+  StoreApi<AdviceState>,
+  "getState" | "subscribe" | "getInitialState"
+> {
+  /** shows this advice no more, wherever a line says the same */
+  hide: (advice: Advice) => void;
+  /** the program with the advice's mend in it; null when there is none or the coach is away */
+  mended: (mend: Mend) => ProgramDocument | null;
+}
+
+/** Edits that follow each other faster than this belong together. */
+const SETTLE_MS = 1000;
+
+/** Follows the workspace from now on. */
+export function createAdviceStore({ workspace, load, later }: AdvicePorts): AdviceStore {
+  const store = createStore<AdviceState>()(() => ({ shown: [], news: null }));
+  const hidden = new Set<string>();
+  const told = new Set<string>();
+  let settled: ReadonlySet<string> = new Set();
+  let coach: Coach | null = null;
+  let edits = 0;
+
+  function refresh(): void {
+    if (coach === null) return;
+    const { program, maze } = workspace.getState();
+    const all = coach.adviseProgram(program, maze);
+    const shown = all.filter((advice) => {
+      const key = keyOf(advice, program);
+      return settled.has(key) && !hidden.has(key);
+    });
+    if (shown.length > 0 || store.getState().shown.length > 0) store.setState({ shown });
+  }
+
+  function settle(): void {
+    if (coach === null) return;
+    const { program, maze } = workspace.getState();
+    const all = coach.adviseProgram(program, maze);
+    settled = new Set(all.map((advice) => keyOf(advice, program)));
+    refresh();
+    const fresh = store.getState().shown.find((advice) => !told.has(keyOf(advice, program)));
+    if (fresh === undefined) return;
+    for (const key of settled) told.add(key);
+    store.setState({ news: fresh });
+  }
+
+  function settleSoon(): void {
+    const edit = ++edits;
+    later(() => {
+      if (edit !== edits) return;
+      if (coach !== null) {
+        settle();
+        return;
+      }
+      // Without the coach nothing is lost but the advice: the next edit asks for it again.
+      load().then(
+        (loaded) => {
+          coach = loaded;
+          if (edit === edits) settle();
+        },
+        () => {},
+      );
+    }, SETTLE_MS);
+  }
+
+  workspace.subscribe((next, before) => {
+    if (next.program !== before.program) refresh();
+    if (next.program !== before.program || next.maze !== before.maze) settleSoon();
+  });
+  settleSoon();
+
+  return {
+    ...store,
+    hide: (advice) => {
+      hidden.add(keyOf(advice, workspace.getState().program));
+      refresh();
+    },
+    mended: (mend) => coach?.applyMend(workspace.getState().program, mend) ?? null,
+  };
+}
+
+/** The advice that stands in a line, or in "otherwise". */
+export function adviceOn(line: LineRef, { shown }: AdviceState): Advice | null {
+  return shown.find((advice) => advice.line === line) ?? null;
+}
+
+/** The same for lines that say the same, wherever they stand. */
+function keyOf({ kind, line }: Advice, program: ProgramDocument): string {
+  return `${kind} ${JSON.stringify(line === "default" ? line : program.rules[line])}`;
+}

@@ -1,0 +1,81 @@
+/** An advice in words: what is the matter with its numbers, and what the one button does about it. */
+import type { Advice, Mend } from "@corridor/coach";
+import { numberOf, type Condition } from "@corridor/program";
+import { useTranslation } from "react-i18next";
+
+export interface AdviceText {
+  reason: string;
+  /** null where the advice has no mend */
+  mend: string | null;
+}
+
+/** @param when the condition of the line that the advice is about; null for "otherwise" */
+export function useAdviceText(advice: Advice | null, when: Condition | null): AdviceText | null {
+  const { t, i18n } = useTranslation();
+  if (advice === null) return null;
+
+  /** As the menus show it: "left > right + 1". */
+  function conditionText(condition: Condition): string {
+    const sensor = t(`program.sensor.${condition.sensor}`);
+    const other = condition.than === "right" ? `${t("program.sensor.right")} + ` : "";
+    return `${sensor} ${condition.is} ${other}${numberOf(condition)}`;
+  }
+
+  function lineList(lines: readonly number[]): string {
+    const list = new Intl.ListFormat(i18n.language, { type: "conjunction" });
+    return list.format(lines.map((line) => String(line + 1)));
+  }
+
+  function reasonText(given: Advice): string {
+    const condition = when === null ? "" : conditionText(when);
+    switch (given.kind) {
+      case "never-decides": {
+        const lines = lineList(given.above);
+        const count = given.above.length;
+        return given.line === "default"
+          ? t("program.advice.otherwise", { count, lines })
+          : t("program.advice.neverDecides", { count, condition, lines });
+      }
+      case "never-true-here": {
+        // Rounded up, the sentence stays true.
+        return t(`program.advice.neverTrue.${given.limit}`, {
+          condition,
+          bound: Math.ceil(given.bound),
+        });
+      }
+      case "delayed-about-front": {
+        const side = given.side === "left" ? "Left" : "Right";
+        const { needs } = given;
+        return given.why === "near"
+          ? t("program.advice.delayedNear", { condition, needs })
+          : t(`program.advice.delayedFree${side}`, { condition });
+      }
+      case "immediate-into-opening":
+        return t("program.advice.intoOpening", { condition, drivesOn: given.drivesOn });
+    }
+  }
+
+  function mendText(mend: Mend): string {
+    switch (mend.kind) {
+      case "action":
+        return t("program.mend.action", { action: t(`program.action.${mend.action}`) });
+      case "number":
+        return t("program.mend.number", { number: mend.number });
+      case "condition":
+        return t("program.mend.condition", { condition: conditionText(mend.when) });
+      case "move":
+        return t(mend.to < mend.line ? "program.mend.moveUp" : "program.mend.moveDown", {
+          line: mend.to + 1,
+        });
+      case "delete":
+        return t("program.mend.delete", { line: mend.line + 1 });
+      case "insert":
+        return t("program.mend.insert");
+    }
+  }
+
+  return {
+    reason: reasonText(advice),
+    mend: advice.mend === null ? null : mendText(advice.mend),
+  };
+}
