@@ -29,6 +29,7 @@ const names = {
   goodInk: "--good-ink",
   goodBg: "--good-bg",
   bad: "--bad",
+  badBg: "--bad-bg",
   font: "--font-ui",
 } as const;
 

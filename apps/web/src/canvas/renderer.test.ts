@@ -98,6 +98,7 @@ function newStage() {
     },
     requestFrame,
     cancelFrame: () => (waiting = null),
+    now: () => 0,
     scrollTo: (scroll) => scrolls.push(scroll),
   });
   const paint = (): void => {

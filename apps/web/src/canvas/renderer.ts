@@ -8,12 +8,14 @@ import type { Snapshot } from "@corridor/protocol";
 import type { Frame } from "../worker/worker-messages.ts";
 import type { LayerCanvases } from "./brush.ts";
 import { bumpMarks, drawBumps, type BumpMark } from "./layers/bumps.ts";
-import { drawLive } from "./layers/live.ts";
+import { awayFrom, type Hit } from "./layers/hit.ts";
+import { drawLive, type Shown } from "./layers/live.ts";
 import { drawPlaces } from "./layers/places.ts";
 import { drawRulers } from "./layers/rulers.ts";
 import { forgetTextWidths } from "./layers/tags.ts";
 import { drawTrail } from "./layers/trail.ts";
 import { drawWalls } from "./layers/walls.ts";
+import { nudgeOffset, type Nudge } from "./nudge.ts";
 import type { Scene } from "./scene.ts";
 import { Surface } from "./surface.ts";
 import { Trail } from "./trail.ts";
@@ -25,10 +27,14 @@ export interface RendererPort {
   takeFrame: () => Frame | null;
   requestFrame: (paint: () => void) => number;
   cancelFrame: (request: number) => void;
+  /** monotonic milliseconds */
+  now: () => number;
   /** scrolls the stage so that the robot stays in sight */
   scrollTo: (scroll: Scroll) => void;
 }
 
+/** Frames at most so many ticks apart follow one another. */
+const RECENT_TICKS = 30;
 /** Bumps that stay marked, the newest. */
 const MAX_BUMPS = 100;
 
@@ -60,7 +66,9 @@ export class StageRenderer {
   readonly #stale = new Set<Layer>();
   #scene: Scene | null = null;
   #scroll: Scroll = { x: 0, y: 0 };
-  #snapshot: Snapshot | null = null;
+  #frame: Frame | null = null;
+  #hit: Hit | null = null;
+  #nudge: Nudge | null = null;
   #bumps: BumpMark[] = [];
   #request: number | null = null;
   /** the division of the stage in which the robot was last brought into sight */
@@ -142,9 +150,9 @@ export class StageRenderer {
     if (scene === null || surfaces === null) return;
     const viewport = viewportAt(scene.layout, this.#scroll);
     this.#takeFrame(scene, viewport, surfaces.trail);
-    if (this.#snapshot !== null && this.#followed !== scene.layout) {
+    if (this.#frame !== null && this.#followed !== scene.layout) {
       // A maze that no longer fits begins where the robot is, even while it stands still.
-      this.#follow(scene.layout, this.#snapshot.pose);
+      this.#follow(scene.layout, this.#frame.snapshot.pose);
     }
     if (this.#stale.has("maze")) paintMaze(surfaces.maze, scene, viewport);
     if (this.#stale.has("trail")) {
@@ -153,24 +161,44 @@ export class StageRenderer {
     }
     if (this.#stale.has("live")) {
       surfaces.live.wipe(scene);
-      drawLive(surfaces.live, viewport, scene, this.#snapshot);
+      drawLive(surfaces.live, viewport, scene, this.#shown());
     }
     this.#stale.clear();
+    if (this.#nudge !== null) {
+      this.#stale.add("live");
+      this.#ask();
+    }
+  }
+
+  #shown(): Shown | null {
+    const frame = this.#frame;
+    if (frame === null) return null;
+    const nudge = this.#nudge === null ? null : nudgeOffset(this.#nudge, this.#port.now());
+    if (nudge === null) this.#nudge = null;
+    return { frame, hit: this.#hit, nudge: nudge ?? { x: 0, y: 0 } };
   }
 
   #takeFrame(scene: Scene, viewport: Viewport, surface: Surface): void {
     const frame = this.#port.takeFrame();
     if (frame === null) return;
-    const before = this.#snapshot;
-    this.#snapshot = frame.snapshot;
+    const before = this.#frame;
+    this.#frame = frame;
     const change = this.#trail.add(frame.corners, frame.snapshot.pose, frame.trailReset);
-    if (frame.trailReset) this.#bumps = [];
+    if (frame.trailReset) {
+      this.#bumps = [];
+      this.#hit = null;
+      this.#nudge = null;
+    }
     const bumps = bumpMarks(scene.maze, frame.bumps, frame.snapshot.pose.heading);
     if (bumps.length > 0) {
       this.#bumps = [...this.#bumps, ...bumps].slice(-MAX_BUMPS);
       if (change.kind !== "replaced") paintBumps(surface, scene, viewport, bumps);
+      this.#hit = hitOf(frame, before);
     }
-    if (before !== frame.snapshot) this.#stale.add("live");
+    if (before?.snapshot !== frame.snapshot) this.#stale.add("live");
+    if (!scene.isCalm && before !== null && !frame.trailReset && frame.view !== "past") {
+      this.#startNudge(scene, frame, before);
+    }
     if (change.kind === "none") return;
     this.#follow(scene.layout, frame.snapshot.pose);
     if (change.kind === "replaced") {
@@ -179,6 +207,16 @@ export class StageRenderer {
       surface.clipped(viewport, () => {
         drawTrail(surface.brush, viewport, scene.palette, change.points, "butt");
       });
+    }
+  }
+
+  /** The robot recoils when it bumps and hops when it reaches the goal. */
+  #startNudge(scene: Scene, frame: Frame, before: Frame): void {
+    const startedAt = this.#port.now();
+    if (frame.bumps.length > 0 && this.#hit !== null) {
+      this.#nudge = { kind: "recoil", ...awayFrom(scene.maze, this.#hit), startedAt };
+    } else if (frame.snapshot.goalReached && !before.snapshot.goalReached) {
+      this.#nudge = { kind: "hop", dx: 0, dy: 0, startedAt };
     }
   }
 
@@ -223,6 +261,15 @@ function paintBumps(
 ): void {
   if (!scene.showTrail) return;
   surface.clipped(viewport, () => drawBumps(surface.brush, viewport, scene.palette, bumps));
+}
+
+/** The newest bump. What the robot still wanted to drive is what was left right before it. */
+function hitOf({ bumps, snapshot }: Frame, before: Frame | null): Hit {
+  const [x = 0, y = 0] = bumps.slice(-2);
+  const isNext = before !== null && snapshot.tick - before.snapshot.tick < RECENT_TICKS;
+  const progress = isNext ? before.progress : null;
+  const wanted = progress?.kind === "drive" ? progress.left : null;
+  return { pose: { x, y, heading: snapshot.pose.heading }, wanted };
 }
 
 function isSame(a: Scroll, b: Scroll): boolean {

@@ -1,5 +1,5 @@
 /** Where the robot has bumped: a small red burst at the place of contact. */
-import { isBlock, type MazeDocument } from "@corridor/maze";
+import { isBlock, type Cell, type MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
 import type { Pen } from "../brush.ts";
 import type { Palette } from "../palette.ts";
@@ -12,20 +12,23 @@ export interface BumpMark {
   y: number;
 }
 
+/** A place on a wall, and the cell of the block; cells around the maze are walls too. */
+interface Contact extends BumpMark, Cell {}
+
 /** A touching disc ends this far before the wall at the most, in units. */
 const TOUCH = 2;
 
 /**
  * Where a robot that has just bumped touches a wall: the nearest point of a block around it. Between
- * two that it touches, the one ahead or behind rather than beside. Its centre where it touches none.
+ * two that it touches, the one ahead or behind rather than beside. Null where it touches none.
  */
-export function bumpMark(maze: MazeDocument, pose: Pose): BumpMark {
+export function contactOf(maze: MazeDocument, pose: Pose): Contact | null {
   const radians = (pose.heading * Math.PI) / 180;
   const headingX = Math.sin(radians);
   const headingY = -Math.cos(radians);
   const column = Math.floor(pose.x / CELL);
   const row = Math.floor(pose.y / CELL);
-  let best: BumpMark = { x: pose.x, y: pose.y };
+  let best: Contact | null = null;
   let mostAlong = Number.NEGATIVE_INFINITY;
   for (let c = column - 1; c <= column + 1; c++) {
     for (let r = row - 1; r <= row + 1; r++) {
@@ -36,11 +39,16 @@ export function bumpMark(maze: MazeDocument, pose: Pose): BumpMark {
       const dy = y - pose.y;
       const along = Math.abs(dx * headingX + dy * headingY);
       if (dx * dx + dy * dy > (ROBOT_RADIUS + TOUCH) ** 2 || along <= mostAlong) continue;
-      best = { x, y };
+      best = { x, y, column: c, row: r };
       mostAlong = along;
     }
   }
   return best;
+}
+
+/** Where a bump is marked; the robot's centre where the wall has gone since. */
+export function bumpMark(maze: MazeDocument, pose: Pose): BumpMark {
+  return contactOf(maze, pose) ?? { x: pose.x, y: pose.y };
 }
 
 /**

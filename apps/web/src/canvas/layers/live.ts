@@ -1,40 +1,62 @@
-/** Everything that moves with the run, in one picture: ghost, beams, robot, tags, ruler marks, tape. */
-import type { Snapshot } from "@corridor/protocol";
-import type { Palette } from "../palette.ts";
+/** Everything that moves with the run, in one picture: ghost, way ahead, beams, robot, tags, ruler marks, tape. */
 import { limitsOf, litSensors } from "../running-line.ts";
+import { endOf } from "../path-ahead.ts";
 import type { Scene } from "../scene.ts";
 import type { Surface } from "../surface.ts";
 import type { Viewport } from "../viewport.ts";
+import type { Frame } from "../../worker/worker-messages.ts";
 import { drawBeams } from "./beams.ts";
 import { drawGhost } from "./ghost.ts";
+import { drawHit, hitSensor, isAtHit, type Hit } from "./hit.ts";
 import { drawMeasure } from "./measure.ts";
+import { drawOutline, drawPath } from "./path.ts";
 import { drawRobot, faceOf } from "./robot.ts";
 import { drawRulerMarks } from "./rulers.ts";
 import { drawTags } from "./tags.ts";
 
-/** Draws the live layer over what was wiped. @param snapshot null before the first frame */
+/** The run as it is to be drawn. */
+export interface Shown {
+  frame: Frame;
+  /** the newest bump; null when there is none */
+  hit: Hit | null;
+  /** pixels by which the robot is drawn beside its place, for a moment */
+  nudge: { x: number; y: number };
+}
+
+/** Draws the live layer over what was wiped. @param shown null before the first frame */
 export function drawLive(
   surface: Surface,
   viewport: Viewport,
   scene: Scene,
-  snapshot: Snapshot | null,
+  shown: Shown | null,
 ): void {
   const { brush, dirt } = surface;
-  const palette: Palette = scene.palette;
   surface.clipped(viewport, () => {
-    if (scene.ghost !== null) drawGhost(brush, viewport, palette, scene.ghost, scene, dirt);
-    if (snapshot !== null) {
-      const lit = litSensors(scene.program, snapshot);
-      if (scene.showBeams) drawBeams(brush, viewport, palette, snapshot, lit, dirt);
-      drawRobot(brush, viewport, palette, snapshot.pose, faceOf(snapshot), dirt);
-      if (scene.showBeams) {
-        const limits = limitsOf(scene.program, snapshot);
-        drawTags(brush, viewport, palette, snapshot, lit, limits, dirt);
-      }
-    }
-    if (scene.measured !== null) drawMeasure(brush, viewport, palette, scene.measured, dirt);
+    if (scene.ghost !== null) drawGhost(brush, viewport, scene.palette, scene.ghost, scene, dirt);
+    if (shown !== null) drawRun(surface, viewport, scene, shown);
+    if (scene.measured !== null) drawMeasure(brush, viewport, scene.palette, scene.measured, dirt);
   });
-  if (snapshot !== null && scene.showRulers) {
-    drawRulerMarks(brush, viewport, palette, snapshot.pose, dirt);
+  if (shown !== null && scene.showRulers) {
+    drawRulerMarks(brush, viewport, scene.palette, shown.frame.snapshot.pose, dirt);
   }
+}
+
+function drawRun(surface: Surface, viewport: Viewport, scene: Scene, shown: Shown): void {
+  const { brush, dirt } = surface;
+  const { palette, maze, program } = scene;
+  const { snapshot, progress } = shown.frame;
+  const { pose } = snapshot;
+  const hit = isAtHit(shown.hit, pose) ? shown.hit : null;
+  const lit = litSensors(program, snapshot);
+  if (hit !== null) drawHit(brush, viewport, palette, maze, hit, dirt);
+  if (scene.showBeams) drawBeams(brush, viewport, palette, snapshot, lit, dirt);
+  drawPath(brush, viewport, palette, pose, progress, dirt);
+  const end = snapshot.driver === "remote" ? endOf(pose, progress) : null;
+  if (end !== null) drawOutline(brush, viewport, palette.liveInk, end, dirt);
+  const face = hit === null ? faceOf(snapshot) : "bumped";
+  drawRobot(brush, viewport, palette, pose, face, dirt, shown.nudge);
+  if (!scene.showBeams) return;
+  const bumped = hit === null ? null : hitSensor(maze, hit, pose.heading);
+  const limits = limitsOf(program, snapshot);
+  drawTags(brush, viewport, palette, snapshot, lit, limits, bumped, dirt);
 }

@@ -3,7 +3,7 @@
  * and equal the SVG files of the design.
  */
 import type { Snapshot } from "@corridor/protocol";
-import type { Pen } from "../brush.ts";
+import type { Brush, Pen } from "../brush.ts";
 import type { Dirt } from "../dirt.ts";
 import type { Palette } from "../palette.ts";
 import { pathOf } from "../path-text.ts";
@@ -67,7 +67,12 @@ function shapesOf(face: Face): Shapes {
   return known;
 }
 
-/** Draws the robot at its pose. */
+/** Strokes the body's outline, in units around the robot's centre. */
+export function traceBody(context: Brush): void {
+  context.stroke(shapesOf("driving").body);
+}
+
+/** Draws the robot at its pose, or so many pixels beside it. */
 export function drawRobot(
   context: Pen,
   viewport: Viewport,
@@ -75,11 +80,12 @@ export function drawRobot(
   pose: Snapshot["pose"],
   face: Face,
   dirt: Dirt,
+  beside: { x: number; y: number } = { x: 0, y: 0 },
 ): void {
   const { eyesWidth, isMouthOpen } = faces[face];
   const { body, eyes, mouth } = shapesOf(face);
-  const x = viewX(viewport, pose.x);
-  const y = viewY(viewport, pose.y);
+  const x = viewX(viewport, pose.x) + beside.x;
+  const y = viewY(viewport, pose.y) + beside.y;
   const reach = REACH * viewport.scale;
   dirt.add(x - reach, y - reach, 2 * reach, 2 * reach);
   context.save();

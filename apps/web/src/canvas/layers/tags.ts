@@ -25,7 +25,7 @@ const MARK = { height: 18, padding: 6, font: 12, badge: 16, reach: 13 };
 /** Below this only the running line's mark is drawn, pixels per unit. */
 const ALL_MARKS_FROM = 0.45;
 
-/** Draws readings and marks; `lit` are the sensors that the running line reads. */
+/** Draws readings and marks; `lit` are the sensors that the running line reads, `bumped` looks at a wall that was hit. */
 export function drawTags(
   context: Brush,
   viewport: Viewport,
@@ -33,6 +33,7 @@ export function drawTags(
   snapshot: Snapshot,
   lit: readonly SensorName[],
   limits: readonly Limit[],
+  bumped: SensorName | null,
   dirt: Dirt,
 ): void {
   const origin = { x: viewX(viewport, snapshot.pose.x), y: viewY(viewport, snapshot.pose.y) };
@@ -77,7 +78,7 @@ export function drawTags(
       palette,
       tag,
       readingText(snapshot.sensors[tag.name]),
-      lit.includes(tag.name),
+      tag.name === bumped ? "bumped" : lit.includes(tag.name) ? "lit" : "plain",
     );
   }
 }
@@ -112,16 +113,17 @@ function drawReading(
   palette: Palette,
   box: Box,
   text: string,
-  isLit: boolean,
+  look: "plain" | "lit" | "bumped",
 ): void {
   context.beginPath();
   context.roundRect(box.x + 0.5, box.y + 0.5, box.width - 1, box.height - 1, 6);
-  context.fillStyle = isLit ? palette.live : palette.surface;
+  const fill = { plain: palette.surface, lit: palette.live, bumped: palette.bad }[look];
+  context.fillStyle = fill;
   context.fill();
-  context.strokeStyle = isLit ? palette.live : palette.edge;
+  context.strokeStyle = look === "plain" ? palette.edge : fill;
   context.lineWidth = 1;
   context.stroke();
-  context.fillStyle = isLit ? palette.onLive : palette.ink;
+  context.fillStyle = { plain: palette.ink, lit: palette.onLive, bumped: palette.onInk }[look];
   context.fillText(text, box.x + box.width / 2, box.y + box.height / 2 + 0.5);
 }
 

@@ -1,0 +1,43 @@
+/** Where a running manoeuvre takes the robot: pure arithmetic over its pose and what is left. */
+import type { Pose } from "@corridor/protocol";
+import { LEAVE_DISTANCE, type Progress } from "@corridor/simulation";
+import { ROBOT_RADIUS } from "./layers/robot.ts";
+
+interface Point {
+  x: number;
+  y: number;
+}
+
+/** A point so many units from a pose. @param heading degrees clockwise from north */
+export function pointAhead({ x, y }: Point, heading: number, distance: number): Point {
+  const radians = (heading * Math.PI) / 180;
+  return { x: x + Math.sin(radians) * distance, y: y - Math.cos(radians) * distance };
+}
+
+/**
+ * The way that a delayed turn has still to go: from the robot's centre to the turning point, and out of
+ * the junction to where its front will be. Shorter while it drives.
+ * @returns three points, or two once it has turned; null for everything else
+ */
+export function delayedPath(pose: Pose, progress: Progress | null): Point[] | null {
+  if (progress === null || !progress.action.startsWith("delayed")) return null;
+  const { kind, part, left, way } = progress;
+  const from = { x: pose.x, y: pose.y };
+  const leaving = LEAVE_DISTANCE + ROBOT_RADIUS;
+  if (kind === "turn") return [from, pointAhead(from, pose.heading + way * left, leaving)];
+  if (part > 0) return [from, pointAhead(from, pose.heading, left + ROBOT_RADIUS)];
+  const corner = pointAhead(from, pose.heading, left);
+  const quarter = progress.action === "delayed right 90" ? 90 : -90;
+  return [from, corner, pointAhead(corner, pose.heading + quarter, leaving)];
+}
+
+/** Where a drive or a turn on the spot ends if nothing is in its way; null for everything else. */
+export function endOf(pose: Pose, progress: Progress | null): Pose | null {
+  if (progress === null || progress.parts > 1) return null;
+  const { kind, left, way } = progress;
+  if (kind === "turn") return { ...pose, heading: pose.heading + way * left };
+  if (kind === "drive") {
+    return { ...pointAhead(pose, pose.heading, way * left), heading: pose.heading };
+  }
+  return null;
+}
