@@ -120,13 +120,14 @@ describe("a run of any operations", () => {
     fc.assert(
       fc.property(anyRun, fc.nat(), ({ maze, program, operations }, moment) => {
         const recording = new Recording(maze, program);
-        const decisions = new Set([0]);
-        const note = () => decisions.add(recording.run.decidedAt);
+        // By tick, so that an edit which was taken back at the same tick leaves none.
+        const decided = new Map([[0, 0]]);
+        const note = () => decided.set(recording.run.tick, recording.run.decidedAt);
         for (const operation of operations) {
           perform(recording, operation, note);
           note();
         }
-        const ticks = [...decisions].toSorted((a, b) => a - b);
+        const ticks = [...new Set(decided.values())].toSorted((a, b) => a - b);
         const tick = moment % (recording.run.tick + 1);
         const playback = recording.playback();
         expect(recording.decisionBefore(tick, playback)).toBe(

@@ -127,7 +127,7 @@ export class Recording {
   step(): void {
     const { timeline } = this;
     const run = this.#run;
-    const { who, bumps, goalTick, x, y } = run;
+    const { who, bumps, goalTick } = run;
     const from = run.tick;
     if (run.decidedAt === from) {
       timeline.drives(from, who);
@@ -137,7 +137,8 @@ export class Recording {
     run.step();
     const { tick } = run;
     timeline.reachedTick(tick);
-    if (this.#pen.follow(run.x, run.y)) this.corners.push(tick, x, y);
+    const pen = this.#pen;
+    if (pen.follow(run.x, run.y)) this.corners.push(tick, pen.cornerX, pen.cornerY);
     if (run.bumps !== bumps) {
       this.bumps.push(tick, run.x, run.y);
       timeline.happened({ kind: "bump", tick, who });

@@ -16,6 +16,9 @@ export class TrailPen {
   #y: number;
   #wayX = 0;
   #wayY = 0;
+  /** the last corner that `follow` found */
+  cornerX = Number.NaN;
+  cornerY = Number.NaN;
 
   constructor(x: number, y: number) {
     this.#x = x;
@@ -24,7 +27,7 @@ export class TrailPen {
 
   /**
    * Follows the robot to where it is at the end of a tick.
-   * @returns whether it turned off where it was before: there the trail has a corner
+   * @returns whether it turned off where it was before: there the trail has a corner, `cornerX`, `cornerY`
    */
   follow(x: number, y: number): boolean {
     const wayX = x - this.#x;
@@ -36,6 +39,8 @@ export class TrailPen {
     // that differs by less than a thousandth is straight: rounding, not driving.
     const isCorner = dot <= 0 || cross * cross > 1e-6 * dot * dot;
     if (isCorner) {
+      this.cornerX = this.#x;
+      this.cornerY = this.#y;
       this.#wayX = wayX;
       this.#wayY = wayY;
     }

@@ -1,4 +1,4 @@
-import type { Snapshot } from "@corridor/protocol";
+import type { DriverName } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { createRemoteStore } from "../stores/remote-store.ts";
 import { createRunStore } from "../stores/run-store.ts";
@@ -20,7 +20,7 @@ function openPage(tab = new MemoryStorage()) {
   const remote = createRemoteStore();
   const simulator = { send: (message: ToWorker) => void sent.push(message) };
   const connection = new RemoteConnection({ simulator, remote, run, tab });
-  const drive = (driver: Snapshot["driver"]) => run.setState({ snapshot: { driver } as Snapshot });
+  const drive = (driver: DriverName) => run.setState({ nowDriver: driver });
   return { sent, run, remote, connection, tab, drive };
 }
 

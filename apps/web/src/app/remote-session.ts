@@ -35,9 +35,8 @@ export class RemoteConnection {
   constructor(ports: RemotePorts) {
     this.#ports = ports;
     const { run, remote, tab } = ports;
-    run.subscribe(({ snapshot }, before) => {
-      const driver = snapshot?.driver;
-      if (driver === undefined || driver === before.snapshot?.driver) return;
+    run.subscribe(({ nowDriver: driver }, before) => {
+      if (driver === null || driver === before.nowDriver) return;
       if (driver !== "remote") return tab.removeItem(DRIVING_KEY);
       keep(tab, DRIVING_KEY, "yes");
       if (remote.getState().status.kind === "off" && !this.#isOpening) this.connect();
@@ -59,7 +58,7 @@ export class RemoteConnection {
     simulator.send({ type: "remote-open", session: readSession(tab), fresh: this.#isFresh });
     this.#isFresh = false;
     // Commands are refused while another driver has the robot.
-    if (run.getState().snapshot?.driver !== "remote") {
+    if (run.getState().nowDriver !== "remote") {
       simulator.send({ type: "driver", driver: "remote" });
     }
   }

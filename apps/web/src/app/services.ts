@@ -81,9 +81,9 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
   simulator.listen((message) => {
     switch (message.type) {
       case "frame": {
-        const { snapshot, progress, view, nowTick } = message.frame;
+        const { snapshot, progress, view, nowTick, nowDriver } = message.frame;
         shownRun.add(message.frame);
-        run.setState({ snapshot, progress, view, nowTick });
+        run.setState({ snapshot, progress, view, nowTick, nowDriver });
         // What happened stays told while an earlier moment is shown; a run that forgets it does not tell it.
         if (message.frame.trailReset && (run.getState().moment?.tick ?? Infinity) > nowTick) {
           moments.clear();

@@ -7,6 +7,7 @@ export const cancelReasons = {
   handedOver: "The robot's page took over.",
   reset: "The robot was put back to its start.",
   mazeChanged: "The maze changed and the robot was put back to its start.",
+  movedInTime: "The robot's page went to another moment or another run.",
   stopped: "A stop came.",
   disconnected: "The robot's page disconnected.",
   addressEnded: "The robot's page no longer uses this address.",

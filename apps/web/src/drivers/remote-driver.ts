@@ -4,7 +4,7 @@
  * given, and it ends each exactly once.
  */
 import type { Command, EndingState, Pose } from "@corridor/protocol";
-import type { Simulation } from "@corridor/simulation";
+import type { Run, RunInput } from "@corridor/recording";
 import type { CancelReason } from "./cancel-reason.ts";
 
 export interface Delivery {
@@ -30,10 +30,16 @@ export interface RemoteDriverEvents {
   ended(seq: number, ending: Ending): void;
 }
 
+/** The robot that is driven: what it is doing, and where commands go. */
+export interface RemoteRobot {
+  readonly run: Pick<Run, "command" | "commandEnding" | "distance" | "isManoeuvring" | "pose">;
+  input(input: RunInput): boolean;
+}
+
 interface Running {
   seq: number;
+  /** units driven before it */
   distance: number;
-  bumps: number;
 }
 
 export class RemoteDriver {
@@ -45,66 +51,52 @@ export class RemoteDriver {
     this.#events = events;
   }
 
-  /** seq of the command that runs; null when none does. */
-  get running(): number | null {
-    return this.#running?.seq ?? null;
-  }
-
   /** Takes a delivered command into the queue. */
   accept(delivery: Delivery): void {
     this.#waiting.push(delivery);
   }
 
   /** Before a tick: starts the next command unless a manoeuvre runs. */
-  begin(simulation: Simulation): void {
+  begin(robot: RemoteRobot): void {
+    const { run } = robot;
     const next = this.#waiting[0];
-    if (next === undefined || simulation.isManoeuvring) return;
+    if (next === undefined || run.isManoeuvring) return;
     this.#waiting.shift();
-    this.#end(simulation, "completed", null);
-    simulation.apply(next.command);
-    this.#running = { seq: next.seq, distance: simulation.distance, bumps: simulation.bumps };
+    this.#end(robot, "completed", null);
+    this.#running = { seq: next.seq, distance: run.distance };
+    robot.input({ do: "command", command: next.command, seq: next.seq });
     this.#events.started(next.seq);
-    // Nothing to drive (stop, or a move of 0) is done at once.
-    if (simulation.ending !== null || next.command.action === "stop") {
-      this.#end(simulation, "completed", null);
-    }
+    this.finish(robot);
   }
 
   /** After a tick: ends the command whose manoeuvre is over or that ran into a wall. */
-  finish(simulation: Simulation): void {
-    const running = this.#running;
-    if (running === null) return;
-    if (simulation.ending !== null) {
-      this.#end(simulation, simulation.ending, null);
-    } else if (!simulation.isManoeuvring && simulation.isStopped) {
-      this.#end(simulation, "collided", null);
-      simulation.apply({ action: "stop" });
-    }
+  finish(robot: RemoteRobot): void {
+    if (this.#running === null || robot.run.command !== null) return;
+    this.#end(robot, robot.run.commandEnding ?? "completed", null);
   }
 
-  /** Ends the running and every waiting command, and stops the robot. */
-  cancel(simulation: Simulation, reason: CancelReason): void {
-    this.#end(simulation, "cancelled", reason);
+  /** Ends the running and every waiting command; the robot is for the caller to stop. */
+  cancel(robot: RemoteRobot, reason: CancelReason): void {
+    this.#end(robot, "cancelled", reason);
     const waiting = this.#waiting;
     this.#waiting = [];
-    for (const { seq } of waiting) this.#report(simulation, seq, "cancelled", reason, 0);
-    simulation.apply({ action: "stop" });
+    for (const { seq } of waiting) this.#report(robot, seq, "cancelled", reason, 0);
   }
 
-  #end(simulation: Simulation, state: EndingState, reason: CancelReason | null): void {
+  #end(robot: RemoteRobot, state: EndingState, reason: CancelReason | null): void {
     const running = this.#running;
     if (running === null) return;
     this.#running = null;
-    this.#report(simulation, running.seq, state, reason, simulation.distance - running.distance);
+    this.#report(robot, running.seq, state, reason, robot.run.distance - running.distance);
   }
 
   #report(
-    simulation: Simulation,
+    robot: RemoteRobot,
     seq: number,
     state: EndingState,
     reason: CancelReason | null,
     distance: number,
   ): void {
-    this.#events.ended(seq, { state, reason, pose: simulation.pose, distance });
+    this.#events.ended(seq, { state, reason, pose: robot.run.pose, distance });
   }
 }

@@ -3,7 +3,7 @@
  * The stage does not read this store; the worker draws it from the run itself.
  */
 import type { MazeDocument } from "@corridor/maze";
-import type { Snapshot } from "@corridor/protocol";
+import type { DriverName, Snapshot } from "@corridor/protocol";
 import type { Progress } from "@corridor/simulation";
 import { createStore } from "zustand/vanilla";
 import type { Moment, RunView, Speed } from "../worker/worker-messages.ts";
@@ -17,6 +17,8 @@ export interface RunState {
   view: RunView;
   /** the run's last tick; the shown one is the snapshot's */
   nowTick: number;
+  /** who drives the newest moment, null before the first frame; the driver of the shown one is the snapshot's */
+  nowDriver: DriverName | null;
   /** the maze of the shown moment where it is not the workspace's; null when it is */
   shownMaze: MazeDocument | null;
   speed: Speed;
@@ -32,6 +34,7 @@ export function createRunStore() {
     progress: null,
     view: "now",
     nowTick: 0,
+    nowDriver: null,
     shownMaze: null,
     speed: 1,
     moment: null,

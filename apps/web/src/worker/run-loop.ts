@@ -1,18 +1,30 @@
 /**
- * The run: who drives, whether time flows and how fast, and what the page is told of it.
+ * The run: who drives, whether time flows and how fast, which moment is shown, and what the page is
+ * told of it.
  *
  * Knows neither timers nor sockets nor the worker it runs in: the entry calls `advance` as real time
- * passes and hands messages in. Speed changes how many ticks run, never what happens in one.
+ * passes and hands messages in. Speed changes how many ticks run, never what happens in one. What
+ * happens is the recording's; while an earlier moment is shown, the live run waits.
  */
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
-import type { DriverName, Snapshot } from "@corridor/protocol";
+import type { DriverName, LineRef, Snapshot } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
-import { FixedTimestep, ProgramRun, Simulation } from "@corridor/simulation";
+import {
+  openRun,
+  Recording,
+  type Run,
+  type RunDocument,
+  type TimelineNews,
+  type WrittenRun,
+} from "@corridor/recording";
+import { FixedTimestep } from "@corridor/simulation";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
 import { commandOfKey } from "../drivers/hand-driver.ts";
 import { RemoteDriver, type Delivery, type RemoteDriverEvents } from "../drivers/remote-driver.ts";
-import { Trail } from "./trail.ts";
-import type { DriveKey, Frame, Moment, Speed } from "./worker-messages.ts";
+import { Moments } from "./moments.ts";
+import { ShownPast } from "./shown-past.ts";
+import { TrailFeed } from "./trail-feed.ts";
+import type { DriveKey, Frame, LoadedRun, Moment, RunView, Speed } from "./worker-messages.ts";
 
 /** At speed "max", ticks between two looks at the clock, and the share of time that may be used. */
 const MAX_SPEED_CHUNK = 240;
@@ -21,12 +33,18 @@ const MAX_SPEED_BUDGET_MS = 6;
 export class RunLoop {
   readonly #now: () => number;
   readonly #timestep = new FixedTimestep();
-  readonly #trail = new Trail();
+  readonly #trail = new TrailFeed();
+  readonly #moments = new Moments();
   readonly #remote: RemoteDriver;
-  #simulation: Simulation;
-  #program: ProgramRun;
+  /** the newest documents; the run has them too, except while the past is shown */
+  #maze: MazeDocument;
+  #program: ProgramDocument;
   #decider: CompiledProgram;
-  #driver: DriverName = "program";
+  #recording: Recording;
+  /** null while the newest moment is shown */
+  #past: ShownPast | null = null;
+  /** a script's robot goes on as soon as the newest moment is shown again */
+  #resumesNow = false;
   #isRunning = false;
   /** pause as soon as the decision that is being taken is done */
   #isStepping = false;
@@ -34,9 +52,6 @@ export class RunLoop {
   #lastAt = 0;
   #seq = 0;
   #isDirty = true;
-  /** what happened since the last news: the newest bump, and the goal */
-  #moments: Moment[] = [];
-  #bumpPlaces: number[] = [];
 
   /** @param now monotonic milliseconds */
   constructor(
@@ -47,64 +62,71 @@ export class RunLoop {
   ) {
     this.#now = now;
     this.#remote = new RemoteDriver(remoteEvents);
+    this.#maze = maze;
+    this.#program = program;
     this.#decider = new CompiledProgram(program);
-    this.#simulation = new Simulation(maze);
-    this.#program = new ProgramRun(this.#simulation, this.#decider);
-    this.#beginTrail();
+    this.#recording = new Recording(maze, program);
   }
 
-  /** Whether simulated time flows. */
+  /** Whether simulated time flows, live or played again. */
   get isRunning(): boolean {
-    return this.#isRunning;
+    return this.#isRunning || this.#past?.isPlaying === true;
   }
 
+  /** Who drives the newest moment. */
   get driver(): DriverName {
-    return this.#driver;
+    return this.#recording.run.driver;
   }
 
+  /** The robot stays where it is; one that has no room any more goes to its start, and a new run begins. */
   editMaze(maze: MazeDocument): void {
+    this.now();
+    this.#maze = maze;
     this.#isDirty = true;
-    if (this.#simulation.tick > 0 && this.#simulation.setMaze(maze)) {
-      this.#program.reconsider();
-      return;
-    }
-    this.#remote.cancel(this.#simulation, "mazeChanged");
-    this.#simulation = new Simulation(maze);
-    this.#program = new ProgramRun(this.#simulation, this.#decider);
-    this.#putAtStart();
+    const isUnderWay = this.#recording.run.tick > 0;
+    if (isUnderWay && this.#recording.input({ do: "maze", maze })) return;
+    this.#remote.cancel(this.#recording, "mazeChanged");
+    this.#beginRun();
   }
 
+  /** While the past is shown, the run gets the new program only when it goes on. */
   editProgram(program: ProgramDocument): void {
+    this.#program = program;
     this.#decider = new CompiledProgram(program);
-    this.#program.reconsider(this.#decider);
+    if (this.#past === null) this.#recording.input({ do: "program", program });
     this.#isDirty = true;
   }
 
-  /** Lets time flow; where nobody but a hand drives, the program takes over. */
+  /** Lets time flow, from the shown moment on; where nobody but a hand drives, the program takes over. */
   run(): void {
-    if (this.#driver === "me") this.setDriver("program");
+    if (this.#past !== null) this.#cutHere();
+    if (this.driver === "me") this.setDriver("program");
     this.#isStepping = false;
     this.#start();
   }
 
   pause(): void {
+    if (this.#past !== null) this.#past.isPlaying = false;
     this.#isRunning = false;
     this.#isStepping = false;
+    this.#resumesNow = false;
     this.#isDirty = true;
   }
 
-  /** Takes one decision (one tick, or one whole manoeuvre) and pauses. */
+  /** Takes one decision (one tick, or one whole manoeuvre) and pauses; in the past, shows the next one. */
   step(): void {
+    if (this.#past !== null) {
+      this.seekStep(1);
+      return;
+    }
     this.run();
     this.#isStepping = true;
   }
 
-  /** Robot to start; maze, program, driver and speed stay. */
+  /** Robot to start; maze, program, driver and speed stay. A new run begins. */
   reset(): void {
-    this.#remote.cancel(this.#simulation, "reset");
-    this.#simulation.reset();
-    this.#program = new ProgramRun(this.#simulation, this.#decider);
-    this.#putAtStart();
+    this.#remote.cancel(this.#recording, "reset");
+    this.#beginRun();
   }
 
   setSpeed(speed: Speed): void {
@@ -114,36 +136,102 @@ export class RunLoop {
 
   /** Hands the robot over: it stops; a script's robot is live at once, the others wait. */
   setDriver(driver: DriverName): void {
-    if (driver === this.#driver) return;
-    if (this.#driver === "remote") this.#remote.cancel(this.#simulation, "handedOver");
-    this.#simulation.apply({ action: "stop" });
-    this.#program.reconsider();
-    this.#driver = driver;
+    this.now();
+    if (driver === this.driver) return;
+    if (this.driver === "remote") this.#remote.cancel(this.#recording, "handedOver");
+    this.#recording.input({ do: "driver", driver });
     this.pause();
     if (driver === "remote") this.#start();
   }
 
-  /** A drive key goes down or up; whoever drove before, the hand drives now. */
+  /** A drive key goes down or up; whoever drove before, the hand drives now, from the shown moment on. */
   hold(key: DriveKey): void {
-    if (key === "stop" && this.#driver !== "me") return;
+    const isLettingGo = key === "stop";
+    if (isLettingGo && (this.driver !== "me" || this.#past !== null)) return;
+    if (this.#past !== null) this.#cutHere();
     this.setDriver("me");
-    this.#simulation.apply(commandOfKey(key));
-    if (key === "stop") this.pause();
+    this.#recording.input({ do: "command", command: commandOfKey(key) });
+    if (isLettingGo) this.pause();
     else this.#start();
   }
 
-  /** Takes a remote command; where Remote does not drive, it ends at once and says so. */
+  /**
+   * Takes a remote command; where Remote does not drive, it ends at once and says so. A script drives
+   * live: the newest moment is shown again.
+   */
   accept(delivery: Delivery): void {
     this.#remote.accept(delivery);
-    if (this.#driver !== "remote") this.#remote.cancel(this.#simulation, "notRemote");
+    if (this.driver === "remote") this.now();
+    else this.#remote.cancel(this.#recording, "notRemote");
     this.#isDirty = true;
   }
 
-  /** Ends what remote commands run and wait. */
+  /** Ends what remote commands run and wait, and stops the robot. */
   cancelRemote(reason: CancelReason): void {
-    if (this.#driver !== "remote") return;
-    this.#remote.cancel(this.#simulation, reason);
+    if (this.driver !== "remote") return;
+    this.#remote.cancel(this.#recording, reason);
+    this.#recording.input({ do: "cancel" });
     this.#isDirty = true;
+  }
+
+  /** Shows the moment at the end of a tick; the live run waits. */
+  seek(tick: number): void {
+    const past = this.#enterPast();
+    past.goTo(tick);
+    if (past.isAtEnd) this.now();
+  }
+
+  /** Shows the decision before or after the shown moment; after the newest, takes the next one. */
+  seekStep(by: 1 | -1): void {
+    if (by === 1 && this.#past === null) {
+      this.step();
+      return;
+    }
+    const past = this.#enterPast();
+    if (by === 1) past.goToDecisionAfter();
+    else past.goToDecisionBefore();
+    if (past.isAtEnd) this.now();
+  }
+
+  /** Plays the recording on from the shown moment up to the newest. */
+  play(): void {
+    if (this.#past === null) return;
+    this.#past.isPlaying = true;
+    this.#startClock();
+  }
+
+  /** Shows the newest moment again; the run gets the program that was edited meanwhile. */
+  now(): void {
+    if (this.#past === null) return;
+    this.#past = null;
+    this.#isDirty = true;
+    this.#bringProgram();
+    if (this.#resumesNow) this.#start();
+  }
+
+  /** The run so far as a document. */
+  saveRun(): WrittenRun {
+    return this.#recording.toDocument(this.#maze.name);
+  }
+
+  /**
+   * Opens a run where it ended, paused. Where that does not work, nothing has changed.
+   * @param until runs on to this tick without further inputs
+   */
+  loadRun(run: RunDocument, until = run.ticks): LoadedRun {
+    const opened = openRun(run);
+    if (!opened.ok) return opened;
+    const recording = opened.value;
+    while (recording.run.tick < until) recording.step();
+    this.#remote.cancel(this.#recording, "movedInTime");
+    this.#show(recording);
+    const { maze, program } = recording.run;
+    this.#maze = maze;
+    this.#program = program;
+    this.#decider = new CompiledProgram(program);
+    // A script's commands have ended long ago: Remote is chosen anew.
+    if (this.driver === "remote") this.setDriver("program");
+    return { ok: true, maze, program };
   }
 
   /** Runs the ticks that real time asks for since the last call. */
@@ -151,9 +239,9 @@ export class RunLoop {
     const now = this.#now();
     const elapsed = now - this.#lastAt;
     this.#lastAt = now;
-    if (!this.#isRunning) return;
+    if (!this.isRunning) return;
     if (this.#speed === "max") {
-      while (this.#isRunning && this.#now() - now < MAX_SPEED_BUDGET_MS) {
+      while (this.isRunning && this.#now() - now < MAX_SPEED_BUDGET_MS) {
         this.#runTicks(MAX_SPEED_CHUNK);
       }
     } else {
@@ -165,97 +253,162 @@ export class RunLoop {
   takeNews(): { frame: Frame; moments: Moment[] } | null {
     if (!this.#isDirty) return null;
     this.#isDirty = false;
-    const moments = this.#moments;
-    this.#moments = [];
-    const snapshot = this.snapshot();
-    const { progress } = this.#simulation;
-    const bumps = this.#bumpPlaces;
-    this.#bumpPlaces = [];
-    const view = "now";
+    const run = this.#shown;
     const frame: Frame = {
-      snapshot,
-      progress,
-      view,
-      nowTick: snapshot.tick,
-      bumps,
-      ...this.#trail.take(),
+      snapshot: this.#snapshotOf(run),
+      progress: this.#isOtherwiseHere(run) ? null : run.progress,
+      view: this.#view,
+      nowTick: this.#recording.run.tick,
+      nowDriver: this.driver,
+      revision: this.#recording.revision,
+      ...this.#trail.take(this.#recording, run.tick),
     };
-    return { frame, moments };
+    return { frame, moments: this.#moments.take() };
   }
 
-  /** The newest snapshot; every call has its own seq. */
+  /** What the timeline gained or lost since the last call; null when nothing changed. */
+  takeTimeline(): TimelineNews | null {
+    return this.#recording.timeline.take();
+  }
+
+  /** The maze of the shown moment where it is not the newest one. */
+  get shownMaze(): MazeDocument | null {
+    const { maze } = this.#shown;
+    return maze === this.#maze ? null : maze;
+  }
+
+  /** The newest moment, for scripts; every call has its own seq. */
   snapshot(): Snapshot {
-    const isProgram = this.#driver === "program";
-    if (isProgram) this.#program.decide();
+    return this.#snapshotOf(this.#recording.run);
+  }
+
+  get #shown(): Run {
+    return (this.#past ?? this.#recording).run;
+  }
+
+  get #view(): RunView {
+    if (this.#past === null) return "now";
+    return this.#past.isPlaying ? "playing" : "past";
+  }
+
+  #snapshotOf(run: Run): Snapshot {
+    const isLive = run === this.#recording.run;
+    const flows = isLive ? this.#isRunning : this.isRunning;
     return {
-      ...this.#simulation.report(),
+      ...run.report(),
       seq: ++this.#seq,
-      state: this.#isRunning ? "running" : "paused",
-      driver: this.#driver,
-      line: isProgram ? this.#program.line : null,
-      command: this.#remote.running,
+      state: flows ? "running" : "paused",
+      driver: run.driver,
+      line: this.#lineOf(run),
+      command: run.command,
     };
+  }
+
+  /** The line in charge; where the program was another one then, the line that would decide here now. */
+  #lineOf(run: Run): LineRef | null {
+    if (run.driver !== "program" || run.program === this.#program) return run.line;
+    if (!this.#isOtherwiseHere(run)) return null;
+    const rule = this.#decider.decide(run.readings);
+    return rule < 0 ? "default" : rule;
+  }
+
+  /** Whether the shown moment was decided by another program than the newest, which would decide here. */
+  #isOtherwiseHere(run: Run): boolean {
+    const isFree = !run.isManoeuvring || run.decidedAt === run.tick;
+    return run.driver === "program" && run.program !== this.#program && isFree;
+  }
+
+  #enterPast(): ShownPast {
+    if (this.#past === null) {
+      this.#resumesNow = this.#isRunning && this.driver === "remote";
+      this.#past = new ShownPast(this.#recording);
+    }
+    this.#past.isPlaying = false;
+    this.#isRunning = false;
+    this.#isStepping = false;
+    this.#isDirty = true;
+    return this.#past;
+  }
+
+  /** Forgets what came after the shown moment; what is there now, maze and program, meets the robot. */
+  #cutHere(): void {
+    const past = this.#past;
+    if (past === null) return;
+    const wasRemote = this.driver === "remote";
+    this.#past = null;
+    this.#resumesNow = false;
+    this.#isDirty = true;
+    this.#remote.cancel(this.#recording, "movedInTime");
+    this.#recording.truncate(past.tick);
+    const { run } = this.#recording;
+    if (run.maze !== this.#maze && !this.#recording.input({ do: "maze", maze: this.#maze })) {
+      this.#beginRun();
+      return;
+    }
+    this.#bringProgram();
+    if (run.driver !== "remote") return;
+    this.#recording.input(wasRemote ? { do: "cancel" } : { do: "driver", driver: "program" });
+  }
+
+  #bringProgram(): void {
+    const program = this.#program;
+    if (this.#recording.run.program !== program) this.#recording.input({ do: "program", program });
   }
 
   #start(): void {
-    if (!this.#isRunning) {
-      this.#timestep.clear();
-      this.#lastAt = this.#now();
-    }
+    if (!this.#isRunning) this.#startClock();
     this.#isRunning = true;
+  }
+
+  #startClock(): void {
+    this.#timestep.clear();
+    this.#lastAt = this.#now();
     this.#isDirty = true;
   }
 
   #runTicks(count: number): void {
-    for (let i = 0; i < count && this.#isRunning; i++) this.#tick();
     if (count > 0) this.#isDirty = true;
+    if (this.#past !== null) {
+      this.#past.goTo(this.#past.tick + count);
+      if (this.#speed === "max") void this.#past.run;
+      if (this.#past.isAtEnd) this.now();
+      return;
+    }
+    for (let i = 0; i < count && this.#isRunning; i++) this.#tick();
   }
 
   #tick(): void {
-    const simulation = this.#simulation;
-    const { bumps, goalTick } = simulation;
-    if (this.#driver === "remote") this.#remote.begin(simulation);
-    if (this.#driver === "program") this.#program.step();
-    else simulation.step();
-    if (this.#driver === "remote") this.#remote.finish(simulation);
-
-    const { x, y } = simulation.pose;
-    this.#trail.add(x, y);
-    if (simulation.bumps > bumps) this.#tell("bump");
-    if (simulation.goalTick !== goalTick) {
-      this.#tell("goal");
+    const recording = this.#recording;
+    const { run } = recording;
+    const { bumps, goalTick, driver } = run;
+    if (driver === "remote") this.#remote.begin(recording);
+    const { line } = run;
+    recording.step();
+    if (driver === "remote") this.#remote.finish(recording);
+    if (run.bumps > bumps) this.#moments.add("bump", run, line, driver);
+    if (run.goalTick !== goalTick) {
+      this.#moments.add("goal", run, line, driver);
       // A script decides for itself what comes after the goal.
-      if (this.#driver === "program") this.pause();
+      if (driver === "program") this.pause();
     }
-    if (this.#isStepping && !simulation.isManoeuvring) this.pause();
+    const isDecisionDone = !run.isManoeuvring || run.decidedAt === run.tick;
+    if (this.#isStepping && isDecisionDone) this.pause();
   }
 
-  #tell(kind: Moment["kind"]): void {
-    const { tick, pose, bumps } = this.#simulation;
-    if (kind === "bump") this.#bumpPlaces.push(pose.x, pose.y);
-    // Many bumps in one frame are one to a watcher; the goal is told in any case.
-    this.#moments = this.#moments.filter((each) => each.kind !== kind);
-    this.#moments.push({
-      kind,
-      tick,
-      pose,
-      bumps,
-      cause: null,
-      driver: this.#driver,
-      line: this.#driver === "program" ? this.#program.line : null,
-    });
+  /** A new run of the newest documents; the driver stays, and a script's robot is live at once. */
+  #beginRun(): void {
+    const { driver } = this;
+    this.#show(new Recording(this.#maze, this.#program));
+    if (driver === "program") return;
+    this.#recording.input({ do: "driver", driver });
+    if (driver === "remote") this.#start();
   }
 
-  #putAtStart(): void {
+  #show(recording: Recording): void {
+    this.#recording = recording;
+    this.#past = null;
+    this.#moments.take();
+    this.#trail.begin();
     this.pause();
-    this.#moments = [];
-    this.#bumpPlaces = [];
-    this.#beginTrail();
-    if (this.#driver === "remote") this.#start();
-  }
-
-  #beginTrail(): void {
-    const { x, y } = this.#simulation.pose;
-    this.#trail.reset(x, y);
   }
 }

@@ -3,6 +3,7 @@
  * they keep going while the page is hidden. A thin shell; the logic is in `run-loop.ts` and
  * `remote-host.ts`.
  */
+import type { MazeDocument } from "@corridor/maze";
 import { CompiledProgram } from "@corridor/program";
 import { replayDigest } from "@corridor/simulation";
 import { describeFault } from "./describe-fault.ts";
@@ -28,6 +29,7 @@ let loop: RunLoop | null = null;
 let releaseLock: (() => void) | null = null;
 let sentToRelayAt = Number.NEGATIVE_INFINITY;
 let hasUnsentNews = false;
+let shownMaze: MazeDocument | null = null;
 
 const remote = new RemoteHost({
   origin: worker.location.origin,
@@ -57,10 +59,16 @@ const painter = new StagePainter({
   },
 });
 
+/** Comes back after the messages that wait already. */
+const afterMessages = new MessageChannel();
+afterMessages.port1.onmessage = () => guarded(tellNews);
+
 worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   try {
     handle(data);
-    tellNews();
+    // Of several moments that are asked for, only the newest is gone to: the others came before this.
+    if (data.type === "seek") afterMessages.port2.postMessage(null);
+    else tellNews();
   } catch (error) {
     post({ type: "fault", reason: describeFault(error) });
   }
@@ -121,6 +129,20 @@ function handle(message: ToWorker): void {
       return loop.setDriver(message.driver);
     case "hold":
       return loop.hold(message.key);
+    case "seek":
+      return loop.seek(message.tick);
+    case "seek-step":
+      return loop.seekStep(message.by);
+    case "play":
+      return loop.play();
+    case "now":
+      return loop.now();
+    case "run-here":
+      return loop.run();
+    case "save-run":
+      return post({ type: "run-saved", saved: loop.saveRun() });
+    case "load-run":
+      return post({ type: "run-loaded", loaded: loop.loadRun(message.run, message.until) });
     case "remote-open":
       return remote.open(message.session, message.fresh);
     case "remote-close":
@@ -144,7 +166,15 @@ function tellNews(): void {
     pace.add(news.frame);
   }
   const frame = pace.take();
-  if (frame !== null) post({ type: "frame", frame });
+  if (frame !== null) {
+    if (loop.shownMaze !== shownMaze) {
+      shownMaze = loop.shownMaze;
+      post({ type: "shown-maze", maze: shownMaze });
+    }
+    post({ type: "frame", frame });
+    const timeline = loop.takeTimeline();
+    if (timeline !== null) post({ type: "timeline", news: timeline });
+  }
   if (news !== null) {
     for (const moment of news.moments) post({ type: "moment", moment });
   }

@@ -39,6 +39,7 @@ export class StagePainter {
       },
       requestFrame: port.requestFrame,
       cancelFrame: port.cancelFrame,
+      now: () => performance.now(),
       scrollTo: (scroll) => port.post({ type: "stage-scroll-to", scroll }),
     });
   }

@@ -5,19 +5,17 @@
 import type { RegistrationError } from "@corridor/client/host";
 import type {
   closeReasons,
-  Command,
   CommandRecord,
   DriverName,
   FieldProblem,
   LineRef,
   Pose,
-  SensorReadings,
   Snapshot,
   TimedCommand,
 } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
-import type { RunDocument, TimelineNews } from "@corridor/recording";
+import type { BumpCause, RunDocument, TimelineNews, WrittenRun } from "@corridor/recording";
 import type { Progress } from "@corridor/simulation";
 import type { Scroll } from "../canvas/viewport.ts";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
@@ -64,9 +62,9 @@ export type ToWorker =
   | { type: "now" }
   /** forgets what came after the shown moment and runs on from it */
   | { type: "run-here" }
-  /** opens a run where it ended, paused; answered by `run-loaded` */
-  | { type: "load-run"; run: RunDocument }
-  /** asks for the run so far, answered by `run-saved` */
+  /** opens a run where it ended, or runs it on to a later tick, and pauses; answered by `run-loaded` */
+  | { type: "load-run"; run: RunDocument; until?: number }
+  /** asks for the run so far, answered by `run-saved`; one longer than a document may be is not written */
   | { type: "save-run" }
   | { type: "speed"; speed: Speed }
   | { type: "driver"; driver: DriverName }
@@ -93,32 +91,16 @@ export interface Frame {
   view: RunView;
   /** the run's last tick; the shown one is the snapshot's */
   nowTick: number;
+  /** who drives the newest moment; the driver of the shown one is the snapshot's */
+  nowDriver: DriverName;
+  /** rises whenever inputs came to the run or were forgotten: then a run saved before is out of date */
+  revision: number;
   /** corners of the trail since the last frame, x and y by turns, in units; its end is the pose */
   corners: number[];
   /** where the robot's centre was at bumps since the last frame, x and y by turns, in units */
   bumps: number[];
   /** true when the trail and the bumps begin anew: forget those drawn so far */
   trailReset: boolean;
-}
-
-/** How it came to a bump: what the robot was doing, the room it had and the room it needed. Lengths in units. */
-export interface BumpCause {
-  /** tick at whose end the decision or command came that led into the wall */
-  decidedAt: number;
-  action: Command["action"];
-  /** what the sensors measured at the end of that tick */
-  readings: SensorReadings;
-  /** part of the manoeuvre that met the wall, from 0, and how many it has; 0 of 1 where it is none */
-  part: number;
-  parts: number;
-  /** which way the robot drove */
-  side: "front" | "back";
-  /** what the sensor on that side measured when the part, or the steady motion, began; from the robot's centre */
-  reading: number;
-  /** driven since then */
-  driven: number;
-  /** what the part had to drive; null for a motion that lasts until something else is chosen */
-  needed: number | null;
 }
 
 /** Something worth telling in words. `line` is null when no program line was in charge. */
@@ -163,11 +145,6 @@ export interface RemoteView {
   commands: ListedCommand[];
 }
 
-/** The answer to `save-run`; a run longer than a document may be is not saved. */
-export type SavedRun =
-  | { ok: true; run: RunDocument }
-  | { ok: false; reason: "too-long" | "too-many-inputs" };
-
 /** The answer to `load-run`: the documents that the run ended with; or why nothing was loaded. */
 export type LoadedRun =
   | { ok: true; maze: MazeDocument; program: ProgramDocument }
@@ -184,7 +161,7 @@ export type FromWorker =
   | { type: "timeline"; news: TimelineNews }
   /** the maze of the shown moment where it is not the newest one; null when it is */
   | { type: "shown-maze"; maze: MazeDocument | null }
-  | { type: "run-saved"; saved: SavedRun }
+  | { type: "run-saved"; saved: WrittenRun }
   | { type: "run-loaded"; loaded: LoadedRun }
   | { type: "remote"; remote: RemoteView }
   | { type: "digest"; digest: string }

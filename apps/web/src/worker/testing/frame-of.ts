@@ -9,6 +9,8 @@ export function frameOf(changes: Partial<Frame> = {}): Frame {
     progress: null,
     view: "now",
     nowTick: snapshot.tick,
+    nowDriver: snapshot.driver,
+    revision: 0,
     corners: [],
     bumps: [],
     trailReset: false,

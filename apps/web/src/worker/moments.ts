@@ -1,0 +1,23 @@
+/** What happened in the ticks since the last news and is worth telling: the newest bump, and the goal. */
+import type { Run } from "@corridor/recording";
+import type { DriverName, LineRef } from "@corridor/protocol";
+import type { Moment } from "./worker-messages.ts";
+
+export class Moments {
+  #waiting: Moment[] = [];
+
+  /** Notes what just happened; `line` and `driver` were in charge. */
+  add(kind: Moment["kind"], run: Run, line: LineRef | null, driver: DriverName): void {
+    const { tick, pose, bumps } = run;
+    const cause = kind === "bump" ? run.cause : null;
+    // Many bumps in one frame are one to a watcher; the goal is told in any case.
+    this.#waiting = this.#waiting.filter((each) => each.kind !== kind);
+    this.#waiting.push({ kind, tick, pose, line, driver, bumps, cause });
+  }
+
+  take(): Moment[] {
+    const taken = this.#waiting;
+    this.#waiting = [];
+    return taken;
+  }
+}
