@@ -53,8 +53,8 @@ const painter = new StagePainter({
   catchUp: () => {
     if (now() - advancedAt > RECENT_MS) advance();
   },
-  loadFont: async (address) => {
-    const font = new FontFace("Inter Variable", `url("${address}")`, { weight: "100 900" });
+  loadFont: async (name, address) => {
+    const font = new FontFace(name, `url("${address}")`, { weight: "100 900" });
     worker.fonts.add(await font.load());
   },
 });

@@ -7,10 +7,17 @@
  * it shows the newest state.
  */
 import { StageRenderer } from "../canvas/renderer.ts";
+import type { Palette } from "../canvas/palette.ts";
 import type { Scene } from "../canvas/scene.ts";
 import { FrameBuffer } from "./frame-buffer.ts";
 import type { StageToWorker } from "./stage-messages.ts";
 import type { Frame, FromWorker } from "./worker-messages.ts";
+
+/**
+ * The page's font under a name of its own: a canvas that has drawn in a fallback keeps it for as long as
+ * the font's name stays the same.
+ */
+const STAGE_FONT = "Corridor Stage";
 
 export interface StagePainterPort {
   post: (message: FromWorker) => void;
@@ -18,8 +25,8 @@ export interface StagePainterPort {
   cancelFrame: (request: number) => void;
   /** brings the run up to this very moment, right before it is drawn; may `add` a frame */
   catchUp: () => void;
-  /** @param address of the font file */
-  loadFont: (address: string) => Promise<void>;
+  /** Makes a font file known under a name. */
+  loadFont: (name: string, address: string) => Promise<void>;
 }
 
 export class StagePainter {
@@ -29,6 +36,10 @@ export class StagePainter {
   #scene: Scene | null = null;
   #isPageDrawing = false;
   #font: string | null = null;
+  #hasFont = false;
+  /** the newest palette as it came, and with the font that has arrived */
+  #plain: Palette | null = null;
+  #inFont: Palette | null = null;
 
   constructor(port: StagePainterPort) {
     this.#port = port;
@@ -68,7 +79,7 @@ export class StagePainter {
       case "stage-scene":
         // The first one after a mount is whole.
         this.#scene = { ...this.#scene, ...message.changes } as Scene;
-        this.#renderer.show(this.#scene);
+        this.#show();
         return;
       case "stage-scroll":
         this.#renderer.scrollTo(message.scroll);
@@ -85,12 +96,26 @@ export class StagePainter {
     if (frame !== null) this.#port.post({ type: "picture", frame });
   }
 
+  #show(): void {
+    const scene = this.#scene;
+    if (scene === null) return;
+    if (!this.#hasFont) return this.#renderer.show(scene);
+    if (scene.palette !== this.#plain) {
+      this.#plain = scene.palette;
+      this.#inFont = { ...scene.palette, font: `"${STAGE_FONT}", ${scene.palette.font}` };
+    }
+    this.#renderer.show({ ...scene, palette: this.#inFont ?? scene.palette });
+  }
+
   /** Words are drawn in the fallback font until the page's own is there, and once more then. */
   #useFont(address: string): void {
     if (this.#font === address) return;
     this.#font = address;
-    this.#port.loadFont(address).then(
-      () => this.#renderer.fontArrived(),
+    this.#port.loadFont(STAGE_FONT, address).then(
+      () => {
+        this.#hasFont = true;
+        this.#show();
+      },
       // The fallback font says the same.
       () => {},
     );
