@@ -71,7 +71,7 @@ export function Otherwise({ isDeciding }: { isDeciding: boolean }) {
       )}
       {given !== null && text !== null && (
         <div className={styles["otherwiseAdvice"]}>
-          <AdviceNote text={text} onMend={() => {}} onHide={() => advice.hide(given)} />
+          <AdviceNote text={text} onMend={null} onHide={() => advice.hide(given)} />
         </div>
       )}
     </fieldset>

@@ -12,6 +12,7 @@ import { Badge } from "../../ui/Badge.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import { ActionMenu } from "./ActionMenu.tsx";
+import { useRights } from "../lessons/use-rights.ts";
 import { adviceOn } from "./advice-store.ts";
 import { AdviceNote } from "./AdviceNote.tsx";
 import { ConditionMenu, ConditionNumber } from "./ConditionField.tsx";
@@ -19,6 +20,7 @@ import { LineBump, LineProgress } from "./LineNotes.tsx";
 import { shownBump, shownProgress, shownTruth } from "./line-state.ts";
 import { LineTools } from "./LineTools.tsx";
 import { LineTruth } from "./LineTruth.tsx";
+import { allowsMend } from "./mend-rights.ts";
 import { applyEdit, deleteLine, moveLine, type RememberedNumbers } from "./program-actions.ts";
 import styles from "./program.module.css";
 import { takeMend } from "./take-mend.ts";
@@ -55,6 +57,9 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   );
   const given = useStore(advice, (state) => adviceOn(index, state));
   const adviceText = useAdviceText(given, rule.when);
+  const rights = useRights();
+  const by = given?.mend ?? null;
+  const canMend = by !== null && allowsMend(by, count, rights);
   const isBumped = bump !== null;
   const name = useLineName({
     index,
@@ -85,7 +90,6 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   }
 
   function mend() {
-    const by = given?.mend ?? null;
     const mended = by === null ? null : advice.mended(by);
     if (by === null || mended === null) return;
     if (by.kind === "delete") {
@@ -177,7 +181,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       )}
       {adviceText !== null && (
         <div className={styles["advice"]}>
-          <AdviceNote text={adviceText} onMend={mend} onHide={hide} />
+          <AdviceNote text={adviceText} onMend={canMend ? mend : null} onHide={hide} />
         </div>
       )}
     </li>

@@ -1,6 +1,7 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { decidingLine, isPassedOver, shownTruth } from "./line-state.ts";
+import type { Moment } from "../../worker/worker-messages.ts";
+import { decidingLine, isPassedOver, shownBump, shownProgress, shownTruth } from "./line-state.ts";
 
 const snapshot = snapshotOf({
   driver: "program",
@@ -46,5 +47,95 @@ describe("shownTruth", () => {
   it("is none for a line that does nothing, and before the first snapshot", () => {
     expect(shownTruth(null, snapshot)).toBeNull();
     expect(shownTruth({ sensor: "right", is: ">", than: 60 }, null)).toBeNull();
+  });
+});
+
+describe("shownProgress", () => {
+  const drive = {
+    action: "delayed right 90",
+    part: 0,
+    parts: 3,
+    kind: "drive",
+    way: 1,
+    left: 35.2,
+    of: 50,
+  } as const;
+
+  it.each([
+    ["the way to a delayed turn", drive, { kind: "approach", left: 36, of: 50 }],
+    [
+      "the turn",
+      { ...drive, part: 1, kind: "turn", left: 66, of: 90 },
+      { kind: "turn", left: 66, of: 90 },
+    ],
+    [
+      "the way out",
+      { ...drive, part: 2, left: 12.01, of: 60 },
+      { kind: "leave", left: 13, of: 60 },
+    ],
+    [
+      "a distance but for rounding",
+      { ...drive, left: 36.0000000001 },
+      { kind: "approach", left: 36, of: 50 },
+    ],
+  ] as const)("counts down %s", (_, progress, expected) => {
+    expect(shownProgress(0, { snapshot, progress })).toEqual(expected);
+  });
+
+  it("is none for another line, without a manoeuvre, and while another drives", () => {
+    expect(shownProgress(1, { snapshot, progress: drive })).toBeNull();
+    expect(shownProgress(0, { snapshot, progress: null })).toBeNull();
+    const mine = { ...snapshot, driver: "me" as const };
+    expect(shownProgress(0, { snapshot: mine, progress: drive })).toBeNull();
+  });
+});
+
+describe("shownBump", () => {
+  const touching = { ...snapshot, bumping: true, bumps: 2, tick: 80 };
+  const moment: Moment = {
+    kind: "bump",
+    tick: 70,
+    pose: touching.pose,
+    line: 0,
+    driver: "program",
+    bumps: 2,
+    cause: {
+      decidedAt: 55,
+      action: "delayed right 90",
+      readings: touching.sensors,
+      part: 0,
+      parts: 3,
+      side: "front",
+      reading: 49,
+      driven: 23.9,
+      needed: 50,
+    },
+  };
+
+  it("is that of the line that drove into the wall, as long as the robot touches it", () => {
+    expect(shownBump(0, { snapshot: touching, moment })).toEqual({ driven: 24, needed: 50 });
+    expect(shownBump(1, { snapshot: touching, moment })).toBeNull();
+    const free = { ...touching, bumping: false };
+    expect(shownBump(0, { snapshot: free, moment })).toBeNull();
+  });
+
+  it("stays with that line when another one decides beside the wall", () => {
+    const next = { ...touching, line: 1 };
+    expect(shownBump(0, { snapshot: next, moment })).not.toBeNull();
+    expect(shownBump(1, { snapshot: next, moment })).toBeNull();
+  });
+
+  it("has no numbers for a bump that is not the newest one", () => {
+    const past = { ...touching, bumps: 1, tick: 30 };
+    expect(shownBump(0, { snapshot: past, moment })).toEqual({ driven: null, needed: null });
+    expect(shownBump(0, { snapshot: touching, moment: null })).toEqual({
+      driven: null,
+      needed: null,
+    });
+  });
+
+  it("is nobody's while a hand drives", () => {
+    const mine = { ...touching, driver: "me" as const, line: null };
+    expect(shownBump(0, { snapshot: mine, moment })).toBeNull();
   });
 });

@@ -1,0 +1,143 @@
+import { adviseProgram, applyMend } from "@corridor/coach";
+import { setAction, setNumber, type ProgramDocument } from "@corridor/program";
+import { describe, expect, it } from "vitest";
+import { firstMaze, firstProgram } from "../../app/first-visit.ts";
+import { createWorkspaceStore, setMaze, undo } from "../../stores/workspace-store.ts";
+import { adviceOn, createAdviceStore, type AdvicePorts } from "./advice-store.ts";
+import { applyEdit } from "./program-actions.ts";
+import { takeMend } from "./take-mend.ts";
+
+/** The second line is a delayed turn just before a wall. */
+const wrong: ProgramDocument = {
+  ...firstProgram,
+  rules: [
+    { when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" },
+    { when: { sensor: "front", is: "<", than: 50 }, do: "delayed left 90" },
+  ],
+};
+
+/** The page at rest in time: `settle` lets it pass. */
+function setUp(
+  program = wrong,
+  load: AdvicePorts["load"] = async () => ({ adviseProgram, applyMend }),
+) {
+  const workspace = createWorkspaceStore(firstMaze, program);
+  const waiting: (() => void)[] = [];
+  const advice = createAdviceStore({ workspace, load, later: (run) => waiting.push(run) });
+  const settle = async () => {
+    for (const run of waiting.splice(0)) run();
+    // The coach arrives.
+    await new Promise((resolve) => setTimeout(resolve, 0));
+  };
+  const lines = () => advice.getState().shown.map(({ line }) => line);
+  const edit = (action: "left 90" | "delayed left 90") =>
+    applyEdit(workspace, setAction(workspace.getState().program, 1, action));
+  return { workspace, advice, settle, lines, edit };
+}
+
+describe("advice on the lines", () => {
+  it("comes once the edits have settled, and goes at once", async () => {
+    const { settle, lines, edit } = setUp();
+    expect(lines()).toEqual([]);
+    await settle();
+    expect(lines()).toEqual([1]);
+    edit("left 90");
+    expect(lines()).toEqual([]);
+    await settle();
+    edit("delayed left 90");
+    expect(lines()).toEqual([]);
+    await settle();
+    expect(lines()).toEqual([1]);
+  });
+
+  it("does not come up for a number that is half typed", async () => {
+    const { workspace, settle, lines } = setUp({ ...wrong, rules: wrong.rules.slice(0, 1) });
+    await settle();
+    for (const number of [6, 60]) {
+      applyEdit(workspace, setNumber(workspace.getState().program, 0, number));
+    }
+    await settle();
+    expect(lines()).toEqual([]);
+  });
+
+  it("is that of the newest edit when the coach comes late", async () => {
+    const { settle, lines, edit } = setUp();
+    const coming = settle();
+    edit("left 90");
+    await coming;
+    await settle();
+    expect(lines()).toEqual([]);
+  });
+
+  it("follows the maze", async () => {
+    const { workspace, settle, lines } = setUp({
+      ...wrong,
+      rules: [{ when: { sensor: "front", is: ">", than: 700 }, do: "turn 180" }],
+    });
+    await settle();
+    expect(lines()).toEqual([]);
+    setMaze(workspace, {
+      ...firstMaze,
+      blocks: [".."],
+      start: { column: 0, row: 0, heading: "east" },
+      goals: [],
+    });
+    await settle();
+    expect(lines()).toEqual([0]);
+  });
+
+  it("is told once, however often it comes and goes", async () => {
+    const { advice, settle, edit } = setUp();
+    await settle();
+    const first = advice.getState().news;
+    expect(first).toMatchObject({ line: 1, kind: "delayed-about-front" });
+    edit("left 90");
+    await settle();
+    edit("delayed left 90");
+    await settle();
+    expect(advice.getState().news).toBe(first);
+  });
+
+  it("stays away once it was hidden, also after an undo, and comes for another line", async () => {
+    const { workspace, advice, settle, lines, edit } = setUp();
+    await settle();
+    const given = adviceOn(1, advice.getState());
+    if (given !== null) advice.hide(given);
+    expect(lines()).toEqual([]);
+    edit("left 90");
+    await settle();
+    undo(workspace);
+    await settle();
+    expect(workspace.getState().program).toBe(wrong);
+    expect(lines()).toEqual([]);
+    applyEdit(workspace, setNumber(wrong, 1, 40));
+    await settle();
+    expect(lines()).toEqual([1]);
+  });
+
+  it("is taken in one step of the history", async () => {
+    const { workspace, advice, settle, lines } = setUp();
+    await settle();
+    const mend = adviceOn(1, advice.getState())?.mend;
+    const mended = mend ? advice.mended(mend) : null;
+    if (mend && mended) takeMend(workspace, mend, mended);
+    expect(workspace.getState().program.rules[1]?.do).toBe("left 90");
+    expect(lines()).toEqual([]);
+    undo(workspace);
+    expect(workspace.getState().program).toBe(wrong);
+  });
+
+  it("is asked for again where the coach could not be loaded", async () => {
+    let tries = 0;
+    const { settle, lines, edit } = setUp(wrong, async () => {
+      if (++tries === 1) throw new Error("no network");
+      return { adviseProgram, applyMend };
+    });
+    await settle();
+    expect(lines()).toEqual([]);
+    edit("left 90");
+    edit("delayed left 90");
+    await settle();
+    expect(lines()).toEqual([1]);
+  });
+});

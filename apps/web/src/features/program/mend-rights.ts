@@ -1,0 +1,36 @@
+/** Whether an open challenge leaves a mend to the reader: its button is not offered otherwise. */
+import type { Rights } from "@corridor/challenge";
+import type { Mend } from "@corridor/coach";
+import { kindOf, type Rule } from "@corridor/program";
+
+/**
+ * @param lines of the program
+ * @param rights null while no challenge is open: then everything
+ */
+export function allowsMend(mend: Mend, lines: number, rights: Rights | null): boolean {
+  if (rights === null) return true;
+  const { edits, actions } = rights;
+  switch (mend.kind) {
+    case "action":
+      return edits.has("action") && actions.includes(mend.action);
+    case "number":
+      return edits.has("number");
+    case "condition":
+      return edits.has("condition") && edits.has("number") && allowsCondition(mend.when, rights);
+    case "move":
+      return edits.has("order");
+    case "delete":
+      return edits.has("lines");
+    case "insert":
+      return (
+        edits.has("lines") &&
+        lines < rights.maxLines &&
+        actions.includes(mend.rule.do) &&
+        allowsCondition(mend.rule.when, rights)
+      );
+  }
+}
+
+function allowsCondition(when: Rule["when"], { conditions }: Rights): boolean {
+  return when === null || conditions.includes(kindOf(when));
+}
