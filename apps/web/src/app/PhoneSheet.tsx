@@ -1,6 +1,6 @@
 /** The sheet of the phone: Drive, Program and Presets behind tabs, as far open as the reader wants. */
 import { LayoutGrid, List, User } from "lucide-react";
-import { useRef, useState, type ReactNode } from "react";
+import { useEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { DriveTab } from "../features/drive/DriveTab.tsx";
 import type { HoldStore } from "../features/drive/hold-store.ts";
@@ -9,6 +9,7 @@ import { LazyPresetsPanel } from "../features/presets/lazy-presets-panel.ts";
 import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
 import { Tabs } from "../ui/Tabs.tsx";
 import styles from "./app.module.css";
+import { useServices } from "./services.ts";
 import { dragged, pressed, type SheetPosition } from "./sheet.ts";
 
 const icons: Readonly<Record<SheetTab, ReactNode>> = {
@@ -22,6 +23,16 @@ type SheetTab = (typeof tabs)[number];
 export function PhoneSheet({ hold }: { hold: HoldStore }) {
   const { t } = useTranslation();
   const [tab, setTab] = useState<SheetTab>("program");
+  const { challenge } = useServices();
+  useEffect(
+    () =>
+      // A mission opens where it is to be done.
+      challenge.subscribe((next, before) => {
+        if (next.challenge === null || next.mission === before.mission) return;
+        setTab(next.rights?.drivers[0] === "me" ? "drive" : "program");
+      }),
+    [challenge],
+  );
   const [position, setPosition] = useState<SheetPosition>("half");
   return (
     <aside className={styles["sheet"]} data-position={position} aria-label={t("shell.panel")}>
@@ -40,9 +51,18 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
         }}
         panelClassName={styles["sheetContent"]}
       >
-        {tab !== "presets" && <MissionPlace />}
-        {tab === "drive" && <DriveTab hold={hold} />}
-        {tab === "program" && <ProgramEditor />}
+        {tab === "drive" && (
+          <>
+            <MissionPlace look="slim" />
+            <DriveTab hold={hold} />
+          </>
+        )}
+        {tab === "program" && (
+          <>
+            <MissionPlace />
+            <ProgramEditor />
+          </>
+        )}
         {tab === "presets" && <LazyPresetsPanel />}
       </Tabs>
     </aside>

@@ -11,10 +11,15 @@ import type { LessonsService } from "./lessons-service.ts";
 import { MissionHints } from "./MissionHints.tsx";
 import { MissionMazes } from "./MissionMazes.tsx";
 import styles from "./lessons.module.css";
-import { missionIds } from "./missions/mission.ts";
+import { missionIds, nextMission } from "./missions/mission.ts";
+
+export interface MissionCardProps {
+  /** slim: only the task and the way on, where the keys need the room */
+  look?: "full" | "slim";
+}
 
 /** Shows nothing while no challenge is open. */
-export function MissionCard() {
+export function MissionCard({ look = "full" }: MissionCardProps) {
   const { lessons, challenge } = useServices();
   const isOpen = useStore(challenge, (state) => state.challenge !== null);
   const [service, setService] = useState<LessonsService | null>(null);
@@ -22,7 +27,8 @@ export function MissionCard() {
     // What opened the challenge has loaded the lessons; this only takes them.
     if (isOpen) void lessons.load().then(setService, () => undefined);
   }, [isOpen, lessons]);
-  return isOpen && service !== null ? <OpenMission service={service} /> : null;
+  if (!isOpen || service === null) return null;
+  return look === "full" ? <OpenMission service={service} /> : <SlimMission />;
 }
 
 function OpenMission({ service }: { service: LessonsService }) {
@@ -68,6 +74,34 @@ function OpenMission({ service }: { service: LessonsService }) {
   );
 }
 
+function SlimMission() {
+  const { t } = useTranslation(["missions", "words"], { useSuspense: false });
+  const { challenge: store, lessons } = useServices();
+  const challenge = useStore(store, (state) => state.challenge);
+  const mission = useStore(store, (state) => state.mission);
+  const isMet = useStore(store, (state) => state.result.state === "met");
+  if (challenge === null) return null;
+  const id = missionIds.find((each) => each === mission);
+  const next = nextMission(mission);
+  return (
+    <section className={styles["slim"]} aria-label={t("missions:card.label")}>
+      {isMet ? (
+        <Outcome />
+      ) : (
+        <p className={styles["task"]}>
+          {id === undefined ? challenge.words.task : t(`missions:missions.${id}.task`)}
+        </p>
+      )}
+      {isMet && next !== null && (
+        <Button size="small" kind="primary" onClick={() => void lessons.openMission(next)}>
+          {t("missions:card.next")}
+          <ArrowRight className={styles["onward"]} aria-hidden="true" />
+        </Button>
+      )}
+    </section>
+  );
+}
+
 /** How it stands, spoken when it changes. */
 function Outcome() {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });
@@ -99,7 +133,7 @@ function Actions({ service }: { service: LessonsService }) {
   const [isPathOpen, setIsPathOpen] = useState(false);
   if (challenge === null) return null;
   const isMet = result.state === "met";
-  const next = service.nextMission();
+  const next = nextMission(mission);
   // A hand's drive and one maze with a goal need no check: what is seen is what counts.
   const isSeen = challenge.mazes.length === 1 && ["reach", "stop"].includes(challenge.goal.kind);
   return (

@@ -5,10 +5,10 @@ import { ChallengeLine, MissionCard } from "./lazy-lessons.ts";
 import { LessonsInvitation } from "./LessonsInvitation.tsx";
 
 /** At the top of the panel: the mission, or the invitation to the first one. */
-export function MissionPlace() {
+export function MissionPlace({ look = "full" }: { look?: "full" | "slim" }) {
   const { challenge } = useServices();
   const isOpen = useStore(challenge, (state) => state.challenge !== null);
-  return isOpen ? <MissionCard /> : <LessonsInvitation />;
+  return isOpen ? <MissionCard look={look} /> : <LessonsInvitation />;
 }
 
 /** In the strip above the maze. */

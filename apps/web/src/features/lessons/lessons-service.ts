@@ -20,7 +20,7 @@ import { AttemptJudge, type Judgement } from "./attempt-judge.ts";
 import { startChecker, type ChallengeChecker } from "./challenge-checker.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import type { Done, LessonsRecord } from "./lessons-storage.ts";
-import { challengeOf, missionIds, type Mission, type MissionId } from "./missions/mission.ts";
+import { challengeOf, nextMission, type Mission, type MissionId } from "./missions/mission.ts";
 import { missions } from "./missions/missions.ts";
 
 export class LessonsService {
@@ -156,9 +156,7 @@ export class LessonsService {
 
   /** The mission after the open one; null after the last, and where no mission is open. */
   nextMission(): MissionId | null {
-    const { mission } = this.#ports.challenge.getState();
-    const at = missionIds.findIndex((id) => id === mission);
-    return at < 0 ? null : (missionIds[at + 1] ?? null);
+    return nextMission(this.#ports.challenge.getState().mission);
   }
 
   /** Back to what was open before the first mission. Missions stay where they are. */

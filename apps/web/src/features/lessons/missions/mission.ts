@@ -32,6 +32,12 @@ export interface Mission {
   challenge: Omit<ChallengeDocument, "format" | "version" | "name" | "words">;
 }
 
+/** The mission after one; null after the last, and for what is no mission. */
+export function nextMission(id: string | null): MissionId | null {
+  const at = missionIds.findIndex((each) => each === id);
+  return at < 0 ? null : (missionIds[at + 1] ?? null);
+}
+
 /** The whole document in one language. */
 export function challengeOf(
   { challenge }: Mission,

@@ -1,0 +1,170 @@
+/** A new student, who reads nothing but what stands on the stage and in the panel. */
+import { expect, test } from "./fixtures.ts";
+import { LessonsPanel } from "./pages/lessons-panel.ts";
+
+test("a new student solves the first mission within a minute of the first visit", async ({
+  corridor,
+  page,
+}) => {
+  const lessons = new LessonsPanel(page);
+  // Two actions: one press on what is offered, and one key held. The robot needs 4 s of simulated time.
+  await lessons.invitation.getByRole("button", { name: "Start with mission 1" }).click();
+  await lessons.expectMission(1);
+  await expect(corridor.driver("Me")).toBeChecked();
+  await page.keyboard.down("w");
+  await expect(lessons.outcome).toHaveText(/^Challenge met after \d\.\d s$/);
+  await page.keyboard.up("w");
+  await expect(page.getByRole("main").getByText(/^Challenge met after/)).toBeVisible();
+  await lessons.button("Next mission").click();
+  await lessons.expectMission(2);
+});
+
+test("a new student who presses Run first has made it move too", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.invitation.getByRole("button", { name: "Start with mission 1" }).click();
+  await lessons.expectMission(1);
+  await corridor.run.click();
+  await expect(lessons.outcome).toHaveText("Challenge met: 0 of 0 lines used");
+});
+
+test("says no to the invitation and is not asked again", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.invitation.getByRole("button", { name: "Not now" }).click();
+  await expect(lessons.invitation).toBeHidden();
+  await corridor.open();
+  await expect(lessons.invitation).toBeHidden();
+});
+
+test("keeps progress after a reload", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(3);
+  await corridor.program.action(1).selectOption("turn 180");
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+  await corridor.open();
+  await lessons.expectMission(3);
+  await expect(corridor.program.action(1)).toHaveValue("turn 180");
+  await lessons.openPath();
+  await expect(lessons.path.getByRole("button", { name: /^3\. / })).toContainText("Done");
+  await expect(lessons.path).toContainText("1 of 14 done");
+  await lessons.path.getByRole("button", { name: "Forget my progress" }).click();
+  await expect(lessons.path).toContainText("0 of 14 done");
+});
+
+test("opens hints one by one", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await corridor.open();
+  await lessons.openMission(7);
+  await expect(lessons.hints).toHaveCount(0);
+  await lessons.button("Show a hint").click();
+  await expect(lessons.hints).toHaveCount(1);
+  await lessons.button("Show hint 2 of 3").click();
+  await lessons.button("Show hint 3 of 3").click();
+  await expect(lessons.hints).toHaveCount(3);
+  await expect(lessons.button(/^Show/)).toHaveCount(0);
+});
+
+test("is told what failed, with the number, while the robot drives", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(8);
+  await corridor.program.action(1).selectOption("delayed left 90");
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(lessons.outcome).toHaveText(/^Bump at 4\.\d s\. This mission allows none\./);
+  await corridor.program.action(1).selectOption("left 90");
+  await corridor.reset.click();
+  await corridor.run.click();
+  await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+});
+
+test("is told which maze fails", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(12);
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(page.getByText("Met in this maze. Now check all 3.")).toBeVisible();
+  await lessons.button("Check in all 3 mazes").click();
+  await expect(lessons.outcome).toHaveText(/^Maze 2: The goal was not reached in 40 s/);
+  await expect(lessons.card).toContainText("Passes in 1 of 3 mazes.");
+  await lessons.button("Open maze 2").click();
+  await expect(lessons.button("Maze 2 fails")).toHaveAttribute("aria-pressed", "true");
+  await corridor.maze.expectSquare({ column: 5, row: 3 }, "open, goal");
+  // The right wall passes in all of them.
+  await corridor.program.button("Add line").click();
+  await corridor.program.condition(2).selectOption("right >");
+  await corridor.program.number(2).fill("60");
+  await corridor.program.action(2).selectOption("delayed right 90");
+  await lessons.button("Check in all 3 mazes").click();
+  await expect(lessons.outcome).toHaveText("Challenge met: 2 of 3 lines used");
+});
+
+test("menus offer only what the mission allows", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  // Only the action can be chosen, from four.
+  await lessons.openMission(3);
+  await expect(corridor.program.action(1).getByRole("option")).toHaveText([
+    "forward",
+    "reverse",
+    "left 90",
+    "turn 180",
+  ]);
+  await expect(corridor.program.condition(1)).toBeDisabled();
+  await expect(corridor.program.number(1)).toBeDisabled();
+  await expect(corridor.program.button("Add line")).toBeDisabled();
+  await expect(corridor.program.button("Add line")).toHaveAccessibleDescription(
+    "The lines of this mission are given.",
+  );
+  // Only the number can be changed.
+  await lessons.openMission(5);
+  await expect(corridor.program.action(1)).toBeDisabled();
+  await expect(corridor.program.number(1)).toBeEnabled();
+  // One line, about front alone.
+  await lessons.openMission(6);
+  await corridor.program.button("Add line").click();
+  await expect(corridor.program.condition(1).getByRole("option")).toHaveText([
+    "[Do nothing]",
+    "front >",
+    "front <",
+  ]);
+  await expect(corridor.program.button("Add line")).toBeDisabled();
+  await expect(corridor.program.button("Add line")).toHaveAccessibleDescription(
+    "This mission allows 1 line.",
+  );
+  // The maze stays as it is, and says so.
+  await corridor.maze.click({ column: 3, row: 1 });
+  await expect(corridor.message(/The maze of this mission stays as it is/)).toBeVisible();
+  await corridor.maze.expectSquare({ column: 3, row: 1 }, "open");
+});
+
+test("goes back to the own maze", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await corridor.maze.click({ column: 2, row: 6 });
+  await corridor.program.action(1).selectOption("turn 180");
+  await lessons.openMission(6);
+  await corridor.program.button("Add line").click();
+  await expect(corridor.program.lines).toHaveCount(1);
+  await lessons.button("Back to my maze").click();
+  await expect(lessons.card).toBeHidden();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
+  await expect(corridor.program.action(1)).toHaveValue("turn 180");
+  // The attempt waits where it was left.
+  await lessons.openMission(6);
+  await expect(corridor.program.lines).toHaveCount(1);
+});
+
+test("does a mission with the keyboard alone", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await page.getByRole("banner").getByRole("button", { name: "Lessons" }).focus();
+  await page.keyboard.press("Enter");
+  const mission = lessons.path.getByRole("button", { name: /^4\. / });
+  await expect(mission).toBeVisible();
+  await mission.focus();
+  await page.keyboard.press("Enter");
+  await lessons.expectMission(4);
+  await corridor.program.line(2).focus();
+  await page.keyboard.press("Alt+ArrowUp");
+  await page.keyboard.press("Control+Enter");
+  await expect(lessons.outcome).toHaveText("Challenge met: 2 of 2 lines used", { timeout: 20_000 });
+});

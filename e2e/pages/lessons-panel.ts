@@ -1,0 +1,43 @@
+/** The lessons as their reader finds them: the path, the mission card and the line above the maze. */
+import { expect, type Locator, type Page } from "playwright/test";
+
+export class LessonsPanel {
+  readonly #page: Page;
+  readonly invitation: Locator;
+  readonly card: Locator;
+  readonly path: Locator;
+  /** what the card says of the attempt */
+  readonly outcome: Locator;
+
+  constructor(page: Page) {
+    this.#page = page;
+    this.invitation = page.getByRole("region", { name: "Lessons" });
+    this.card = page.getByRole("region", { name: "Mission" });
+    this.path = page.getByRole("dialog", { name: "Lessons" });
+    this.outcome = this.card.getByRole("status");
+  }
+
+  /** Opens a mission from the path by its number, and waits until it is there. */
+  async openMission(number: number): Promise<void> {
+    await this.openPath();
+    await this.path.getByRole("button", { name: new RegExp(`^${number}\\. `) }).click();
+    await this.expectMission(number);
+  }
+
+  async openPath(): Promise<void> {
+    await this.#page.getByRole("banner").getByRole("button", { name: "Lessons" }).click();
+    await expect(this.path).toBeVisible();
+  }
+
+  async expectMission(number: number): Promise<void> {
+    await expect(this.card).toContainText(`Mission ${number} of 14`);
+  }
+
+  button(name: string | RegExp): Locator {
+    return this.card.getByRole("button", { name });
+  }
+
+  get hints(): Locator {
+    return this.card.getByText(/^Hint \d/);
+  }
+}
