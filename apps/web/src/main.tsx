@@ -85,6 +85,10 @@ async function open(): Promise<void> {
       location,
       replaceAddress: (address) => history.replaceState(history.state, "", address),
       openEmptyMaze: () => openEmptyMaze(services, words),
+      openRun: async (run) => {
+        const { openRun } = await import("./features/timeline/open-run.ts");
+        return openRun(services, words, run);
+      },
     });
   await follow();
   window.addEventListener("hashchange", () => void follow());

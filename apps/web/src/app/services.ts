@@ -22,6 +22,7 @@ import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "./first-visit.ts";
 import { RemoteConnection } from "./remote-session.ts";
 import type { WorkReader } from "./work-reader.ts";
+import { sendEdits } from "./send-edits.ts";
 import { WorksService } from "./works-service.ts";
 import { WorkShelf, type KeyValueStorage } from "./works.ts";
 
@@ -115,12 +116,7 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
   });
 
   simulator.send({ type: "load", maze, program });
-  workspace.subscribe((next, before) => {
-    if (next.maze !== before.maze) simulator.send({ type: "edit-maze", maze: next.maze });
-    if (next.program !== before.program) {
-      simulator.send({ type: "edit-program", program: next.program });
-    }
-  });
+  sendEdits(workspace, simulator);
   const works = new WorksService({ shelf, current, workspace, screen, words, later });
   const connection = new RemoteConnection({ simulator, remote, run, tab });
   const solved = createSolvedStore({ run, workspace, device });

@@ -1,4 +1,5 @@
 import { decodeLink, encodeLink, type LinkContent } from "@corridor/link";
+import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
 import { createScreenStore } from "../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze } from "../stores/workspace-store.ts";
@@ -43,6 +44,7 @@ function openPage(
   const works = new WorksService({ shelf, current, workspace, screen, words, later });
   const addresses: string[] = [];
   const emptied: string[] = [];
+  const runs: string[] = [];
   const go = (pathname: string, hash: string) =>
     followAddress({
       works,
@@ -53,6 +55,10 @@ function openPage(
       location: { pathname, search: "", hash },
       replaceAddress: (address) => addresses.push(address),
       openEmptyMaze: () => emptied.push("empty"),
+      openRun: (run) => {
+        runs.push(run.name);
+        return Promise.resolve(run.ticks === 0 ? [{ path: "", found: "a", expected: "b" }] : []);
+      },
     });
   const rename = (name: string) => {
     setMaze(workspace, { ...workspace.getState().maze, name });
@@ -65,7 +71,20 @@ function openPage(
       .list()
       .map(({ maze }) => maze.name)
       .toSorted();
-  return { workspace, screen, works, addresses, emptied, go, rename, shown, message, names, tab };
+  return {
+    workspace,
+    screen,
+    works,
+    addresses,
+    emptied,
+    runs,
+    go,
+    rename,
+    shown,
+    message,
+    names,
+    tab,
+  };
 }
 
 describe("opening a shared link", () => {
@@ -180,6 +199,37 @@ describe("opening a shared link", () => {
     await page.go("/", hash);
     expect(page.addresses).toEqual([]);
     expect(page.message()).toBeUndefined();
+  });
+});
+
+describe("opening the link of a run", () => {
+  const run: RunDocument = {
+    format: "corridor/run",
+    version: 1,
+    name: "Tuesday",
+    maze: sharedMaze,
+    program: sharedProgram,
+    seed: 0,
+    ticks: 600,
+    inputs: [],
+    digest: "0123456789abcdef",
+  };
+
+  it("opens the run and cleans the address", async () => {
+    const page = openPage(new MemoryStorage());
+    await page.go("/", `#${linkOf({ run })}`);
+    expect(page.runs).toEqual(["Tuesday"]);
+    expect(page.addresses).toEqual(["/"]);
+    expect(page.message()).toBeUndefined();
+  });
+
+  it("says what is wrong with a run that cannot be repeated", async () => {
+    const page = openPage(new MemoryStorage());
+    await page.go("/", `#${linkOf({ run: { ...run, ticks: 0 } })}`);
+    expect(page.message()).toMatchObject({
+      tone: "bad",
+      text: "This run cannot be repeated: found a, expected b. Ask for it again.",
+    });
   });
 });
 

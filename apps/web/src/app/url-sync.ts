@@ -1,9 +1,11 @@
 /**
- * What the address bar asks for: a shared link opens as a new work beside the reader's own, and a
+ * What the address bar asks for: a shared link, or a recorded run, opens as a new work beside the reader's own, and a
  * robot's address is taken out of sight, since it ends in a key.
  */
 import type { decodeLink, LinkContent } from "@corridor/link";
 import type { MazeDocument } from "@corridor/maze";
+import type { FieldProblem } from "@corridor/protocol";
+import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import { dismiss, tell, type ScreenStore } from "../stores/screen-store.ts";
 import type { WorksService } from "./works-service.ts";
@@ -20,6 +22,8 @@ export interface UrlPorts {
   /** replaces the address without a reload: history.replaceState */
   replaceAddress: (address: string) => void;
   openEmptyMaze: () => void;
+  /** opens a recorded run; gives what is wrong with it, or nothing */
+  openRun: (run: RunDocument) => Promise<readonly FieldProblem[]>;
 }
 
 /**
@@ -46,7 +50,8 @@ export async function followAddress(ports: UrlPorts): Promise<void> {
   }
   replaceAddress(pathname + search);
   const result = links.decodeLink(hash.slice(1));
-  if (result.ok) openShared(ports, result.value);
+  if (result.ok && result.value.run !== undefined) await openRecorded(ports, result.value.run);
+  else if (result.ok) openShared(ports, result.value);
   else {
     const id = tell(screen, {
       tone: "bad",
@@ -75,6 +80,12 @@ function tellNotLoaded(ports: UrlPorts): void {
       },
     },
   });
+}
+
+async function openRecorded({ openRun, screen, words }: UrlPorts, run: RunDocument): Promise<void> {
+  const [problem] = await openRun(run);
+  if (problem === undefined) return;
+  tell(screen, { tone: "bad", text: words.t("timeline.notOpened", { ...problem }) });
 }
 
 function openShared(ports: UrlPorts, content: LinkContent): void {

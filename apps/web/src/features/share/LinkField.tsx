@@ -1,19 +1,24 @@
 /** The link in a field that selects itself, and the button that copies it. */
-import { MAX_LINK_LENGTH } from "@corridor/link";
 import { useId, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { FieldError } from "../../ui/FieldError.tsx";
 import { CopyButton } from "./CopyButton.tsx";
 import styles from "./share.module.css";
 
-/** @param link null when the maze is too big for one */
-export function LinkField({ link }: { link: string | null }) {
+interface LinkFieldProps {
+  /** null when there is too much for one */
+  link: string | null;
+  /** what is said then */
+  tooBig: string;
+}
+
+export function LinkField({ link, tooBig }: LinkFieldProps) {
   const { t } = useTranslation();
   const id = useId();
   const field = useRef<HTMLInputElement>(null);
   const [isByHand, setByHand] = useState(false);
   if (link === null) {
-    return <FieldError id={id}>{t("share.tooBig", { limit: MAX_LINK_LENGTH })}</FieldError>;
+    return <FieldError id={id}>{tooBig}</FieldError>;
   }
   return (
     <div className={styles["link"]}>

@@ -1,5 +1,5 @@
-/** The share dialog: a link that carries the maze itself, and its QR code. */
-import { encodeLink } from "@corridor/link";
+/** The share dialog: a link that carries the maze itself, or a run in it, and its QR code. */
+import { encodeLink, MAX_LINK_LENGTH } from "@corridor/link";
 import { sizeOf } from "@corridor/maze";
 import { Info } from "lucide-react";
 import { useState } from "react";
@@ -11,9 +11,11 @@ import { useServices } from "../../app/services.ts";
 import { sharedSearch } from "../../app/language.ts";
 import { LinkField } from "./LinkField.tsx";
 import { QrCard } from "./QrCard.tsx";
+import { RunChoice } from "./RunChoice.tsx";
 import styles from "./share.module.css";
+import { useSavedRun } from "./use-saved-run.ts";
 
-interface ShareDialogProps {
+export interface ShareDialogProps {
   isOpen: boolean;
   onClose: () => void;
 }
@@ -44,13 +46,20 @@ function ShareForm() {
   const maze = useStore(workspace, (state) => state.maze);
   const program = useStore(workspace, (state) => state.program);
   const [withProgram, setWithProgram] = useState(false);
-  const result = encodeLink(withProgram ? { maze, program } : { maze });
+  const [withRun, setWithRun] = useState(false);
+  const saved = useSavedRun(withRun);
+  const run = saved?.ok === true ? saved.run : null;
+  const content = run !== null ? { run } : withProgram ? { maze, program } : { maze };
+  const result = encodeLink(content);
+  const isTooLong = withRun && (run === null ? saved !== null : !result.ok);
   const { origin, pathname, search } = location;
   const link = result.ok ? `${origin}${pathname}${sharedSearch(search)}#${result.text}` : null;
+  const tooBig = t("share.tooBig", { limit: MAX_LINK_LENGTH });
+  const tooLong = t(run === null ? "timeline.share.tooMuch" : "timeline.share.tooLong");
   return (
     <div className={styles["columns"]}>
       <div className={styles["main"]}>
-        <LinkField link={link} />
+        <LinkField link={isTooLong ? null : link} tooBig={withRun ? tooLong : tooBig} />
         <fieldset className={styles["choices"]}>
           <legend className={styles["label"]}>{t("share.carries")}</legend>
           <Checkbox
@@ -63,12 +72,14 @@ function ShareForm() {
           <Checkbox
             label={t("share.program")}
             note={t("share.programNote")}
-            checked={withProgram}
+            checked={withProgram || withRun}
+            disabled={withRun}
             onChange={setWithProgram}
           />
+          <RunChoice isChosen={withRun} onChange={setWithRun} saved={saved} />
         </fieldset>
       </div>
-      {link !== null && <QrCard link={link} name={maze.name} />}
+      {link !== null && !isTooLong && <QrCard link={link} name={maze.name} />}
     </div>
   );
 }
