@@ -26,7 +26,7 @@ const loaders: {
     en: englishMissions,
     // Drafts speak English here until their missions are translated.
     ar: englishMissions,
-    de: englishMissions,
+    de: async () => (await import("./de/missions.json")).default,
   },
 };
 
