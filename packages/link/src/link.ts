@@ -1,15 +1,17 @@
 /**
- * Share links: what follows `#` in the URL. A maze, a program or both, or a recorded run travel inside
- * the link itself, so they need no server and reach none.
+ * Share links: what follows `#` in the URL. A maze, a program or both, a recorded run or a challenge
+ * travel inside the link itself, so they need no server and reach none.
  *
  * A link is the version (one character), its length (one), a check (four), and the documents through a
  * range coder. It is read in full or refused: characters, length and check are looked at before anything
  * is built, every size is bounded before memory is taken, and the result passes its schemas.
  */
+import { parseChallenge, type ChallengeDocument } from "@corridor/challenge";
 import { parseMaze, type MazeDocument } from "@corridor/maze";
 import { parseProgram, type ProgramDocument } from "@corridor/program";
 import type { FieldProblem } from "@corridor/protocol";
 import { parseRun, type RunDocument } from "@corridor/recording";
+import { codeChallenge } from "./challenge-coder.ts";
 import { CHECK_LENGTH, checkOf, digitsOf, textOf } from "./digits.ts";
 import type { Choices } from "./edit-coder.ts";
 import { codeMaze } from "./maze-coder.ts";
@@ -19,11 +21,15 @@ import { Decoder, Encoder, type BitCoder } from "./range-coder.ts";
 import { codeRun } from "./run-coder.ts";
 import { isShorterPlain, shortestBlockWay } from "./shortest-way.ts";
 
-/** What a link carries: a maze, a program or both; or a run, which has its own. */
+/**
+ * What a link carries: a maze, a program or both; or a run, which has its own; or a challenge, which
+ * has its mazes, alone or with the program of who shares it.
+ */
 export interface LinkContent {
   maze?: MazeDocument;
   program?: ProgramDocument;
   run?: RunDocument;
+  challenge?: ChallengeDocument;
 }
 
 /** Why there is no link for a content. */
@@ -68,6 +74,7 @@ const MAX_LACKING = 56;
 /** Behind a head with `more` set stands what follows, one of so many. */
 const SECTIONS = 16;
 const RUN = 0;
+const CHALLENGE = 1;
 
 /** What an encoder chooses: whatever takes the fewest characters. */
 const shortest: Choices = {
@@ -112,17 +119,35 @@ const anyRun: RunDocument = {
   digest: "0000000000000000",
 };
 
+const anyChallenge: ChallengeDocument = {
+  format: "corridor/challenge",
+  version: 1,
+  name: "",
+  words: { task: "", short: "", hints: [] },
+  mazes: [anyMaze],
+  program: null,
+  goal: { kind: "reach" },
+  allowed: { drivers: [], lines: 0, conditions: null, actions: null, edits: [], maze: false },
+  checks: { bumps: null, seconds: 1 },
+  par: null,
+};
+
 /**
  * The text of a link.
- * @param content documents that passed their schemas; a run goes alone
+ * @param content documents that passed their schemas; a run goes alone, a challenge without a maze
  * @returns what follows `#`: letters, digits, "-" and "_"
  */
-export function encodeLink({ maze, program, run }: LinkContent): EncodeResult {
-  if (maze === undefined && program === undefined && run === undefined) {
-    return refuse("empty", "nothing", "a maze, a program or both, or a run");
+export function encodeLink({ maze, program, run, challenge }: LinkContent): EncodeResult {
+  if ([maze, program, run, challenge].every((each) => each === undefined)) {
+    return refuse("empty", "nothing", "a maze, a program or both, a run or a challenge");
   }
   const encoder = new Encoder();
-  if (run === undefined) {
+  if (challenge !== undefined) {
+    codeHead(encoder, { more: true, maze: false, program: program !== undefined });
+    codeUniform(encoder, SECTIONS, CHALLENGE);
+    codeChallenge(encoder, challenge, shortest);
+    if (program !== undefined) codeProgram(encoder, program, shortest.isPlainName(program.name));
+  } else if (run === undefined) {
     codeHead(encoder, { more: false, maze: maze !== undefined, program: program !== undefined });
     if (maze !== undefined) codeMaze(encoder, maze, shortest.waysOf(maze));
     if (program !== undefined) codeProgram(encoder, program, shortest.isPlainName(program.name));
@@ -189,7 +214,7 @@ export function decodeLink(text: string): DecodeResult {
   if (content === "more") {
     return refuse(
       "unknown-version",
-      "neither a maze nor a program nor a run",
+      "none of maze, program, run and challenge",
       "a link of this version",
     );
   }
@@ -221,7 +246,10 @@ function codeHead(
 function readBody(decoder: Decoder): LinkContent | "more" | null {
   const parts = codeHead(decoder, { more: false, maze: false, program: false });
   if (parts.more) {
-    if (parts.maze || parts.program || codeUniform(decoder, SECTIONS, 0) !== RUN) return "more";
+    if (parts.maze) return "more";
+    const section = codeUniform(decoder, SECTIONS, 0);
+    if (section === CHALLENGE) return readChallengeSection(decoder, parts.program);
+    if (section !== RUN || parts.program) return "more";
     const run = codeRun(decoder, anyRun, none);
     return run === null ? null : { run };
   }
@@ -240,13 +268,27 @@ function readBody(decoder: Decoder): LinkContent | "more" | null {
   return content;
 }
 
+function readChallengeSection(decoder: Decoder, hasProgram: boolean): LinkContent | null {
+  const challenge = codeChallenge(decoder, anyChallenge, none);
+  if (challenge === null || !hasProgram) return challenge && { challenge };
+  const program = codeProgram(decoder, anyProgram, false);
+  return program && { challenge, program };
+}
+
 /** The schemas have the last word, whatever a link says. */
-function checkContent({ maze, program, run }: LinkContent): DecodeResult {
+function checkContent({ maze, program, run, challenge }: LinkContent): DecodeResult {
   const value: LinkContent = {};
   if (run !== undefined) {
     const read = parseRun(run);
     if (!read.ok) return { ok: false, code: "damaged", problems: inside("run", read.problems) };
     value.run = read.value;
+  }
+  if (challenge !== undefined) {
+    const read = parseChallenge(challenge);
+    if (!read.ok) {
+      return { ok: false, code: "damaged", problems: inside("challenge", read.problems) };
+    }
+    value.challenge = read.value;
   }
   if (maze !== undefined) {
     const read = parseMaze(maze);
