@@ -27,6 +27,7 @@ export class LineFollower {
   /** A run begins: whatever the reader did before, the list follows. */
   begin(): void {
     this.#isFollowing = true;
+    this.show(this.#line);
   }
 
   /** The line that runs now, or none. */

@@ -1,0 +1,209 @@
+/** The lines say why: what is true though it was not read, how far a manoeuvre is, what bumped, what to mend. */
+import type { Locator } from "playwright/test";
+import { expect, test } from "./fixtures.ts";
+
+/** How much of a line is inside the list that scrolls, from 0 to 1. */
+async function shareInSight(line: Locator): Promise<number> {
+  return line.evaluate((element) => {
+    const list = element.parentElement;
+    if (list === null) return 0;
+    const own = element.getBoundingClientRect();
+    const box = list.getBoundingClientRect();
+    const seen = Math.min(own.bottom, box.bottom) - Math.max(own.top, box.top);
+    return Math.max(0, seen) / own.height;
+  });
+}
+
+test("sees that line 2 is true but was not read", async ({ corridor }) => {
+  const { program } = corridor;
+  await program.empty();
+  await program.addLine("right <", "60", "forward");
+  await program.addLine("front >", "50", "turn 180");
+  await program.addLine("left >", "60", "left 90");
+  await expect(program.line(1)).toHaveAttribute("aria-current", "step");
+  await expect(program.line(1)).toContainText("50 < 60");
+  await expect(program.region.getByText("not read this time")).toBeVisible();
+  await expect(program.line(2)).toContainText("250 > 50");
+  await expect(program.line(2)).toHaveAccessibleName(
+    "Line 2: if front is more than 50, turn 180. Front is 250, true, not read this time.",
+  );
+  await expect(program.line(3)).toContainText("50 > 60");
+  await expect(program.line(3)).toHaveAccessibleName(/Left is 50, false, not read this time\.$/);
+});
+
+test("sees a delayed turn count down: the way, the turn and the way out", async ({ corridor }) => {
+  const { program } = corridor;
+  await corridor.speed.selectOption("0.25");
+  await program.empty();
+  await program.addLine("front >", "100", "delayed right 90");
+  await corridor.run.click();
+  const note = (words: RegExp) => program.line(1).getByText(words);
+  await expect(note(/^turns in \d+ cm$/)).toBeVisible();
+  const bar = program.line(1).getByRole("progressbar");
+  await expect(bar).toHaveAccessibleName(/^turns in \d+ cm$/);
+  const begun = Number(/\d+/.exec((await bar.getAttribute("aria-label")) ?? "")?.[0]);
+  await corridor.frames(12);
+  const later = Number(/\d+/.exec((await bar.getAttribute("aria-label")) ?? "")?.[0]);
+  expect(later).toBeLessThan(begun);
+  await expect(note(/^\d+ degrees? to go$/)).toBeVisible();
+  await expect(note(/^\d+ cm to go$/)).toBeVisible();
+});
+
+test("sees how far the turn of otherwise is", async ({ corridor }) => {
+  const { program } = corridor;
+  await program.empty();
+  await program.otherwise.selectOption("left 90");
+  await corridor.speed.selectOption("0.25");
+  await corridor.run.click();
+  const otherwise = program.region.getByRole("group", { name: "otherwise, running" });
+  await expect(otherwise.getByText(/^\d+ degrees? to go$/)).toBeVisible();
+});
+
+test("sees which line bumped, and how far it came", async ({ corridor }) => {
+  const { program } = corridor;
+  await program.empty();
+  await program.addLine("front <", "50", "delayed left 90");
+  await corridor.speed.selectOption("0.25");
+  await corridor.run.click();
+  await expect(program.line(1).getByText(/^bumped after 2[3-5] of 50 cm$/)).toBeVisible();
+  await expect(program.line(1)).toHaveAccessibleName(/^Line 1, bumped: if front is less than 50/);
+});
+
+test("takes the advice on a line that can never decide, and takes it back", async ({
+  corridor,
+}) => {
+  const { program } = corridor;
+  await program.empty();
+  await program.addLine("front >", "50", "forward");
+  await program.addLine("front >", "100", "delayed left 90");
+  const advice = program.line(2).getByText(/^Never decides: /);
+  await expect(advice).toHaveText("Never decides: whenever front > 100, line 1 decides first.");
+  await expect(program.line(2)).toHaveAccessibleName(
+    /Advice: Never decides: whenever front > 100, line 1 decides first\.$/,
+  );
+  await expect(program.region.getByRole("status")).toHaveText(/^Advice on line 2: Never decides: /);
+  await program.line(2).getByRole("button", { name: "Delete line 2" }).last().click();
+  await expect(program.lines).toHaveCount(1);
+  await program.button("Undo").click();
+  await expect(program.lines).toHaveCount(2);
+  await expect(advice).toBeVisible();
+
+  await program.action(2).selectOption("turn 180");
+  await program.button("Move above line 1").click();
+  await expect(program.line(1)).toHaveAccessibleName(/if front is more than 100, turn 180\./);
+  await expect(program.line(1)).toBeFocused();
+  await expect(program.region.getByText(/^Never decides: /)).toHaveCount(0);
+  await program.button("Undo").click();
+  await expect(program.line(2)).toHaveAccessibleName(/if front is more than 100, turn 180\./);
+  await expect(advice).toBeVisible();
+});
+
+const mends = [
+  {
+    what: "a distance that this maze does not have",
+    line: ["front >", "5000", "turn 180"],
+    reason: /^front > 5000 is never true here: no sensor sees farther than \d+ cm in this maze\.$/,
+    mend: "Change to 50 cm",
+    after: /if front is more than 50, turn 180\./,
+  },
+  {
+    what: "a delayed turn just before a wall",
+    line: ["front <", "50", "delayed left 90"],
+    reason: /^front < 50 leaves too little room: .* needs 75 cm ahead\.$/,
+    mend: "Change to left 90",
+    after: /if front is less than 50, left 90\./,
+  },
+  {
+    what: "a delayed turn that asks only about the front",
+    line: ["front >", "60", "delayed right 90"],
+    reason: /^front > 60 does not tell whether the right is open/,
+    mend: "Change to right > 60",
+    after: /if right is more than 60, delayed right 90\./,
+  },
+  {
+    what: "a turn into an opening",
+    line: ["right >", "60", "right 90"],
+    reason: /^right > 60 begins at the edge of an opening.* drives on for 50 cm first\.$/,
+    mend: "Change to delayed right 90",
+    after: /if right is more than 60, delayed right 90\./,
+  },
+] as const;
+
+for (const { what, line, reason, mend, after } of mends) {
+  test(`is advised on ${what}, and mends it by one press`, async ({ corridor }) => {
+    const { program } = corridor;
+    await program.empty();
+    await program.addLine(...line);
+    await expect(program.line(1).getByText(reason)).toBeVisible();
+    await program.button(mend).click();
+    await expect(program.line(1)).toHaveAccessibleName(after);
+    await expect(program.region.getByText(reason)).toHaveCount(0);
+    await expect(program.line(1)).toBeFocused();
+  });
+}
+
+test("runs a program in spite of its advice, hides the advice, and it stays away", async ({
+  corridor,
+}) => {
+  const { program } = corridor;
+  await program.empty();
+  await program.addLine("right >", "60", "right 90");
+  const advice = program.line(1).getByText(/begins at the edge of an opening/);
+  await expect(advice).toBeVisible();
+  await corridor.run.click();
+  await expect(corridor.robotPlace).not.toHaveText(/^Robot at 50, 650/);
+  await expect(advice).toBeVisible();
+  await corridor.pause.click();
+  await program.button("Hide this advice").click();
+  await expect(advice).toBeHidden();
+  await expect(program.line(1)).toBeFocused();
+
+  // Only this line with these words: it comes for another number, and not for the old one.
+  await program.number(1).fill("70");
+  await expect(advice).toBeVisible();
+  await program.number(1).fill("60");
+  await expect(advice).toBeHidden();
+  await program.addLine("front >", "5000", "turn 180");
+  await expect(program.line(2).getByText(/is never true here/)).toBeVisible();
+  await expect(advice).toBeHidden();
+});
+
+test("reaches otherwise and Add line below a long program, and sees the line that runs", async ({
+  corridor,
+  page,
+}) => {
+  const { program } = corridor;
+  await page.setViewportSize({ width: 1024, height: 768 });
+  await program.empty();
+  for (let line = 1; line <= 9; line++) await program.button("Add line").click();
+  await program.addLine("front >", "50", "forward");
+  await expect(program.otherwise).toBeInViewport({ ratio: 1 });
+  await expect(program.button("Add line")).toBeInViewport({ ratio: 1 });
+
+  // The running line comes into sight, and the focus stays where it is.
+  await program.line(1).focus();
+  await program.name.focus();
+  expect(await shareInSight(program.line(10))).toBe(0);
+  await corridor.run.click();
+  await expect(program.line(10)).toHaveAttribute("aria-current", "step");
+  await expect.poll(() => shareInSight(program.line(10))).toBe(1);
+  await expect(corridor.pause).toBeFocused();
+  await expect(program.otherwise).toBeInViewport({ ratio: 1 });
+});
+
+test("scrolls away from the line that runs, and is left alone", async ({ corridor, page }) => {
+  const { program } = corridor;
+  await page.setViewportSize({ width: 1024, height: 768 });
+  await program.empty();
+  for (let line = 1; line <= 7; line++) await program.button("Add line").click();
+  await program.addLine("front >", "100", "turn 180");
+  await program.addLine("front <", "60", "turn 180");
+  await corridor.speed.selectOption("4");
+  await corridor.run.click();
+  await expect.poll(() => shareInSight(program.line(9))).toBe(1);
+  await program.line(9).hover();
+  await page.mouse.wheel(0, -2000);
+  await expect.poll(() => shareInSight(program.line(1))).toBe(1);
+  await corridor.frames(60);
+  expect(await shareInSight(program.line(1))).toBe(1);
+});
