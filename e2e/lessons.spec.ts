@@ -168,3 +168,35 @@ test("does a mission with the keyboard alone", async ({ corridor, page }) => {
   await page.keyboard.press("Control+Enter");
   await expect(lessons.outcome).toHaveText("Challenge met: 2 of 2 lines used", { timeout: 20_000 });
 });
+
+test("shares a challenge, and who opens the link has its bar, its rules and the way home", async ({
+  corridor,
+  page,
+  openWindow,
+}) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(7);
+  await page.getByRole("button", { name: "Share", exact: true }).click();
+  const dialog = corridor.dialog("Share this maze");
+  await expect(dialog.getByRole("checkbox", { name: "Challenge" })).toBeChecked();
+  await expect(dialog).toContainText("Turn into the opening on the right");
+  const link = await dialog.getByRole("textbox", { name: "Link" }).inputValue();
+
+  const reader = await openWindow();
+  await reader.open(link);
+  const theirs = new LessonsPanel(reader.page);
+  await expect(theirs.card).toContainText("The side opening");
+  await expect(
+    reader.page.getByRole("main").getByText("Turn into the opening on the right"),
+  ).toBeVisible();
+  await expect(reader.program.number(1)).toBeDisabled();
+  await reader.program.action(1).selectOption("delayed right 90");
+  await reader.speed.selectOption("16×");
+  await reader.run.click();
+  await expect(theirs.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+  await reader.open();
+  await expect(theirs.card).toContainText("The side opening");
+  await theirs.button("Back to my maze").click();
+  await expect(theirs.card).toBeHidden();
+  await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+});

@@ -89,6 +89,7 @@ async function open(): Promise<void> {
         const { openRun } = await import("./features/timeline/open-run.ts");
         return openRun(services, words, run);
       },
+      openChallenge: (challenge, program) => services.lessons.openShared(challenge, program),
     });
   await follow();
   window.addEventListener("hashchange", () => void follow());

@@ -127,9 +127,11 @@ function codeGoal(coder: BitCoder, goal: Goal, numbers: NumberModel, reals: Real
       return { kind, seconds: numbers.code(coder, goal.kind === kind ? goal.seconds : 0) };
     case "visit":
       return { kind };
-    default:
-      return { kind: "reach" };
+    case "reach":
+    case undefined:
+      break;
   }
+  return { kind: "reach" };
 }
 
 /** Words from a short list, in the order in which they stand. */

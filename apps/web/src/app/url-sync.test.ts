@@ -1,3 +1,4 @@
+import type { ChallengeDocument } from "@corridor/challenge";
 import { decodeLink, encodeLink, type LinkContent } from "@corridor/link";
 import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
@@ -45,6 +46,7 @@ function openPage(
   const addresses: string[] = [];
   const emptied: string[] = [];
   const runs: string[] = [];
+  const challenges: [string, string | null][] = [];
   const go = (pathname: string, hash: string) =>
     followAddress({
       works,
@@ -58,6 +60,10 @@ function openPage(
       openRun: (run) => {
         runs.push(run.name);
         return Promise.resolve(run.ticks === 0 ? [{ path: "", found: "a", expected: "b" }] : []);
+      },
+      openChallenge: (challenge, program) => {
+        challenges.push([challenge.name, program?.name ?? null]);
+        return Promise.resolve();
       },
     });
   const rename = (name: string) => {
@@ -78,6 +84,7 @@ function openPage(
     addresses,
     emptied,
     runs,
+    challenges,
     go,
     rename,
     shown,
@@ -221,6 +228,39 @@ describe("opening the link of a run", () => {
     expect(page.runs).toEqual(["Tuesday"]);
     expect(page.addresses).toEqual(["/"]);
     expect(page.message()).toBeUndefined();
+  });
+
+  it("opens a challenge with what it brought, and speaks of own work only where there is some", async () => {
+    const challenge: ChallengeDocument = {
+      format: "corridor/challenge",
+      version: 1,
+      name: "Find the way",
+      words: { task: "Reach the goal.", short: "Reach the goal", hints: [] },
+      mazes: [sharedMaze],
+      program: null,
+      goal: { kind: "reach" },
+      allowed: {
+        drivers: ["program"],
+        lines: 3,
+        conditions: null,
+        actions: null,
+        edits: ["lines"],
+        maze: false,
+      },
+      checks: { bumps: 0, seconds: 60 },
+      par: null,
+    };
+    const page = openPage(new MemoryStorage());
+    await page.go("/", `#${linkOf({ challenge })}`);
+    expect(page.message()?.text).toBe("You opened a shared challenge.");
+    page.rename("Mine");
+    await page.go("/", `#${linkOf({ challenge, program: sharedProgram })}`);
+    expect(page.message()?.text).toBe("You opened a shared challenge. Your own work is kept.");
+    expect(page.challenges).toEqual([
+      ["Find the way", null],
+      ["Find the way", "Shared rules"],
+    ]);
+    expect(page.addresses).toEqual(["/", "/"]);
   });
 
   it("says what is wrong with a run that cannot be repeated", async () => {

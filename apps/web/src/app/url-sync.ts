@@ -1,10 +1,12 @@
 /**
- * What the address bar asks for: a shared link, or a recorded run, opens as a new work beside the reader's own, and a
- * robot's address is taken out of sight, since it ends in a key.
+ * What the address bar asks for: a shared link, a recorded run or a challenge opens as a new work
+ * beside the reader's own, and a robot's address is taken out of sight, since it ends in a key.
  */
+import type { ChallengeDocument } from "@corridor/challenge";
 import type { decodeLink, LinkContent } from "@corridor/link";
 import type { MazeDocument } from "@corridor/maze";
 import type { FieldProblem } from "@corridor/protocol";
+import type { ProgramDocument } from "@corridor/program";
 import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import { dismiss, tell, type ScreenStore } from "../stores/screen-store.ts";
@@ -24,6 +26,8 @@ export interface UrlPorts {
   openEmptyMaze: () => void;
   /** opens a recorded run; gives what is wrong with it, or nothing */
   openRun: (run: RunDocument) => Promise<readonly FieldProblem[]>;
+  /** opens a challenge; `program` is what the link brought along, if anything */
+  openChallenge: (challenge: ChallengeDocument, program: ProgramDocument | null) => Promise<void>;
 }
 
 /**
@@ -51,7 +55,13 @@ export async function followAddress(ports: UrlPorts): Promise<void> {
   replaceAddress(pathname + search);
   const result = links.decodeLink(hash.slice(1));
   if (result.ok && result.value.run !== undefined) await openRecorded(ports, result.value.run);
-  else if (result.ok) openShared(ports, result.value);
+  else if (result.ok && result.value.challenge !== undefined) {
+    const { challenge, program = null } = result.value;
+    const isOwner = hasOwnWork(ports);
+    await ports.openChallenge(challenge, program);
+    const key = isOwner ? "share.openedChallengeBeside" : "share.openedChallenge";
+    tell(screen, { tone: "info", text: words.t(key) });
+  } else if (result.ok) openShared(ports, result.value);
   else {
     const id = tell(screen, {
       tone: "bad",

@@ -3,7 +3,7 @@ import { Target } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
-import { LessonsDialog } from "./lazy-lessons.ts";
+import { LessonsDialog } from "./lazy-lessons-dialog.ts";
 
 export function LessonsButton() {
   const { t } = useTranslation();

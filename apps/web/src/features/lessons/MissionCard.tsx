@@ -6,7 +6,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { failureText, liveFailureText, metText } from "./failure-text.ts";
-import { LessonsDialog } from "./lazy-lessons.ts";
+import { LessonsDialog } from "./lazy-lessons-dialog.ts";
 import type { LessonsService } from "./lessons-service.ts";
 import { MissionHints } from "./MissionHints.tsx";
 import { MissionMazes } from "./MissionMazes.tsx";

@@ -42,14 +42,18 @@ export function ShareDialog({ isOpen, onClose }: ShareDialogProps) {
 
 function ShareForm() {
   const { t } = useTranslation();
-  const { workspace } = useServices();
+  const { workspace, challenge: challengeStore } = useServices();
+  const challenge = useStore(challengeStore, (state) => state.challenge);
+  const [withChallenge, setWithChallenge] = useState(true);
   const maze = useStore(workspace, (state) => state.maze);
   const program = useStore(workspace, (state) => state.program);
   const [withProgram, setWithProgram] = useState(false);
   const [withRun, setWithRun] = useState(false);
   const saved = useSavedRun(withRun);
   const run = saved?.ok === true ? saved.run : null;
-  const content = run !== null ? { run } : withProgram ? { maze, program } : { maze };
+  // A challenge brings its mazes along.
+  const task = challenge !== null && withChallenge ? { challenge } : { maze };
+  const content = run !== null ? { run } : withProgram ? { ...task, program } : task;
   const result = encodeLink(content);
   const isTooLong = withRun && (run === null ? saved !== null : !result.ok);
   const { origin, pathname, search } = location;
@@ -76,6 +80,15 @@ function ShareForm() {
             disabled={withRun}
             onChange={setWithProgram}
           />
+          {challenge !== null && (
+            <Checkbox
+              label={t("share.challenge")}
+              note={challenge.words.short}
+              checked={withChallenge && !withRun}
+              disabled={withRun}
+              onChange={setWithChallenge}
+            />
+          )}
           <RunChoice isChosen={withRun} onChange={setWithRun} saved={saved} />
         </fieldset>
       </div>
