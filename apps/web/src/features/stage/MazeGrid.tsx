@@ -21,6 +21,7 @@ interface MazeGridProps {
 }
 
 export function MazeGrid({ controller, element }: MazeGridProps) {
+  "use memo";
   const { workspace, run } = useServices();
   const { t } = useTranslation();
   const maze = useStore(workspace, (state) => state.maze);
