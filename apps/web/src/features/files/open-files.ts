@@ -3,10 +3,13 @@
  * clipboard. They open as a new work beside the reader's own; if anything is wrong with any of them,
  * nothing is opened and all that is wrong is told.
  */
+import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
 import type { FieldProblem } from "@corridor/protocol";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import { dismiss, tell } from "../../stores/screen-store.ts";
+import { openRun } from "../timeline/open-run.ts";
 import { readDocument, titleOf, type OpenedDocument } from "./read-document.ts";
 
 /** As much of a File as is needed. */
@@ -23,8 +26,10 @@ export interface FileReport {
   problems: readonly FieldProblem[];
 }
 
-/** Far above the largest document that can be read, which is small beside what a wrong choice may be. */
-const MAX_BYTES = 1_000_000;
+/** The longest run fits; a film that was chosen by mistake is not even read. */
+const MAX_BYTES = 9_000_000;
+/** More files than can be opened together are not read at all; two with what belongs to them are told apart. */
+const MAX_FILES = 10;
 
 type Opener = Pick<Services, "works" | "workspace" | "simulator" | "screen">;
 
@@ -34,6 +39,10 @@ export async function openFiles(
   words: Pick<i18n, "t" | "language">,
   files: readonly TextFile[],
 ): Promise<readonly FileReport[]> {
+  if (files.length > MAX_FILES) {
+    const found = words.t("files.files", { count: files.length });
+    return [tooMuch(files.slice(0, MAX_FILES), found, words)];
+  }
   const reports: FileReport[] = [];
   const opened: OpenedDocument[] = [];
   for (const file of files) {
@@ -43,25 +52,43 @@ export async function openFiles(
   }
   const mazes = opened.flatMap((each) => (each.kind === "maze" ? [each.maze] : []));
   const programs = opened.flatMap((each) => (each.kind === "program" ? [each.program] : []));
-  if (mazes.length > 1 || programs.length > 1) {
-    reports.push({
-      file: files.map(({ name }) => name).join(", "),
-      problems: [
-        {
-          path: "",
-          found: [
-            words.t("files.mazes", { count: mazes.length }),
-            words.t("files.programs", { count: programs.length }),
-          ].join(", "),
-          expected: words.t("files.oneOfEach"),
-        },
-      ],
-    });
+  const runs = opened.flatMap((each) => (each.kind === "run" ? [each.run] : []));
+  // A run brings its own maze and program.
+  const isTooMuch = runs.length > 0 ? opened.length > 1 : mazes.length > 1 || programs.length > 1;
+  if (isTooMuch) {
+    const found = [
+      words.t("files.mazes", { count: mazes.length }),
+      words.t("files.programs", { count: programs.length }),
+      words.t("files.runs", { count: runs.length }),
+    ];
+    reports.push(tooMuch(files, found.join(", "), words));
   }
   if (reports.length > 0) return reports;
-  const [maze] = mazes;
-  const [program] = programs;
-  if (maze === undefined && program === undefined) return [];
+  const [run] = runs;
+  if (run !== undefined) {
+    const problems = await openRun(services, words, run);
+    return problems.length === 0 ? [] : [{ file: files[0]?.name ?? "", problems }];
+  }
+  openDocuments(services, words, mazes[0], programs[0]);
+  return [];
+}
+
+function tooMuch(files: readonly TextFile[], found: string, words: Pick<i18n, "t">): FileReport {
+  const expected = words.t("files.oneOfEach");
+  return {
+    file: files.map(({ name }) => name).join(", "),
+    problems: [{ path: "", found, expected }],
+  };
+}
+
+/** Opens a maze, a program or both as a new work, with a message that leads back. */
+function openDocuments(
+  services: Opener,
+  words: Pick<i18n, "t">,
+  maze: MazeDocument | undefined,
+  program: ProgramDocument | undefined,
+): void {
+  if (maze === undefined && program === undefined) return;
 
   const back = services.works.begin(
     maze ?? services.workspace.getState().maze,
@@ -86,7 +113,6 @@ export async function openFiles(
       },
     },
   });
-  return [];
 }
 
 async function readFile(
@@ -96,7 +122,7 @@ async function readFile(
   if (file.size > MAX_BYTES) {
     const size = new Intl.NumberFormat(words.language, { maximumFractionDigits: 1 });
     const found = words.t("files.megabytes", { size: size.format(file.size / 1_000_000) });
-    return refuse(found, words.t("files.atMost", { size: size.format(1) }));
+    return refuse(found, words.t("files.atMost", { size: size.format(MAX_BYTES / 1_000_000) }));
   }
   let text: string;
   try {

@@ -2,21 +2,36 @@
 import { readMaze, readTextMaze, type MazeDocument } from "@corridor/maze";
 import { readProgram, type ProgramDocument } from "@corridor/program";
 import type { FieldProblem, ReadResult } from "@corridor/protocol";
+import { readRun, type RunDocument } from "@corridor/recording";
 
 export type OpenedDocument =
   | { kind: "maze"; maze: MazeDocument }
-  | { kind: "program"; program: ProgramDocument };
+  | { kind: "program"; program: ProgramDocument }
+  | { kind: "run"; run: RunDocument };
 
-const readers: Record<string, (text: string) => ReadResult<OpenedDocument>> = {
-  "corridor/maze": (text) => {
-    const read = readMaze(text);
-    return read.ok ? { ok: true, value: { kind: "maze", maze: read.value } } : read;
-  },
-  "corridor/program": (text) => {
-    const read = readProgram(text);
-    return read.ok ? { ok: true, value: { kind: "program", program: read.value } } : read;
-  },
-};
+const readers = new Map<string, (text: string) => ReadResult<OpenedDocument>>([
+  [
+    "corridor/maze",
+    (text) => {
+      const read = readMaze(text);
+      return read.ok ? { ok: true, value: { kind: "maze", maze: read.value } } : read;
+    },
+  ],
+  [
+    "corridor/program",
+    (text) => {
+      const read = readProgram(text);
+      return read.ok ? { ok: true, value: { kind: "program", program: read.value } } : read;
+    },
+  ],
+  [
+    "corridor/run",
+    (text) => {
+      const read = readRun(text);
+      return read.ok ? { ok: true, value: { kind: "run", run: read.value } } : read;
+    },
+  ],
+]);
 
 /**
  * Reads one text.
@@ -37,9 +52,9 @@ export function readDocument(text: string, name: string): ReadResult<OpenedDocum
   }
   const format: unknown =
     typeof input === "object" && input !== null && "format" in input ? input.format : undefined;
-  const reader = typeof format === "string" ? readers[format] : undefined;
+  const reader = typeof format === "string" ? readers.get(format) : undefined;
   if (reader !== undefined) return reader(content);
-  const known = Object.keys(readers).map((each) => JSON.stringify(each));
+  const known = [...readers.keys()].map((each) => JSON.stringify(each));
   const found = format === undefined ? "nothing" : JSON.stringify(format);
   return refuse("format", found, `one of ${known.join(", ")}`);
 }

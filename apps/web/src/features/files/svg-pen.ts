@@ -50,10 +50,17 @@ export class SvgPen implements Pen {
   }
 
   save(): void {
-    const { fillStyle, strokeStyle, lineWidth, lineCap, lineJoin, font } = this;
-    const { textAlign, textBaseline } = this;
+    const { fillStyle, strokeStyle, lineWidth, lineCap, lineJoin } = this;
+    const { font, textAlign, textBaseline } = this;
     this.#saved.push({
-      ...{ fillStyle, strokeStyle, lineWidth, lineCap, lineJoin, font, textAlign, textBaseline },
+      fillStyle,
+      strokeStyle,
+      lineWidth,
+      lineCap,
+      lineJoin,
+      font,
+      textAlign,
+      textBaseline,
       dash: this.#dash,
       transform: this.#transform,
     });
