@@ -2,15 +2,18 @@
 import type { Locator } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 
-/** How much of a line is inside the list that scrolls, from 0 to 1. */
+/** How much of a line is in sight, from 0 to 1: inside of all that scrolls around it. */
 async function shareInSight(line: Locator): Promise<number> {
   return line.evaluate((element) => {
-    const list = element.parentElement;
-    if (list === null) return 0;
-    const own = element.getBoundingClientRect();
-    const box = list.getBoundingClientRect();
-    const seen = Math.min(own.bottom, box.bottom) - Math.max(own.top, box.top);
-    return Math.max(0, seen) / own.height;
+    const { top, bottom, height } = element.getBoundingClientRect();
+    let [from, to] = [top, bottom];
+    for (let box = element.parentElement; box !== null; box = box.parentElement) {
+      if (getComputedStyle(box).overflowY === "visible") continue;
+      const around = box.getBoundingClientRect();
+      from = Math.max(from, around.top);
+      to = Math.min(to, around.bottom);
+    }
+    return Math.max(0, to - from) / height;
   });
 }
 
@@ -101,39 +104,47 @@ test("takes the advice on a line that can never decide, and takes it back", asyn
 const mends = [
   {
     what: "a distance that this maze does not have",
-    line: ["front >", "5000", "turn 180"],
+    condition: "front >",
+    number: "5000",
+    action: "turn 180",
     reason: /^front > 5000 is never true here: no sensor sees farther than \d+ cm in this maze\.$/,
     mend: "Change to 50 cm",
     after: /if front is more than 50, turn 180\./,
   },
   {
     what: "a delayed turn just before a wall",
-    line: ["front <", "50", "delayed left 90"],
+    condition: "front <",
+    number: "50",
+    action: "delayed left 90",
     reason: /^front < 50 leaves too little room: .* needs 75 cm ahead\.$/,
     mend: "Change to left 90",
     after: /if front is less than 50, left 90\./,
   },
   {
     what: "a delayed turn that asks only about the front",
-    line: ["front >", "60", "delayed right 90"],
+    condition: "front >",
+    number: "60",
+    action: "delayed right 90",
     reason: /^front > 60 does not tell whether the right is open/,
     mend: "Change to right > 60",
     after: /if right is more than 60, delayed right 90\./,
   },
   {
     what: "a turn into an opening",
-    line: ["right >", "60", "right 90"],
+    condition: "right >",
+    number: "60",
+    action: "right 90",
     reason: /^right > 60 begins at the edge of an opening.* drives on for 50 cm first\.$/,
     mend: "Change to delayed right 90",
     after: /if right is more than 60, delayed right 90\./,
   },
 ] as const;
 
-for (const { what, line, reason, mend, after } of mends) {
+for (const { what, condition, number, action, reason, mend, after } of mends) {
   test(`is advised on ${what}, and mends it by one press`, async ({ corridor }) => {
     const { program } = corridor;
     await program.empty();
-    await program.addLine(...line);
+    await program.addLine(condition, number, action);
     await expect(program.line(1).getByText(reason)).toBeVisible();
     await program.button(mend).click();
     await expect(program.line(1)).toHaveAccessibleName(after);
@@ -206,4 +217,16 @@ test("scrolls away from the line that runs, and is left alone", async ({ corrido
   await expect.poll(() => shareInSight(program.line(1))).toBe(1);
   await corridor.frames(60);
   expect(await shareInSight(program.line(1))).toBe(1);
+});
+
+test("sees the line that runs in the sheet of a phone", async ({ openWindow }) => {
+  const corridor = await openWindow({ viewport: { width: 390, height: 844 }, hasTouch: true });
+  await corridor.open();
+  const { program } = corridor;
+  for (let line = 3; line <= 6; line++) await program.button("Add line").tap();
+  await program.addLine("front >", "50", "forward");
+  await program.name.scrollIntoViewIfNeeded();
+  await corridor.run.tap();
+  await expect(program.line(7)).toHaveAttribute("aria-current", "step");
+  await expect.poll(() => shareInSight(program.line(7))).toBe(1);
 });

@@ -1,12 +1,15 @@
 /**
- * Keeps the running line in sight in a list that scrolls. Readers who scroll away are left alone until
- * the running line is in sight again or the next run begins; the focus never moves.
+ * Keeps the running line in sight where the lines scroll: beside the stage the list itself, on a phone
+ * the sheet around it. Where the whole page scrolls, nothing is moved. Readers who scroll away are left
+ * alone until the running line is in sight again or the next run begins; the focus never moves.
  */
 
 /** A line has to run so long before the list follows, so that one that flickers does not shake it. */
 const STEADY_MS = 200;
 /** Room that is left above and below the line, in px. */
 const MARGIN = 8;
+/** Only a reader makes these; scrolling by code makes just "scroll". */
+const READERS_EVENTS = ["wheel", "touchmove", "pointerdown", "keydown", "focusin"];
 
 export class LineFollower {
   readonly #list: HTMLElement;
@@ -14,14 +17,13 @@ export class LineFollower {
   #line: HTMLElement | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param list the element that scrolls */
+  /** @param list the lines, inside or itself the element that scrolls */
   constructor(list: HTMLElement) {
     this.#list = list;
-    // Only a reader makes these; scrolling by code makes just "scroll".
-    for (const type of ["wheel", "touchmove", "pointerdown", "keydown", "focusin"]) {
-      list.addEventListener(type, this.#leaveAlone, { passive: true });
+    for (const type of READERS_EVENTS) {
+      document.addEventListener(type, this.#leaveAlone, { passive: true });
     }
-    list.addEventListener("scroll", this.#lookAgain, { passive: true });
+    document.addEventListener("scroll", this.#lookAgain, { passive: true, capture: true });
   }
 
   /** A run begins: whatever the reader did before, the list follows. */
@@ -39,14 +41,12 @@ export class LineFollower {
 
   end(): void {
     clearTimeout(this.#timer);
-    for (const type of ["wheel", "touchmove", "pointerdown", "keydown", "focusin"]) {
-      this.#list.removeEventListener(type, this.#leaveAlone);
-    }
-    this.#list.removeEventListener("scroll", this.#lookAgain);
+    for (const type of READERS_EVENTS) document.removeEventListener(type, this.#leaveAlone);
+    document.removeEventListener("scroll", this.#lookAgain, { capture: true });
   }
 
-  readonly #leaveAlone = (): void => {
-    this.#isFollowing = false;
+  readonly #leaveAlone = ({ target }: Event): void => {
+    if (target instanceof Node && this.#scroller()?.contains(target)) this.#isFollowing = false;
   };
 
   readonly #lookAgain = (): void => {
@@ -57,18 +57,30 @@ export class LineFollower {
     // A field that is being typed in must not move away.
     if (!this.#isFollowing || this.#list.contains(document.activeElement)) return;
     const hidden = this.#hidden();
-    if (hidden !== 0) this.#list.scrollBy({ top: hidden, behavior: "instant" });
+    if (hidden !== 0) this.#scroller()?.scrollBy({ top: hidden, behavior: "instant" });
   };
 
-  /** How far the list has to scroll to show the whole line; negative is up. */
+  /** How far has to be scrolled to show the whole line; negative is up. */
   #hidden(): number {
-    if (this.#line === null) return 0;
-    const list = this.#list.getBoundingClientRect();
+    const scroller = this.#scroller();
+    if (this.#line === null || scroller === null) return 0;
+    const box = scroller.getBoundingClientRect();
     const line = this.#line.getBoundingClientRect();
-    const above = line.top - MARGIN - list.top;
-    const below = line.bottom + MARGIN - list.bottom;
+    const above = line.top - MARGIN - box.top;
+    const below = line.bottom + MARGIN - box.bottom;
     if (above < 0) return above;
     // A line that is higher than the list shows its top.
     return below > 0 ? Math.min(below, above) : 0;
+  }
+
+  /** What scrolls the lines in this layout; null where it is the page, or nothing. */
+  #scroller(): HTMLElement | null {
+    let element: HTMLElement | null = this.#list;
+    while (element !== null && element !== document.body) {
+      const scrolls = element.scrollHeight > element.clientHeight;
+      if (scrolls && /auto|scroll/.test(getComputedStyle(element).overflowY)) return element;
+      element = element.parentElement;
+    }
+    return null;
   }
 }
