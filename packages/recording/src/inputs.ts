@@ -33,10 +33,9 @@ export class Inputs {
     this.#revision++;
   }
 
-  /** @param current the documents of the run before this input: what an edit leaves alone is kept once */
-  add(tick: number, input: RunInput, current: Documents): void {
+  add(tick: number, input: RunInput): void {
     this.#revision++;
-    this.#inputs.push({ tick, ...shared(input, current) });
+    this.#inputs.push({ tick, ...input });
   }
 
   /**
@@ -72,20 +71,23 @@ export class Inputs {
   }
 }
 
-/** The input with every line or row that it leaves as it was taken from the documents before it. */
-function shared(input: RunInput, current: Documents): RunInput {
+/**
+ * The input, with each line or row that an edit leaves alone taken from the documents before it: a
+ * thousand edits of a long program are not a thousand long programs in memory.
+ */
+export function sharing(input: RunInput, before: Documents): RunInput {
   if (input.do === "program") {
     const rules = input.program.rules.map((rule, index) => {
-      const before = current.program.rules[index];
-      return before !== undefined && isSameRule(before, rule) ? before : rule;
+      const same = before.program.rules[index];
+      return same !== undefined && isSameRule(same, rule) ? same : rule;
     });
     return { do: "program", program: { ...input.program, rules } };
   }
   if (input.do === "maze") {
     const blocks = input.maze.blocks.map((row, index) => {
-      const before = current.maze.blocks[index];
+      const same = before.maze.blocks[index];
       // Equal texts, but one copy of it in memory.
-      return before === row ? before : row;
+      return same === row ? same : row;
     });
     return { do: "maze", maze: { ...input.maze, blocks } };
   }

@@ -8,7 +8,7 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { Command } from "@corridor/protocol";
-import { Inputs, type Documents } from "./inputs.ts";
+import { Inputs, sharing, type Documents } from "./inputs.ts";
 import { Keyframes } from "./keyframes.ts";
 import { PlaceLog } from "./place-log.ts";
 import { Playback } from "./playback.ts";
@@ -78,22 +78,23 @@ export class Recording {
   }
 
   /**
-   * Gives the run an input at the end of its newest tick.
+   * Gives the run an input at the end of its newest tick. The run then has documents that are equal to
+   * those of an edit, not the same objects.
    * @returns false where it cannot be: then nothing has changed
    */
-  input(input: RunInput): boolean {
+  input(given: RunInput): boolean {
     const run = this.#run;
+    const input = sharing(given, run);
     if (input.do === "program" && run.tick === 0 && this.#inputs.length === 0) {
       this.#beginWith(input.program);
       return true;
     }
-    const before = { maze: run.maze, program: run.program };
     const isEdit = input.do === "program" || input.do === "maze";
     const edits = isEdit ? this.#editsOfThisTick() : null;
     if (!run.apply(input)) return false;
     if (isEdit && edits !== null) this.#redo(edits, input);
     this.#edits = edits;
-    this.#inputs.add(run.tick, input, before);
+    this.#inputs.add(run.tick, input);
     if (isEdit) {
       this.timeline.happened({ kind: "edit", what: input.do, tick: run.tick, who: run.who });
     }

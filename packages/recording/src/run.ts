@@ -125,6 +125,11 @@ export class Run {
     return this.#simulation.goalTick;
   }
 
+  /** Whether a block stopped the robot in the newest tick. */
+  get isStopped(): boolean {
+    return this.#simulation.isStopped;
+  }
+
   /** Whether an action runs that ends by itself. */
   get isManoeuvring(): boolean {
     return this.#simulation.isManoeuvring;

@@ -6,6 +6,7 @@
  * passes and hands messages in. Speed changes how many ticks run, never what happens in one. What
  * happens is the recording's; while an earlier moment is shown, the live run waits.
  */
+import type { LoopNotice } from "@corridor/coach";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { DriverName, LineRef, Snapshot } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
@@ -22,6 +23,7 @@ import type { CancelReason } from "../drivers/cancel-reason.ts";
 import { commandOfKey } from "../drivers/hand-driver.ts";
 import { RemoteDriver, type Delivery, type RemoteDriverEvents } from "../drivers/remote-driver.ts";
 import { Moments } from "./moments.ts";
+import { RunCoach } from "./run-coach.ts";
 import { ShownPast } from "./shown-past.ts";
 import { TrailFeed } from "./trail-feed.ts";
 import type { DriveKey, Frame, LoadedRun, Moment, RunView, Speed } from "./worker-messages.ts";
@@ -35,6 +37,7 @@ export class RunLoop {
   readonly #timestep = new FixedTimestep();
   readonly #trail = new TrailFeed();
   readonly #moments = new Moments();
+  readonly #coach = new RunCoach();
   readonly #remote: RemoteDriver;
   /** the newest documents; the run has them too, except while the past is shown */
   #maze: MazeDocument;
@@ -52,6 +55,7 @@ export class RunLoop {
   #lastAt = 0;
   #seq = 0;
   #isDirty = true;
+  #notice: LoopNotice | null = null;
 
   /** @param now monotonic milliseconds */
   constructor(
@@ -83,8 +87,7 @@ export class RunLoop {
     this.now();
     this.#maze = maze;
     this.#isDirty = true;
-    const isUnderWay = this.#recording.run.tick > 0;
-    if (isUnderWay && this.#recording.input({ do: "maze", maze })) return;
+    if (this.#recording.run.tick > 0 && this.#bringMaze()) return;
     this.#remote.cancel(this.#recording, "mazeChanged");
     this.#beginRun();
   }
@@ -93,7 +96,7 @@ export class RunLoop {
   editProgram(program: ProgramDocument): void {
     this.#program = program;
     this.#decider = new CompiledProgram(program);
-    if (this.#past === null) this.#recording.input({ do: "program", program });
+    if (this.#past === null) this.#bringProgram();
     this.#isDirty = true;
   }
 
@@ -266,6 +269,13 @@ export class RunLoop {
     return { frame, moments: this.#moments.take() };
   }
 
+  /** That the program's robot gets nowhere; null when there is nothing to say since the last call. */
+  takeNotice(): LoopNotice | null {
+    const notice = this.#notice;
+    this.#notice = null;
+    return notice;
+  }
+
   /** What the timeline gained or lost since the last call; null when nothing changed. */
   takeTimeline(): TimelineNews | null {
     return this.#recording.timeline.take();
@@ -341,7 +351,7 @@ export class RunLoop {
     this.#remote.cancel(this.#recording, "movedInTime");
     this.#recording.truncate(past.tick);
     const { run } = this.#recording;
-    if (run.maze !== this.#maze && !this.#recording.input({ do: "maze", maze: this.#maze })) {
+    if (!this.#bringMaze()) {
       this.#beginRun();
       return;
     }
@@ -350,9 +360,20 @@ export class RunLoop {
     this.#recording.input(wasRemote ? { do: "cancel" } : { do: "driver", driver: "program" });
   }
 
+  /** @returns false where the newest maze leaves the robot no place */
+  #bringMaze(): boolean {
+    const { run } = this.#recording;
+    if (run.maze === this.#maze) return true;
+    if (!this.#recording.input({ do: "maze", maze: this.#maze })) return false;
+    this.#maze = run.maze;
+    return true;
+  }
+
   #bringProgram(): void {
-    const program = this.#program;
-    if (this.#recording.run.program !== program) this.#recording.input({ do: "program", program });
+    const { run } = this.#recording;
+    if (run.program === this.#program) return;
+    this.#recording.input({ do: "program", program: this.#program });
+    this.#program = run.program;
   }
 
   #start(): void {
@@ -385,7 +406,8 @@ export class RunLoop {
     const { line } = run;
     recording.step();
     if (driver === "remote") this.#remote.finish(recording);
-    if (run.bumps > bumps) this.#moments.add("bump", run, line, driver);
+    if (driver === "program" && line !== null) this.#notice ??= this.#coach.look(run, line);
+    if (run.bumps > bumps) this.#bumped(line, driver);
     if (run.goalTick !== goalTick) {
       this.#moments.add("goal", run, line, driver);
       // A script decides for itself what comes after the goal.
@@ -393,6 +415,14 @@ export class RunLoop {
     }
     const isDecisionDone = !run.isManoeuvring || run.decidedAt === run.tick;
     if (this.#isStepping && isDecisionDone) this.pause();
+  }
+
+  /** A program's bump is explained, and the robot waits meanwhile; once a line, or nobody could run on. */
+  #bumped(line: LineRef | null, driver: DriverName): void {
+    const isProgram = driver === "program" && line !== null;
+    const mends = isProgram ? this.#coach.explain(this.#recording, line) : null;
+    this.#moments.add("bump", this.#recording.run, line, driver, mends);
+    if (mends !== null) this.pause();
   }
 
   /** A new run of the newest documents; the driver stays, and a script's robot is live at once. */
@@ -408,6 +438,8 @@ export class RunLoop {
     this.#recording = recording;
     this.#past = null;
     this.#moments.take();
+    this.#coach.begin();
+    this.#notice = null;
     this.#trail.begin();
     this.pause();
   }
