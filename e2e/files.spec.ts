@@ -1,0 +1,233 @@
+/** Files in and out: documents, drawn mazes and pictures, by menu, drop and paste. */
+import { readFile } from "node:fs/promises";
+import { mazePresets, parseMaze, writeTextMaze } from "@corridor/maze";
+import { programPresets } from "@corridor/program";
+import type { Download, Page } from "playwright/test";
+import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
+import { expectNoBarriers } from "./support/axe.ts";
+
+const spiral = mazePresets.find(({ id }) => id === "spiral")?.maze;
+const leftWall = programPresets.find(({ id }) => id === "left-wall")?.program;
+if (spiral === undefined || leftWall === undefined) throw new Error("a preset is gone");
+
+const spiralFile = { name: "spiral.maze.json", text: JSON.stringify(spiral) };
+const leftWallFile = { name: "left.program.json", text: JSON.stringify(leftWall) };
+
+interface TextFile {
+  name: string;
+  text: string;
+}
+
+/** Lets files hang over the page, and lets go of them there. */
+async function dragOver(page: Page, files: readonly TextFile[]) {
+  const transfer = await page.evaluateHandle((list) => {
+    const data = new DataTransfer();
+    for (const { name, text } of list) data.items.add(new File([text], name));
+    return data;
+  }, files);
+  const body = page.locator("body");
+  await body.dispatchEvent("dragenter", { dataTransfer: transfer });
+  await body.dispatchEvent("dragover", { dataTransfer: transfer });
+  return {
+    drop: () => body.dispatchEvent("drop", { dataTransfer: transfer }),
+    leave: () => body.dispatchEvent("dragleave", { dataTransfer: transfer }),
+  };
+}
+
+async function paste(page: Page, text: string): Promise<void> {
+  await page.evaluate((content) => navigator.clipboard.writeText(content), text);
+  await page.keyboard.press("ControlOrMeta+V");
+}
+
+/** Takes a line of the maze menu that saves something. */
+async function save(corridor: CorridorPage, line: string): Promise<Download> {
+  await corridor.mazeMenu.click();
+  const download = corridor.page.waitForEvent("download");
+  await corridor.dialog("Maze menu").getByRole("button", { name: line, exact: true }).click();
+  return download;
+}
+
+/** Chooses files in the browser's own dialog. */
+async function choose(corridor: CorridorPage, files: readonly TextFile[]): Promise<void> {
+  await corridor.mazeMenu.click();
+  const chooser = corridor.page.waitForEvent("filechooser");
+  await corridor
+    .dialog("Maze menu")
+    .getByRole("button", { name: /^Open file…/ })
+    .click();
+  await (
+    await chooser
+  ).setFiles(
+    files.map(({ name, text }) => ({
+      name,
+      mimeType: "application/json",
+      buffer: Buffer.from(text),
+    })),
+  );
+}
+
+test("opens a maze by dropping its file", async ({ corridor, page }) => {
+  await corridor.maze.click({ column: 2, row: 6 });
+  const drag = await dragOver(page, [spiralFile]);
+  await expect(page.getByText("Drop a maze, a program or a run to open it")).toBeVisible();
+  await drag.drop();
+  await expect(page.getByText("Drop a maze, a program or a run to open it")).toBeHidden();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+  await expect(corridor.message("“Spiral” is open, with your program.")).toBeVisible();
+  await expect(corridor.program.name).toHaveValue("Right wall");
+  // What was open is kept, with the edit that was made in it.
+  await corridor.messages.getByRole("button", { name: "Back to it" }).click();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
+});
+
+test("lets a file pass over the page without opening it", async ({ corridor, page }) => {
+  const drag = await dragOver(page, [spiralFile]);
+  await expect(page.getByText("Drop a maze, a program or a run to open it")).toBeVisible();
+  await drag.leave();
+  await expect(page.getByText("Drop a maze, a program or a run to open it")).toBeHidden();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+});
+
+test("opens a maze and a program together as one work", async ({ corridor }) => {
+  await choose(corridor, [leftWallFile, spiralFile]);
+  await expect(corridor.message("“Spiral” and “Left wall” are open.")).toBeVisible();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+  await expect(corridor.program.name).toHaveValue("Left wall");
+});
+
+test("pastes a text maze", async ({ corridor, page }) => {
+  await corridor.run.focus();
+  await paste(page, "#######\r\n#>....#\r\n#####G#\r\n#######");
+  await expect(corridor.message("“Clipboard” is open, with your program.")).toBeVisible();
+  await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "7");
+  await expect(corridor.robotPlace).toHaveText("Robot at 150, 150, facing right");
+  await corridor.maze.expectSquare({ column: 5, row: 2 }, "open, goal");
+});
+
+test("pastes a micromouse maze and a program as JSON", async ({ corridor, page }) => {
+  await corridor.run.focus();
+  await paste(page, "o---o---o\n|     G |\no   o---o\n| S |   |\no---o---o\n");
+  await expect(corridor.robotPlace).toHaveText("Robot at 150, 350, facing up");
+  await paste(page, leftWallFile.text);
+  await expect(corridor.program.name).toHaveValue("Left wall");
+  await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "5");
+});
+
+test("pastes into a field what belongs there", async ({ corridor, page }) => {
+  await corridor.program.name.fill("");
+  await paste(page, "#S.G#");
+  await expect(corridor.program.name).toHaveValue("#S.G#");
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+});
+
+test("is told what is wrong with a broken file and keeps the work", async ({ corridor, page }) => {
+  await corridor.maze.click({ column: 2, row: 6 });
+  const broken = { ...spiral, name: 7, start: { ...spiral.start, heading: "up" } };
+  await choose(corridor, [
+    { name: "broken.maze.json", text: JSON.stringify(broken) },
+    { name: "drawn.txt", text: "####\n#S?#\n####" },
+    leftWallFile,
+  ]);
+  const dialog = corridor.dialog("These files cannot be opened");
+  await expect(dialog.getByText("Nothing was changed")).toBeVisible();
+  const first = dialog.getByRole("region", { name: "broken.maze.json" });
+  await expect(first.getByRole("listitem")).toHaveCount(2);
+  await expect(first).toContainText('start.headingFound: "up"Expected: one of north, east');
+  const second = dialog.getByRole("region", { name: "drawn.txt" });
+  await expect(second).toContainText('line 2, column 3Found: "?"Expected: # for a block');
+  await expectNoBarriers(page, "broken files");
+  await page.keyboard.press("Escape");
+  await expect(dialog).toBeHidden();
+  await expect(corridor.program.name).toHaveValue("Right wall");
+  await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
+});
+
+test("saves the maze as a file and opens it again", async ({ corridor }) => {
+  await corridor.maze.click({ column: 2, row: 6 });
+  const download = await save(corridor, "Save maze");
+  expect(download.suggestedFilename()).toBe("long-way-round.maze.json");
+  const text = await readFile(await download.path(), "utf8");
+  expect(parseMaze(JSON.parse(text)).ok).toBe(true);
+  await corridor.choosePreset("Spiral");
+  await choose(corridor, [{ name: download.suggestedFilename(), text }]);
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
+});
+
+test("saves the program, and the maze as text", async ({ corridor }) => {
+  const program = await save(corridor, "Save program");
+  expect(program.suggestedFilename()).toBe("right-wall.program.json");
+  expect(JSON.parse(await readFile(await program.path(), "utf8"))).toMatchObject({
+    format: "corridor/program",
+    name: "Right wall",
+  });
+  await corridor.choosePreset("Spiral");
+  const drawing = await save(corridor, "Save maze as text");
+  expect(drawing.suggestedFilename()).toBe("spiral.txt");
+  expect(await readFile(await drawing.path(), "utf8")).toBe(writeTextMaze(spiral));
+});
+
+test("saves a picture", async ({ corridor, page }) => {
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.story).toContainText("Goal reached");
+  const openDialog = async () => {
+    await corridor.mazeMenu.click();
+    await corridor
+      .dialog("Maze menu")
+      .getByRole("button", { name: /^Save picture/ })
+      .click();
+    return corridor.dialog("Save picture");
+  };
+  let dialog = await openDialog();
+  await expect(dialog.getByRole("img", { name: "Picture of “Long way round”" })).toBeVisible();
+  await expectNoBarriers(page, "picture");
+  const asPng = page.waitForEvent("download");
+  await dialog.getByRole("button", { name: "Save as PNG" }).click();
+  const png = await asPng;
+  expect(png.suggestedFilename()).toBe("long-way-round.png");
+  const bytes = await readFile(await png.path());
+  expect(bytes.subarray(1, 4).toString("latin1")).toBe("PNG");
+  // 11 squares of 80 px and the rulers, twice as large.
+  expect(bytes.readUInt32BE(16)).toBe(2 * (11 * 80 + 64));
+
+  dialog = await openDialog();
+  await dialog.getByRole("checkbox", { name: "Rulers in cm" }).uncheck();
+  const asSvg = page.waitForEvent("download");
+  await dialog.getByRole("button", { name: "Save as SVG" }).click();
+  const svg = await readFile(await (await asSvg).path(), "utf8");
+  expect(svg).toContain("<title>Long way round</title>");
+  expect(svg).not.toContain(">1100</text>");
+  // The trail goes from the start to the robot at the goal.
+  const light = await page.evaluate(() =>
+    getComputedStyle(document.documentElement).getPropertyValue("--live-soft").trim(),
+  );
+  expect(svg).toContain(`stroke="${light}"`);
+});
+
+test("opens and saves files on a phone", async ({ openWindow }) => {
+  const phone = await openWindow({
+    viewport: { width: 320, height: 700 },
+    hasTouch: true,
+    isMobile: true,
+  });
+  await phone.open();
+  await phone.page.getByRole("button", { name: "More" }).tap();
+  const chooser = phone.page.waitForEvent("filechooser");
+  await phone
+    .dialog("More")
+    .getByRole("button", { name: /^Open file…/ })
+    .tap();
+  await (
+    await chooser
+  ).setFiles([
+    { name: "x.json", mimeType: "application/json", buffer: Buffer.from(spiralFile.text) },
+  ]);
+  await expect(phone.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+  await phone.page.getByRole("button", { name: "More" }).tap();
+  const download = phone.page.waitForEvent("download");
+  await phone.dialog("More").getByRole("button", { name: "Save program" }).tap();
+  expect((await download).suggestedFilename()).toBe("right-wall.program.json");
+});

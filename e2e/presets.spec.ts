@@ -1,0 +1,111 @@
+/** The presets: ready-made mazes with their solved marks, random mazes, algorithms. */
+import { generateMaze } from "@corridor/maze";
+import { expect, test } from "./fixtures.ts";
+import { expectNoBarriers } from "./support/axe.ts";
+import { stickingOut, tooSmallToTouch } from "./support/layout.ts";
+
+test("draws a random maze with rooms and the size slider", async ({ corridor, page }) => {
+  await page.getByRole("button", { name: "Presets", exact: true }).click();
+  const presets = corridor.dialog("Presets");
+  await presets.getByRole("radio", { name: "Rooms" }).click();
+  const size = presets.getByRole("slider", { name: "Size" });
+  await expect(size).toHaveAttribute("aria-valuetext", "21 by 21 squares");
+  await size.fill("31");
+  await expect(presets.getByText("31 by 31 squares")).toBeVisible();
+  await presets.getByRole("textbox", { name: "Seed" }).fill("4711");
+  await presets.getByRole("button", { name: "Use this maze" }).click();
+
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Rooms 31, seed 4711, Maze menu");
+  await expect(corridor.message("“Rooms 31, seed 4711” is in place.")).toBeVisible();
+  await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "31");
+  // The same kind, size and seed give the same maze everywhere.
+  const same = generateMaze({ kind: "rooms", columns: 31, rows: 31, seed: 4711, name: "" });
+  const goal = same.goals[0] ?? { column: 0, row: 0 };
+  await corridor.maze.expectSquare(goal, "open, goal");
+});
+
+test("draws another maze with a new seed, by keyboard alone, and takes it back", async ({
+  corridor,
+  page,
+}) => {
+  await page.getByRole("button", { name: "Presets", exact: true }).press("Enter");
+  const presets = corridor.dialog("Presets");
+  const seed = presets.getByRole("textbox", { name: "Seed" });
+  const before = await seed.inputValue();
+  await presets.getByRole("radio", { name: "Tree" }).focus();
+  await page.keyboard.press("ArrowRight");
+  await expect(presets.getByRole("radio", { name: "With loops" })).toBeChecked();
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("ArrowLeft");
+  await expect(presets.getByText("19 by 19 squares")).toBeVisible();
+  await page.keyboard.press("Tab");
+  await expect(seed).toBeFocused();
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Enter");
+  await expect(seed).not.toHaveValue(before);
+  const drawn = await seed.inputValue();
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Enter");
+  await expect(corridor.mazeMenu).toHaveAccessibleName(`Loops 19, seed ${drawn}, Maze menu`);
+  await corridor.messages.getByRole("button", { name: "Undo" }).press("Enter");
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+});
+
+test("is told that a seed is none, and keeps the last one", async ({ corridor, page }) => {
+  await page.getByRole("button", { name: "Presets", exact: true }).click();
+  const presets = corridor.dialog("Presets");
+  const seed = presets.getByRole("textbox", { name: "Seed" });
+  await seed.fill("12");
+  await seed.fill("many");
+  await expect(presets.getByText("Type a whole number from 0 to 999999999.")).toBeVisible();
+  await expect(presets.getByText("Tree 21, seed 12")).toBeVisible();
+});
+
+test("solves a ready-made maze and finds it marked, after a reload too", async ({
+  corridor,
+  page,
+}) => {
+  await corridor.choosePreset("First steps");
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.story).toContainText("Goal reached");
+  await corridor.reload();
+  await page.getByRole("button", { name: "Presets", exact: true }).click();
+  const presets = corridor.dialog("Presets");
+  await expect(presets.getByRole("button", { name: /^First steps/ })).toContainText("solved");
+  await expect(presets.getByRole("button", { name: /^Spiral/ })).not.toContainText("solved");
+});
+
+test("loads an algorithm from the presets", async ({ corridor, page }) => {
+  await page.getByRole("button", { name: "Presets", exact: true }).click();
+  await corridor
+    .dialog("Presets")
+    .getByRole("button", { name: /^Left wall/ })
+    .click();
+  await expect(corridor.program.name).toHaveValue("Left wall");
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+});
+
+test("has no barriers in the presets, in either theme", async ({ corridor, page }) => {
+  await page.getByRole("button", { name: "Presets", exact: true }).click();
+  await expect(corridor.dialog("Presets").getByText("Random maze")).toBeVisible();
+  await expectNoBarriers(page, "presets");
+});
+
+for (const width of [390, 320]) {
+  test(`chooses a random maze on a phone of ${width} px`, async ({ openWindow }) => {
+    const phone = await openWindow({
+      viewport: { width, height: 700 },
+      hasTouch: true,
+      isMobile: true,
+    });
+    await phone.open();
+    await phone.page.getByRole("tab", { name: "Presets" }).tap();
+    await phone.page.getByRole("radio", { name: "Rooms" }).tap();
+    await phone.page.getByRole("textbox", { name: "Seed" }).fill("5");
+    expect(await stickingOut(phone.page)).toEqual([]);
+    expect(await tooSmallToTouch(phone.page)).toEqual([]);
+    await phone.page.getByRole("button", { name: "Use this maze" }).tap();
+    await expect(phone.mazeMenu).toHaveAccessibleName("Rooms 21, seed 5, Maze menu");
+  });
+}
