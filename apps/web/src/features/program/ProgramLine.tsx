@@ -18,6 +18,7 @@ import { AdviceNote } from "./AdviceNote.tsx";
 import { ConditionMenu, ConditionNumber } from "./ConditionField.tsx";
 import { LineBump, LineProgress } from "./LineNotes.tsx";
 import { shownBump, shownProgress, shownTruth } from "./line-state.ts";
+import { lineElementId } from "./focus-line.ts";
 import { LineTools } from "./LineTools.tsx";
 import { LineTruth } from "./LineTruth.tsx";
 import { allowsMend } from "./mend-rights.ts";
@@ -188,10 +189,6 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
     </li>
   );
 });
-
-function lineElementId(id: number): string {
-  return `program-line-${id}`;
-}
 
 /** Gives the focus back to where it was in the moved line; from a button that is off now, to the other. */
 function focusAgain(id: number, focused: Element | null, by: -1 | 1): void {

@@ -1,6 +1,5 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import type { Moment } from "../../worker/worker-messages.ts";
 import { decidingLine, isPassedOver, shownBump, shownProgress, shownTruth } from "./line-state.ts";
 
 const snapshot = snapshotOf({
@@ -92,24 +91,22 @@ describe("shownProgress", () => {
 
 describe("shownBump", () => {
   const touching = { ...snapshot, bumping: true, bumps: 2, tick: 80 };
-  const moment: Moment = {
-    kind: "bump",
-    tick: 70,
-    pose: touching.pose,
+  const moment = {
+    kind: "bump" as const,
     line: 0,
-    driver: "program",
     bumps: 2,
     cause: {
       decidedAt: 55,
-      action: "delayed right 90",
+      action: "delayed right 90" as const,
       readings: touching.sensors,
       part: 0,
       parts: 3,
-      side: "front",
+      side: "front" as const,
       reading: 49,
       driven: 23.9,
       needed: 50,
     },
+    mends: null,
   };
 
   it("is that of the line that drove into the wall, as long as the robot touches it", () => {

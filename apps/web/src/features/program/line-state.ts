@@ -2,6 +2,7 @@
 import { truthOf, type Condition } from "@corridor/program";
 import type { LineRef, Snapshot } from "@corridor/protocol";
 import type { RunState } from "../../stores/run-store.ts";
+import type { Moment } from "../../worker/worker-messages.ts";
 import { truthText } from "./truth-text.ts";
 
 /** The line that drives the robot; null while the program does not drive. */
@@ -67,10 +68,13 @@ export interface ShownBump {
   needed: number | null;
 }
 
+/** What of a moment tells of a bump. */
+type BumpMoment = Pick<Moment, "kind" | "line" | "bumps" | "cause">;
+
 /** @returns null unless the robot touches, at the shown moment, the wall that this line drove it into */
 export function shownBump(
   line: LineRef,
-  { snapshot, moment }: Pick<RunState, "snapshot" | "moment">,
+  { snapshot, moment }: Pick<RunState, "snapshot"> & { moment: BumpMoment | null },
 ): ShownBump | null {
   if (snapshot === null || !snapshot.bumping || snapshot.driver !== "program") return null;
   // The newest bump is the one that is seen when no other came after or before it.
