@@ -14,7 +14,7 @@ export interface Keyframe {
 const FIRST_GAP = 600;
 const MOST = 512;
 /** Numbers and small objects of a keyframe beside its arrays, in bytes: measured, rounded up. */
-const PLAIN_BYTES = 1024;
+const PLAIN_BYTES = 2560;
 
 export class Keyframes {
   #frames: Keyframe[];
