@@ -5,6 +5,7 @@
 import { expect, type Locator, type Page } from "playwright/test";
 import { MazeGrid } from "./maze-grid.ts";
 import { ProgramPanel } from "./program-panel.ts";
+import { TimelineStrip } from "./timeline-strip.ts";
 
 export type Driver = "Me" | "Program" | "Remote";
 
@@ -13,6 +14,7 @@ export class CorridorPage {
   readonly maze: MazeGrid;
   readonly program: ProgramPanel;
   readonly transport: Locator;
+  readonly timeline: TimelineStrip;
   readonly messages: Locator;
 
   constructor(page: Page) {
@@ -20,6 +22,7 @@ export class CorridorPage {
     this.maze = new MazeGrid(page);
     this.program = new ProgramPanel(page);
     this.transport = page.getByRole("region", { name: "Run" });
+    this.timeline = new TimelineStrip(page, this.transport);
     this.messages = page.getByRole("region", { name: "Messages" });
   }
 

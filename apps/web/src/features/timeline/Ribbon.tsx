@@ -28,7 +28,7 @@ export function Ribbon({ picture, isNow }: RibbonProps) {
           key={segment.x}
           {...segment}
           isNewest={isNow && segment.isNewest}
-          name={nameOf(t, segment.who)}
+          names={namesOf(t, segment.who)}
         />
       ))}
       <g className={styles["axis"]}>
@@ -45,12 +45,13 @@ export function Ribbon({ picture, isNow }: RibbonProps) {
   );
 }
 
-function RibbonSegment({ who, x, width, isNewest, name }: Segment & { name: string }) {
+function RibbonSegment({ who, x, width, isNewest, names }: Segment & { names: readonly string[] }) {
+  const name = names.find((each) => fits(each, width));
   const kind = typeof who === "number" || who === "default" || who === "remote" ? "line" : who;
   return (
     <g className={classNames(styles["segment"], styles[kind], isNewest && styles["newest"])}>
       <rect x={x} width={width} height="20" rx={Math.min(3, width / 2)} />
-      {fits(name, width) && (
+      {name !== undefined && (
         <text x={x + width / 2} y={14}>
           {name}
         </text>
@@ -65,23 +66,23 @@ function anchorOf(at: number, count: number): "start" | "middle" | "end" {
   return at === count - 1 ? "end" : "middle";
 }
 
-function nameOf(t: TFunction, who: Who): string {
+/** What a segment is called, the longest name first; the dots are the playhead's sign, too. */
+function namesOf(t: TFunction, who: Who): readonly string[] {
   switch (who) {
     case "me":
-      return t("timeline.me");
+      return [t("timeline.me")];
     case "remote":
-      return t("timeline.remote");
+      return [t("timeline.remote")];
     case "default":
-      return t("timeline.otherwise");
+      return [t("timeline.otherwise"), "\u2026"];
     case "mixed":
-      return "";
+      return [];
     default:
-      return String(who + 1);
+      return [String(who + 1)];
   }
 }
 
 function fits(name: string, width: number): boolean {
-  if (name === "") return false;
   let needed = NAME_MARGIN;
   for (const character of name) needed += character >= "\u2e80" ? WIDE_CHARACTER : LETTER;
   return needed <= width;

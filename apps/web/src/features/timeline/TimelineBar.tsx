@@ -87,6 +87,7 @@ export function TimelineBar() {
     const message = timelineKey(event.key, snapshot?.tick ?? 0, nowTick);
     if (message === null) return;
     event.preventDefault();
+    setFocused(true);
     scrubber.stop();
     if (nowTick > 0) simulator.send(message);
   }

@@ -1,0 +1,193 @@
+/** A run can be gone back in: to any moment, decision by decision, on from there, by link and by file. */
+import { readFile } from "node:fs/promises";
+import { readRun } from "@corridor/recording";
+import type { CorridorPage } from "./pages/corridor-page.ts";
+import { expect, test } from "./fixtures.ts";
+
+/** A program that turns too late: "otherwise" drives into the wall after about two seconds, and goes on. */
+async function bump(corridor: CorridorPage): Promise<void> {
+  await corridor.program.loadAlgorithm("Back and forth");
+  await corridor.program.number(1).fill("10");
+  await corridor.speed.selectOption("4×");
+  await corridor.run.click();
+  await expect(corridor.bumps).toHaveText("1 bump");
+  // The robot waits where it bumped; told to, it runs on.
+  await corridor.run.click();
+  await expect(corridor.clock).toHaveText(/0:(0[5-9]|[1-9]\d)/);
+  await corridor.pause.click();
+}
+
+/** Lets the right wall's program turn a few times, and pauses. */
+async function turnSomeTimes(corridor: CorridorPage): Promise<void> {
+  await corridor.speed.selectOption("8×");
+  await corridor.run.click();
+  await expect(corridor.timeline.mark("turn").nth(2)).toBeVisible();
+  await corridor.pause.click();
+  await expect(corridor.run).toBeVisible();
+}
+
+test("scrubs back to the bump and sees the robot, sensors, truths and line of that moment", async ({
+  corridor,
+}) => {
+  const { timeline, program } = corridor;
+  await bump(corridor);
+  await timeline.mark("bump").click();
+  await expect(timeline.inThePast).toBeVisible();
+  await expect(corridor.clock).toHaveText("Time 0:02.2");
+  await expect(corridor.robotPlace).toHaveText("Robot at 275, 650, facing right");
+  await expect(corridor.sensor("front")).toHaveText("25");
+  await expect(corridor.bumps).toHaveText("1 bump");
+  await expect(program.line(1)).toHaveAccessibleName(/Front is 25, false\.$/);
+  await expect(program.region.locator("[aria-current=step]")).toContainText("otherwise");
+  await timeline.expectMoment(/^2\.2 s, “otherwise” drives, bump$/);
+  // Before it there was room.
+  await timeline.drag(0.07, 0.04);
+  await expect(corridor.bumps).toHaveText("0 bumps");
+  await expect(corridor.clock).toHaveText(/^Time 0:01\./);
+});
+
+test("steps back one decision by keyboard", async ({ corridor, page }) => {
+  const { timeline } = corridor;
+  await turnSomeTimes(corridor);
+  const now = await corridor.clock.textContent();
+  await timeline.slider.focus();
+  await expect
+    .poll(async () => {
+      await page.keyboard.press("ArrowLeft");
+      await corridor.frames(3);
+      return timeline.slider.getAttribute("aria-valuetext");
+    })
+    .toMatch(/^\d+\.\d s, line 1 drives, delayed right 90$|, line 2 drives, left 90$/);
+  await expect(timeline.inThePast).toBeVisible();
+  const decision = await timeline.slider.getAttribute("aria-valuetext");
+  await page.keyboard.press("ArrowLeft");
+  await timeline.expectMoment(/“otherwise” drives$/);
+  await page.keyboard.press("ArrowRight");
+  await expect(timeline.slider).toHaveAttribute("aria-valuetext", decision ?? "");
+  await page.keyboard.press("Home");
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
+  await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
+  await page.keyboard.press("End");
+  await expect(corridor.clock).toHaveText(now ?? "");
+  await expect(timeline.inThePast).toBeHidden();
+});
+
+test("steps back and on with the buttons", async ({ corridor }) => {
+  const { timeline } = corridor;
+  await turnSomeTimes(corridor);
+  await timeline.oneBack.click();
+  await timeline.oneBack.click();
+  await expect(timeline.inThePast).toBeVisible();
+  const decision = await corridor.clock.textContent();
+  await timeline.oneBack.click();
+  await expect(corridor.clock).not.toHaveText(decision ?? "");
+  await corridor.step.click();
+  await expect(corridor.clock).toHaveText(decision ?? "");
+  await expect(timeline.inThePast).toBeVisible();
+});
+
+test("runs from here with a mended line", async ({ corridor }) => {
+  const { timeline } = corridor;
+  await bump(corridor);
+  await timeline.drag(0.1, 0.04);
+  await expect(corridor.bumps).toHaveText("0 bumps");
+  await expect(corridor.clock).toHaveText(/^Time 0:01\./);
+  await corridor.program.number(1).fill("50");
+  await timeline.runFromHere.click();
+  await expect(corridor.pause).toBeVisible();
+  await expect(corridor.clock).toHaveText(/0:0[89]|0:1\d/);
+  await expect(corridor.bumps).toHaveText("0 bumps");
+  await expect(timeline.mark("bump")).toHaveCount(0);
+  await expect(timeline.mark("turn").first()).toBeVisible();
+});
+
+test("back to now", async ({ corridor }) => {
+  const { timeline } = corridor;
+  await turnSomeTimes(corridor);
+  const place = await corridor.robotPlace.textContent();
+  const now = await corridor.clock.textContent();
+  await timeline.drag(0.2, 0.1);
+  await expect(timeline.inThePast).toBeVisible();
+  await expect(timeline.runFromHere).toBeVisible();
+  await expect(corridor.robotPlace).not.toHaveText(place ?? "");
+  await timeline.backToNow.click();
+  await expect(timeline.inThePast).toBeHidden();
+  await expect(corridor.clock).toHaveText(now ?? "");
+  await expect(corridor.robotPlace).toHaveText(place ?? "");
+  await expect(corridor.run).toBeVisible();
+});
+
+test("watches the run again, and drives on by hand from the middle of it", async ({
+  corridor,
+  page,
+}) => {
+  const { timeline } = corridor;
+  await bump(corridor);
+  const now = await corridor.clock.textContent();
+  await timeline.drag(0.1, 0.02);
+  await timeline.watch.click();
+  await expect(corridor.clock).toHaveText(now ?? "");
+  await expect(timeline.inThePast).toBeHidden();
+  await timeline.drag(0.1, 0.04);
+  await expect(corridor.bumps).toHaveText("0 bumps");
+  await corridor.driveKey("left").hover();
+  await page.mouse.down();
+  await expect(corridor.driver("Me")).toBeChecked();
+  await expect(corridor.robotPlace).toHaveText(/facing up/);
+  await page.mouse.up();
+  await expect(timeline.inThePast).toBeHidden();
+  await expect(corridor.bumps).toHaveText("0 bumps");
+});
+
+test("goes back with a finger on a phone", async ({ openWindow }) => {
+  const viewport = { width: 390, height: 844 };
+  const phone = await openWindow({ viewport, hasTouch: true, isMobile: true });
+  await phone.open();
+  const { timeline } = phone;
+  await expect(timeline.slider).not.toBeInViewport();
+  await turnSomeTimes(phone);
+  const box = await timeline.slider.boundingBox();
+  expect(box?.height).toBeGreaterThanOrEqual(44);
+  const { x, y } = await timeline.placeAt(0.1);
+  await phone.page.touchscreen.tap(x, y);
+  await expect(timeline.inThePast).toBeVisible();
+  await timeline.backToNow.tap();
+  await expect(timeline.inThePast).toBeHidden();
+});
+
+test("shares a run by link and another reader watches it", async ({ corridor, openWindow }) => {
+  await turnSomeTimes(corridor);
+  const now = (await corridor.clock.textContent()) ?? "";
+  const place = (await corridor.robotPlace.textContent()) ?? "";
+  await corridor.share.click();
+  const dialog = corridor.dialog("Share this maze");
+  await dialog.getByRole("checkbox", { name: /^This run/ }).check();
+  await expect(dialog.getByRole("button", { name: "Save run" })).toBeVisible();
+  const link = await dialog.getByRole("textbox", { name: "Link" }).inputValue();
+  expect(link.length).toBeLessThan(200);
+
+  const reader = await openWindow();
+  await reader.open(link);
+  await expect(reader.message(/^This is a recorded run/)).toBeVisible();
+  await expect(reader.timeline.inThePast).toBeVisible();
+  await expect(reader.clock).toHaveText("Time 0:00.0");
+  await reader.speed.selectOption("8×");
+  await reader.timeline.watch.click();
+  await expect(reader.timeline.inThePast).toBeHidden();
+  await expect(reader.clock).toHaveText(now);
+  await expect(reader.robotPlace).toHaveText(place);
+  await expect(reader.program.name).toHaveValue("Right wall");
+});
+
+test("saves a run as a file", async ({ corridor, page }) => {
+  await turnSomeTimes(corridor);
+  await corridor.share.click();
+  const dialog = corridor.dialog("Share this maze");
+  await dialog.getByRole("checkbox", { name: /^This run/ }).check();
+  const saving = page.waitForEvent("download");
+  await dialog.getByRole("button", { name: "Save run" }).click();
+  const file = await saving;
+  expect(file.suggestedFilename()).toBe("long-way-round.run.json");
+  const read = readRun(await readFile(await file.path(), "utf8"));
+  expect(read).toMatchObject({ ok: true, value: { name: "Long way round" } });
+});
