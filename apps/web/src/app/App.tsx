@@ -1,6 +1,6 @@
 /** Layout of the page: bar, stage, panel and transport; on phones bar, stage, transport and sheet. */
 import "../ui/base.css";
-import "@fontsource-variable/inter/opsz.css";
+import "../ui/fonts/inter.css";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";

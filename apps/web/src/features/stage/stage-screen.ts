@@ -2,7 +2,7 @@
  * Where the stage is drawn: in the simulator worker, on canvases that are handed over to it, or, in a
  * browser without OffscreenCanvas, here on the page by the same renderer, which is only then loaded.
  */
-import interFont from "@fontsource-variable/inter/files/inter-latin-opsz-normal.woff2?url";
+import interFont from "../../ui/fonts/inter-latin.woff2?url";
 import type { LayerCanvases } from "../../canvas/brush.ts";
 import { sceneChanges, type Scene } from "../../canvas/scene.ts";
 import type { Scroll } from "../../canvas/viewport.ts";
