@@ -17,6 +17,7 @@ export function openPageStage(
     takeFrame: () => frames.take(),
     requestFrame: (paint) => requestAnimationFrame(paint),
     cancelFrame: (request) => cancelAnimationFrame(request),
+    now: () => performance.now(),
     scrollTo: follow,
   });
   renderer.attach(canvases);
