@@ -43,13 +43,17 @@ function runMaze(challenge: ChallengeDocument, index: number, attempt: Attempt):
   const limit = checks.seconds * TICKS_PER_SECOND;
   let failure: Failure | null = null;
   let isMet = false;
+  /** ticks in a row at whose end nothing moves the robot */
+  let standing = 0;
   while (!isMet && failure === null && simulation.tick < limit) {
     driver.step();
     watch.visit(simulation.cell);
     if (checks.bumps !== null && simulation.bumps > checks.bumps) {
       failure = failed("bump", checks.bumps, simulation.bumps, driver.decision());
     } else {
-      isMet = watch.isMet(simulation.report(), simulation.distance);
+      const report = simulation.report();
+      standing = report.motion === "stop" ? standing + 1 : 0;
+      isMet = watch.isMet({ ...report, isStill: standing > 1 }, simulation.distance);
     }
   }
   if (!isMet) failure ??= missed();

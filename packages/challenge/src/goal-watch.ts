@@ -14,8 +14,8 @@ const STEP = 10;
 export interface GoalMoment {
   tick: number;
   sensors: SensorReadings;
-  /** the action that moves the robot */
-  motion: string;
+  /** whether the robot stands and stays: between two manoeuvres it stands for a tick as well */
+  isStill: boolean;
   goalReached: boolean;
 }
 
@@ -83,7 +83,7 @@ export class GoalWatch {
       case "stop": {
         const reading = moment.sensors[goal.sensor];
         const isThere = reading >= goal.from && reading <= goal.to;
-        return isThere && moment.motion === "stop" && distance > 0;
+        return isThere && moment.isStill && distance > 0;
       }
       case "drive":
         return distance >= goal.distance;

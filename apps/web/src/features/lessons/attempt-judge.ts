@@ -65,8 +65,10 @@ export class AttemptJudge {
       code,
       tick,
     });
+    // Time stands still when a hand lets go.
+    const isStill = snapshot.motion === "stop" && snapshot.state === "paused";
     if (checks.bumps !== null && bumps > checks.bumps) this.#judgement = failed("bump");
-    else if (this.#watch.isMet(snapshot)) {
+    else if (this.#watch.isMet({ ...snapshot, isStill })) {
       this.#judgement = this.#stranger ? failed("driver") : { kind: "met", driver, tick, bumps };
     } else if (tick > checks.seconds * TICKS_PER_SECOND) this.#judgement = failed("late");
   }
