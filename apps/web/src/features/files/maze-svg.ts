@@ -67,7 +67,8 @@ export function mazeSvg(scene: PictureScene): { text: string; width: number; hei
   drawPlaces(pen, viewport, palette, maze, scene);
   if (run !== null) {
     drawTrail(pen, viewport, palette, run.points, "round");
-    drawBumps(pen, viewport, palette, bumpMarks(maze, run.bumps, run.pose.heading));
+    const marks = bumpMarks(maze, run.bumps, run.pose.heading);
+    if (marks.length > 0) drawBumps(pen, viewport, palette, marks);
     drawRobot(pen, viewport, palette, run.pose, run.face, new Dirt());
   }
   if (hasRulers) drawRulers(pen, viewport, palette);

@@ -46,9 +46,9 @@ export function PresetsPanel({ onChosen }: PresetsPanelProps) {
       </ul>
       <p className={styles["note"]}>{t("presets.note")}</p>
       <section className={styles["section"]} aria-labelledby={randomId}>
-        <h3 id={randomId} className={styles["heading"]}>
+        <h2 id={randomId} className={styles["heading"]}>
           {t("presets.random.title")}
-        </h3>
+        </h2>
         <RandomMaze
           onUse={(maze) => {
             chooseMaze(services, i18n, maze);
@@ -58,9 +58,9 @@ export function PresetsPanel({ onChosen }: PresetsPanelProps) {
       </section>
       {rights === null && (
         <section className={styles["section"]} aria-labelledby={algorithmsId}>
-          <h3 id={algorithmsId} className={styles["heading"]}>
+          <h2 id={algorithmsId} className={styles["heading"]}>
             {t("presets.algorithms")}
-          </h3>
+          </h2>
           <ul className={styles["algorithms"]}>
             {programPresets.map((preset) => {
               const name = t(`program.preset.${preset.id}.name`);
