@@ -6,8 +6,10 @@ import type { i18n } from "i18next";
 import { createContext, useContext } from "react";
 import { createAdviceStore, type AdviceStore } from "../features/program/advice-store.ts";
 import { createSolvedStore, type SolvedStore } from "../features/presets/solved-presets.ts";
+import { tellNotice } from "../features/cards/tell-notice.ts";
 import { LessonsGate } from "../features/lessons/lessons-gate.ts";
 import { LessonsStorage } from "../features/lessons/lessons-storage.ts";
+import { createCardStore, explain, forgetAfter, type CardStore } from "../stores/card-store.ts";
 import { createChallengeStore, type ChallengeStore } from "../stores/challenge-store.ts";
 import { createMomentTeller } from "../stores/moment-teller.ts";
 import { createRemoteStore, type RemoteStore } from "../stores/remote-store.ts";
@@ -42,6 +44,8 @@ export interface Services {
   simulator: SimulatorClient;
   workspace: WorkspaceStore;
   run: RunStore;
+  /** what there is to explain of the run */
+  cards: CardStore;
   timeline: TimelineStore;
   remote: RemoteStore;
   screen: ScreenStore;
@@ -70,6 +74,7 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
   const simulator = new SimulatorClient(worker);
   const workspace = createWorkspaceStore(maze, program);
   const run = createRunStore();
+  const cards = createCardStore();
   const remote = createRemoteStore();
   const screen = createScreenStore();
   const shownRun = new ShownRun();
@@ -89,10 +94,15 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
         if (message.frame.trailReset && (run.getState().moment?.tick ?? Infinity) > nowTick) {
           moments.clear();
         }
+        if (message.frame.trailReset) forgetAfter(cards, nowTick);
         return;
       }
       case "moment":
         moments.tell(message.moment);
+        explain(cards, message.moment);
+        return;
+      case "notice":
+        tellNotice({ screen, workspace, words }, message.notice);
         return;
       case "remote":
         remote.setState(message.remote);
@@ -135,6 +145,7 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
   });
   return {
     advice,
+    cards,
     simulator,
     workspace,
     run,

@@ -6,7 +6,16 @@ import { createMomentTeller } from "./moment-teller.ts";
 let lastTick = 0;
 function moment(kind: Moment["kind"]): Moment {
   const pose = { x: 150, y: 150, heading: 0 };
-  return { kind, tick: ++lastTick, pose, line: null, driver: "program", bumps: 1, cause: null };
+  return {
+    kind,
+    tick: ++lastTick,
+    pose,
+    line: null,
+    driver: "program",
+    bumps: 1,
+    cause: null,
+    mends: null,
+  };
 }
 
 /** A teller whose time passes when the test says so. */

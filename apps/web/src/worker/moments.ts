@@ -1,4 +1,5 @@
 /** What happened in the ticks since the last news and is worth telling: the newest bump, and the goal. */
+import type { Mend } from "@corridor/coach";
 import type { Run } from "@corridor/recording";
 import type { DriverName, LineRef } from "@corridor/protocol";
 import type { Moment } from "./worker-messages.ts";
@@ -6,13 +7,19 @@ import type { Moment } from "./worker-messages.ts";
 export class Moments {
   #waiting: Moment[] = [];
 
-  /** Notes what just happened; `line` and `driver` were in charge. */
-  add(kind: Moment["kind"], run: Run, line: LineRef | null, driver: DriverName): void {
+  /** Notes what just happened; `line` and `driver` were in charge, `mends` would have kept it off. */
+  add(
+    kind: Moment["kind"],
+    run: Run,
+    line: LineRef | null,
+    driver: DriverName,
+    mends: readonly Mend[] | null = null,
+  ): void {
     const { tick, pose, bumps } = run;
     const cause = kind === "bump" ? run.cause : null;
     // Many bumps in one frame are one to a watcher; the goal is told in any case.
     this.#waiting = this.#waiting.filter((each) => each.kind !== kind);
-    this.#waiting.push({ kind, tick, pose, line, driver, bumps, cause });
+    this.#waiting.push({ kind, tick, pose, line, driver, bumps, cause, mends });
   }
 
   take(): Moment[] {

@@ -177,6 +177,8 @@ function tellNews(): void {
   }
   if (news !== null) {
     for (const moment of news.moments) post({ type: "moment", moment });
+    const notice = loop.takeNotice();
+    if (notice !== null) post({ type: "notice", notice });
   }
   hasUnsentNews ||= news !== null;
   const wait = hasUnsentNews ? RELAY_INTERVAL_MS : RELAY_HEARTBEAT_MS;

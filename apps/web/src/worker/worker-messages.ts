@@ -2,6 +2,7 @@
  * Everything that crosses between the page's main thread and the simulator worker, and nothing else.
  * Documents were parsed and checked before they are sent; both ends are our own code.
  */
+import type { LoopNotice, Mend } from "@corridor/coach";
 import type { RegistrationError } from "@corridor/client/host";
 import type {
   closeReasons,
@@ -114,6 +115,11 @@ export interface Moment {
   bumps: number;
   /** how it came to a bump; null for the goal */
   cause: BumpCause | null;
+  /**
+   * edits that would have kept the program from this bump, each tried; null for a bump that pauses no
+   * run: a hand's, a script's, and those of a line whose bump was explained before
+   */
+  mends: readonly Mend[] | null;
 }
 
 /** Connection of the page to the relay and of scripts to the robot. */
@@ -158,6 +164,8 @@ export type FromWorker =
   /** the camera follows the robot: scroll the stage there */
   | { type: "stage-scroll-to"; scroll: Scroll }
   | { type: "moment"; moment: Moment }
+  /** the program's robot gets nowhere; said once */
+  | { type: "notice"; notice: LoopNotice }
   | { type: "timeline"; news: TimelineNews }
   /** the maze of the shown moment where it is not the newest one; null when it is */
   | { type: "shown-maze"; maze: MazeDocument | null }

@@ -41,7 +41,6 @@ interface ProgramLineProps {
 
 /** Drawn again only when something that it shows has changed: programs can have 200 lines. */
 export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
-  "use memo";
   const { id, index, count, rule, isDeciding, isPassedOver, remembered } = props;
   const { t } = useTranslation();
   const { workspace, screen, run, advice, challenge } = useServices();

@@ -3,10 +3,8 @@ import { Share } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
-import { lazyDialog } from "../../ui/lazy-part.tsx";
+import { ShareDialog } from "./lazy-share-dialog.ts";
 import styles from "./share.module.css";
-
-const ShareDialog = lazyDialog(async () => (await import("./ShareDialog.tsx")).ShareDialog);
 
 export function ShareButton() {
   const { t } = useTranslation();

@@ -3,6 +3,7 @@ import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { MomentCards } from "../cards/MomentCards.tsx";
 import { MazeGrid } from "./MazeGrid.tsx";
 import { StageController } from "./stage-controller.ts";
 import { StageLegend } from "./StageLegend.tsx";
@@ -38,6 +39,7 @@ export function Stage() {
         <div className={styles["content"]} style={layout?.content}>
           <div ref={layers} className={styles["layers"]} style={layout?.view} aria-hidden="true" />
           <MazeGrid controller={controller} element={grid} />
+          <MomentCards view={controller.view} />
         </div>
       </div>
       <StageLegend view={controller.view} />

@@ -10,6 +10,7 @@ const bump: Moment = {
   driver: "program",
   bumps: 1,
   cause: null,
+  mends: null,
 };
 
 describe("storyOf", () => {

@@ -1,4 +1,5 @@
 /** English: the catalogue that every other language is checked against. One file a feature. */
+import cards from "./cards.json" with { type: "json" };
 import drive from "./drive.json" with { type: "json" };
 import files from "./files.json" with { type: "json" };
 import language from "./language.json" with { type: "json" };
@@ -14,6 +15,7 @@ import timeline from "./timeline.json" with { type: "json" };
 import works from "./works.json" with { type: "json" };
 
 export const en = {
+  cards,
   drive,
   files,
   language,

@@ -1,0 +1,109 @@
+/** Why the program bumped: which line, the room that it needed, the room that it had, and the mends. */
+import { applyMend, storyOfBump, type BumpStory, type Mend } from "@corridor/coach";
+import type { ProgramDocument } from "@corridor/program";
+import type { LineRef } from "@corridor/protocol";
+import { History } from "lucide-react";
+import { useMemo } from "react";
+import { useTranslation } from "react-i18next";
+import { useServices } from "../../app/services.ts";
+import type { Explanation } from "../../stores/card-store.ts";
+import { tell } from "../../stores/screen-store.ts";
+import { Badge } from "../../ui/Badge.tsx";
+import { Button } from "../../ui/Button.tsx";
+import { takeMend } from "../program/take-mend.ts";
+import type { StageViewStore } from "../stage/stage-view.ts";
+import { BurstIcon } from "../timeline/BurstIcon.tsx";
+import styles from "./cards.module.css";
+import { FloatingCard } from "./FloatingCard.tsx";
+import { hitBlock } from "./hit-block.ts";
+import { mendText } from "./mend-text.ts";
+import { RoomBars } from "./RoomBars.tsx";
+import { watchAgain } from "./watch-again.ts";
+
+/** Four seconds, or what led to the bump where that began earlier. */
+const WATCHED_TICKS = 240;
+
+interface BumpCardProps {
+  view: StageViewStore;
+  explanation: Explanation;
+  onClose: () => void;
+}
+
+export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
+  const { t } = useTranslation();
+  const { workspace, simulator, screen } = useServices();
+  const { moment, mends } = explanation;
+  const { cause, pose, line, tick } = moment;
+  const keepClear = useMemo(
+    () => (cause === null ? [] : [hitBlock(pose, cause.side)]),
+    [cause, pose],
+  );
+  if (cause === null) return null;
+  const story = storyOfBump(cause);
+  const isNumbered = typeof line === "number";
+  const badge = isNumbered ? line + 1 : 0;
+  const { program } = workspace.getState();
+
+  function storyText({ kind, side, needs, free }: BumpStory, action: string): string {
+    const numbers = { action, needs: Math.round(needs ?? 0), free: Math.floor(free) };
+    if (kind === "delay") return t("cards.bump.delay", numbers);
+    if (kind === "way-out") return t("cards.bump.wayOut", numbers);
+    return t(side === "front" ? "cards.bump.steadyFront" : "cards.bump.steadyBack", numbers);
+  }
+
+  function mend(chosen: Mend) {
+    takeMend(workspace, chosen, applyMend(workspace.getState().program, chosen));
+    tell(screen, { tone: "info", text: t("cards.mend.done") });
+    onClose();
+  }
+
+  return (
+    <FloatingCard
+      view={view}
+      pose={pose}
+      keepClear={keepClear}
+      tone="bad"
+      icon={<BurstIcon size={18} />}
+      title={
+        isNumbered ? t("cards.bump.titleLine", { line: badge }) : t("cards.bump.titleOtherwise")
+      }
+      onClose={onClose}
+    >
+      <p className={styles["sentence"]}>
+        {isNumbered && <Badge tone="bad">{badge}</Badge>}
+        <span>{storyText(story, t(`program.action.${actionOf(program, line)}`))}</span>
+      </p>
+      {story.needs !== null && (
+        <RoomBars
+          needsLabel={
+            isNumbered ? t("cards.bump.needsLine", { line: badge }) : t("cards.bump.needsOtherwise")
+          }
+          freeLabel={t(story.side === "front" ? "cards.bump.freeFront" : "cards.bump.freeBack")}
+          needs={story.needs}
+          free={story.free}
+        />
+      )}
+      <div className={styles["actions"]}>
+        {mends.map((each, at) => (
+          <Button
+            key={JSON.stringify(each)}
+            kind={at === 0 ? "primary" : "outline"}
+            onClick={() => mend(each)}
+          >
+            {mendText(t, program, each)}
+          </Button>
+        ))}
+        <Button
+          icon={<History aria-hidden="true" />}
+          onClick={() => watchAgain(simulator, Math.min(cause.decidedAt, tick - WATCHED_TICKS))}
+        >
+          {t("cards.watchAgain")}
+        </Button>
+      </div>
+    </FloatingCard>
+  );
+}
+
+function actionOf(program: ProgramDocument, line: LineRef | null): ProgramDocument["default"] {
+  return (typeof line === "number" ? program.rules[line]?.do : undefined) ?? program.default;
+}

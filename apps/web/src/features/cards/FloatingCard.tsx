@@ -1,0 +1,120 @@
+/**
+ * A card beside the robot, with its tail. It stands still while it is open, follows the stage's layout
+ * and size, and lies over the sheet on phones, where the maze has no room to spare.
+ */
+import { X } from "lucide-react";
+import { useId, useLayoutEffect, useRef, useState, type ReactNode } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import type { Pose } from "@corridor/protocol";
+import { viewX, viewY, viewportAt, type Box, type Viewport } from "../../canvas/viewport.ts";
+import { IconButton } from "../../ui/Button.tsx";
+import { classNames } from "../../ui/class-names.ts";
+import { useMediaQuery } from "../../ui/use-media-query.ts";
+import type { StageViewStore } from "../stage/stage-view.ts";
+import { placeCard, type CardPlace } from "./card-place.ts";
+import styles from "./cards.module.css";
+
+/** Half of the robot's width as it is drawn, in units. */
+const ROBOT_HALF = 28;
+const CELL = 100;
+/** Half of the tail's side. */
+const TAIL_PX = 8;
+/** Measured before it is placed. */
+const HIDDEN = { visibility: "hidden", left: 0, top: 0 } as const;
+
+interface FloatingCardProps {
+  view: StageViewStore;
+  /** the moment's robot, in units */
+  pose: Pose;
+  /** squares that the card should not cover: a goal, the block that was hit */
+  keepClear: readonly { column: number; row: number }[];
+  tone: "bad" | "good";
+  icon: ReactNode;
+  title: string;
+  onClose: () => void;
+  children: ReactNode;
+}
+
+export function FloatingCard(props: FloatingCardProps) {
+  const { view, pose, keepClear, tone, icon, title, onClose, children } = props;
+  const { t } = useTranslation();
+  const layout = useStore(view, (state) => state.layout);
+  const isPhone = useMediaQuery("(max-width: 599px)");
+  const card = useRef<HTMLElement>(null);
+  const [place, setPlace] = useState<CardPlace | null>(null);
+  const titleId = useId();
+
+  useLayoutEffect(() => {
+    const element = card.current;
+    if (element === null || layout === null || isPhone) return undefined;
+    const put = () => {
+      // In the content of the stage, so that the card scrolls with the robot that it belongs to.
+      const viewport = viewportAt(layout, { x: 0, y: 0 });
+      const scroller = element.offsetParent?.parentElement;
+      const area = {
+        x: scroller?.scrollLeft ?? 0,
+        y: scroller?.scrollTop ?? 0,
+        ...layout.view,
+      };
+      const size = { width: element.offsetWidth, height: element.offsetHeight };
+      const squares = keepClear.map(({ column, row }) =>
+        boxOf(viewport, column * CELL + CELL / 2, row * CELL + CELL / 2, CELL / 2),
+      );
+      setPlace(placeCard(area, boxOf(viewport, pose.x, pose.y, ROBOT_HALF), size, squares));
+    };
+    put();
+    const resize = new ResizeObserver(put);
+    resize.observe(element);
+    return () => resize.disconnect();
+  }, [layout, isPhone, pose, keepClear]);
+
+  const at = isPhone ? null : place;
+  return (
+    <section
+      ref={card}
+      aria-labelledby={titleId}
+      className={classNames(styles["card"], styles[tone], isPhone && styles["onPhone"])}
+      style={isPhone ? undefined : at === null ? HIDDEN : { left: at.x, top: at.y }}
+      onKeyDown={(event) => {
+        if (event.key !== "Escape") return;
+        event.stopPropagation();
+        onClose();
+      }}
+    >
+      {at !== null && <Tail place={at} />}
+      <header className={styles["header"]}>
+        <span className={styles["icon"]}>{icon}</span>
+        <h2 id={titleId} className={styles["title"]}>
+          {title}
+        </h2>
+        <IconButton label={t("shell.close")} onClick={onClose}>
+          <X aria-hidden="true" />
+        </IconButton>
+      </header>
+      {children}
+    </section>
+  );
+}
+
+/** Placed by left and top whatever the language: the maze that it points into never mirrors. */
+function Tail({ place: { tail, tailAt } }: { place: CardPlace }) {
+  if (tail === null) return null;
+  const isBeside = tail === "left" || tail === "right";
+  return (
+    <span
+      className={styles["tail"]}
+      data-side={tail}
+      style={{ [tail]: -TAIL_PX, [isBeside ? "top" : "left"]: tailAt - TAIL_PX }}
+    />
+  );
+}
+
+function boxOf(viewport: Viewport, x: number, y: number, half: number): Box {
+  return {
+    x: viewX(viewport, x - half),
+    y: viewY(viewport, y - half),
+    width: 2 * half * viewport.scale,
+    height: 2 * half * viewport.scale,
+  };
+}

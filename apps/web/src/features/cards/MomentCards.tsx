@@ -1,0 +1,13 @@
+/** The place of the cards on the stage. The cards themselves come in a file of their own with the first one. */
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { lazyPart } from "../../ui/lazy-part.tsx";
+import type { StageViewStore } from "../stage/stage-view.ts";
+
+const Cards = lazyPart(async () => (await import("./Cards.tsx")).Cards);
+
+export function MomentCards({ view }: { view: StageViewStore }) {
+  const { cards } = useServices();
+  const isAny = useStore(cards, ({ bump, goal }) => bump !== null || goal !== null);
+  return isAny ? <Cards view={view} /> : null;
+}

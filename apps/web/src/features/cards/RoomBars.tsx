@@ -1,0 +1,37 @@
+/** The room that a part of a manoeuvre needs, as a ruler, above the room that it had, up to the block. */
+import { useTranslation } from "react-i18next";
+import styles from "./cards.module.css";
+
+interface RoomBarsProps {
+  needsLabel: string;
+  freeLabel: string;
+  /** cm */
+  needs: number;
+  /** cm, less than `needs` */
+  free: number;
+}
+
+/** Cm between the ruler's marks. */
+const MARK_EVERY = 10;
+
+export function RoomBars({ needsLabel, freeLabel, needs, free }: RoomBarsProps) {
+  const { t } = useTranslation();
+  const marks = Math.ceil(needs / MARK_EVERY) - 1;
+  return (
+    <dl className={styles["room"]}>
+      <dt>{needsLabel}</dt>
+      <dd>{t("cards.bump.cm", { number: Math.round(needs) })}</dd>
+      <div className={styles["needs"]} aria-hidden="true">
+        {Array.from({ length: marks }, (_, at) => (
+          <i key={at} style={{ insetInlineStart: `${((at + 1) * MARK_EVERY * 100) / needs}%` }} />
+        ))}
+      </div>
+      <dt>{freeLabel}</dt>
+      <dd className={styles["lacking"]}>{t("cards.bump.cm", { number: Math.floor(free) })}</dd>
+      <div className={styles["free"]} aria-hidden="true">
+        <span style={{ inlineSize: `${Math.min(100, (free * 100) / needs)}%` }} />
+        <i />
+      </div>
+    </dl>
+  );
+}

@@ -1,0 +1,58 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import type { Box } from "../../canvas/viewport.ts";
+import { placeCard } from "./card-place.ts";
+
+const area: Box = { x: 0, y: 0, width: 960, height: 600 };
+const card = { width: 360, height: 260 };
+
+function robotAt(x: number, y: number): Box {
+  return { x: x - 20, y: y - 20, width: 40, height: 40 };
+}
+
+function touches(a: Box, b: Box): boolean {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+describe("placeCard", () => {
+  it.each([
+    { name: "right of a robot on the left", x: 200, y: 300, tail: "left" },
+    { name: "left of a robot on the right", x: 800, y: 300, tail: "right" },
+  ])("stands $name, 16 px away, its tail at the robot", ({ x, y, tail }) => {
+    const robot = robotAt(x, y);
+    const place = placeCard(area, robot, card, []);
+    expect(place.tail).toBe(tail);
+    expect(tail === "left" ? place.x - (x + 20) : x - 20 - (place.x + card.width)).toBe(16);
+    expect(place.y + place.tailAt).toBe(y);
+  });
+
+  it("goes to the other side of a robot whose goal is where it would stand", () => {
+    const goal = { x: 640, y: 260, width: 80, height: 80 };
+    const place = placeCard(area, robotAt(470, 300), card, [goal]);
+    expect(touches({ ...place, ...card }, goal)).toBe(false);
+    expect(place.tail).toBe("right");
+  });
+
+  it("never covers the robot and stays in the stage wherever there is room", () => {
+    fc.assert(
+      fc.property(fc.integer({ min: 30, max: 930 }), fc.integer({ min: 30, max: 570 }), (x, y) => {
+        const robot = robotAt(x, y);
+        const place = placeCard(area, robot, card, []);
+        expect(touches({ ...place, ...card }, robot)).toBe(false);
+        expect(place.x).toBeGreaterThanOrEqual(8);
+        expect(place.y).toBeGreaterThanOrEqual(8);
+        expect(place.x + card.width).toBeLessThanOrEqual(952);
+        expect(place.y + card.height).toBeLessThanOrEqual(592);
+      }),
+    );
+  });
+
+  it("has no tail where the card had to be pushed away from the robot's height", () => {
+    expect(placeCard(area, robotAt(200, 20), card, []).tail).toBeNull();
+  });
+
+  it("begins at the stage's start where the stage is smaller than the card", () => {
+    const small = { x: 0, y: 0, width: 300, height: 200 };
+    expect(placeCard(small, robotAt(150, 100), card, [])).toMatchObject({ x: 8, y: 8 });
+  });
+});

@@ -1,0 +1,107 @@
+/**
+ * Where a card stands beside the robot: 16 px away, with a tail, and never over the robot, the block it
+ * hit or a goal where there is any other place. Pure; CSS pixels of the stage's drawing area.
+ */
+import type { Box } from "../../canvas/viewport.ts";
+
+export interface CardPlace {
+  x: number;
+  y: number;
+  /** the card's side that the tail leaves from; null where the card stands away from the robot */
+  tail: "left" | "right" | "top" | "bottom" | null;
+  /** where on that side the tail is, pixels from its start */
+  tailAt: number;
+}
+
+/** Between the robot and the card. */
+const GAP = 16;
+/** Between the card and the edges of the stage. */
+const EDGE = 8;
+/** A tail keeps clear of the card's round corners. */
+const CORNER = 24;
+
+const ways = ["left", "right", "top", "bottom"] as const;
+
+/**
+ * @param area where the card may stand
+ * @param robot the robot's box
+ * @param card the size that the card takes
+ * @param keepClear what the card should not cover besides the robot
+ */
+export function placeCard(
+  area: Box,
+  robot: Box,
+  card: { width: number; height: number },
+  keepClear: readonly Box[],
+): CardPlace {
+  const places = ways.map((tail) => beside(tail, area, robot, card));
+  const middleX = robot.x + robot.width / 2;
+  // The roomier half first: right of a robot that stands on the left, and the other way round.
+  if (middleX > area.x + area.width / 2) places.splice(0, 2, ...places.slice(0, 2).reverse());
+  let best: CardPlace | undefined;
+  let least = Number.POSITIVE_INFINITY;
+  for (const place of [...places, ...corners(area, card)]) {
+    const box = { x: place.x, y: place.y, ...card };
+    const covered =
+      10 * overlap(box, robot) + keepClear.reduce((sum, each) => sum + overlap(box, each), 0);
+    if (covered < least) {
+      least = covered;
+      best = place;
+    }
+  }
+  return best ?? { x: area.x, y: area.y, tail: null, tailAt: 0 };
+}
+
+/** The card beside the robot, pushed into the area. `tail` is the card's side that faces the robot. */
+function beside(
+  tail: "left" | "right" | "top" | "bottom",
+  area: Box,
+  robot: Box,
+  card: { width: number; height: number },
+): CardPlace {
+  const middleX = robot.x + robot.width / 2;
+  const middleY = robot.y + robot.height / 2;
+  const isBeside = tail === "left" || tail === "right";
+  const x = isBeside
+    ? tail === "left"
+      ? robot.x + robot.width + GAP
+      : robot.x - GAP - card.width
+    : middleX - card.width / 2;
+  const y = isBeside
+    ? middleY - card.height / 2
+    : tail === "top"
+      ? robot.y + robot.height + GAP
+      : robot.y - GAP - card.height;
+  const inX = within(x, area.x + EDGE, area.x + area.width - EDGE - card.width);
+  const inY = within(y, area.y + EDGE, area.y + area.height - EDGE - card.height);
+  const length = isBeside ? card.height : card.width;
+  const at = isBeside ? middleY - inY : middleX - inX;
+  const isPushed = isBeside ? inX !== x : inY !== y;
+  return {
+    x: inX,
+    y: inY,
+    tail: isPushed || at < CORNER || at > length - CORNER ? null : tail,
+    tailAt: at,
+  };
+}
+
+function corners(area: Box, card: { width: number; height: number }): CardPlace[] {
+  const left = area.x + EDGE;
+  const right = Math.max(left, area.x + area.width - EDGE - card.width);
+  const top = area.y + EDGE;
+  const bottom = Math.max(top, area.y + area.height - EDGE - card.height);
+  return [left, right].flatMap((x) =>
+    [top, bottom].map((y): CardPlace => ({ x, y, tail: null, tailAt: 0 })),
+  );
+}
+
+/** A card that is larger than its area begins at the area's start. */
+function within(value: number, least: number, most: number): number {
+  return Math.max(least, Math.min(value, most));
+}
+
+function overlap(a: Box, b: Box): number {
+  const width = Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x);
+  const height = Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y);
+  return width > 0 && height > 0 ? width * height : 0;
+}

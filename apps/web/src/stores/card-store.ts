@@ -1,0 +1,38 @@
+/**
+ * What there is to explain: the newest bump of the program, and the goal. A card belongs to a moment of
+ * the run; whether it shows is seen from the moment on the screen.
+ */
+import type { Mend } from "@corridor/coach";
+import { createStore } from "zustand/vanilla";
+import type { Moment } from "../worker/worker-messages.ts";
+
+export interface Explanation {
+  moment: Moment;
+  /** edits that would have kept the robot from this bump, each tried; none for a goal */
+  mends: readonly Mend[];
+}
+
+export interface CardState {
+  bump: Explanation | null;
+  goal: Explanation | null;
+}
+
+export function createCardStore() {
+  return createStore<CardState>()(() => ({ bump: null, goal: null }));
+}
+export type CardStore = ReturnType<typeof createCardStore>;
+
+/** Keeps a moment that has a card: the goal, and a bump for which the run has paused. */
+export function explain(store: CardStore, moment: Moment): void {
+  const { kind, mends } = moment;
+  if (kind === "goal") store.setState({ goal: { moment, mends: [] } });
+  else if (mends !== null) store.setState({ bump: { moment, mends } });
+}
+
+/** The run no longer goes further than to this tick: what came after it has not happened. */
+export function forgetAfter(store: CardStore, tick: number): void {
+  const kept = (each: Explanation | null) =>
+    each !== null && each.moment.tick <= tick ? each : null;
+  const { bump, goal } = store.getState();
+  store.setState({ bump: kept(bump), goal: kept(goal) });
+}

@@ -1,0 +1,96 @@
+import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument, Rule } from "@corridor/program";
+import { describe, expect, it } from "vitest";
+import { RunLoop } from "./run-loop.ts";
+import type { Moment } from "./worker-messages.ts";
+
+let time = 0;
+const silent = { started: () => undefined, ended: () => undefined };
+
+function mazeOf(blocks: string[], row: number): MazeDocument {
+  const start = { column: 0, row, heading: "east" } as const;
+  return { format: "corridor/maze", version: 1, name: "", blocks, start, goals: [] };
+}
+
+function programOf(rules: Rule[]): ProgramDocument {
+  return { format: "corridor/program", version: 1, name: "", default: "forward", rules };
+}
+
+/** Lets real time pass in frames. @returns what was told meanwhile */
+function pass(loop: RunLoop, seconds: number): Moment[] {
+  const moments: Moment[] = [];
+  for (let frame = 0; frame < seconds * 60; frame++) {
+    time += 1000 / 60 + 1e-9;
+    loop.advance();
+    moments.push(...(loop.takeNews()?.moments ?? []));
+  }
+  return moments;
+}
+
+const corner = mazeOf(["##.", "##.", "..."], 2);
+const delayedAtTheWall = programOf([
+  { when: { sensor: "front", is: "<", than: 60 }, do: "delayed left 90" },
+]);
+
+describe("a bump of the program", () => {
+  it("pauses the run, with an edit that would have kept it off", () => {
+    const loop = new RunLoop(corner, delayedAtTheWall, () => time, silent);
+    loop.run();
+    const [moment] = pass(loop, 5);
+    expect(moment).toMatchObject({ kind: "bump", line: 0, bumps: 1 });
+    expect(moment?.mends?.[0]).toEqual({ kind: "action", line: 0, action: "left 90" });
+    expect(moment?.cause).toMatchObject({ part: 0, parts: 3, needed: 50 });
+    expect(loop.isRunning).toBe(false);
+    expect(loop.snapshot().tick).toBe(moment?.tick);
+  });
+
+  it("is explained once a line: the reader who runs on is not stopped again", () => {
+    const loop = new RunLoop(corner, programOf([]), () => time, silent);
+    loop.run();
+    pass(loop, 5);
+    expect(loop.isRunning).toBe(false);
+    loop.run();
+    pass(loop, 5);
+    expect(loop.isRunning).toBe(true);
+  });
+
+  it.each([
+    { name: "another program", change: (loop: RunLoop) => loop.editProgram(programOf([])) },
+    { name: "a new run", change: (loop: RunLoop) => loop.reset() },
+  ])("is explained again to $name", ({ change }) => {
+    const loop = new RunLoop(corner, programOf([]), () => time, silent);
+    loop.run();
+    pass(loop, 5);
+    change(loop);
+    loop.reset();
+    loop.run();
+    expect(pass(loop, 5)).toHaveLength(1);
+    expect(loop.isRunning).toBe(false);
+  });
+
+  it("does not stop a hand that bumps", () => {
+    const loop = new RunLoop(corner, programOf([]), () => time, silent);
+    loop.hold("forward");
+    const [moment] = pass(loop, 5);
+    expect(moment).toMatchObject({ kind: "bump", driver: "me", mends: null });
+    expect(loop.isRunning).toBe(true);
+  });
+});
+
+describe("a robot that gets nowhere", () => {
+  it("is noticed once while it pushes a wall, and again after a change", () => {
+    const loop = new RunLoop(corner, programOf([]), () => time, silent);
+    loop.run();
+    pass(loop, 5);
+    loop.run();
+    pass(loop, 1);
+    expect(loop.takeNotice()).toBeNull();
+    pass(loop, 2);
+    expect(loop.takeNotice()).toMatchObject({ kind: "pushing", line: "default" });
+    pass(loop, 5);
+    expect(loop.takeNotice()).toBeNull();
+    loop.editProgram(programOf([]));
+    pass(loop, 3);
+    expect(loop.takeNotice()).toMatchObject({ kind: "pushing" });
+  });
+});
