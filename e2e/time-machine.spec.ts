@@ -37,7 +37,7 @@ test("scrubs back to the bump and sees the robot, sensors, truths and line of th
   await expect(corridor.robotPlace).toHaveText("Robot at 275, 650, facing right");
   await expect(corridor.sensor("front")).toHaveText("25");
   await expect(corridor.bumps).toHaveText("1 bump");
-  await expect(program.line(1)).toHaveAccessibleName(/Front is 25, false\.$/);
+  await expect(program.line(1)).toHaveAccessibleName(/Front is 25, false\./);
   await expect(program.region.locator("[aria-current=step]")).toContainText("otherwise");
   await timeline.expectMoment(/^2\.2 s, “otherwise” drives, bump$/);
   // Before it there was room.
