@@ -1,8 +1,10 @@
 /** What the screen itself remembers: theme, tool, what is shown, messages. Not part of any document. */
 import { createStore } from "zustand/vanilla";
 
-export const tools = ["blocks", "start", "goal"] as const;
+export const tools = ["blocks", "start", "goal", "measure"] as const;
 export type Tool = (typeof tools)[number];
+/** A tool that changes the maze. */
+export type EditTool = Exclude<Tool, "measure">;
 export type Theme = "system" | "light" | "dark";
 /** more: high contrast even where the system does not ask for it */
 export type Contrast = "system" | "more";

@@ -9,9 +9,11 @@ import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { classNames } from "../../ui/class-names.ts";
 import { cellLabel } from "./cell-label.ts";
 import { around, clampCell, moveCursor } from "./grid-cursor.ts";
 import { cellOf, facingOf, type Facing } from "./robot-place.ts";
+import { cellAtPoint, tapeWords } from "./tape.ts";
 import type { StageController } from "./stage-controller.ts";
 import styles from "./stage.module.css";
 
@@ -22,8 +24,8 @@ interface MazeGridProps {
 
 export function MazeGrid({ controller, element }: MazeGridProps) {
   "use memo";
-  const { workspace, run } = useServices();
-  const { t } = useTranslation();
+  const { workspace, run, screen } = useServices();
+  const { t, i18n } = useTranslation();
   const maze = useStore(workspace, (state) => state.maze);
   const layout = useStore(controller.view, (view) => view.layout);
   const chosen = useStore(controller.view, (view) => view.cursor);
@@ -36,14 +38,28 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
   const helpId = useId();
   const [news, setNews] = useState("");
   const size = sizeOf(maze);
+  const isMeasuring = useStore(screen, ({ tool }) => tool === "measure");
+  const tape = useStore(controller.view, (view) => view.tape);
   const cursor = clampCell(chosen ?? maze.start, size);
   const side = layout?.cellPx ?? 0;
   const labelOf = (cell: Cell): string => cellLabel(t, maze, cell, robotFacingOn(robot, cell));
+
+  // What a tape measures is told when it lies still, not at each square on its way.
+  const tapeNews =
+    tape === null
+      ? null
+      : tape.isOpen
+        ? t("stage.measured.from", { square: labelOf(clampCell(cellAtPoint(tape.from), size)) })
+        : tapeWords(t, i18n.language, tape).join(". ");
 
   function onKeyDown(event: KeyboardEvent<HTMLTableCellElement>): void {
     if (event.key === " " || event.key === "Enter") {
       if (event.ctrlKey || event.metaKey || event.altKey) return;
       event.preventDefault();
+      if (isMeasuring) {
+        controller.measure.press(cursor);
+        return;
+      }
       controller.editor.press(cursor);
       setNews(cellLabel(t, workspace.getState().maze, cursor, robotFacingOn(robot, cursor)));
       return;
@@ -53,6 +69,7 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
     event.preventDefault();
     // The square must exist before it can have the focus.
     flushSync(() => controller.view.setState({ cursor: next }));
+    if (isMeasuring) controller.measure.aim(next);
     element.current?.querySelector<HTMLElement>('[tabindex="0"]')?.focus();
   }
 
@@ -66,7 +83,10 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
         aria-describedby={helpId}
         aria-rowcount={size.rows}
         aria-colcount={size.columns}
-        className={layout?.overflows === true ? styles["gridScrolling"] : styles["grid"]}
+        className={classNames(
+          layout?.overflows === true ? styles["gridScrolling"] : styles["grid"],
+          isMeasuring ? styles["measuring"] : undefined,
+        )}
         style={{
           left: layout?.origin.x,
           top: layout?.origin.y,
@@ -93,9 +113,9 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
         </tbody>
       </table>
       <p id={helpId} hidden>
-        {t("stage.gridHelp")}
+        {t(isMeasuring ? "stage.measureHelp" : "stage.gridHelp")}
       </p>
-      <output className="visually-hidden">{news}</output>
+      <output className="visually-hidden">{tapeNews ?? news}</output>
     </>
   );
 }

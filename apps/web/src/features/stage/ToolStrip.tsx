@@ -1,10 +1,10 @@
 /** Above the maze: what a press on a square does, and what is done to the whole maze. */
-import { Eraser, Flag, Grid2x2Plus, LocateFixed, Redo2, Scaling, Undo2 } from "lucide-react";
+import { Eraser, Flag, Grid2x2Plus, LocateFixed, Redo2, Ruler, Scaling, Undo2 } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import type { Tool } from "../../stores/screen-store.ts";
+import { tools, type Tool } from "../../stores/screen-store.ts";
 import { redo, undo } from "../../stores/workspace-store.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { lazyDialog } from "../../ui/lazy-part.tsx";
@@ -21,6 +21,7 @@ const icons: Record<Tool, typeof Flag> = {
   blocks: Grid2x2Plus,
   start: LocateFixed,
   goal: Flag,
+  measure: Ruler,
 };
 
 export function ToolStrip() {
@@ -37,7 +38,7 @@ export function ToolStrip() {
           look="strip"
           label={t("stage.tools")}
           value={tool}
-          options={(["blocks", "start", "goal"] as const).map((value) => {
+          options={tools.map((value) => {
             const Icon = icons[value];
             return {
               value,

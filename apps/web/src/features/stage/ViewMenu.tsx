@@ -7,6 +7,7 @@ import { Button } from "../../ui/Button.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
 import { useRights } from "../lessons/use-rights.ts";
+import { FullScreenButton } from "./FullScreenButton.tsx";
 import styles from "./tool-strip.module.css";
 
 const choices = ["showBeams", "showTrail", "showRulers"] as const;
@@ -53,6 +54,7 @@ export function ViewMenu({ onClear, onResize }: ViewMenuProps) {
           <p className={styles["figures"]}>{t("stage.figures")}</p>
         </div>
       </Popover>
+      <FullScreenButton />
     </div>
   );
 }

@@ -72,6 +72,8 @@ export class MazeEditor {
     }
     const { maze } = workspace.getState();
     const { tool } = screen.getState();
+    // It never changes the maze, whoever presses.
+    if (tool === "measure") return;
     this.#stroke = {
       filled: tool === "blocks" ? !isBlock(maze, cell.column, cell.row) : null,
       before: maze,

@@ -8,13 +8,16 @@ import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import type { Ghost } from "../../canvas/layers/ghost.ts";
 import { PointerInput, type PointerFacts } from "../../canvas/pointer-input.ts";
+import type { Measured } from "../../canvas/layers/measure.ts";
 import { readPalette, type Palette } from "../../canvas/palette.ts";
 import { watchPixelRatio, watchTheme } from "./theme-watch.ts";
 import { cellAt } from "../../canvas/viewport.ts";
 import { tell } from "../../stores/screen-store.ts";
 import { MazeEditor } from "./maze-editor.ts";
+import { MeasureTool } from "./measure-tool.ts";
 import { hasRulers, stageLayout } from "./stage-layout.ts";
 import { openStageScreen, type StageScreen } from "./stage-screen.ts";
+import { tapePointAt, tapeWords, type Tape, type TapePoint } from "./tape.ts";
 import { createStageView } from "./stage-view.ts";
 import { tellUndoable } from "./tell-undoable.ts";
 import { ghostOf, type ToolRefusal } from "./tool-edit.ts";
@@ -39,15 +42,18 @@ type PointerEventName =
 export class StageController {
   readonly view = createStageView();
   readonly editor: MazeEditor;
+  readonly measure: MeasureTool;
   readonly #services: Services;
-  readonly #words: Pick<i18n, "t">;
+  readonly #words: Pick<i18n, "t" | "language">;
   readonly #pointer: PointerInput;
   #drawing: StageScreen | null = null;
   #elements: StageElements | null = null;
   #palette: Palette | null = null;
   #pixelRatio = 1;
+  #isCalm = false;
+  #drawnTape: { tape: Tape; measured: Measured } | null = null;
 
-  constructor(services: Services, words: Pick<i18n, "t">) {
+  constructor(services: Services, words: Pick<i18n, "t" | "language">) {
     this.#services = services;
     this.#words = words;
     this.editor = new MazeEditor({
@@ -59,6 +65,7 @@ export class StageController {
       goalsRemoved: (count) =>
         tellUndoable(services, words, words.t("stage.goalsRemoved", { count })),
     });
+    this.measure = new MeasureTool(this.view);
     this.#pointer = new PointerInput((intent) => {
       if (intent.type === "hover") this.view.setState({ hover: intent.cell });
       if (intent.type === "begin") this.view.setState({ cursor: intent.cell });
@@ -68,7 +75,7 @@ export class StageController {
 
   /** Begins to draw and to listen. @returns a function that ends it */
   mount(elements: StageElements): () => void {
-    const { workspace, screen, simulator } = this.#services;
+    const { workspace, screen, run, simulator } = this.#services;
     const { scroller } = elements;
     const drawing = openStageScreen(simulator, elements.layers, ({ x, y }) =>
       scroller.scrollTo({ left: x, top: y, behavior: "instant" }),
@@ -87,9 +94,20 @@ export class StageController {
       drawing.scrollTo({ x: scroller.scrollLeft, y: scroller.scrollTop });
     scroller.addEventListener("scroll", onScroll, { passive: true });
     const onKey = (event: KeyboardEvent): void => {
-      if (event.key === "Escape") this.#pointer.cancel();
+      if (event.key !== "Escape") return;
+      this.#pointer.cancel();
+      // What lies on top of the page has the key to itself; a tape that goes has used it up.
+      const isCovered = document.querySelector("dialog:modal, :popover-open") !== null;
+      if (!isCovered && this.measure.clear()) event.preventDefault();
     };
-    window.addEventListener("keydown", onKey);
+    window.addEventListener("keydown", onKey, { capture: true });
+    const calm = matchMedia("(prefers-reduced-motion: reduce)");
+    const onCalm = (): void => {
+      this.#isCalm = calm.matches;
+      this.#show();
+    };
+    onCalm();
+    calm.addEventListener("change", onCalm);
     const stops = [
       this.#listenToPointer(elements.grid),
       watchTheme(recolour),
@@ -98,11 +116,18 @@ export class StageController {
         this.#show();
       }),
       workspace.subscribe(() => this.#divide()),
-      screen.subscribe(() => this.#divide()),
+      screen.subscribe(({ tool }, before) => {
+        if (tool !== before.tool) this.#toolChanged();
+        this.#divide();
+      }),
+      run.subscribe(({ shownMaze }, before) => {
+        if (shownMaze !== before.shownMaze) this.#show();
+      }),
       this.view.subscribe(() => this.#show()),
       () => measure.disconnect(),
       () => scroller.removeEventListener("scroll", onScroll),
-      () => window.removeEventListener("keydown", onKey),
+      () => window.removeEventListener("keydown", onKey, { capture: true }),
+      () => calm.removeEventListener("change", onCalm),
       () => drawing.end(),
     ];
     this.#divide();
@@ -123,11 +148,25 @@ export class StageController {
     on("pointerdown", (event) => {
       // A drag that leaves the maze still ends here.
       grid.setPointerCapture(event.pointerId);
-      this.#pointer.down(this.#factsOf(event));
+      if (!this.#isMeasuring()) return this.#pointer.down(this.#factsOf(event));
+      const point = this.#pointUnder(event);
+      if (event.isPrimary && event.button === 0 && point !== null) {
+        this.measure.begin(event.pointerId, point);
+      }
     });
-    on("pointermove", (event) => this.#pointer.move(this.#factsOf(event)));
-    on("pointerup", (event) => this.#pointer.up(this.#factsOf(event)));
-    on("pointercancel", () => this.#pointer.cancel());
+    on("pointermove", (event) => {
+      if (!this.#isMeasuring()) return this.#pointer.move(this.#factsOf(event));
+      const point = this.#pointUnder(event);
+      if (point !== null) this.measure.drag(event.pointerId, point);
+    });
+    on("pointerup", (event) => {
+      if (!this.#isMeasuring()) return this.#pointer.up(this.#factsOf(event));
+      this.measure.end(event.pointerId);
+    });
+    on("pointercancel", () => {
+      if (this.#isMeasuring()) this.measure.clear();
+      else this.#pointer.cancel();
+    });
     on("pointerleave", () => this.#pointer.leave());
     return () => end.abort();
   }
@@ -151,6 +190,23 @@ export class StageController {
     return cellAt(layout, event.clientX - maze.left, event.clientY - maze.top);
   }
 
+  #isMeasuring(): boolean {
+    return this.#services.screen.getState().tool === "measure";
+  }
+
+  #toolChanged(): void {
+    this.#pointer.cancel();
+    this.#pointer.leave();
+    this.measure.clear();
+  }
+
+  #pointUnder(event: PointerEvent): TapePoint | null {
+    const { layout } = this.view.getState();
+    if (layout === null || this.#elements === null) return null;
+    const maze = this.#elements.grid.getBoundingClientRect();
+    return tapePointAt(layout, event.clientX - maze.left, event.clientY - maze.top);
+  }
+
   /** Divides the stage anew where its size, the maze's size or the rulers have changed. */
   #divide(): void {
     if (this.#elements === null) return;
@@ -170,15 +226,16 @@ export class StageController {
   }
 
   #show(): void {
-    const { layout, hover } = this.view.getState();
+    const { layout, hover, tape } = this.view.getState();
     if (layout === null || this.#palette === null) return;
     const { maze, program } = this.#services.workspace.getState();
     const { showBeams, showTrail, showRulers } = this.#services.screen.getState();
+    const { shownMaze } = this.#services.run.getState();
     this.#drawing?.show({
       layout,
       pixelRatio: this.#pixelRatio,
       palette: this.#palette,
-      maze,
+      maze: shownMaze ?? maze,
       program,
       startWord: this.#words.t("stage.startWord"),
       goalWord: this.#words.t("stage.goalWord"),
@@ -186,9 +243,20 @@ export class StageController {
       showTrail,
       showRulers: hasRulers(layout.view.width, showRulers),
       ghost: hover === null ? null : this.#ghostAt(hover),
-      measured: null,
-      isCalm: false,
+      measured: this.#measured(tape),
+      isCalm: this.#isCalm,
     });
+  }
+
+  /** The same object as long as the tape is the same, since a scene is compared field by field. */
+  #measured(tape: Tape | null): Measured | null {
+    if (tape === null) return null;
+    if (tape !== this.#drawnTape?.tape) {
+      const { from, to } = tape;
+      const words = tapeWords(this.#words.t, this.#words.language, tape);
+      this.#drawnTape = { tape, measured: { from, to, words } };
+    }
+    return this.#drawnTape.measured;
   }
 
   /** An open challenge may keep its maze as it is. */
@@ -196,10 +264,12 @@ export class StageController {
     return this.#services.challenge.getState().rights?.maze === false;
   }
 
-  #ghostAt(cell: Cell): Ghost {
+  #ghostAt(cell: Cell): Ghost | null {
+    const { tool } = this.#services.screen.getState();
+    if (tool === "measure") return null;
     if (this.#isMazeFixed()) return { kind: "refused", cell };
     const { maze } = this.#services.workspace.getState();
-    return ghostOf(maze, this.#services.screen.getState().tool, cell, this.#pose());
+    return ghostOf(maze, tool, cell, this.#pose());
   }
 
   /** Where the robot was when the page was last told; null before the first frame. */

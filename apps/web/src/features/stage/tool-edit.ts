@@ -15,9 +15,9 @@ import {
 } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
 import type { Ghost } from "../../canvas/layers/ghost.ts";
-import { ROBOT_RADIUS } from "../../canvas/layers/robot.ts";
+import { ROBOT_RADIUS } from "@corridor/simulation";
 import { CELL } from "../../canvas/viewport.ts";
-import type { Tool } from "../../stores/screen-store.ts";
+import type { EditTool } from "../../stores/screen-store.ts";
 
 export type ToolRefusal =
   | MazeRefusal
@@ -53,7 +53,12 @@ export function paintBlock(
 }
 
 /** What one press of a tool does: add or remove a block, place or turn the start, add or remove a goal. */
-export function pressTool(maze: MazeDocument, tool: Tool, cell: Cell, pose: Pose | null): ToolEdit {
+export function pressTool(
+  maze: MazeDocument,
+  tool: EditTool,
+  cell: Cell,
+  pose: Pose | null,
+): ToolEdit {
   switch (tool) {
     case "blocks":
       return paintBlock(maze, cell, !isBlock(maze, cell.column, cell.row), pose);
@@ -72,7 +77,7 @@ function headingAfterPress({ start }: MazeDocument, cell: Cell): HeadingName {
 }
 
 /** What a press would leave on the square, for showing before it happens. */
-export function ghostOf(maze: MazeDocument, tool: Tool, cell: Cell, pose: Pose | null): Ghost {
+export function ghostOf(maze: MazeDocument, tool: EditTool, cell: Cell, pose: Pose | null): Ghost {
   const edit = pressTool(maze, tool, cell, pose);
   if (!edit.ok) return { kind: "refused", cell };
   switch (tool) {

@@ -1,0 +1,36 @@
+/** The whole screen for the maze and its program, where the browser offers it. */
+import { Maximize, Minimize } from "lucide-react";
+import { useSyncExternalStore } from "react";
+import { useTranslation } from "react-i18next";
+import { useServices } from "../../app/services.ts";
+import { tell } from "../../stores/screen-store.ts";
+import { IconButton } from "../../ui/Button.tsx";
+import styles from "./tool-strip.module.css";
+
+export function FullScreenButton() {
+  const { screen } = useServices();
+  const { t } = useTranslation();
+  const isFull = useSyncExternalStore(watchFullScreen, () => document.fullscreenElement !== null);
+  if (!document.fullscreenEnabled) return null;
+
+  function toggle(): void {
+    const done = isFull ? document.exitFullscreen() : document.documentElement.requestFullscreen();
+    // A browser may still refuse, by its owner's settings.
+    done.catch(() => tell(screen, { tone: "info", text: t("stage.fullScreenRefused") }));
+  }
+
+  return (
+    <IconButton
+      label={t(isFull ? "stage.leaveFullScreen" : "stage.fullScreen")}
+      className={styles["fullScreen"]}
+      onClick={toggle}
+    >
+      {isFull ? <Minimize aria-hidden="true" /> : <Maximize aria-hidden="true" />}
+    </IconButton>
+  );
+}
+
+function watchFullScreen(onChange: () => void): () => void {
+  document.addEventListener("fullscreenchange", onChange);
+  return () => document.removeEventListener("fullscreenchange", onChange);
+}

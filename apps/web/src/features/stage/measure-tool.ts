@@ -1,0 +1,62 @@
+/** The Measure tool: a tape by dragging from point to point, or square by square from the keyboard. */
+import type { Cell } from "@corridor/maze";
+import type { StageViewStore } from "./stage-view.ts";
+import { middleOf, type TapePoint } from "./tape.ts";
+
+export class MeasureTool {
+  readonly #view: StageViewStore;
+  /** the pointer that draws the tape */
+  #pointerId: number | null = null;
+
+  constructor(view: StageViewStore) {
+    this.#view = view;
+  }
+
+  /** A pointer went down: a new tape begins here. */
+  begin(pointerId: number, point: TapePoint): void {
+    this.#pointerId = pointerId;
+    this.#view.setState({ tape: { from: point, to: point, isOpen: true } });
+  }
+
+  /** The pointer that draws has moved. */
+  drag(pointerId: number, point: TapePoint): void {
+    const { tape } = this.#view.getState();
+    if (pointerId !== this.#pointerId || tape === null) return;
+    this.#view.setState({ tape: { ...tape, to: point } });
+  }
+
+  /** The pointer that draws was let go: the tape stays. A press without a way leaves none. */
+  end(pointerId: number): void {
+    const { tape } = this.#view.getState();
+    if (pointerId !== this.#pointerId || tape === null) return;
+    this.#pointerId = null;
+    const hasLength = tape.from.x !== tape.to.x || tape.from.y !== tape.to.y;
+    this.#view.setState({ tape: hasLength ? { ...tape, isOpen: false } : null });
+  }
+
+  /** Space or Enter on a square: its middle becomes the first point, then the second. */
+  press(cell: Cell): void {
+    const { tape } = this.#view.getState();
+    const point = middleOf(cell);
+    this.#view.setState({
+      tape:
+        tape?.isOpen === true
+          ? { ...tape, to: point, isOpen: false }
+          : { from: point, to: point, isOpen: true },
+    });
+  }
+
+  /** The keyboard's cursor went to a square: an open tape follows. */
+  aim(cell: Cell): void {
+    const { tape } = this.#view.getState();
+    if (tape?.isOpen === true) this.#view.setState({ tape: { ...tape, to: middleOf(cell) } });
+  }
+
+  /** Takes the tape away. @returns whether there was one */
+  clear(): boolean {
+    const hadTape = this.#view.getState().tape !== null;
+    this.#pointerId = null;
+    if (hadTape) this.#view.setState({ tape: null });
+    return hadTape;
+  }
+}
