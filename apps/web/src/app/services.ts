@@ -14,7 +14,7 @@ import { createChallengeStore, type ChallengeStore } from "../stores/challenge-s
 import { createMomentTeller } from "../stores/moment-teller.ts";
 import { createRemoteStore, type RemoteStore } from "../stores/remote-store.ts";
 import { createRunStore, type RunStore } from "../stores/run-store.ts";
-import { createScreenStore, type ScreenStore } from "../stores/screen-store.ts";
+import { createScreenStore, tell, type ScreenStore } from "../stores/screen-store.ts";
 import { TimelineStore } from "../stores/timeline-store.ts";
 import { ShownRun } from "../stores/shown-run.ts";
 import { createWorkspaceStore, type WorkspaceStore } from "../stores/workspace-store.ts";
@@ -23,6 +23,7 @@ import type { Moment } from "../worker/worker-messages.ts";
 import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "./first-visit.ts";
 import { RemoteConnection } from "./remote-session.ts";
+import { RunKeeper } from "./run-keeper.ts";
 import type { WorkReader } from "./work-reader.ts";
 import { sendEdits } from "./send-edits.ts";
 import { WorksService } from "./works-service.ts";
@@ -52,6 +53,8 @@ export interface Services {
   /** the run as the screen shows it, with its trail */
   shownRun: ShownRun;
   works: WorksService;
+  /** keeps the run over a reload */
+  runKeeper: RunKeeper;
   /** ready-made mazes that were solved on this device */
   solved: SolvedStore;
   /** what the coach says about the program's lines */
@@ -128,6 +131,14 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
   simulator.send({ type: "load", maze, program });
   sendEdits(workspace, simulator);
   const works = new WorksService({ shelf, current, workspace, screen, words, later });
+  const runKeeper = new RunKeeper({
+    simulator,
+    workspace,
+    tab,
+    later,
+    loadReader: async () => (await import("./read-kept-run.ts")).readKeptRun,
+    onLost: () => tell(screen, { tone: "bad", text: words.t("timeline.notKept") }),
+  });
   const connection = new RemoteConnection({ simulator, remote, run, tab });
   const solved = createSolvedStore({ run, workspace, device });
   const advice = createAdviceStore({ workspace, load: () => import("@corridor/coach"), later });
@@ -154,6 +165,7 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
     screen,
     shownRun,
     works,
+    runKeeper,
     solved,
     connection,
     challenge,

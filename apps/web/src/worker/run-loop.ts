@@ -55,6 +55,8 @@ export class RunLoop {
   #lastAt = 0;
   #seq = 0;
   #isDirty = true;
+  /** changes of the inputs of all runs before this one */
+  #revisions = 0;
   #notice: LoopNotice | null = null;
 
   /** @param now monotonic milliseconds */
@@ -263,7 +265,7 @@ export class RunLoop {
       view: this.#view,
       nowTick: this.#recording.run.tick,
       nowDriver: this.driver,
-      revision: this.#recording.revision,
+      revision: this.#revisions + this.#recording.revision,
       ...this.#trail.take(this.#recording, run.tick),
     };
     return { frame, moments: this.#moments.take() };
@@ -435,6 +437,7 @@ export class RunLoop {
   }
 
   #show(recording: Recording): void {
+    this.#revisions += this.#recording.revision + 1;
     this.#recording = recording;
     this.#past = null;
     this.#moments.take();

@@ -1,0 +1,169 @@
+import { describe, expect, it } from "vitest";
+import { createWorkspaceStore } from "../stores/workspace-store.ts";
+import { RunLoop } from "../worker/run-loop.ts";
+import type { FromWorker, ToWorker } from "../worker/worker-messages.ts";
+import { firstMaze, firstProgram } from "./first-visit.ts";
+import { readKeptRun } from "./read-kept-run.ts";
+import { RunKeeper } from "./run-keeper.ts";
+import { MemoryStorage } from "./testing/memory-storage.ts";
+
+/** A page with the real run behind it, in a tab whose storage may be that of a page before it. */
+function openPage(tab = new MemoryStorage(), maze = firstMaze) {
+  let time = 0;
+  const listeners = new Set<(message: FromWorker) => void>();
+  const timers: (() => void)[] = [];
+  const lost: string[] = [];
+  const none = { started: () => {}, ended: () => {} };
+  const loop = new RunLoop(maze, firstProgram, () => time, none);
+  const post = (message: FromWorker) => {
+    for (const listener of listeners) listener(message);
+  };
+  const tellNews = () => {
+    const news = loop.takeNews();
+    if (news !== null) post({ type: "frame", frame: news.frame });
+  };
+  const send = (message: ToWorker) => {
+    if (message.type === "save-run") post({ type: "run-saved", saved: loop.saveRun() });
+    if (message.type === "edit-program") loop.editProgram(message.program);
+    if (message.type === "load-run") {
+      post({ type: "run-loaded", loaded: loop.loadRun(message.run, message.until) });
+    }
+    tellNews();
+  };
+  const workspace = createWorkspaceStore(maze, firstProgram);
+  const keeper = new RunKeeper({
+    simulator: {
+      send,
+      listen: (listener) => {
+        listeners.add(listener);
+        return () => listeners.delete(listener);
+      },
+    },
+    workspace,
+    tab,
+    later: (run) => void timers.push(run),
+    loadReader: () => Promise.resolve(readKeptRun),
+    onLost: () => void lost.push("lost"),
+  });
+  const pass = (milliseconds: number) => {
+    for (const end = time + milliseconds; time < end;) {
+      time += 8;
+      loop.advance();
+      tellNews();
+    }
+  };
+  const ring = () => {
+    for (const timer of timers.splice(0)) timer();
+  };
+  tellNews();
+  return { loop, keeper, tab, workspace, pass, ring, lost, tellNews };
+}
+
+describe("a run over a reload", () => {
+  it("comes back paused at the same tick and goes on as it would have", async () => {
+    const page = openPage();
+    page.loop.run();
+    page.pass(4000);
+    page.keeper.flush();
+    const before = page.loop.snapshot();
+    const reloaded = openPage(page.tab);
+    await reloaded.keeper.resume();
+    expect(reloaded.loop.snapshot()).toMatchObject({
+      tick: before.tick,
+      pose: before.pose,
+      state: "paused",
+    });
+    for (const each of [page, reloaded]) {
+      each.loop.pause();
+      each.loop.run();
+      each.pass(3000);
+    }
+    expect(reloaded.loop.snapshot().pose).toEqual(page.loop.snapshot().pose);
+  });
+
+  it("has the edits and the hand's driving of before", async () => {
+    const page = openPage();
+    page.loop.run();
+    page.pass(500);
+    page.loop.hold("left");
+    page.pass(300);
+    page.loop.hold("stop");
+    page.tellNews();
+    page.ring();
+    page.keeper.flush();
+    const reloaded = openPage(page.tab);
+    await reloaded.keeper.resume();
+    const { tick, pose, driver } = page.loop.snapshot();
+    expect(reloaded.loop.snapshot()).toMatchObject({ tick, pose, driver });
+  });
+
+  it("loses at most what came after the inputs that the page knew of", async () => {
+    const page = openPage();
+    page.loop.run();
+    page.pass(1000);
+    page.loop.hold("left");
+    page.pass(100);
+    // The page was not told the hand's input yet: no timer has rung.
+    page.keeper.flush();
+    const reloaded = openPage(page.tab);
+    await reloaded.keeper.resume();
+    expect(reloaded.lost).toEqual([]);
+    expect(reloaded.loop.snapshot().tick).toBeLessThanOrEqual(60);
+  });
+
+  it("is forgotten where another maze is open now, or the robot drives already", async () => {
+    const page = openPage();
+    page.loop.run();
+    page.pass(1000);
+    page.keeper.flush();
+    const kept = page.tab.getItem("corridor.run") ?? "";
+    const other = openPage(page.tab, { ...firstMaze, name: "another" });
+    await other.keeper.resume();
+    expect(other.loop.snapshot().tick).toBe(0);
+    page.tab.setItem("corridor.run", kept);
+    const eager = openPage(page.tab);
+    eager.loop.run();
+    eager.pass(100);
+    await eager.keeper.resume();
+    expect(eager.loop.snapshot().tick).toBeLessThan(10);
+    expect([...other.lost, ...eager.lost]).toEqual([]);
+  });
+
+  it("that stands at its start leaves nothing behind", () => {
+    const page = openPage();
+    page.keeper.flush();
+    expect(page.tab.length).toBe(0);
+  });
+
+  it.each([
+    { name: "does not fit into the tab's storage", spoil: (text: string) => text, isFull: true },
+    {
+      name: "was written by another version",
+      spoil: (text: string) => text.replace("corridor/run", "x"),
+      isFull: false,
+    },
+    {
+      name: "ends in other bits here",
+      spoil: (text: string) => text.replace(/"digest":"....../, '"digest":"000000'),
+      isFull: false,
+    },
+  ])("is told to be lost when it $name", async ({ spoil, isFull }) => {
+    const page = openPage();
+    page.loop.run();
+    page.pass(1000);
+    const { tab } = page;
+    const set = tab.setItem.bind(tab);
+    if (isFull) {
+      tab.setItem = (key, value) => {
+        if (value.length > 100) throw new DOMException("full", "QuotaExceededError");
+        set(key, value);
+      };
+    }
+    page.keeper.flush();
+    set("corridor.run", spoil(tab.getItem("corridor.run") ?? ""));
+    const reloaded = openPage(tab);
+    await reloaded.keeper.resume();
+    expect(reloaded.lost).toEqual(["lost"]);
+    expect(reloaded.loop.snapshot().tick).toBe(0);
+  });
+});

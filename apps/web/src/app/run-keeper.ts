@@ -1,0 +1,145 @@
+/**
+ * Keeps the run of this tab over a reload: the page comes back paused at the same tick.
+ *
+ * A page that goes has no time to ask the worker for anything. So the run is asked for whenever inputs
+ * came to it; what it did since then without any is made again by running on to the tick that was
+ * reached.
+ */
+import type { RunDocument } from "@corridor/recording";
+import type { WorkspaceStore } from "../stores/workspace-store.ts";
+import type { Frame, FromWorker, ToWorker } from "../worker/worker-messages.ts";
+import type { KeyValueStorage } from "./works.ts";
+
+const RUN_KEY = "corridor.run";
+/** In place of a run that does not fit. */
+const LOST = "lost";
+/** At most so often the run is asked for; a long one more seldom, since writing it takes its time. */
+const ASK_EVERY_MS = 300;
+const CHARACTERS_PER_MS = 1000;
+
+export interface RunKeeperPorts {
+  simulator: {
+    send: (message: ToWorker) => void;
+    listen: (listener: (message: FromWorker) => void) => () => void;
+  };
+  workspace: WorkspaceStore;
+  /** sessionStorage */
+  tab: KeyValueStorage;
+  /** runs a function later, such as `setTimeout` */
+  later: (run: () => void, milliseconds: number) => void;
+  /** brings the reader of runs */
+  loadReader: () => Promise<(text: string) => RunDocument | null>;
+  /** the run before the reload could not be kept */
+  onLost: () => void;
+}
+
+/** The run as it was when it was last asked for. */
+interface Asked {
+  revision: number;
+  ticks: number;
+  /** null where it is longer than a document may be */
+  text: string | null;
+}
+
+export class RunKeeper {
+  readonly #ports: RunKeeperPorts;
+  #frame: Frame | null = null;
+  #asked: Asked | null = null;
+  #isWaiting = false;
+
+  /** Begins to follow the run. */
+  constructor(ports: RunKeeperPorts) {
+    this.#ports = ports;
+    ports.simulator.listen((message) => {
+      if (message.type === "frame") this.#follow(message.frame);
+      if (message.type !== "run-saved") return;
+      const { saved } = message;
+      const ticks = saved.ok ? saved.run.ticks : 0;
+      const text = saved.ok ? JSON.stringify(saved.run) : null;
+      this.#asked = { revision: this.#frame?.revision ?? 0, ticks, text };
+    });
+  }
+
+  /** Puts the run away for a reload; at once, since the page may be going. */
+  flush(): void {
+    const { tab } = this.#ports;
+    const frame = this.#frame;
+    tab.removeItem(RUN_KEY);
+    if (frame === null || frame.nowTick === 0 || this.#asked === null) return;
+    const { revision, ticks, text } = this.#asked;
+    const until = revision === frame.revision ? frame.nowTick : ticks;
+    try {
+      if (text === null) tab.setItem(RUN_KEY, LOST);
+      else tab.setItem(RUN_KEY, [until, this.#work(), text].join("\n"));
+    } catch {
+      this.#flushLoss();
+    }
+  }
+
+  /**
+   * Brings back the run that was put away, unless something else is open now or the robot drives
+   * already.
+   */
+  async resume(): Promise<void> {
+    const { tab, simulator, loadReader, onLost } = this.#ports;
+    const kept = tab.getItem(RUN_KEY);
+    tab.removeItem(RUN_KEY);
+    if (kept === null) return;
+    const [until, work, text] = kept.split("\n");
+    if (until === LOST) return onLost();
+    if (work !== this.#work() || text === undefined) return;
+    const readRun = await loadReader();
+    const run = readRun(text);
+    if (run === null) return onLost();
+    const isUntouched = (this.#frame?.nowTick ?? 0) === 0 && (this.#frame?.revision ?? 0) === 0;
+    if (!isUntouched || work !== this.#work()) return;
+    const end = simulator.listen((message) => {
+      if (message.type !== "run-loaded") return;
+      end();
+      if (message.loaded.ok) this.#bringEdits(message.loaded);
+      else onLost();
+    });
+    simulator.send({ type: "load-run", run, until: Number(until) });
+  }
+
+  /** Edits of the last moment before the reload, which the worker had not told yet. */
+  #bringEdits(loaded: Pick<RunDocument, "maze" | "program">): void {
+    const { workspace, simulator } = this.#ports;
+    const { maze, program } = workspace.getState();
+    if (JSON.stringify(loaded.maze) !== JSON.stringify(maze)) {
+      simulator.send({ type: "edit-maze", maze });
+    }
+    if (JSON.stringify(loaded.program) !== JSON.stringify(program)) {
+      simulator.send({ type: "edit-program", program });
+    }
+  }
+
+  #follow(frame: Frame): void {
+    this.#frame = frame;
+    if (this.#isWaiting || this.#asked?.revision === frame.revision) return;
+    this.#isWaiting = true;
+    this.#ports.simulator.send({ type: "save-run" });
+    const length = this.#asked?.text?.length ?? 0;
+    this.#ports.later(
+      () => {
+        this.#isWaiting = false;
+        if (this.#frame !== null) this.#follow(this.#frame);
+      },
+      ASK_EVERY_MS + length / CHARACTERS_PER_MS,
+    );
+  }
+
+  /** The documents that are open, as one line. */
+  #work(): string {
+    const { maze, program } = this.#ports.workspace.getState();
+    return JSON.stringify([maze, program]);
+  }
+
+  #flushLoss(): void {
+    try {
+      this.#ports.tab.setItem(RUN_KEY, LOST);
+    } catch {
+      // No word of it either in a tab that may store nothing at all.
+    }
+  }
+}

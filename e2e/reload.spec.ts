@@ -1,0 +1,34 @@
+/** A reader who reloads the page in the middle of a run finds it where it was. */
+import { expect, test } from "./fixtures.ts";
+
+test("reload in mid-run keeps the run: place, time and bumps, and it goes on to the goal", async ({
+  corridor,
+}) => {
+  await corridor.speed.selectOption("4×");
+  await corridor.run.click();
+  await expect(corridor.clock).toHaveText(/Time 0:1\d\.\d/);
+  await corridor.pause.click();
+  await corridor.robotStands();
+  const time = (await corridor.clock.textContent()) ?? "";
+  const place = (await corridor.robotPlace.textContent()) ?? "";
+  await corridor.reload();
+  await expect(corridor.clock).toHaveText(time);
+  await expect(corridor.robotPlace).toHaveText(place);
+  await expect(corridor.run).toBeVisible();
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.story).toHaveText(
+    "Goal reached after 39.6 s (tick 2380), in row 1, column 11, by “otherwise”.",
+  );
+});
+
+test("reload while the robot drives comes back paused, not before where it was", async ({
+  corridor,
+}) => {
+  await corridor.run.click();
+  await expect(corridor.clock).toHaveText(/Time 0:0[2-9]\.\d/);
+  await corridor.reload();
+  await expect(corridor.run).toBeVisible();
+  await expect(corridor.clock).toHaveText(/Time 0:0[2-9]\.\d/);
+  await corridor.robotStands();
+});
