@@ -14,6 +14,7 @@ import { followAddress } from "./app/url-sync.ts";
 import { WorkReader } from "./app/work-reader.ts";
 import { storageOrNone, WorkShelf } from "./app/works.ts";
 import { openEmptyMaze } from "./features/works/empty-maze.ts";
+import { createScreenStore } from "./stores/screen-store.ts";
 import { createI18n } from "./text/i18n.ts";
 import { preloadParts } from "./ui/lazy-part.tsx";
 
@@ -23,6 +24,8 @@ const worker = new Worker(new URL("./worker/simulator.worker.ts", import.meta.ur
   type: "module",
 });
 const reader = new WorkReader();
+const screen = createScreenStore();
+const language = browserLanguage(words, screen, device);
 
 const place = document.getElementById("root");
 if (place === null) throw new Error("index.html has no #root");
@@ -30,6 +33,8 @@ const root = createRoot(place);
 
 /** Brings what this visit needs before anything is shown: most first visits need nothing. */
 async function start(): Promise<void> {
+  // The first paint and all that is told are in the reader's language.
+  await language.start();
   try {
     if (!new WorkShelf(device, () => null).isEmpty) await reader.load();
   } catch {
@@ -50,6 +55,7 @@ async function open(): Promise<void> {
     device,
     tab: storageOrNone(() => sessionStorage),
     words,
+    screen,
     reader,
   });
 
@@ -59,13 +65,13 @@ async function open(): Promise<void> {
   };
 
   startTheme({
-    screen: services.screen,
+    screen,
     storage: device,
     systemDark: matchMedia("(prefers-color-scheme: dark)"),
     systemContrast: matchMedia("(prefers-contrast: more)"),
     apply: (shown) => Object.assign(document.documentElement.dataset, shown),
   });
-  keepSingleKeys(services.screen, device);
+  keepSingleKeys(screen, device);
   flushWhenHidden(services.works.autosave, {
     isHidden: () => document.visibilityState === "hidden",
     listen: (type, listener) => {
@@ -73,9 +79,6 @@ async function open(): Promise<void> {
     },
   });
 
-  const language = browserLanguage(words, services.screen, device);
-  // What is told from here on, and the first paint, are in the reader's language.
-  await language.start();
   const follow = () =>
     followAddress({
       ...services,

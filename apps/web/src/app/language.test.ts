@@ -88,6 +88,14 @@ describe("a chosen language", () => {
   });
 });
 
+it("writes numbers inside of sentences as the language does", async () => {
+  const page = openPage({});
+  const read = () => page.words.t("remote.quiet", { seconds: "12.5" });
+  expect(read()).toContain("12.5");
+  await page.choice.choose("de");
+  expect(read()).toContain("12,5");
+});
+
 describe("a shared link", () => {
   it.each([
     ["", ""],

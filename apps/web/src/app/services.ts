@@ -14,7 +14,7 @@ import { createChallengeStore, type ChallengeStore } from "../stores/challenge-s
 import { createMomentTeller } from "../stores/moment-teller.ts";
 import { createRemoteStore, type RemoteStore } from "../stores/remote-store.ts";
 import { createRunStore, type RunStore } from "../stores/run-store.ts";
-import { createScreenStore, tell, type ScreenStore } from "../stores/screen-store.ts";
+import { tell, type ScreenStore } from "../stores/screen-store.ts";
 import { TimelineStore } from "../stores/timeline-store.ts";
 import { ShownRun } from "../stores/shown-run.ts";
 import { createWorkspaceStore, type WorkspaceStore } from "../stores/workspace-store.ts";
@@ -36,7 +36,9 @@ export interface Browser {
   device: KeyValueStorage;
   /** sessionStorage: what stays in this tab */
   tab: KeyValueStorage;
+  /** already in the reader's language */
   words: Pick<i18n, "t" | "loadNamespaces">;
+  screen: ScreenStore;
   /** reads stored works; loaded already where something is stored */
   reader: WorkReader;
 }
@@ -66,12 +68,12 @@ export interface Services {
 }
 
 /** Builds everything and connects it: documents flow to the worker, what it tells flows to the stores. */
-export function createServices({ worker, device, tab, words, reader }: Browser): Services {
+export function createServices({ worker, device, tab, words, screen, reader }: Browser): Services {
   const shelf = new WorkShelf(device, () => reader.read);
   const current = new CurrentWork(
     { shelf, tab, now: Date.now, newId: newTextId },
-    firstMaze,
-    firstProgram,
+    { ...firstMaze, name: words.t("presets.long-way-round.title") },
+    { ...firstProgram, name: words.t("program.preset.right-wall.name") },
   );
   const { maze, program } = current.work;
   const simulator = new SimulatorClient(worker);
@@ -79,7 +81,6 @@ export function createServices({ worker, device, tab, words, reader }: Browser):
   const run = createRunStore();
   const cards = createCardStore();
   const remote = createRemoteStore();
-  const screen = createScreenStore();
   const shownRun = new ShownRun();
 
   const now = () => performance.now();

@@ -8,6 +8,7 @@ import { en } from "./en/index.ts";
 import { languageOf, type LanguageTag } from "./languages.ts";
 import { loadWords, wordsBackend } from "./load-words.ts";
 import type { Namespace, Namespaces } from "./namespaces.ts";
+import { localNumber } from "./numbers.ts";
 
 declare module "i18next" {
   interface CustomTypeOptions {
@@ -32,7 +33,7 @@ export function createI18n(): i18n {
       partialBundledLanguages: true,
       interpolation: {
         escapeValue: true,
-        escape: (value: string) => (instance.dir() === "rtl" ? isolated(value) : value),
+        escape: (value: string) => written(value, shownLanguage(instance)),
       },
       initAsync: false,
       returnNull: false,
@@ -67,7 +68,11 @@ function usedNamespaces(words: i18n): Namespace[] {
   return all.filter((each) => words.hasResourceBundle(words.language, each));
 }
 
-/** First strong isolate and its end: a number or a name inside a sentence that runs the other way. */
-function isolated(value: string): string {
-  return `\u2068${value}\u2069`;
+/**
+ * A value inside a sentence: a number as the language writes it, and, where the sentence runs the other
+ * way, set apart by "first strong isolate" and its end.
+ */
+function written(value: string, tag: LanguageTag): string {
+  const text = /^-?\d+\.\d+$/.test(value) ? localNumber(value, tag) : value;
+  return languageOf(tag).dir === "rtl" ? `\u2068${text}\u2069` : text;
 }

@@ -1,6 +1,7 @@
 /** Whether a line's condition is true at the shown moment: a tick or a cross with both numbers. */
 import { Check, X } from "lucide-react";
 import { useTranslation } from "react-i18next";
+import { localNumber } from "../../text/numbers.ts";
 import { classNames } from "../../ui/class-names.ts";
 import type { ShownTruth } from "./line-state.ts";
 import styles from "./program.module.css";
@@ -13,7 +14,7 @@ interface LineTruthProps {
 }
 
 export function LineTruth({ hasCondition, truth }: LineTruthProps) {
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
   if (!hasCondition) {
     return <span className={styles["truth"]}>{t("program.skipped")}</span>;
   }
@@ -24,9 +25,9 @@ export function LineTruth({ hasCondition, truth }: LineTruthProps) {
       <span className={styles["mark"]}>
         {isTrue ? <Check size={14} aria-hidden="true" /> : <X size={14} aria-hidden="true" />}
         <span className="visually-hidden">{t(isTrue ? "program.true" : "program.false")}</span>
-        {left}
+        {localNumber(left, i18n.language)}
       </span>{" "}
-      <span>{right}</span>
+      <span>{localNumber(right, i18n.language)}</span>
     </span>
   );
 }

@@ -7,9 +7,9 @@ import { formatClock } from "../../text/numbers.ts";
 import styles from "./transport.module.css";
 
 export function Clock() {
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
   const { run } = useServices();
-  const time = useStore(run, ({ snapshot }) => formatClock(snapshot?.tick ?? 0));
+  const time = useStore(run, ({ snapshot }) => formatClock(snapshot?.tick ?? 0, i18n.language));
   const bumps = useStore(run, ({ snapshot }) => snapshot?.bumps ?? 0);
   const view = useStore(run, (state) => state.view);
   return (
