@@ -87,6 +87,12 @@ export default defineConfig({
     // The Content-Security-Policy forbids data: scripts; small assets stay files too.
     assetsInlineLimit: 0,
     target: "es2022",
+    modulePreload: {
+      polyfill: false,
+      // The page fetches its parts before they are wanted; a list of their parts would only cost.
+      resolveDependencies: (_file, dependencies, { hostType }) =>
+        hostType === "html" ? dependencies : [],
+    },
     rolldownOptions: {
       output: {
         codeSplitting: {

@@ -4,22 +4,11 @@
  * by script never loads it.
  */
 import type { HostLink, HostLinkOptions, HostStatus, registerRobot } from "@corridor/client/host";
-import {
-  closeReasons,
-  type CloseReason,
-  type DeliveredCommand,
-  type Drivers,
-  type Snapshot,
-} from "@corridor/protocol";
+import type { DeliveredCommand, Drivers, Snapshot } from "@corridor/protocol";
 import { cancelReasons, type CancelReason } from "../drivers/cancel-reason.ts";
 import type { Delivery, Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
-import type {
-  ListedCommand,
-  RemoteSession,
-  RemoteStatus,
-  RemoteTrouble,
-  RemoteView,
-} from "./worker-messages.ts";
+import type { troubleOf } from "./remote-trouble.ts";
+import type { ListedCommand, RemoteSession, RemoteStatus, RemoteView } from "./worker-messages.ts";
 
 const noDrivers: Drivers = { connected: 0, client: null, silentMs: null };
 
@@ -117,7 +106,10 @@ export class RemoteHost implements RemoteDriverEvents {
   }
 
   async #connect(wanted: RemoteSession | null, fresh: boolean, attempt: number): Promise<void> {
-    const client = await import("@corridor/client/host");
+    const [client, trouble] = await Promise.all([
+      import("@corridor/client/host"),
+      import("./remote-trouble.ts"),
+    ]);
     const { origin, fetch, platform } = this.#ports;
     let session = wanted;
     try {
@@ -141,7 +133,7 @@ export class RemoteHost implements RemoteDriverEvents {
         this.#ports.cancel("stopped");
         this.#change(stop.seq, { state: "completed" });
       },
-      onStatus: (status) => this.#linkChanged(status),
+      onStatus: (status) => this.#linkChanged(status, trouble.troubleOf),
       onDrivers: (drivers) => {
         this.#drivers = drivers;
         if (this.isOpen) this.#tell(this.#connectedStatus());
@@ -191,18 +183,18 @@ export class RemoteHost implements RemoteDriverEvents {
     this.#tell(this.#status);
   }
 
-  #linkChanged(status: HostStatus): void {
+  #linkChanged(status: HostStatus, nameOf: typeof troubleOf): void {
     switch (status.kind) {
       case "connecting":
         return this.#tell({ kind: "connecting" });
       case "connected":
         return this.#tell(this.#connectedStatus());
       case "lost":
-        return this.#tell({ kind: "lost", reason: troubleOf(status.reason) });
+        return this.#tell({ kind: "lost", reason: nameOf(status.reason) });
       case "over":
       case "replaced":
         this.#leave();
-        return this.#tell({ kind: "over", reason: troubleOf(status.reason) });
+        return this.#tell({ kind: "over", reason: nameOf(status.reason) });
     }
   }
 
@@ -221,10 +213,4 @@ export class RemoteHost implements RemoteDriverEvents {
       commands: [...this.#commands.values()].toReversed(),
     });
   }
-}
-
-/** The name of a close reason, which the page has words for. */
-function troubleOf({ code }: CloseReason): RemoteTrouble {
-  const names = Object.keys(closeReasons) as (keyof typeof closeReasons)[];
-  return names.find((name) => closeReasons[name].code === code) ?? "lineLost";
 }

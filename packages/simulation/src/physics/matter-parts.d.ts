@@ -12,7 +12,7 @@ declare module "matter-js/src/geometry/Bounds.js" {
   export default Bounds;
 }
 
-declare module "matter-js/src/collision/Query.js" {
-  const Query: typeof import("matter-js").Query;
-  export default Query;
+declare module "matter-js/src/collision/Collision.js" {
+  const Collision: typeof import("matter-js").Collision;
+  export default Collision;
 }

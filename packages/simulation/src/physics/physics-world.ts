@@ -14,7 +14,7 @@ import { CELL, type Grid } from "@corridor/maze";
 import { writeUnitVector } from "@corridor/geometry";
 import type Matter from "matter-js";
 import Body from "matter-js/src/body/Body.js";
-import Query from "matter-js/src/collision/Query.js";
+import Collision from "matter-js/src/collision/Collision.js";
 import Bounds from "matter-js/src/geometry/Bounds.js";
 import { ROBOT_RADIUS, TICK_SECONDS } from "../settings.ts";
 
@@ -135,7 +135,7 @@ export class PhysicsWorld {
     const { x, y } = this.#robot.position;
     const isInside = x > 0 && y > 0 && x < grid.columns * CELL && y < grid.rows * CELL;
     // A robot that touches a wall may overlap it by a rounding error.
-    if (isInside && Query.collides(this.#robot, this.#near).every(({ depth }) => depth < 1e-6)) {
+    if (isInside && contactsOf(this.#robot, this.#near).every(({ depth }) => depth < 1e-6)) {
       return true;
     }
     this.#grid = before;
@@ -156,7 +156,7 @@ export class PhysicsWorld {
     Body.setVelocity(robot, this.#velocity);
     // The types ask for two more numbers that matter-js 0.20 no longer reads.
     Body.update(robot, TICK_MS, 1, 1);
-    const touched = Query.collides(robot, this.#near);
+    const touched = contactsOf(robot, this.#near);
     const isStopped = touched.length > 0 && this.#retreat(touched, fromX, fromY, dx, dy);
     if (!isStopped) this.#inContact = false;
     const { x, y } = robot.position;
@@ -190,7 +190,7 @@ export class PhysicsWorld {
         return true;
       }
       this.#putAt(this.x - wayX * back, this.y - wayY * back);
-      contacts = Query.collides(this.#robot, this.#near);
+      contacts = contactsOf(this.#robot, this.#near);
     }
     return isStopped;
   }
@@ -266,6 +266,17 @@ export class PhysicsWorld {
       }
     }
   }
+}
+
+/** What touches the body, in the order given. The library's own query does the same for bodies of parts. */
+function contactsOf(body: Matter.Body, others: readonly Matter.Body[]): Matter.Collision[] {
+  const contacts: Matter.Collision[] = [];
+  for (const other of others) {
+    if (!Bounds.overlaps(other.bounds, body.bounds)) continue;
+    const contact = Collision.collides(other, body);
+    if (contact !== null) contacts.push(contact);
+  }
+  return contacts;
 }
 
 function createBlock(): Matter.Body {
