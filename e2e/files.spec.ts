@@ -169,6 +169,28 @@ test("saves the program, and the maze as text", async ({ corridor }) => {
   expect(await readFile(await drawing.path(), "utf8")).toBe(writeTextMaze(spiral));
 });
 
+test("saves a run and opens it again by dropping it", async ({ corridor, page, openWindow }) => {
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.story).toContainText("tick 2380");
+  const download = await save(corridor, "Save run");
+  expect(download.suggestedFilename()).toBe("long-way-round.run.json");
+  const text = await readFile(await download.path(), "utf8");
+
+  const reader = await openWindow();
+  await reader.open();
+  await reader.choosePreset("Spiral");
+  await (await dragOver(reader.page, [{ name: "a.run.json", text }])).drop();
+  await expect(reader.message(/^This is a recorded run/)).toBeVisible();
+  await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  // A run whose end is another than it says is refused, and the work stays.
+  const changed = JSON.stringify({ ...JSON.parse(text), digest: "0".repeat(64) });
+  await (await dragOver(page, [{ name: "b.run.json", text: changed }])).drop();
+  await expect(
+    corridor.dialog("This file cannot be opened").getByRole("region", { name: "b.run.json" }),
+  ).toBeVisible();
+});
+
 test("saves a picture", async ({ corridor, page }) => {
   await corridor.speed.selectOption("max");
   await corridor.run.click();

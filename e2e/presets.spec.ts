@@ -34,7 +34,7 @@ test("draws another maze with a new seed, by keyboard alone, and takes it back",
   const before = await seed.inputValue();
   await presets.getByRole("radio", { name: "Tree" }).focus();
   await page.keyboard.press("ArrowRight");
-  await expect(presets.getByRole("radio", { name: "With loops" })).toBeChecked();
+  await expect(presets.getByRole("radio", { name: "Loops" })).toBeChecked();
   await page.keyboard.press("Tab");
   await page.keyboard.press("ArrowLeft");
   await expect(presets.getByText("19 by 19 squares")).toBeVisible();

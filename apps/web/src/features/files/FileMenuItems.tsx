@@ -1,14 +1,18 @@
 /** The lines of a menu that open and save files. */
-import { FileBraces, FileInput, FileText, Image, ListOrdered } from "lucide-react";
+import { FileBraces, FileInput, FileText, Film, Image, ListOrdered } from "lucide-react";
 import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { useFileActions } from "./file-actions.ts";
 import { saveDocument, saveTextMaze } from "./save-file.ts";
+import { saveRun } from "./save-run.ts";
 
 export function FileMenuItems() {
-  const { t } = useTranslation();
-  const { workspace } = useServices();
+  const { t, i18n } = useTranslation();
+  const services = useServices();
+  const { workspace } = services;
+  const hasRun = useStore(services.run, ({ nowTick }) => nowTick > 0);
   const { choose, savePicture } = useFileActions();
   return (
     <>
@@ -36,6 +40,13 @@ export function FileMenuItems() {
         onSelect={() => saveDocument(workspace.getState().program, "program")}
       >
         {t("files.saveProgram")}
+      </MenuItem>
+      <MenuItem
+        icon={<Film aria-hidden="true" />}
+        disabled={!hasRun}
+        onSelect={() => saveRun(services, i18n)}
+      >
+        {t("files.saveRun")}
       </MenuItem>
       <MenuItem icon={<Image aria-hidden="true" />} onSelect={savePicture}>
         {t("files.savePicture")}
