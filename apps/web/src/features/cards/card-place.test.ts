@@ -33,6 +33,15 @@ describe("placeCard", () => {
     expect(place.tail).toBe("right");
   });
 
+  it("stands beyond the block that the robot hit, with its tail still at the robot", () => {
+    const robot = robotAt(200, 500);
+    const hit = { x: 220, y: 460, width: 80, height: 80 };
+    const place = placeCard(area, robot, card, [hit]);
+    expect(touches({ ...place, ...card }, hit)).toBe(false);
+    expect(place).toMatchObject({ x: 316, tail: "left" });
+    expect(place.y + place.tailAt).toBe(500);
+  });
+
   it("never covers the robot and stays in the stage wherever there is room", () => {
     fc.assert(
       fc.property(fc.integer({ min: 30, max: 930 }), fc.integer({ min: 30, max: 570 }), (x, y) => {

@@ -34,10 +34,15 @@ export function placeCard(
   card: { width: number; height: number },
   keepClear: readonly Box[],
 ): CardPlace {
-  const places = ways.map((tail) => beside(tail, area, robot, card));
   const middleX = robot.x + robot.width / 2;
   // The roomier half first: right of a robot that stands on the left, and the other way round.
-  if (middleX > area.x + area.width / 2) places.splice(0, 2, ...places.slice(0, 2).reverse());
+  const isFarRight = middleX > area.x + area.width / 2;
+  const order = isFarRight ? (["right", "left", "top", "bottom"] as const) : ways;
+  const clump = around(robot, keepClear);
+  const places = [
+    ...order.map((tail) => beside(tail, area, robot, robot, card)),
+    ...order.map((tail) => beside(tail, area, robot, clump, card)),
+  ];
   let best: CardPlace | undefined;
   let least = Number.POSITIVE_INFINITY;
   for (const place of [...places, ...corners(area, card)]) {
@@ -52,11 +57,34 @@ export function placeCard(
   return best ?? { x: area.x, y: area.y, tail: null, tailAt: 0 };
 }
 
-/** The card beside the robot, pushed into the area. `tail` is the card's side that faces the robot. */
+/** The robot with what it touches of what should not be covered: the block that it hit. */
+function around(robot: Box, keepClear: readonly Box[]): Box {
+  const near = {
+    x: robot.x - GAP,
+    y: robot.y - GAP,
+    width: robot.width + 2 * GAP,
+    height: robot.height + 2 * GAP,
+  };
+  const boxes = [robot, ...keepClear.filter((each) => overlap(each, near) > 0)];
+  const x = Math.min(...boxes.map((each) => each.x));
+  const y = Math.min(...boxes.map((each) => each.y));
+  return {
+    x,
+    y,
+    width: Math.max(...boxes.map((each) => each.x + each.width)) - x,
+    height: Math.max(...boxes.map((each) => each.y + each.height)) - y,
+  };
+}
+
+/**
+ * The card beside a box, pushed into the area, its tail at the height of the robot. `tail` is the card's
+ * side that faces the robot.
+ */
 function beside(
   tail: "left" | "right" | "top" | "bottom",
   area: Box,
   robot: Box,
+  from: Box,
   card: { width: number; height: number },
 ): CardPlace {
   const middleX = robot.x + robot.width / 2;
@@ -64,14 +92,14 @@ function beside(
   const isBeside = tail === "left" || tail === "right";
   const x = isBeside
     ? tail === "left"
-      ? robot.x + robot.width + GAP
-      : robot.x - GAP - card.width
+      ? from.x + from.width + GAP
+      : from.x - GAP - card.width
     : middleX - card.width / 2;
   const y = isBeside
     ? middleY - card.height / 2
     : tail === "top"
-      ? robot.y + robot.height + GAP
-      : robot.y - GAP - card.height;
+      ? from.y + from.height + GAP
+      : from.y - GAP - card.height;
   const inX = within(x, area.x + EDGE, area.x + area.width - EDGE - card.width);
   const inY = within(y, area.y + EDGE, area.y + area.height - EDGE - card.height);
   const length = isBeside ? card.height : card.width;

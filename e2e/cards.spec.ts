@@ -1,0 +1,96 @@
+/** What the page says when something has happened: the bump card, the solved card, going in circles. */
+import type { Locator } from "playwright/test";
+import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
+import { expectNoBarriers } from "./support/axe.ts";
+
+function bumpCard(corridor: CorridorPage, line: number): Locator {
+  return corridor.page.getByRole("region", { name: `Bump: line ${line} ran out of room` });
+}
+
+/** Line 2 turns too late: it drives on towards the wall that it has just seen. */
+async function bump(corridor: CorridorPage): Promise<Locator> {
+  await corridor.program.action(2).selectOption("delayed left 90");
+  await corridor.run.click();
+  const card = bumpCard(corridor, 2);
+  await expect(card).toBeVisible();
+  return card;
+}
+
+test("is told why line 2 bumped, takes the mend and gets past the place", async ({ corridor }) => {
+  const card = await bump(corridor);
+  await expect(card).toContainText("delayed left 90 drives on for 50 cm, then turns.");
+  await expect(card).toContainText(/Only 2\d cm were free/);
+  await expect(corridor.run).toBeVisible();
+
+  await card.getByRole("button", { name: "Change to left 90" }).click();
+  await expect(card).toBeHidden();
+  await expect(corridor.program.action(2)).toHaveValue("left 90");
+
+  await corridor.reset.click();
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.page.getByRole("region", { name: "Solved!" })).toBeVisible();
+  await expect(corridor.bumps).toHaveText("0 bumps");
+});
+
+test("watches the bump again, and finds its card where it happened", async ({ corridor }) => {
+  const card = await bump(corridor);
+  const clock = await corridor.clock.textContent();
+  await card.getByRole("button", { name: "Watch again" }).click();
+  await expect(corridor.clock).not.toHaveText(clock ?? "");
+  await expect(card).toBeHidden();
+  await expect(card).toBeVisible();
+  await expect(corridor.clock).toHaveText(clock ?? "");
+  await expect(corridor.bumps).toHaveText("1 bump");
+});
+
+test("closes the card by keyboard and runs on without being stopped again", async ({
+  corridor,
+}) => {
+  const card = await bump(corridor);
+  await card.getByRole("button", { name: "Close" }).focus();
+  await corridor.page.keyboard.press("Escape");
+  await expect(card).toBeHidden();
+  await corridor.page.keyboard.press("Control+Enter");
+  await expect(corridor.pause).toBeVisible();
+  await expect(corridor.clock).toHaveText(/0:0[5-9]/);
+  await expect(corridor.pause).toBeVisible();
+});
+
+test("sees what the solution took, and goes on to the next maze", async ({ corridor }) => {
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  const card = corridor.page.getByRole("region", { name: "Solved!" });
+  await expect(card).toContainText("Your 2 lines steer the robot from start to goal.");
+  await expect(card.getByRole("definition")).toHaveText(["39.6 s", "2", "0"]);
+  await expectNoBarriers(corridor.page, "solved card");
+  const onward = card.getByRole("button", { name: /^Next maze: / });
+  const name = ((await onward.textContent()) ?? "").replace("Next maze: ", "");
+  await onward.click();
+  await expect(corridor.mazeMenu).toHaveAccessibleName(`${name}, Maze menu`);
+  await expect(card).toBeHidden();
+});
+
+test("is told that the robot goes in circles, and led to the line", async ({ corridor }) => {
+  await corridor.program.empty();
+  await corridor.program.addLine("front <", "50", "turn 180");
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(
+    corridor.message("The robot has passed here 3 times the same way. Look at line 1."),
+  ).toBeVisible();
+  await corridor.messages.getByRole("button", { name: "Show line 1" }).click();
+  await expect(corridor.program.line(1)).toBeFocused();
+});
+
+test("is told that the robot only pushes against a wall", async ({ corridor }) => {
+  await corridor.program.empty();
+  await corridor.run.click();
+  const card = corridor.page.getByRole("region", { name: "Bump: “otherwise” ran out of room" });
+  await expect(card).toContainText("forward goes on until another line decides.");
+  await card.getByRole("button", { name: "Close" }).click();
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.message(/^The robot pushes against a wall/)).toBeVisible();
+});
