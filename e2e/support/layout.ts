@@ -80,6 +80,8 @@ export async function unreadable(page: Page): Promise<string[]> {
           const style = getComputedStyle(at);
           if (style.overflowX === "visible") continue;
           const edge = at.getBoundingClientRect();
+          // An ellipsis stands where readers name things: the whole name is where it is edited.
+          if (style.textOverflow === "ellipsis") continue;
           const isCut = shown.left < edge.left - slack || shown.right > edge.right + slack;
           if (isCut && !isScrolledAway) faults.add(`cut off: ${text}`);
           const isScroller = style.overflowY === "auto" || style.overflowY === "scroll";
@@ -91,7 +93,9 @@ export async function unreadable(page: Page): Promise<string[]> {
             };
             if (shown.bottom - shown.top < 2) isScrolledAway = true;
           } else if (style.overflowY !== "visible") {
-            const isLow = shown.bottom > edge.bottom + 4 || shown.top < edge.top - 4;
+            // A font reserves more height than its letters take.
+            const air = Math.max(4, rect.height / 5);
+            const isLow = shown.bottom > edge.bottom + air || shown.top < edge.top - air;
             if (isLow && !isScrolledAway) faults.add(`cut off below: ${text}`);
           }
         }
