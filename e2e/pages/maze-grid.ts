@@ -23,8 +23,16 @@ export class MazeGrid {
       .getByRole("button", { name, exact: true });
   }
 
-  tool(name: "Blocks" | "Start" | "Goal"): Locator {
+  tool(name: "Blocks" | "Start" | "Goal" | "Measure"): Locator {
     return this.#page.getByRole("group", { name: "Tool" }).getByRole("radio", { name });
+  }
+
+  /** What a screen reader is told after a press on a square: what it is now, or what a tape measures. */
+  get news(): Locator {
+    return this.#page
+      .getByRole("region", { name: "Maze" })
+      .getByRole("status")
+      .and(this.#page.locator("output"));
   }
 
   /** Clicks the middle of a square. */

@@ -1,0 +1,97 @@
+/** What the reader sees and measures on the stage. The picture is compared with itself, never with a file. */
+import { expect, test } from "./fixtures.ts";
+import { StagePicture } from "./pages/stage-picture.ts";
+
+const text = (shown: { textContent: () => Promise<string | null> }) => shown.textContent();
+
+test.describe("measuring", () => {
+  test("a drag from point to point draws a tape and says its length; the maze stays as it is", async ({
+    corridor,
+  }) => {
+    const { maze } = corridor;
+    const picture = new StagePicture(corridor.page);
+    await maze.tool("Measure").click();
+    const before = await picture.taken();
+    await maze.drag([
+      { column: 0, row: 4 },
+      { column: 2, row: 4 },
+      { column: 3, row: 4 },
+    ]);
+    await expect(maze.news).toHaveText("300 cm, 3 squares");
+    await picture.expectOther(before);
+    await maze.expectSquare({ column: 2, row: 4 }, "open");
+    await expect(maze.button("Undo")).toBeDisabled();
+    await corridor.page.keyboard.press("Escape");
+    await expect(maze.news).not.toContainText("squares");
+  });
+
+  test("the keyboard sets one square, walks to another and hears how far it is", async ({
+    corridor,
+  }) => {
+    const { maze, page } = corridor;
+    await maze.tool("Measure").click();
+    await maze.goTo({ column: 1, row: 6 });
+    await page.keyboard.press("Enter");
+    await expect(maze.news).toContainText("Measuring from row 7, column 2");
+    await maze.goTo({ column: 4, row: 2 });
+    await page.keyboard.press("Space");
+    await expect(maze.news).toHaveText("500 cm, 5 squares. 300 cm across, 400 cm up");
+    await expect(maze.button("Undo")).toBeDisabled();
+  });
+});
+
+test("the button for the full screen leads there and back", async ({ corridor }) => {
+  const { page } = corridor;
+  const isFull = () => page.evaluate(() => document.fullscreenElement !== null);
+  await corridor.maze.button("Full screen").click();
+  await expect.poll(isFull).toBe(true);
+  await corridor.maze.button("Leave full screen").click();
+  await expect.poll(isFull).toBe(false);
+  await expect(corridor.maze.button("Full screen")).toBeVisible();
+});
+
+test("a delayed turn shows its way ahead of the robot", async ({ corridor }) => {
+  const picture = new StagePicture(corridor.page);
+  await corridor.run.click();
+  const running = corridor.page.locator("li[aria-current=step]");
+  await expect(running).toContainText(/turns in \d+ cm/);
+  await corridor.pause.click();
+  const left = Number(/turns in (\d+)/.exec((await text(running)) ?? "")?.[1]);
+  const place = /Robot at (\d+), (\d+), facing up/.exec((await text(corridor.robotPlace)) ?? "");
+  const x = Number(place?.[1]);
+  const y = Number(place?.[2]) - left;
+  // Out of the junction, to the right of the turning point, where nothing else is drawn.
+  const way = { x: x + 30, y: y - 8, width: 60, height: 16 };
+  const dashes = await picture.pixelsUnlike(way, { x: x + 30, y: y - 30, width: 60, height: 16 });
+  expect(left).toBeGreaterThan(0);
+  expect(dashes).toBeGreaterThan(20);
+});
+
+test.describe("the stage is drawn again", () => {
+  test("in the colours of another theme", async ({ corridor }) => {
+    const picture = new StagePicture(corridor.page);
+    const light = await picture.taken();
+    await corridor.page.emulateMedia({ colorScheme: "dark" });
+    await picture.expectOther(light);
+    const dark = await picture.taken();
+    await corridor.page.emulateMedia({ colorScheme: "light" });
+    await picture.expectOther(dark);
+    await picture.expectSame(light);
+  });
+
+  test("where the browser cannot hand canvases to a worker", async ({ page, corridor }) => {
+    const inWorker = await new StagePicture(page).taken();
+    await page.addInitScript(() => Reflect.deleteProperty(window, "OffscreenCanvas"));
+    await corridor.reload();
+    await new StagePicture(page).expectSame(inWorker);
+    const canDraw = () =>
+      page
+        .locator("canvas")
+        .first()
+        .evaluate((canvas: HTMLCanvasElement) => canvas.getContext("2d") !== null);
+    expect(await canDraw()).toBe(true);
+    await corridor.run.click();
+    await expect.poll(() => corridor.robotX()).toBeGreaterThan(80);
+    await new StagePicture(page).expectOther(inWorker);
+  });
+});
