@@ -12,6 +12,9 @@ const NAME_MARGIN = 5;
 const LETTER = 7;
 const WIDE_CHARACTER = 12;
 
+/** Short for "otherwise", as on the playhead. */
+const DOTS = "\u2026";
+
 interface RibbonProps {
   picture: TimelinePicture;
   /** whether the newest moment is shown, so that the newest segment is alive */
@@ -52,7 +55,7 @@ function RibbonSegment({ who, x, width, isNewest, names }: Segment & { names: re
     <g className={classNames(styles["segment"], styles[kind], isNewest && styles["newest"])}>
       <rect x={x} width={width} height="20" rx={Math.min(3, width / 2)} />
       {name !== undefined && (
-        <text x={x + width / 2} y={14}>
+        <text x={x + width / 2} y={name === DOTS ? 11 : 14}>
           {name}
         </text>
       )}
@@ -74,7 +77,7 @@ function namesOf(t: TFunction, who: Who): readonly string[] {
     case "remote":
       return [t("timeline.remote")];
     case "default":
-      return [t("timeline.otherwise"), "\u2026"];
+      return [t("timeline.otherwise"), DOTS];
     case "mixed":
       return [];
     default:

@@ -129,18 +129,20 @@ export function TimelineBar() {
                 event={eventKind === "goal" || eventKind === "bump" ? eventKind : null}
               />
             )}
-            {tip !== null && (
-              <span
-                className={styles["tip"]}
-                style={{ insetInlineStart: tip.x }}
-                aria-hidden="true"
-              >
-                {tip.text}
-              </span>
-            )}
+            {tip !== null && <TimelineTip {...tip} width={picture.scale.width} />}
           </>
         )}
       </div>
     </div>
+  );
+}
+
+/** Points at its place and stays above the timeline: at the left end it begins there, at the right it ends. */
+function TimelineTip({ x, text, width }: Tip & { width: number }) {
+  const transform = `translateX(${(-100 * x) / width}%)`;
+  return (
+    <span className={styles["tip"]} style={{ insetInlineStart: x, transform }} aria-hidden="true">
+      <bdi>{text}</bdi>
+    </span>
   );
 }
