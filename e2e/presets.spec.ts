@@ -100,6 +100,8 @@ for (const width of [390, 320]) {
       isMobile: true,
     });
     await phone.open();
+    // Once there is a run, all that a phone ever shows is there.
+    await phone.step.tap();
     await phone.page.getByRole("tab", { name: "Presets" }).tap();
     await phone.page.getByRole("radio", { name: "Rooms" }).tap();
     await phone.page.getByRole("textbox", { name: "Seed" }).fill("5");
