@@ -78,6 +78,17 @@ test("is told what failed, with the number, while the robot drives", async ({ co
   await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
 });
 
+test("lets go of the key where the sensor says", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(2);
+  await page.keyboard.down("w");
+  await expect
+    .poll(async () => Number(await corridor.sensor("front").textContent()), { intervals: [20] })
+    .toBeLessThan(165);
+  await page.keyboard.up("w");
+  await expect(lessons.outcome).toHaveText(/^Challenge met after \d\.\d s$/);
+});
+
 test("is told which maze fails", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(12);

@@ -8,7 +8,8 @@ import styles from "./lessons.module.css";
 import { missionIds } from "./missions/mission.ts";
 
 export function ChallengeLine() {
-  const { t } = useTranslation(["missions", "words"], { useSuspense: false });
+  const words = useTranslation(["missions", "words"], { useSuspense: false });
+  const { t } = words;
   const { challenge: store } = useServices();
   const challenge = useStore(store, (state) => state.challenge);
   const mission = useStore(store, (state) => state.mission);
@@ -19,7 +20,7 @@ export function ChallengeLine() {
     return (
       <p className={styles["line"]} data-state="met" dir="auto">
         <Check size={18} aria-hidden="true" />
-        {metText(t, challenge, result)}
+        {metText(words, challenge, result)}
       </p>
     );
   }

@@ -68,8 +68,9 @@ function OpenMission({ service }: { service: LessonsService }) {
       </p>
       <Outcome />
       {challenge.mazes.length > 1 && <MissionMazes service={service} />}
-      <MissionHints key={id ?? challenge.name} hints={hints} />
-      <Actions service={service} />
+      <MissionHints key={id ?? challenge.name} hints={hints}>
+        <Actions service={service} />
+      </MissionHints>
     </section>
   );
 }
@@ -104,7 +105,7 @@ function SlimMission() {
 
 /** How it stands, spoken when it changes. */
 function Outcome() {
-  const { t } = useTranslation(["missions", "words"], { useSuspense: false });
+  const words = useTranslation(["missions", "words"], { useSuspense: false });
   const { challenge: store } = useServices();
   const challenge = useStore(store, (state) => state.challenge);
   const result = useStore(store, (state) => state.result);
@@ -112,10 +113,10 @@ function Outcome() {
   if (challenge === null) return null;
   const isMet = result.state === "met";
   const text = isMet
-    ? metText(t, challenge, result)
+    ? metText(words, challenge, result)
     : verdict?.failure
-      ? failureText(t, challenge, verdict.failure)
-      : liveFailureText(t, challenge, result);
+      ? failureText(words, challenge, verdict.failure)
+      : liveFailureText(words, challenge, result);
   return (
     <output className={styles["outcome"]} data-state={isMet ? "met" : "failed"}>
       {text}
@@ -136,9 +137,10 @@ function Actions({ service }: { service: LessonsService }) {
   const next = nextMission(mission);
   // A hand's drive and one maze with a goal need no check: what is seen is what counts.
   const isSeen = challenge.mazes.length === 1 && ["reach", "stop"].includes(challenge.goal.kind);
+  const isChecked = !isSeen && challenge.allowed.drivers.includes("program");
   return (
-    <div className={styles["actions"]}>
-      {!isSeen && challenge.allowed.drivers.includes("program") && (
+    <>
+      {isChecked && (
         <Button
           size="small"
           kind={isMet ? "outline" : "primary"}
@@ -151,7 +153,7 @@ function Actions({ service }: { service: LessonsService }) {
             : t("missions:card.check", { count: challenge.mazes.length })}
         </Button>
       )}
-      {next !== null && (
+      {next !== null && (isMet || !isChecked) && (
         <Button
           size="small"
           kind={isMet ? "primary" : "quiet"}
@@ -167,6 +169,6 @@ function Actions({ service }: { service: LessonsService }) {
         </Button>
       )}
       <LessonsDialog isOpen={isPathOpen} onClose={() => setIsPathOpen(false)} />
-    </div>
+    </>
   );
 }

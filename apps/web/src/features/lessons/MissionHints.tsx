@@ -1,15 +1,21 @@
-/** Hints of a mission, opened one after the other. */
+/** Hints of a mission, opened one after the other; beside their button stands what else can be done. */
 import { Lightbulb } from "lucide-react";
-import { useState } from "react";
+import { useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
 import styles from "./lessons.module.css";
 
-export function MissionHints({ hints }: { hints: readonly string[] }) {
+interface MissionHintsProps {
+  hints: readonly string[];
+  /** the other buttons of the row */
+  children: ReactNode;
+}
+
+export function MissionHints({ hints, children }: MissionHintsProps) {
   const { t } = useTranslation("missions", { useSuspense: false });
   const [shown, setShown] = useState(0);
   return (
-    <div className={styles["hints"]}>
+    <>
       {/* Spoken as they come. */}
       <ol className={styles["hintList"]} aria-live="polite">
         {hints.slice(0, shown).map((hint, at) => (
@@ -19,19 +25,20 @@ export function MissionHints({ hints }: { hints: readonly string[] }) {
           </li>
         ))}
       </ol>
-      {shown < hints.length && (
-        <Button
-          kind="quiet"
-          size="small"
-          className={styles["hintButton"]}
-          icon={<Lightbulb aria-hidden="true" />}
-          onClick={() => setShown(shown + 1)}
-        >
-          {shown === 0
-            ? t("card.hint")
-            : t("card.nextHint", { number: shown + 1, all: hints.length })}
-        </Button>
-      )}
-    </div>
+      <div className={styles["actions"]}>
+        {shown < hints.length && (
+          <Button
+            size="small"
+            icon={<Lightbulb aria-hidden="true" />}
+            onClick={() => setShown(shown + 1)}
+          >
+            {shown === 0
+              ? t("card.hint")
+              : t("card.nextHint", { number: shown + 1, all: hints.length })}
+          </Button>
+        )}
+        {children}
+      </div>
+    </>
   );
 }

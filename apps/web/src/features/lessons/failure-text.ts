@@ -1,30 +1,34 @@
 /** Why an attempt does not pass, in a sentence with its numbers. */
 import type { ChallengeDocument, Failure } from "@corridor/challenge";
-import { TICKS_PER_SECOND } from "@corridor/simulation";
 import type { TFunction } from "i18next";
 import type { ChallengeResult } from "../../stores/challenge-store.ts";
+import { formatSeconds } from "../../text/numbers.ts";
 
-export type MissionWords = TFunction<["missions", "words"]>;
-
-/** Seconds with one digit, as the clock has them. */
-function secondsOf(ticks: number | null): string {
-  return ((ticks ?? 0) / TICKS_PER_SECOND).toFixed(1);
+/** What `useTranslation` gives: the words, and the language that they are in. */
+export interface MissionWords {
+  t: TFunction<["missions", "words"]>;
+  i18n: { language: string };
 }
 
-function lineName(t: MissionWords, line: Failure["line"]): string {
+function lineName({ t }: MissionWords, line: Failure["line"]): string {
   return typeof line === "number"
     ? t("missions:failure.line", { line: line + 1 })
     : t("missions:failure.otherwise");
 }
 
 /** What a check says. */
-export function failureText(t: MissionWords, challenge: ChallengeDocument, it: Failure): string {
-  const reason = reasonText(t, challenge, it);
+export function failureText(
+  words: MissionWords,
+  challenge: ChallengeDocument,
+  it: Failure,
+): string {
+  const reason = reasonText(words, challenge, it);
   if (it.maze === null || challenge.mazes.length === 1) return reason;
-  return t("missions:failure.inMaze", { number: it.maze + 1, reason });
+  return words.t("missions:failure.inMaze", { number: it.maze + 1, reason });
 }
 
-function reasonText(t: MissionWords, challenge: ChallengeDocument, it: Failure): string {
+function reasonText(words: MissionWords, challenge: ChallengeDocument, it: Failure): string {
+  const { t } = words;
   const found = Math.round(it.found ?? 0);
   const needed = Math.round(it.needed ?? 0);
   switch (it.code) {
@@ -35,11 +39,11 @@ function reasonText(t: MissionWords, challenge: ChallengeDocument, it: Failure):
     case "condition-not-allowed":
       return t("missions:failure.condition-not-allowed", { line: Number(it.line) + 1 });
     case "action-not-allowed":
-      return t("missions:failure.action-not-allowed", { line: lineName(t, it.line) });
+      return t("missions:failure.action-not-allowed", { line: lineName(words, it.line) });
     case "changed":
-      return t("missions:failure.changed", { line: lineName(t, it.line) });
+      return t("missions:failure.changed", { line: lineName(words, it.line) });
     case "bump":
-      return bumpText(t, it);
+      return bumpText(words, it);
     case "not-reached":
     case "not-visited":
       return t(`missions:failure.${it.code}`, {
@@ -53,8 +57,8 @@ function reasonText(t: MissionWords, challenge: ChallengeDocument, it: Failure):
   }
 }
 
-function bumpText(t: MissionWords, { tick, place, line, decision }: Failure): string {
-  const seconds = secondsOf(tick);
+function bumpText({ t, i18n }: MissionWords, { tick, place, line, decision }: Failure): string {
+  const seconds = formatSeconds(tick ?? 0, i18n.language);
   const action = decision?.action;
   if (action === null || action === undefined || place === null) {
     return t("missions:failure.bumpHand", { seconds });
@@ -73,7 +77,7 @@ function bumpText(t: MissionWords, { tick, place, line, decision }: Failure): st
 
 /** What the run on the screen says; null while nothing has failed. */
 export function liveFailureText(
-  t: MissionWords,
+  { t, i18n }: MissionWords,
   challenge: ChallengeDocument,
   result: ChallengeResult,
 ): string | null {
@@ -86,7 +90,7 @@ export function liveFailureText(
           : "missions:failure.hand",
       );
     case "bump":
-      return t("missions:failure.bumpLive", { seconds: secondsOf(result.tick) });
+      return t("missions:failure.bumpLive", { seconds: formatSeconds(result.tick, i18n.language) });
     case "late":
       return t("missions:failure.late", { seconds: challenge.checks.seconds });
     // What the check said of the program stands before this.
@@ -105,11 +109,11 @@ export function liveFailureText(
 
 /** That it is met, and with what. */
 export function metText(
-  t: MissionWords,
+  { t, i18n }: MissionWords,
   { allowed }: ChallengeDocument,
   result: Extract<ChallengeResult, { state: "met" }>,
 ): string {
   return result.driver === "program"
     ? t("missions:bar.met", { found: result.lines, needed: allowed.lines })
-    : t("missions:bar.metByHand", { seconds: secondsOf(result.ticks) });
+    : t("missions:bar.metByHand", { seconds: formatSeconds(result.ticks, i18n.language) });
 }
