@@ -87,6 +87,68 @@ for (const { name, tag, words, isMade } of languages) {
   }
 }
 
+const german = Words.of("de");
+const english = Words.of("en");
+
+test("follows the address into German, keeps it in a shared link, and goes to English without a reload", async ({
+  openWindow,
+}) => {
+  const { page } = await openWindow();
+  await page.goto("/?lang=de");
+  await expect(page.locator("html")).toHaveAttribute("lang", "de");
+  await expect(page).toHaveTitle(german.t("language.pageTitle"));
+  const name = page.getByRole("textbox", { name: german.t("program.nameLabel") });
+  await name.fill("Meins");
+  await page.getByRole("button", { name: german.t("share.share"), exact: true }).click();
+  await expect(page.getByRole("textbox", { name: german.t("share.link") })).toHaveValue(
+    /\/\?lang=de#/,
+  );
+  await page.keyboard.press("Escape");
+
+  // By the keyboard: the menu opens on the language that is shown, arrows walk, Enter chooses.
+  const opener = page.getByRole("button", { name: `DE, ${german.t("language.language")}` });
+  await opener.focus();
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("menuitemradio", { name: "Deutsch" })).toBeFocused();
+  await page.keyboard.press("Home");
+  await expect(page.getByRole("menuitemradio", { name: "English" })).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(page.locator("html")).toHaveAttribute("lang", "en");
+  await expect(page).toHaveURL(/\/\?lang=en$/);
+  await expect(page.getByRole("textbox", { name: english.t("program.nameLabel") })).toHaveValue(
+    "Meins",
+  );
+  await expect(
+    page.getByRole("button", { name: `EN, ${english.t("language.language")}` }),
+  ).toBeFocused();
+
+  // The choice stays on the device, whatever the address says no more.
+  await page.goto("/");
+  await expect(page.locator("html")).toHaveAttribute("lang", "en");
+});
+
+test("stays in the present language and says so when words cannot be loaded", async ({
+  openWindow,
+}) => {
+  const { page } = await openWindow({ serviceWorkers: "block" });
+  // A network error would be a complaint of the page; a chunk that breaks is told in the same way.
+  await page.route("**/assets/de-*.js", (route) =>
+    route.fulfill({ contentType: "text/javascript", body: "throw new Error('cut off')" }),
+  );
+  await page.goto("/?lang=de");
+  await expect(
+    page.getByText(english.t("language.notLoaded", { language: "Deutsch" })),
+  ).toBeVisible();
+  await expect(page.locator("html")).toHaveAttribute("lang", "en");
+});
+
+test("says that it does not speak the language of the address", async ({ openWindow }) => {
+  const { page } = await openWindow();
+  await page.goto("/?lang=tlh");
+  await expect(page.getByText(english.t("language.unknown", { tag: "tlh" }))).toBeVisible();
+  await expect(page).toHaveURL(/\/$/);
+});
+
 for (const { fault, html } of [
   { fault: "cut off: Reset", html: `<p style="overflow: hidden; width: 20px">Reset</p>` },
   {

@@ -18,6 +18,11 @@ export type LanguageTag = (typeof languages)[number]["tag"];
 /** What a reader can choose: the languages whose words are complete. */
 export const offeredLanguages = languages.filter((each) => !("isDraft" in each));
 
+/** The languages that a menu lists: those that are complete, and the one that is shown. */
+export function listedLanguages(shown: LanguageTag): readonly (typeof languages)[number][] {
+  return languages.filter((each) => !("isDraft" in each) || each.tag === shown);
+}
+
 export function languageOf(tag: LanguageTag): (typeof languages)[number] {
   const found = languages.find((each) => each.tag === tag);
   if (found === undefined) throw new Error(`no language ${tag}`);

@@ -3,7 +3,7 @@ import { Check, Globe } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useLanguageChoice } from "../../app/language-context.ts";
 import { shownLanguage } from "../../text/i18n.ts";
-import { offeredLanguages } from "../../text/languages.ts";
+import { listedLanguages } from "../../text/languages.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
 import styles from "./language.module.css";
@@ -38,7 +38,7 @@ function LanguageList({ onChosen }: { onChosen: () => void }) {
   const shown = shownLanguage(i18n);
   return (
     <div role="menu" tabIndex={-1} aria-label={t("language.language")} onKeyDown={walk}>
-      {offeredLanguages.map(({ tag, name, dir }) => (
+      {listedLanguages(shown).map(({ tag, name, dir }) => (
         <button
           key={tag}
           ref={tag === shown ? focusFirst : undefined}
