@@ -1,16 +1,13 @@
-/** Puts a maze or an algorithm in place of the one that is open, with a message that takes it back. */
+/** Puts a maze in place of the one that is open, with a message that takes it back. */
 import type { MazeDocument } from "@corridor/maze";
-import type { ProgramDocument } from "@corridor/program";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import { dismiss, tell } from "../../stores/screen-store.ts";
-import { newLineIds, setMaze, setProgram, undo } from "../../stores/workspace-store.ts";
-
-type Chooser = Pick<Services, "workspace" | "simulator" | "screen">;
+import { setMaze, undo } from "../../stores/workspace-store.ts";
 
 /** The robot goes to the start of the maze. The program stays. */
 export function chooseMaze(
-  { workspace, simulator, screen }: Chooser,
+  { workspace, simulator, screen }: Pick<Services, "workspace" | "simulator" | "screen">,
   words: Pick<i18n, "t">,
   maze: MazeDocument,
 ): void {
@@ -29,25 +26,6 @@ export function chooseMaze(
         if (workspace.getState().maze === after) undo(workspace);
         else setMaze(workspace, before);
         simulator.send({ type: "reset" });
-      },
-    },
-  });
-}
-
-/** The maze stays, and so does the robot in it. */
-export function chooseAlgorithm(
-  { workspace, screen }: Pick<Services, "workspace" | "screen">,
-  words: Pick<i18n, "t">,
-  program: ProgramDocument,
-): void {
-  setProgram(workspace, program, newLineIds(program.rules.length));
-  tell(screen, {
-    tone: "info",
-    text: words.t("program.loaded", { name: program.name }),
-    action: {
-      label: words.t("program.undo"),
-      run: () => {
-        if (workspace.getState().program === program) undo(workspace);
       },
     },
   });

@@ -5,12 +5,12 @@ import { useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { tell } from "../../stores/screen-store.ts";
 import { beginStroke, redo, undo } from "../../stores/workspace-store.ts";
 import { IconButton } from "../../ui/Button.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
 import { useRights } from "../lessons/use-rights.ts";
-import { applyEdit, loadProgram } from "./program-actions.ts";
+import { chooseAlgorithm } from "./choose-algorithm.ts";
+import { applyEdit } from "./program-actions.ts";
 import styles from "./program.module.css";
 
 export function ProgramHeader() {
@@ -69,8 +69,8 @@ function ProgramName() {
 }
 
 function AlgorithmMenu() {
-  const { t } = useTranslation();
-  const { workspace, screen } = useServices();
+  const { t, i18n } = useTranslation();
+  const services = useServices();
   const menu = usePopover();
   return (
     <>
@@ -85,18 +85,7 @@ function AlgorithmMenu() {
             note={t(`program.preset.${id}.note`)}
             onSelect={() => {
               const name = t(`program.preset.${id}.name`);
-              loadProgram(workspace, { ...program, name });
-              const loaded = workspace.getState().program;
-              tell(screen, {
-                tone: "info",
-                text: t("program.loaded", { name }),
-                action: {
-                  label: t("program.undo"),
-                  run: () => {
-                    if (workspace.getState().program === loaded) undo(workspace);
-                  },
-                },
-              });
+              chooseAlgorithm(services, i18n, { ...program, name });
             }}
           >
             {t(`program.preset.${id}.name`)}
