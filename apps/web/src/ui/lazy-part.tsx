@@ -42,7 +42,7 @@ export function lazyPart<Props extends object>(
     const state = useSyncExternalStore(loader.listen, loader.state);
     useEffect(() => void loader.load(), []);
     if (state.kind === "ready") return <state.part {...props} />;
-    if (state.kind === "failed") return <PartFailure onRetry={() => void loader.load()} />;
+    if (state.kind === "failed") return <PartFailure onRetry={() => void tryAgain(loader)} />;
     return <p className={styles["opening"]}>{t("offline.opening")}</p>;
   };
 }
@@ -72,10 +72,28 @@ export function lazyDialog<Props extends DialogProps>(
         title={t("offline.partFailedTitle")}
         width="narrow"
       >
-        <PartFailure onRetry={() => void loader.load()} />
+        <PartFailure onRetry={() => void tryAgain(loader)} />
       </Dialog>
     );
   };
+}
+
+/**
+ * Browsers remember for as long as a page is open that a file did not come, and a newer Corridor does
+ * not have this one's files: then only a reload helps. It is done where the service answers, so that
+ * nobody loses the page to a network that is gone; the work is saved when the page is left.
+ */
+async function tryAgain(loader: PartLoader<unknown>): Promise<void> {
+  await loader.load();
+  if (loader.state().kind === "failed" && (await answers("/healthz"))) location.reload();
+}
+
+async function answers(address: string): Promise<boolean> {
+  try {
+    return (await fetch(address, { cache: "no-store" })).ok;
+  } catch {
+    return false;
+  }
 }
 
 function PartFailure({ onRetry }: { onRetry: () => void }) {
