@@ -1,0 +1,193 @@
+/**
+ * What a frame costs while a program runs: the product's page beside three variants of its stage, in one
+ * run. The limit is the bare thing, three layers drawn by a worker and eight numbers in plain elements.
+ */
+import type { Browser, Page } from "playwright";
+import type { Goal } from "../core/goals.ts";
+import { timesSlower, median } from "../core/measure.ts";
+import { watchPage, type Watched } from "./main-thread.ts";
+import { openProduct } from "./product.ts";
+import type { PageUnderTest, Section } from "./section.ts";
+import { serveVariants } from "./serve-variants.ts";
+import { STAGE_PX } from "./variants/scenery.ts";
+
+const sides = [33, 101] as const;
+const contenders = ["product", "worker-layers", "page-layers", "svg"] as const;
+type Contender = (typeof contenders)[number];
+
+const ROUNDS = 3;
+const SETTLE_MS = 1000;
+const WATCH_MS = 3000;
+/** How many times slower the processor is made. */
+const THROTTLE = 4;
+const FRAME_MS = 1000 / 60;
+
+/** One list of numbers for each round. */
+interface Rounds {
+  mainThread: number[][];
+  script: number[][];
+  workerFrames: number[];
+  /** processor slowed down: milliseconds of main thread in each frame */
+  throttled: number[];
+}
+
+export const frames: Section = { title: "Frames", measure };
+
+async function measure({ browser, url }: PageUnderTest): Promise<readonly Goal[]> {
+  const variants = await serveVariants();
+  try {
+    const goals: Goal[] = [];
+    for (const side of sides) {
+      const open = (contender: Contender): Promise<Page> =>
+        contender === "product"
+          ? openProduct(browser, url, side)
+          : openVariant(browser, variants.url, contender, side);
+      const measured = await measureAll(browser, open);
+      print(side, measured);
+      goals.push(...goalsOf(side, measured));
+    }
+    return goals;
+  } finally {
+    await variants.stop();
+  }
+}
+
+/** One page at a time, in turns, so that one moment of the machine meets all of them. */
+async function measureAll(
+  browser: Browser,
+  open: (contender: Contender) => Promise<Page>,
+): Promise<Record<Contender, Rounds>> {
+  const empty = (): Rounds => ({ mainThread: [], script: [], workerFrames: [], throttled: [] });
+  const measured: Record<Contender, Rounds> = {
+    product: empty(),
+    "worker-layers": empty(),
+    "page-layers": empty(),
+    svg: empty(),
+  };
+  for (let round = 0; round < ROUNDS; round++) {
+    for (const contender of contenders) {
+      const page = await open(contender);
+      await page.waitForTimeout(SETTLE_MS);
+      const rounds = measured[contender];
+      const seen = await watchPage(browser, page, WATCH_MS);
+      rounds.mainThread.push(seen.mainThread);
+      rounds.script.push(seen.script);
+      rounds.workerFrames.push(...seen.workerFrames);
+      if (contender === "product") {
+        rounds.throttled.push(...(await watchThrottled(browser, page)).mainThread);
+      }
+      await page.close();
+    }
+  }
+  return measured;
+}
+
+async function watchThrottled(browser: Browser, page: Page): Promise<Watched> {
+  const session = await page.context().newCDPSession(page);
+  await session.send("Emulation.setCPUThrottlingRate", { rate: THROTTLE });
+  await page.waitForTimeout(SETTLE_MS);
+  const seen = await watchPage(browser, page, WATCH_MS);
+  await session.send("Emulation.setCPUThrottlingRate", { rate: 1 });
+  await session.detach();
+  return seen;
+}
+
+async function openVariant(
+  browser: Browser,
+  url: string,
+  variant: Exclude<Contender, "product">,
+  side: number,
+): Promise<Page> {
+  const page = await browser.newPage({
+    viewport: { width: STAGE_PX + 412, height: STAGE_PX + 40 },
+  });
+  await page.goto(`${url}/?variant=${variant}&side=${side}`);
+  await page.locator("[data-ready]").waitFor({ state: "attached" });
+  return page;
+}
+
+function goalsOf(
+  side: number,
+  { product, "worker-layers": limit }: Record<Contender, Rounds>,
+): Goal[] {
+  const script = product.script.flat();
+  const inTime = product.throttled.filter((milliseconds) => milliseconds <= FRAME_MS).length;
+  const painted = product.workerFrames.filter(
+    (milliseconds) => milliseconds * THROTTLE <= FRAME_MS,
+  );
+  return [
+    {
+      words: `script of the main thread a frame at ${side}, panel included, p50`,
+      measured: quantile(script, 0.5),
+      bound: { atMost: 0.1 },
+      unit: "ms",
+    },
+    {
+      words: `script of the main thread a frame at ${side}, panel included, p99`,
+      measured: quantile(script, 0.99),
+      bound: { atMost: 0.5 },
+      unit: "ms",
+    },
+    {
+      words: `main thread at ${side}, panel included, against the limit`,
+      measured: timesSlower(product.mainThread.map(mean), limit.mainThread.map(mean)),
+      bound: { atMost: 1.3 },
+      unit: "times",
+    },
+    {
+      words: `frames at ${side} whose main thread is done in time, ${THROTTLE} times throttled`,
+      measured: (100 * inTime) / product.throttled.length,
+      bound: { atLeast: 99 },
+      unit: "%",
+    },
+    {
+      words: `pictures at ${side} that a ${THROTTLE} times slower worker would draw in time`,
+      measured: (100 * painted.length) / product.workerFrames.length,
+      bound: { atLeast: 99 },
+      unit: "%",
+    },
+  ];
+}
+
+function print(side: number, measured: Record<Contender, Rounds>): void {
+  console.log(`\n${side} cells a side: milliseconds of processor time a frame`);
+  console.log(
+    `  ${"".padEnd(16)}${[
+      "main mean",
+      "p50",
+      "p99",
+      "script mean",
+      "p50",
+      "p99",
+      "worker p50",
+      "p99",
+    ]
+      .map((each) => each.padStart(12))
+      .join("")}`,
+  );
+  for (const contender of contenders) {
+    const { mainThread, script, workerFrames } = measured[contender];
+    const numbers = [
+      median(mainThread.map(mean)),
+      quantile(mainThread.flat(), 0.5),
+      quantile(mainThread.flat(), 0.99),
+      median(script.map(mean)),
+      quantile(script.flat(), 0.5),
+      quantile(script.flat(), 0.99),
+      quantile(workerFrames, 0.5),
+      quantile(workerFrames, 0.99),
+    ];
+    const cells = numbers.map((number) => number.toFixed(3).padStart(12)).join("");
+    console.log(`  ${contender.padEnd(16)}${cells}`);
+  }
+}
+
+function mean(numbers: readonly number[]): number {
+  return numbers.reduce((sum, number) => sum + number, 0) / numbers.length;
+}
+
+/** The number below which this share of all lies; NaN when there are none. */
+function quantile(numbers: readonly number[], share: number): number {
+  const sorted = numbers.toSorted((a, b) => a - b);
+  return sorted[Math.min(sorted.length - 1, Math.floor(sorted.length * share))] ?? Number.NaN;
+}

@@ -1,0 +1,39 @@
+/** The product's page with a run under way: the same maze, program and trail as the variants have. */
+import { encodeLink } from "@corridor/link";
+import type { Browser, Page } from "playwright";
+import { Scenery, STAGE_PX, sceneryProgram } from "./variants/scenery.ts";
+
+/** Width of the panel beside the stage, and about what stands above and below it. */
+const PANEL_PX = 412;
+const AROUND_PX = 260;
+
+/** Opens the built page, drives until the trail has its points, and lets the robot drive on in real time. */
+export async function openProduct(browser: Browser, url: string, side: number): Promise<Page> {
+  const scenery = new Scenery(side);
+  scenery.runUp();
+  const link = encodeLink({ maze: scenery.maze, program: sceneryProgram() });
+  if (!link.ok) throw new Error(`the maze fits no link: ${link.code}`);
+  const width = STAGE_PX + PANEL_PX;
+  const page = await browser.newPage({ viewport: { width, height: STAGE_PX + AROUND_PX } });
+  await page.goto(`${url}/#${link.text}`);
+  const canvas = page.locator("canvas").first();
+  await canvas.waitFor();
+  const height = (await canvas.boundingBox())?.height ?? STAGE_PX;
+  await page.setViewportSize({ width, height: 2 * STAGE_PX + AROUND_PX - Math.round(height) });
+
+  const speed = page.getByRole("combobox", { name: "Speed" });
+  await speed.selectOption("max");
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  const seconds = scenery.ticks / 60;
+  // More than the trail holds does no harm; less would be another picture.
+  await page.waitForFunction(
+    (most) => {
+      const clock = /Time\s+(\d+):([\d.]+)/.exec(document.body.innerText);
+      return Number(clock?.[1]) * 60 + Number(clock?.[2]) >= most;
+    },
+    seconds,
+    { timeout: 60_000 },
+  );
+  await speed.selectOption("1");
+  return page;
+}

@@ -1,0 +1,2 @@
+/** How often a panel is written, in milliseconds. */
+export const PANEL_MS = 50;
