@@ -8,11 +8,13 @@ export function watchTheme(onChange: () => void): () => void {
     attributes: true,
     attributeFilter: ["data-theme", "data-contrast", "lang"],
   });
-  const system = window.matchMedia("(prefers-color-scheme: dark)");
-  system.addEventListener("change", onChange);
+  const wishes = ["(prefers-color-scheme: dark)", "(forced-colors: active)"].map((query) =>
+    window.matchMedia(query),
+  );
+  for (const wish of wishes) wish.addEventListener("change", onChange);
   return () => {
     observer.disconnect();
-    system.removeEventListener("change", onChange);
+    for (const wish of wishes) wish.removeEventListener("change", onChange);
   };
 }
 

@@ -1,0 +1,57 @@
+/** High contrast: asked for by the system or chosen here, in both themes, and in forced colours. */
+import { AxeBuilder } from "@axe-core/playwright";
+import type { Page } from "playwright/test";
+import { expect, test } from "./fixtures.ts";
+
+/** Texts below 7:1, as axe measures them where they stand. */
+async function faint(page: Page): Promise<string[]> {
+  await page.evaluate(() =>
+    Promise.allSettled(document.getAnimations().map((animation) => animation.finished)),
+  );
+  const axe = new AxeBuilder({ page }).withRules("color-contrast-enhanced");
+  const { violations } = await axe.analyze();
+  return violations.flatMap(({ nodes }) => nodes.map(({ target }) => target.join(" ")));
+}
+
+for (const colorScheme of ["light", "dark"] as const) {
+  test(`reads every text at 7:1 when the system asks for contrast, ${colorScheme}`, async ({
+    corridor,
+    page,
+  }) => {
+    await page.emulateMedia({ contrast: "more", colorScheme, reducedMotion: "reduce" });
+    await expect(page.locator("html")).toHaveAttribute("data-contrast", "more");
+    await corridor.step.click();
+    expect(await faint(page), "program").toEqual([]);
+    await corridor.share.click();
+    await expect(corridor.dialog("Share this maze")).toBeVisible();
+    expect(await faint(page), "share").toEqual([]);
+  });
+}
+
+test("chooses high contrast, and finds it again after a reload", async ({ corridor, page }) => {
+  const html = page.locator("html");
+  await expect(html).toHaveAttribute("data-contrast", "normal");
+  await page.getByRole("button", { name: "Theme", exact: true }).click();
+  await page.getByRole("checkbox", { name: /^High contrast/ }).check();
+  await expect(html).toHaveAttribute("data-contrast", "more");
+  await corridor.reload();
+  await expect(html).toHaveAttribute("data-contrast", "more");
+});
+
+test("sees the words of filled buttons and the chosen driver in forced colours", async ({
+  corridor,
+  page,
+}) => {
+  await page.emulateMedia({ forcedColors: "active" });
+  const colours = (element: Element): { text: string; ground: string } => {
+    const style = getComputedStyle(element);
+    return { text: style.color, ground: style.backgroundColor };
+  };
+  for (const button of [corridor.run, corridor.share]) {
+    const { text, ground } = await button.evaluate(colours);
+    expect(text).not.toBe(ground);
+  }
+  const around = (driver: "Program" | "Remote") => corridor.driver(driver).locator("xpath=..");
+  const [chosen, other] = [around("Program"), around("Remote")];
+  expect((await chosen.evaluate(colours)).ground).not.toBe((await other.evaluate(colours)).ground);
+});
