@@ -50,6 +50,16 @@ describe("what the page is told while the robot drives", () => {
     },
   );
 
+  it("keeps to twenty a second on average where every frame decides something", () => {
+    const { at } = start();
+    let sent = 0;
+    for (let time = 0; time < 5000; time += 8) {
+      if (at(time, { tick: time, line: time % 3 }) !== null) sent++;
+    }
+    expect(sent).toBeGreaterThan(90);
+    expect(sent).toBeLessThan(110);
+  });
+
   it("comes at once while the reader looks for a moment of the past", () => {
     const { at } = start();
     at(0, { tick: 90 });
