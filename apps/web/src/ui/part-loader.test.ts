@@ -21,6 +21,6 @@ describe("a part of the page that comes later", () => {
     isOnline = true;
     await loader.load();
     end();
-    expect(seen).toEqual(["loading", "failed", "loading", "ready"]);
+    expect(seen).toEqual(["loading", "failed", "ready"]);
   });
 });

@@ -9,6 +9,7 @@ export class PartLoader<Part> {
   readonly #import: () => Promise<Part>;
   readonly #listeners = new Set<() => void>();
   #state: PartState<Part> = { kind: "none" };
+  #isOnItsWay = false;
 
   constructor(load: () => Promise<Part>) {
     this.#import = load;
@@ -22,14 +23,20 @@ export class PartLoader<Part> {
     return () => this.#listeners.delete(listener);
   };
 
-  /** Never throws: a failure is a state, and the next call tries again. */
+  /**
+   * Never throws: a failure is a state, and the next call tries again. Until that has ended, the state
+   * stays "failed", so that what says so stays on the screen.
+   */
   readonly load = async (): Promise<void> => {
-    if (this.#state.kind === "ready" || this.#state.kind === "loading") return;
-    this.#set({ kind: "loading" });
+    if (this.#state.kind === "ready" || this.#isOnItsWay) return;
+    this.#isOnItsWay = true;
+    if (this.#state.kind === "none") this.#set({ kind: "loading" });
     try {
       this.#set({ kind: "ready", part: await this.#import() });
     } catch {
       this.#set({ kind: "failed" });
+    } finally {
+      this.#isOnItsWay = false;
     }
   };
 
