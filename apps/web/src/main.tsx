@@ -2,7 +2,7 @@
 import { createRoot } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
 import { App } from "./app/App.tsx";
-import { flushWhenHidden } from "./app/autosave.ts";
+import { flushWhenHidden, type PageLife } from "./app/autosave.ts";
 import { LoadFailure } from "./app/LoadFailure.tsx";
 import { browserLanguage } from "./app/browser-language.ts";
 import { LanguageProvider } from "./app/language-context.ts";
@@ -72,12 +72,17 @@ async function open(): Promise<void> {
     apply: (shown) => Object.assign(document.documentElement.dataset, shown),
   });
   keepSingleKeys(screen, device);
-  flushWhenHidden(services.works.autosave, {
+  const flush = () => {
+    services.works.autosave.flush();
+    services.runKeeper.flush();
+  };
+  const life: PageLife = {
     isHidden: () => document.visibilityState === "hidden",
     listen: (type, listener) => {
       (type === "pagehide" ? window : document).addEventListener(type, listener);
     },
-  });
+  };
+  flushWhenHidden({ flush }, life);
 
   const follow = () =>
     followAddress({
@@ -95,6 +100,7 @@ async function open(): Promise<void> {
       openChallenge: (challenge, program) => services.lessons.openShared(challenge, program),
     });
   await follow();
+  void services.runKeeper.resume();
   window.addEventListener("hashchange", () => void follow());
 
   root.render(
