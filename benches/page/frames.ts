@@ -15,7 +15,7 @@ const sides = [33, 101] as const;
 const contenders = ["product", "worker-layers", "page-layers", "svg"] as const;
 type Contender = (typeof contenders)[number];
 
-const ROUNDS = 3;
+const ROUNDS = Number(process.env["R"] ?? 3);
 const SETTLE_MS = 1000;
 const WATCH_MS = 3000;
 /** How many times slower the processor is made. */
@@ -34,7 +34,7 @@ interface Rounds {
 export const frames: Section = { title: "Frames", measure };
 
 async function measure({ browser, url }: PageUnderTest): Promise<readonly Goal[]> {
-  const variants = await serveVariants();
+  const variants = await serveVariants("variants/");
   try {
     const goals: Goal[] = [];
     for (const side of sides) {

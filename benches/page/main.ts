@@ -7,11 +7,12 @@ import { chromium } from "playwright";
 import { RelayProcess } from "../../e2e/support/relay-process.ts";
 import { chromiumArguments, requireChromium } from "../../scripts/chromium.ts";
 import { goalLine, isMet, type Goal } from "../core/goals.ts";
+import { firstVisit } from "./first-visit.ts";
 import { frames } from "./frames.ts";
 import { scrubbing } from "./scrubbing.ts";
 import type { Section } from "./section.ts";
 
-const sections: readonly Section[] = [frames, scrubbing];
+const sections: readonly Section[] = [frames, scrubbing, firstVisit];
 
 const wanted = process.argv.slice(2).map((word) => word.toLowerCase());
 const chosen = sections.filter(

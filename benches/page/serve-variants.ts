@@ -1,11 +1,9 @@
-/** Builds the variants' page as the product is built, and serves it on a free port. */
+/** Builds a page of variants as the product is built, and serves it on a free port. */
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build, preview } from "vite";
-
-const root = fileURLToPath(new URL("variants/", import.meta.url));
 
 /** An address without a slash at its end, and how to stop serving it. */
 export interface Served {
@@ -13,7 +11,9 @@ export interface Served {
   stop: () => Promise<void>;
 }
 
-export async function serveVariants(): Promise<Served> {
+/** @param folder with an index.html, from here */
+export async function serveVariants(folder: string): Promise<Served> {
+  const root = fileURLToPath(new URL(folder, import.meta.url));
   const outDir = mkdtempSync(join(tmpdir(), "corridor-variants-"));
   await build({
     root,
