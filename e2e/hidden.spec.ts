@@ -50,3 +50,41 @@ test("a remotely driven robot keeps moving while its page is hidden", async ({ r
     await browser.close();
   }
 });
+
+test("a page that was hidden while the robot drove shows where it is, as soon as it is seen", async ({
+  relay,
+}) => {
+  test.setTimeout(120_000);
+  const browser = await RawChromium.start();
+  try {
+    const page = await browser.open(`${relay}/`);
+    const place = `[...document.querySelectorAll("span")].find((each) => /^Robot at/.test(each.textContent))?.textContent`;
+    await page.until(place);
+    await page.until("document.querySelector('canvas') !== null");
+    await page.evaluate(
+      `[...document.querySelectorAll("button")].find((each) => each.textContent.trim() === "Run").click()`,
+    );
+    await browser.open("about:blank");
+    await page.until(`document.visibilityState === "hidden"`);
+    const from = await page.evaluate(place);
+    await page.until(`${place} !== ${JSON.stringify(from)}`);
+    await page.evaluate(
+      `[...document.querySelectorAll("button")].find((each) => each.textContent.trim() === "Pause").click()`,
+    );
+    await page.show();
+    await page.until(`document.visibilityState === "visible"`);
+    await page.evaluate("new Promise((done) => setTimeout(done, 500))");
+    const box = await page.evaluate(
+      "(({ x, y, width, height }) => ({ x, y, width, height }))(document.querySelector('canvas').getBoundingClientRect())",
+    );
+    const shown = await page.picture(box);
+    // What a page that was never away paints of the same moment: every layer anew.
+    await page.evaluate(`document.documentElement.dataset.theme = "dark"`);
+    await page.evaluate("new Promise((done) => setTimeout(done, 300))");
+    await page.evaluate(`document.documentElement.dataset.theme = "light"`);
+    await page.evaluate("new Promise((done) => setTimeout(done, 500))");
+    expect((await page.picture(box)) === shown).toBe(true);
+  } finally {
+    await browser.close();
+  }
+});

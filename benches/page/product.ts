@@ -17,6 +17,7 @@ export async function openProduct(browser: Browser, url: string, side: number): 
   const page = await browser.newPage({ viewport: { width, height: STAGE_PX + AROUND_PX } });
   // The machine may be busy; how long this takes is not measured.
   page.setDefaultTimeout(120_000);
+  await page.addInitScript(letPanelsBeQuiet);
   await page.goto(`${url}/#${link.text}`);
   const canvas = page.locator("canvas").first();
   await canvas.waitFor();
@@ -34,4 +35,30 @@ export async function openProduct(browser: Browser, url: string, side: number): 
   }, seconds);
   await speed.selectOption("1");
   return page;
+}
+
+declare global {
+  /** set to keep what the panels show from the page, so that the stage is alone */
+  var arePanelsQuiet: boolean | undefined;
+}
+
+/** From here on the page hears no news of the run; the worker goes on drawing. */
+export async function quietPanels(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    globalThis.arePanelsQuiet = true;
+  });
+}
+
+/** Runs in the page before its own scripts: hears every worker's messages first. */
+function letPanelsBeQuiet(): void {
+  const PlainWorker = globalThis.Worker;
+  globalThis.Worker = class extends PlainWorker {
+    constructor(address: string | URL, options?: WorkerOptions) {
+      super(address, options);
+      this.addEventListener("message", (event: MessageEvent<{ type?: string }>) => {
+        const isForPanels = event.data.type === "frame" || event.data.type === "timeline";
+        if (globalThis.arePanelsQuiet === true && isForPanels) event.stopImmediatePropagation();
+      });
+    }
+  };
 }

@@ -61,7 +61,7 @@ export class RawChromium {
     const { targetId } = await this.send("Target.createTarget", { url });
     const { sessionId } = await this.send("Target.attachToTarget", { targetId, flatten: true });
     await this.send("Target.activateTarget", { targetId });
-    return new RawPage(this, String(sessionId));
+    return new RawPage(this, String(sessionId), String(targetId));
   }
 
   /** Calls a method of the protocol. @returns its result */
@@ -90,10 +90,24 @@ export class RawChromium {
 export class RawPage {
   readonly #browser: RawChromium;
   readonly #session: string;
+  readonly #target: string;
 
-  constructor(browser: RawChromium, session: string) {
+  constructor(browser: RawChromium, session: string, target: string) {
     this.#browser = browser;
     this.#session = session;
+    this.#target = target;
+  }
+
+  /** Puts it in front of all others again. */
+  async show(): Promise<void> {
+    await this.#browser.send("Target.activateTarget", { targetId: this.#target });
+  }
+
+  /** What a part of it shows, in CSS pixels, as a PNG file in base64. It must be in front. */
+  async picture(part: unknown): Promise<string> {
+    const clip = { ...(part as Answer), scale: 1 };
+    const { data } = await this.#browser.send("Page.captureScreenshot", { clip }, this.#session);
+    return String(data);
   }
 
   /** Runs an expression in the page, and waits for it. @returns its value as JSON has it */
