@@ -24,6 +24,7 @@ import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "./first-visit.ts";
 import { RemoteConnection } from "./remote-session.ts";
 import { RunKeeper } from "./run-keeper.ts";
+import { whenSettled } from "./settled.ts";
 import type { WorkReader } from "./work-reader.ts";
 import { sendEdits } from "./send-edits.ts";
 import { WorksService } from "./works-service.ts";
@@ -142,7 +143,13 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
   });
   const connection = new RemoteConnection({ simulator, remote, run, tab });
   const solved = createSolvedStore({ run, workspace, device });
-  const advice = createAdviceStore({ workspace, load: () => import("@corridor/coach"), later });
+  // The program of a first visit needs no advice, and the first tick needs the line.
+  const settled = whenSettled(run);
+  const load = async () => {
+    await settled;
+    return import("@corridor/coach");
+  };
+  const advice = createAdviceStore({ workspace, load, later });
   const challenge = createChallengeStore();
   const storage = new LessonsStorage(device);
   const lessons = new LessonsGate({
