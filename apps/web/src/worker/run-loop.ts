@@ -18,31 +18,26 @@ import {
   type TimelineNews,
   type WrittenRun,
 } from "@corridor/recording";
-import { FixedTimestep } from "@corridor/simulation";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
 import { commandOfKey } from "../drivers/hand-driver.ts";
 import { RemoteDriver, type Delivery, type RemoteDriverEvents } from "../drivers/remote-driver.ts";
 import { Moments } from "./moments.ts";
+import { RunClock } from "./run-clock.ts";
 import { RunCoach } from "./run-coach.ts";
 import { ShownPast } from "./shown-past.ts";
+import { isDecidedAnew, shownLine, type NewestProgram } from "./shown-line.ts";
 import { TrailFeed } from "./trail-feed.ts";
 import type { DriveKey, Frame, LoadedRun, Moment, RunView, Speed } from "./worker-messages.ts";
 
-/** At speed "max", ticks between two looks at the clock, and the share of time that may be used. */
-const MAX_SPEED_CHUNK = 240;
-const MAX_SPEED_BUDGET_MS = 6;
-
 export class RunLoop {
-  readonly #now: () => number;
-  readonly #timestep = new FixedTimestep();
+  readonly #clock: RunClock;
   readonly #trail = new TrailFeed();
   readonly #moments = new Moments();
   readonly #coach = new RunCoach();
   readonly #remote: RemoteDriver;
   /** the newest documents; the run has them too, except while the past is shown */
   #maze: MazeDocument;
-  #program: ProgramDocument;
-  #decider: CompiledProgram;
+  #program: NewestProgram;
   #recording: Recording;
   /** null while the newest moment is shown */
   #past: ShownPast | null = null;
@@ -51,8 +46,6 @@ export class RunLoop {
   #isRunning = false;
   /** pause as soon as the decision that is being taken is done */
   #isStepping = false;
-  #speed: Speed = 1;
-  #lastAt = 0;
   #seq = 0;
   #isDirty = true;
   /** changes of the inputs of all runs before this one */
@@ -66,11 +59,10 @@ export class RunLoop {
     now: () => number,
     remoteEvents: RemoteDriverEvents,
   ) {
-    this.#now = now;
+    this.#clock = new RunClock(now);
     this.#remote = new RemoteDriver(remoteEvents);
     this.#maze = maze;
-    this.#program = program;
-    this.#decider = new CompiledProgram(program);
+    this.#program = newest(program);
     this.#recording = new Recording(maze, program);
   }
 
@@ -96,8 +88,7 @@ export class RunLoop {
 
   /** While the past is shown, the run gets the new program only when it goes on. */
   editProgram(program: ProgramDocument): void {
-    this.#program = program;
-    this.#decider = new CompiledProgram(program);
+    this.#program = newest(program);
     if (this.#past === null) this.#bringProgram();
     this.#isDirty = true;
   }
@@ -135,8 +126,7 @@ export class RunLoop {
   }
 
   setSpeed(speed: Speed): void {
-    this.#speed = speed;
-    this.#timestep.clear();
+    this.#clock.speed = speed;
   }
 
   /** Hands the robot over: it stops; a script's robot is live at once, the others wait. */
@@ -232,8 +222,7 @@ export class RunLoop {
     this.#show(recording);
     const { maze, program } = recording.run;
     this.#maze = maze;
-    this.#program = program;
-    this.#decider = new CompiledProgram(program);
+    this.#program = newest(program);
     // A script's commands have ended long ago: Remote is chosen anew.
     if (this.driver === "remote") this.setDriver("program");
     return { ok: true, maze, program };
@@ -241,17 +230,7 @@ export class RunLoop {
 
   /** Runs the ticks that real time asks for since the last call. */
   advance(): void {
-    const now = this.#now();
-    const elapsed = now - this.#lastAt;
-    this.#lastAt = now;
-    if (!this.isRunning) return;
-    if (this.#speed === "max") {
-      while (this.isRunning && this.#now() - now < MAX_SPEED_BUDGET_MS) {
-        this.#runTicks(MAX_SPEED_CHUNK);
-      }
-    } else {
-      this.#runTicks(this.#timestep.ticksFor(elapsed, this.#speed));
-    }
+    this.#clock.advance(this.isRunning, (count) => this.#runTicks(count));
   }
 
   /** What there is to draw and to tell since the last call; null when nothing changed. */
@@ -261,7 +240,7 @@ export class RunLoop {
     const run = this.#shown;
     const frame: Frame = {
       snapshot: this.#snapshotOf(run),
-      progress: this.#isOtherwiseHere(run) ? null : run.progress,
+      progress: isDecidedAnew(run, this.#program) ? null : run.progress,
       view: this.#view,
       nowTick: this.#recording.run.tick,
       nowDriver: this.driver,
@@ -311,23 +290,9 @@ export class RunLoop {
       seq: ++this.#seq,
       state: flows ? "running" : "paused",
       driver: run.driver,
-      line: this.#lineOf(run),
+      line: shownLine(run, this.#program),
       command: run.command,
     };
-  }
-
-  /** The line in charge; where the program was another one then, the line that would decide here now. */
-  #lineOf(run: Run): LineRef | null {
-    if (run.driver !== "program" || run.program === this.#program) return run.line;
-    if (!this.#isOtherwiseHere(run)) return null;
-    const rule = this.#decider.decide(run.readings);
-    return rule < 0 ? "default" : rule;
-  }
-
-  /** Whether the shown moment was decided by another program than the newest, which would decide here. */
-  #isOtherwiseHere(run: Run): boolean {
-    const isFree = !run.isManoeuvring || run.decidedAt === run.tick;
-    return run.driver === "program" && run.program !== this.#program && isFree;
   }
 
   #enterPast(): ShownPast {
@@ -373,9 +338,11 @@ export class RunLoop {
 
   #bringProgram(): void {
     const { run } = this.#recording;
-    if (run.program === this.#program) return;
-    this.#recording.input({ do: "program", program: this.#program });
-    this.#program = run.program;
+    const { document, compiled } = this.#program;
+    if (run.program === document) return;
+    this.#recording.input({ do: "program", program: document });
+    // The run has one that is equal, and is compared by identity from here on.
+    this.#program = { document: run.program, compiled };
   }
 
   #start(): void {
@@ -384,20 +351,20 @@ export class RunLoop {
   }
 
   #startClock(): void {
-    this.#timestep.clear();
-    this.#lastAt = this.#now();
+    this.#clock.start();
     this.#isDirty = true;
   }
 
-  #runTicks(count: number): void {
+  /** @returns whether time still flows */
+  #runTicks(count: number): boolean {
     if (count > 0) this.#isDirty = true;
-    if (this.#past !== null) {
-      this.#past.goTo(this.#past.tick + count);
-      if (this.#speed === "max") void this.#past.run;
+    if (this.#past === null) {
+      for (let i = 0; i < count && this.#isRunning; i++) this.#tick();
+    } else {
+      this.#past.playOn(count);
       if (this.#past.isAtEnd) this.now();
-      return;
     }
-    for (let i = 0; i < count && this.#isRunning; i++) this.#tick();
+    return this.isRunning;
   }
 
   #tick(): void {
@@ -430,7 +397,7 @@ export class RunLoop {
   /** A new run of the newest documents; the driver stays, and a script's robot is live at once. */
   #beginRun(): void {
     const { driver } = this;
-    this.#show(new Recording(this.#maze, this.#program));
+    this.#show(new Recording(this.#maze, this.#program.document));
     if (driver === "program") return;
     this.#recording.input({ do: "driver", driver });
     if (driver === "remote") this.#start();
@@ -446,4 +413,8 @@ export class RunLoop {
     this.#trail.begin();
     this.pause();
   }
+}
+
+function newest(document: ProgramDocument): NewestProgram {
+  return { document, compiled: new CompiledProgram(document) };
 }

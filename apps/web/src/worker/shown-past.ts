@@ -32,6 +32,12 @@ export class ShownPast {
     this.#tick = Math.min(Math.max(0, Math.floor(tick)), this.#recording.run.tick);
   }
 
+  /** Plays so many ticks on; done at once, so that its time is part of the playing. */
+  playOn(ticks: number): void {
+    this.goTo(this.#tick + ticks);
+    this.#playback.goTo(this.#tick);
+  }
+
   /** Shows the decision before the shown moment. */
   goToDecisionBefore(): void {
     this.goTo(this.#recording.decisionBefore(this.#tick, this.#playback));

@@ -1,0 +1,46 @@
+/** From real time to ticks at the chosen speed. "max" is as many as a share of the time allows. */
+import { FixedTimestep } from "@corridor/simulation";
+import type { Speed } from "./worker-messages.ts";
+
+/** At speed "max", ticks between two looks at the clock, and the share of time that may be used. */
+const MAX_SPEED_CHUNK = 240;
+const MAX_SPEED_BUDGET_MS = 6;
+
+export class RunClock {
+  readonly #now: () => number;
+  readonly #timestep = new FixedTimestep();
+  #speed: Speed = 1;
+  #lastAt = 0;
+
+  /** @param now monotonic milliseconds */
+  constructor(now: () => number) {
+    this.#now = now;
+  }
+
+  set speed(speed: Speed) {
+    this.#speed = speed;
+    this.#timestep.clear();
+  }
+
+  /** Time begins to flow: what passed until now counts for nothing. */
+  start(): void {
+    this.#timestep.clear();
+    this.#lastAt = this.#now();
+  }
+
+  /**
+   * Asks for the ticks of the time since the last call.
+   * @param runTicks runs so many. @returns false when time has stopped flowing
+   */
+  advance(isFlowing: boolean, runTicks: (count: number) => boolean): void {
+    const now = this.#now();
+    const elapsed = now - this.#lastAt;
+    this.#lastAt = now;
+    if (!isFlowing) return;
+    if (this.#speed !== "max") {
+      runTicks(this.#timestep.ticksFor(elapsed, this.#speed));
+      return;
+    }
+    while (this.#now() - now < MAX_SPEED_BUDGET_MS && runTicks(MAX_SPEED_CHUNK));
+  }
+}
