@@ -18,6 +18,8 @@ test("gets a strict Content-Security-Policy with the page and each of its files"
     expect(policy, path).toContain("default-src 'self'");
     expect(policy, path).toContain("script-src 'self'");
     expect(policy, path).toContain("style-src 'self'");
+    expect(policy, path).toContain("worker-src 'self'");
+    expect(policy, path).toContain("manifest-src 'self'");
     expect(policy, path).toContain("object-src 'none'");
     expect(policy, path).toContain("frame-ancestors 'none'");
     expect(policy, path).not.toMatch(/unsafe-inline|unsafe-eval|\*|https?:/);
