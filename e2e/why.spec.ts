@@ -194,7 +194,7 @@ test("reaches otherwise and Add line below a long program, and sees the line tha
   // The running line comes into sight, and the focus stays where it is.
   await program.line(1).focus();
   await program.name.focus();
-  expect(await shareInSight(program.line(10))).toBe(0);
+  await expect.poll(() => shareInSight(program.line(10))).toBe(0);
   await corridor.run.click();
   await expect(program.line(10)).toHaveAttribute("aria-current", "step");
   await expect.poll(() => shareInSight(program.line(10))).toBe(1);

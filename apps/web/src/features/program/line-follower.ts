@@ -6,8 +6,8 @@
 
 /** A line has to run so long before the list follows, so that one that flickers does not shake it. */
 const STEADY_MS = 200;
-/** Room that is left above and below the line, in px. */
-const MARGIN = 8;
+/** Room that is left above the line and below it, where the list fades out, in px. */
+const MARGIN = { above: 8, below: 28 };
 /** Only a reader makes these; scrolling by code makes just "scroll". */
 const READERS_EVENTS = ["wheel", "touchmove", "pointerdown", "keydown", "focusin"];
 
@@ -66,8 +66,8 @@ export class LineFollower {
     if (this.#line === null || scroller === null) return 0;
     const box = scroller.getBoundingClientRect();
     const line = this.#line.getBoundingClientRect();
-    const above = line.top - MARGIN - box.top;
-    const below = line.bottom + MARGIN - box.bottom;
+    const above = line.top - MARGIN.above - box.top;
+    const below = line.bottom + MARGIN.below - box.bottom;
     if (above < 0) return above;
     // A line that is higher than the list shows its top.
     return below > 0 ? Math.min(below, above) : 0;
