@@ -10,6 +10,7 @@ import program from "./program.json" with { type: "json" };
 import remote from "./remote.json" with { type: "json" };
 import share from "./share.json" with { type: "json" };
 import shell from "./shell.json" with { type: "json" };
+import speech from "./speech.json" with { type: "json" };
 import stage from "./stage.json" with { type: "json" };
 import timeline from "./timeline.json" with { type: "json" };
 import works from "./works.json" with { type: "json" };
@@ -26,6 +27,7 @@ export const en = {
   remote,
   share,
   shell,
+  speech,
   stage,
   timeline,
   works,
