@@ -79,7 +79,7 @@ for (const tab of ["Python", "JavaScript"] as const) {
         timeout: 90_000,
       })
       .toBe(true);
-    await page.getByRole("radio", { name: "Me" }).click();
+    await page.getByRole("radio", { name: "Me", exact: true }).click();
     await script;
   });
 }
@@ -129,7 +129,7 @@ test("taking over by hand cancels what the script asked for and says why", async
   await setSpeed(page, "0.25");
   await api(address, "/commands", { action: "move", distance: 200 });
   await expect(page.getByRole("row", { name: /move 200/ })).toContainText("running");
-  await page.getByRole("radio", { name: "Me" }).click();
+  await page.getByRole("radio", { name: "Me", exact: true }).click();
   const record = await (await api(address, "/commands/1?wait=20")).json();
   expect(record).toMatchObject({ state: "cancelled" });
   expect(record.reason).toContain("took over");
