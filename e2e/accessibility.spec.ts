@@ -216,6 +216,8 @@ test("goes through everything with Tab in the order of the screen", async ({ cor
     "Maze",
     "maze",
     "Who drives?",
+    // the invitation to the first mission
+    "Lessons",
     "Program",
     "otherwise, running",
     "Program",

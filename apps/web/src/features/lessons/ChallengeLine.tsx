@@ -3,6 +3,7 @@ import { Check, Target } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { challengeResult } from "../../stores/challenge-store.ts";
 import { metText } from "./failure-text.ts";
 import styles from "./lessons.module.css";
 import { missionIds } from "./missions/mission.ts";
@@ -13,8 +14,8 @@ export function ChallengeLine() {
   const { challenge: store } = useServices();
   const challenge = useStore(store, (state) => state.challenge);
   const mission = useStore(store, (state) => state.mission);
-  const result = useStore(store, (state) => state.result);
-  if (challenge === null) return null;
+  const result = useStore(store, challengeResult);
+  if (challenge === null || result === null) return null;
   const id = missionIds.find((each) => each === mission);
   if (result.state === "met") {
     return (

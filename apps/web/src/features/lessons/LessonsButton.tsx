@@ -3,6 +3,7 @@ import { Target } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
+import styles from "./lessons-button.module.css";
 import { LessonsDialog } from "./lazy-lessons-dialog.ts";
 
 export function LessonsButton() {
@@ -14,9 +15,10 @@ export function LessonsButton() {
         kind="quiet"
         icon={<Target aria-hidden="true" />}
         aria-haspopup="dialog"
+        className={styles["button"]}
         onClick={() => setIsOpen(true)}
       >
-        {t("lessons.lessons")}
+        <span className={styles["word"]}>{t("lessons.lessons")}</span>
       </Button>
       <LessonsDialog isOpen={isOpen} onClose={() => setIsOpen(false)} />
     </>
