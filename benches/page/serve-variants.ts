@@ -18,7 +18,7 @@ export async function serveVariants(folder: string): Promise<Served> {
   await build({
     root,
     configFile: false,
-    logLevel: "warn",
+    logLevel: "error",
     define: { "process.env.NODE_ENV": '"production"' },
     worker: { format: "es" },
     build: { outDir, emptyOutDir: true, chunkSizeWarningLimit: 1000 },

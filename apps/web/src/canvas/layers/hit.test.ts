@@ -1,0 +1,45 @@
+import type { MazeDocument } from "@corridor/maze";
+import { describe, expect, it } from "vitest";
+import { awayFrom, hitSensor, isAtHit, type Hit } from "./hit.ts";
+
+const maze: MazeDocument = {
+  format: "corridor/maze",
+  version: 1,
+  name: "",
+  blocks: ["..#", "...", "..."],
+  start: { column: 0, row: 0, heading: "east" },
+  goals: [],
+};
+/** At the west side of the block. */
+const hit: Hit = { pose: { x: 175, y: 50, heading: 90 }, wanted: 26 };
+
+describe("a bump is shown", () => {
+  it.each([
+    { name: "while the robot stands at it", pose: hit.pose, isShown: true },
+    { name: "while it turns there", pose: { ...hit.pose, heading: 0 }, isShown: true },
+    { name: "no more once it has driven away", pose: { ...hit.pose, x: 173 }, isShown: false },
+  ])("$name", ({ pose, isShown }) => {
+    expect(isAtHit(hit, pose)).toBe(isShown);
+    expect(isAtHit(null, pose)).toBe(false);
+  });
+
+  it.each([
+    { heading: 90, sensor: "front" },
+    { heading: 0, sensor: "right" },
+    { heading: 270, sensor: "back" },
+    { heading: 180, sensor: "left" },
+    { heading: 45, sensor: null },
+  ])("by the sensor that looks at the wall: $sensor at heading $heading", ({ heading, sensor }) => {
+    expect(hitSensor(maze, hit, heading)).toBe(sensor);
+  });
+
+  it("by no sensor where the wall has gone since", () => {
+    expect(hitSensor({ ...maze, blocks: ["...", "...", "..."] }, hit, 90)).toBeNull();
+  });
+
+  it("by a recoil away from the wall", () => {
+    const { dx, dy } = awayFrom(maze, hit);
+    expect(dx).toBeCloseTo(-1, 6);
+    expect(dy).toBeCloseTo(0, 6);
+  });
+});
