@@ -1,6 +1,8 @@
 /** A new student, who reads nothing but what stands on the stage and in the panel. */
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { expectNoBarriers } from "./support/axe.ts";
+import { stickingOut } from "./support/layout.ts";
 
 test("a new student solves the first mission within a minute of the first visit", async ({
   corridor,
@@ -210,4 +212,38 @@ test("shares a challenge, and who opens the link has its bar, its rules and the 
   await theirs.button("Back to my maze").click();
   await expect(theirs.card).toBeHidden();
   await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+});
+
+test("meets no barrier in the path, in a mission and in its verdict", async ({
+  page,
+  corridor,
+}) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openPath();
+  await expectNoBarriers(page, "path of missions");
+  await page.keyboard.press("Escape");
+  await lessons.openMission(12);
+  await lessons.button("Show a hint").click();
+  await lessons.button("Check in all 3 mazes").click();
+  await expect(lessons.card).toContainText("Passes in 1 of 3 mazes.");
+  await expectNoBarriers(page, "a mission that does not pass yet");
+  await corridor.dismissMessages();
+});
+
+test("finds nothing beyond the edges in a mission at 320 x 700", async ({ openWindow }) => {
+  const corridor = await openWindow({ viewport: { width: 320, height: 700 } });
+  await corridor.open();
+  const { page } = corridor;
+  const lessons = new LessonsPanel(page);
+  expect(await stickingOut(page), "invitation").toEqual([]);
+  await page.getByRole("banner").getByRole("button", { name: "More" }).click();
+  await page.getByRole("dialog", { name: "More" }).getByRole("button", { name: "Lessons" }).click();
+  await expect(lessons.path).toBeVisible();
+  expect(await stickingOut(page), "path").toEqual([]);
+  await lessons.path.getByRole("button", { name: /^12\. / }).click();
+  await lessons.button("Check in all 3 mazes").click();
+  await expect(lessons.card).toContainText("Passes in 1 of 3 mazes.");
+  expect(await stickingOut(page), "mission").toEqual([]);
+  await page.getByRole("tab", { name: "Drive" }).click();
+  expect(await stickingOut(page), "slim").toEqual([]);
 });
