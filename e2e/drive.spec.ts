@@ -160,7 +160,8 @@ test("lets a program bump and is told which line it was", async ({ corridor }) =
   await expect(corridor.story).toHaveText(
     /^Bump: “otherwise” drove into a block at 2\.2 s \(tick 13\d\), in row 7, column 3\.$/,
   );
-  await corridor.pause.click();
+  // A bump of the program pauses it, so that it can be explained.
+  await expect(corridor.run).toBeVisible();
   await corridor.program.number(1).fill("300");
   await corridor.program.action(1).selectOption("forward");
   await corridor.reset.click();

@@ -5,7 +5,7 @@ import { expect, test } from "./fixtures.ts";
 const solved = "Goal reached after 39.6 s (tick 2380), in row 1, column 11, by “otherwise”.";
 
 test("finds a robot in a maze, with a program that drives it", async ({ corridor, page }) => {
-  await expect(page).toHaveTitle("Corridor");
+  await expect(page).toHaveTitle("Corridor: a robot in a maze");
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
   await expect(corridor.driver("Program")).toBeChecked();
   await expect(corridor.program.name).toHaveValue("Right wall");

@@ -25,12 +25,8 @@ function noticeOf(
   const watch = new LoopWatch(maze);
   for (let tick = 1; tick <= seconds * 60; tick++) {
     run.step();
-    const notice = watch.look({
-      cell: simulation.cell,
-      isStopped: simulation.isStopped,
-      line: run.line,
-      isTurning: simulation.isManoeuvring,
-    });
+    const { cell, isStopped, isManoeuvring } = simulation;
+    const notice = watch.look(cell, isStopped, isManoeuvring, run.line);
     if (notice !== null) return { ...notice, tick };
   }
   return null;
@@ -74,8 +70,7 @@ describe("LoopWatch", () => {
 
   it("is told once", () => {
     const watch = new LoopWatch(mazeOf([".."], "east"));
-    const tick = { cell: 1, isStopped: true, line: 0, isTurning: false } as const;
-    const told = Array.from({ length: 1000 }, () => watch.look(tick)).filter(Boolean);
+    const told = Array.from({ length: 1000 }, () => watch.look(1, true, false, 0)).filter(Boolean);
     expect(told).toHaveLength(1);
   });
 

@@ -15,17 +15,6 @@ const PUSHING_TICKS = 120;
 /** Fifteen seconds: longer than any manoeuvres that a square takes. */
 const STAYING_TICKS = 900;
 
-export interface TickOfRobot {
-  /** `row * columns + column` of the square under the robot's middle */
-  cell: number;
-  /** whether a wall stopped the robot in this tick */
-  isStopped: boolean;
-  /** the line that decides or began the manoeuvre that runs */
-  line: LineRef;
-  /** whether a turn runs, so that its line is what leads the robot round */
-  isTurning: boolean;
-}
-
 export interface LoopNotice {
   kind: "circles" | "pushing" | "staying";
   /** the line to look at: the one that turned last, or that pushes or stays */
@@ -57,8 +46,15 @@ export class LoopWatch {
     this.#unseen = distances.length - this.#isVisited.reduce((sum, each) => sum + each, 0);
   }
 
-  /** Looks at the end of a tick. @returns what there is to say, at most once */
-  look({ cell, isStopped, line, isTurning }: TickOfRobot): LoopNotice | null {
+  /**
+   * Looks at the end of a tick. Numbers and flags, no object: this runs on every tick.
+   * @param cell `row * columns + column` of the square under the robot's middle
+   * @param isStopped whether a wall stopped the robot in this tick
+   * @param isTurning whether a manoeuvre runs, so that its line is what leads the robot round
+   * @param line the line that decides or began the manoeuvre that runs
+   * @returns what there is to say, at most once
+   */
+  look(cell: number, isStopped: boolean, isTurning: boolean, line: LineRef): LoopNotice | null {
     if (this.#hasTold) return null;
     if (isTurning) this.#turner = line;
     this.#pushed = isStopped ? this.#pushed + 1 : 0;

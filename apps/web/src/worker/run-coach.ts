@@ -30,8 +30,7 @@ export class RunCoach {
   look(run: Run, line: LineRef): LoopNotice | null {
     this.#follow(run);
     this.#watch ??= new LoopWatch(run.maze);
-    const { cell, isStopped, isManoeuvring } = run;
-    return this.#watch.look({ cell, isStopped, line, isTurning: isManoeuvring });
+    return this.#watch.look(run.cell, run.isStopped, run.isManoeuvring, line);
   }
 
   /**
