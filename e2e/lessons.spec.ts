@@ -1,4 +1,6 @@
 /** A new student, who reads nothing but what stands on the stage and in the panel. */
+import type { ChallengeDocument } from "@corridor/challenge";
+import { encodeLink } from "@corridor/link";
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { expectNoBarriers } from "./support/axe.ts";
@@ -246,4 +248,56 @@ test("finds nothing beyond the edges in a mission at 320 x 700", async ({ openWi
   expect(await stickingOut(page), "mission").toEqual([]);
   await page.getByRole("tab", { name: "Drive" }).click();
   expect(await stickingOut(page), "slim").toEqual([]);
+});
+
+/** As a teacher may write one: no mission, and another goal. */
+const everySquare: ChallengeDocument = {
+  format: "corridor/challenge",
+  version: 1,
+  name: "Sweep the corridor",
+  words: {
+    task: "Visit every square without a bump.",
+    short: "Visit every square in 1 line",
+    hints: ["Where does the robot turn round?"],
+  },
+  mazes: [
+    {
+      format: "corridor/maze",
+      version: 1,
+      name: "Sweep the corridor",
+      blocks: ["......"],
+      start: { column: 3, row: 0, heading: "east" },
+      goals: [],
+    },
+  ],
+  program: null,
+  goal: { kind: "visit" },
+  allowed: {
+    drivers: ["program"],
+    lines: 1,
+    conditions: null,
+    actions: null,
+    edits: ["condition", "number", "action", "otherwise", "lines"],
+    maze: false,
+  },
+  checks: { bumps: 0, seconds: 60 },
+  par: null,
+};
+
+test("meets a teacher's challenge from a link: every square in one line", async ({
+  openWindow,
+}) => {
+  const link = encodeLink({ challenge: everySquare });
+  if (!link.ok) throw new Error(link.code);
+  const corridor = await openWindow();
+  await corridor.open(`/#${link.text}`);
+  const lessons = new LessonsPanel(corridor.page);
+  await expect(lessons.card).toContainText("Visit every square without a bump.");
+  await expect(corridor.message("You opened a shared challenge.")).toBeVisible();
+  await corridor.program.addLine("front <", "50", "right 90");
+  await lessons.button("Check the program").click();
+  await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+  await corridor.program.number(1).fill("20");
+  await lessons.button("Check the program").click();
+  await expect(lessons.outcome).toHaveText(/^Bump at 2\.\d s, row 1, column 6: no line was true/);
 });
