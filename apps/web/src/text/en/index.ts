@@ -5,6 +5,7 @@ import files from "./files.json" with { type: "json" };
 import language from "./language.json" with { type: "json" };
 import lessons from "./lessons.json" with { type: "json" };
 import offline from "./offline.json" with { type: "json" };
+import phone from "./phone.json" with { type: "json" };
 import presets from "./presets.json" with { type: "json" };
 import program from "./program.json" with { type: "json" };
 import remote from "./remote.json" with { type: "json" };
@@ -22,6 +23,7 @@ export const en = {
   language,
   lessons,
   offline,
+  phone,
   presets,
   program,
   remote,
