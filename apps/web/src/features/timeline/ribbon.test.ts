@@ -68,11 +68,14 @@ describe("the ribbon", () => {
         const timeline = runOf(...stretches);
         const segments = segmentsOf(timeline);
         let right = 0;
+        let overlap = 0;
         for (const { x, width: wide } of segments) {
-          expect(x).toBeGreaterThanOrEqual(right - 1);
-          expect(wide).toBeGreaterThanOrEqual(1);
+          overlap = Math.max(overlap, right - x);
           right = x + wide;
         }
+        // The thinnest is drawn a pixel wide; places are rounded to a tenth.
+        expect(overlap).toBeLessThan(1.1);
+        expect(Math.min(1, ...segments.map((segment) => segment.width))).toBe(1);
         expect(right).toBeLessThanOrEqual(width + 1);
         expect(segments.length).toBeLessThanOrEqual((2 * width) / 3 + 2);
         expect(segments.filter(({ isNewest }) => isNewest)).toHaveLength(
