@@ -3,16 +3,19 @@
  * renderer, constraints and mouse, would be two thirds of the worker.
  */
 declare module "matter-js/src/body/Body.js" {
-  const Body: typeof import("matter-js").Body;
+  import type Matter from "matter-js";
+  const Body: typeof Matter.Body;
   export default Body;
 }
 
 declare module "matter-js/src/geometry/Bounds.js" {
-  const Bounds: typeof import("matter-js").Bounds;
+  import type Matter from "matter-js";
+  const Bounds: typeof Matter.Bounds;
   export default Bounds;
 }
 
 declare module "matter-js/src/collision/Collision.js" {
-  const Collision: typeof import("matter-js").Collision;
+  import type Matter from "matter-js";
+  const Collision: typeof Matter.Collision;
   export default Collision;
 }

@@ -70,7 +70,9 @@ export function FloatingCard(props: FloatingCardProps) {
   }, [layout, isPhone, pose, keepClear]);
 
   const at = isPhone ? null : place;
+  // Escape closes the card from whichever of its buttons has the focus.
   return (
+    // oxlint-disable-next-line jsx-a11y/no-noninteractive-element-interactions
     <section
       ref={card}
       aria-labelledby={titleId}
