@@ -20,7 +20,9 @@ import { AttemptJudge, type Judgement } from "./attempt-judge.ts";
 import { startChecker, type ChallengeChecker } from "./challenge-checker.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import type { Done, LessonsRecord } from "./lessons-storage.ts";
-import { challengeOf, nextMission, type Mission, type MissionId } from "./missions/mission.ts";
+import { mazeIndex } from "./maze-index.ts";
+import { missionDocument } from "./mission-document.ts";
+import { nextMission, type MissionId } from "./missions/mission.ts";
 import { missions } from "./missions/missions.ts";
 
 export class LessonsService {
@@ -54,7 +56,7 @@ export class LessonsService {
     const mission = missions.find((each) => each.id === id);
     if (mission === undefined) return;
     const { storage, works } = this.#ports;
-    const challenge = this.#documentOf(mission);
+    const challenge = missionDocument(mission, this.#ports.words);
     const attempt = works.list().find((work) => work.id === storage.record.works[id]);
     this.#leaveHome();
     const [maze] = challenge.mazes;
@@ -83,7 +85,7 @@ export class LessonsService {
     const id = storage.missionOf(works.currentId());
     const mission = missions.find((each) => each.id === id);
     if (mission !== undefined) {
-      this.#show(this.#documentOf(mission), mission.id);
+      this.#show(missionDocument(mission, this.#ports.words), mission.id);
       return;
     }
     const text = storage.challengeOf(works.currentId());
@@ -192,17 +194,6 @@ export class LessonsService {
     });
   }
 
-  #documentOf(mission: Mission): ChallengeDocument {
-    const { words } = this.#ports;
-    const { t } = words;
-    const key = `missions:missions.${mission.id}` as const;
-    return challengeOf(mission, t(`${key}.name`), {
-      task: t(`${key}.task`),
-      short: t(`${key}.short`),
-      hints: Object.values(t(`${key}.hints`, { returnObjects: true })),
-    });
-  }
-
   /** Remembers the reader's own work before the first mission opens. */
   #leaveHome(): void {
     const { works, challenge } = this.#ports;
@@ -222,7 +213,7 @@ export class LessonsService {
 
   #show(challenge: ChallengeDocument, mission: string | null): void {
     const { challenge: store, workspace } = this.#ports;
-    const maze = indexOf(challenge, workspace.getState().maze);
+    const maze = mazeIndex(challenge, workspace.getState().maze);
     if (maze === null) {
       this.#detach();
       return;
@@ -238,7 +229,7 @@ export class LessonsService {
     const { challenge: store, works, screen, words } = this.#ports;
     const { challenge, maze: shown } = store.getState();
     if (challenge === null || works.currentId() !== this.#work) return;
-    const index = indexOf(challenge, maze);
+    const index = mazeIndex(challenge, maze);
     if (index === null && challenge.allowed.maze) return;
     if (index === null) {
       this.#detach();
@@ -312,18 +303,4 @@ export class LessonsService {
     if (storage.change(part)) return;
     tell(screen, { tone: "bad", text: words.t("missions:card.blocked") });
   }
-}
-
-/** Which maze of a challenge this is, whatever it is called; null when it is none of them. */
-function indexOf({ mazes }: ChallengeDocument, maze: MazeDocument): number | null {
-  const at = mazes.findIndex((each) => placesOf(each) === placesOf(maze));
-  return at < 0 ? null : at;
-}
-
-function placesOf({ blocks, start, goals }: MazeDocument): string {
-  return JSON.stringify([
-    blocks,
-    [start.column, start.row, start.heading],
-    goals.map(({ column, row }) => [column, row]),
-  ]);
 }
