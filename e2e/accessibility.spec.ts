@@ -282,7 +282,7 @@ test("never touches the mouse: chooses a maze, builds a program, runs it, hears 
   page,
 }) => {
   const { keyboard } = page;
-  const liveRegion = await corridor.story.elementHandle();
+  const liveRegion = await corridor.spoken.elementHandle();
   await tabTo(page, page.getByRole("button", { name: "Presets", exact: true }));
   await keyboard.press("Enter");
   await tabTo(page, corridor.dialog("Presets").getByRole("button", { name: /^Comb/ }));
@@ -303,6 +303,7 @@ test("never touches the mouse: chooses a maze, builds a program, runs it, hears 
   await keyboard.type("max");
   await keyboard.press("Control+Enter");
   await expect(corridor.story).toContainText("Goal reached after 13.3 s (tick 802)");
+  await expect(corridor.spoken).toContainText("Goal reached after 13.3 s (tick 802)");
   // The region was there before its words, or nobody would have heard them.
   expect(await liveRegion?.textContent()).toContain("Goal reached");
 });

@@ -84,7 +84,7 @@ test("takes the advice on a line that can never decide, and takes it back", asyn
   await expect(program.line(2)).toHaveAccessibleName(
     /Advice: Never decides: whenever front > 100, line 1 decides first\.$/,
   );
-  await expect(program.region.getByRole("status")).toHaveText(/^Advice on line 2: Never decides: /);
+  await expect(corridor.spoken).toHaveText(/^Advice on line 2: Never decides: /);
   await program.line(2).getByRole("button", { name: "Delete line 2" }).last().click();
   await expect(program.lines).toHaveCount(1);
   await program.button("Undo").click();

@@ -124,9 +124,14 @@ export class CorridorPage {
     return this.transport.getByText(/^\d+ bumps?$/);
   }
 
-  /** The goal or the newest bump in words; a live region. */
+  /** The goal or the newest bump in words, to be read when one comes to it. */
   get story(): Locator {
-    return this.transport.getByRole("status");
+    return this.transport.getByRole("note");
+  }
+
+  /** What those who listen are told: the one live region for all that is no error. */
+  get spoken(): Locator {
+    return this.page.locator("#spoken");
   }
 
   /** What a screen reader is told of the connection to scripts. */

@@ -14,7 +14,7 @@ export class LessonsPanel {
     this.invitation = page.getByRole("region", { name: "Lessons" });
     this.card = page.getByRole("region", { name: "Mission" });
     this.path = page.getByRole("dialog", { name: "Lessons" });
-    this.outcome = this.card.getByRole("status");
+    this.outcome = this.card.getByRole("note");
   }
 
   /** Opens a mission from the path by its number, and waits until it is there. */

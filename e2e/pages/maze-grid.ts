@@ -29,10 +29,7 @@ export class MazeGrid {
 
   /** What a screen reader is told after a press on a square: what it is now, or what a tape measures. */
   get news(): Locator {
-    return this.#page
-      .getByRole("region", { name: "Maze" })
-      .getByRole("status")
-      .and(this.#page.locator("output"));
+    return this.#page.locator("#spoken");
   }
 
   /** Clicks the middle of a square. */

@@ -6,9 +6,9 @@ import { flushWhenHidden, type PageLife } from "./app/autosave.ts";
 import { LoadFailure } from "./app/LoadFailure.tsx";
 import { browserLanguage } from "./app/browser-language.ts";
 import { LanguageProvider } from "./app/language-context.ts";
+import { keepSwitches } from "./app/kept-switches.ts";
 import { createServices, ServicesProvider } from "./app/services.ts";
 import { whenSettled } from "./app/settled.ts";
-import { keepSingleKeys } from "./app/single-keys.ts";
 import { startTheme } from "./app/theme.ts";
 import { followAddress } from "./app/url-sync.ts";
 import { WorkReader } from "./app/work-reader.ts";
@@ -71,7 +71,7 @@ async function open(): Promise<void> {
     systemContrast: matchMedia("(prefers-contrast: more)"),
     apply: (shown) => Object.assign(document.documentElement.dataset, shown),
   });
-  keepSingleKeys(screen, device);
+  keepSwitches(screen, device);
   const flush = () => {
     services.works.autosave.flush();
     services.runKeeper.flush();

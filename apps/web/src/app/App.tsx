@@ -1,7 +1,7 @@
 /** Layout of the page: bar, stage, panel and transport; on phones bar, stage, transport and sheet. */
 import "../ui/base.css";
 import "../ui/fonts/inter.css";
-import { useState } from "react";
+import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { DriverChoice } from "../features/drive/DriverChoice.tsx";
@@ -9,6 +9,7 @@ import { LessonsDialog } from "../features/lessons/lazy-lessons-dialog.ts";
 import { FileDoor } from "../features/files/FileDoor.tsx";
 import { Messages } from "../features/messages/Messages.tsx";
 import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
+import { SpokenRun } from "../features/speech/SpokenRun.tsx";
 import { Stage } from "../features/stage/Stage.tsx";
 import { Transport } from "../features/transport/Transport.tsx";
 import { Button } from "../ui/Button.tsx";
@@ -17,6 +18,7 @@ import { lazyDialog } from "../ui/lazy-part.tsx";
 import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./app.module.css";
 import { ErrorBoundary } from "./ErrorBoundary.tsx";
+import { keepFocus } from "./keep-focus.ts";
 import { PhoneSheet } from "./PhoneSheet.tsx";
 import { useServices } from "./services.ts";
 import { SidePanel } from "./SidePanel.tsx";
@@ -43,8 +45,12 @@ function Page() {
   const { t } = useTranslation();
   const isPhone = useMediaQuery("(max-width: 599px)");
   const [opened, setOpened] = useState<"keys" | "remote" | "lessons" | null>(null);
+  const { camera, run } = useServices();
+  const isDriving = useStore(camera, (state) => state.isDriving);
+  const isNow = useStore(run, ({ view }) => view === "now");
   const hold = useKeyboard(() => setOpened("keys"));
   const close = () => setOpened(null);
+  useEffect(() => keepFocus(document), []);
   return (
     <div className={styles["page"]}>
       <TopBar
@@ -60,9 +66,12 @@ function Page() {
       </main>
       {isPhone ? (
         <>
-          <div className={styles["footer"]}>
-            <Transport />
-          </div>
+          {/* The Drive tab needs the room; in the past there must be a way back to now. */}
+          {(!isDriving || !isNow) && (
+            <div className={styles["footer"]}>
+              <Transport />
+            </div>
+          )}
           <PhoneSheet hold={hold} />
         </>
       ) : (
@@ -73,6 +82,7 @@ function Page() {
           </div>
         </>
       )}
+      <SpokenRun />
       <LessonsDialog isOpen={opened === "lessons"} onClose={close} />
       <ShortcutsDialog isOpen={opened === "keys"} onClose={close} />
       <Dialog isOpen={opened === "remote"} onClose={close} title={t("drive.remote")}>

@@ -1,4 +1,4 @@
-/** The list of keys, with the switch for those that work without Ctrl. */
+/** The list of keys, with the switches for those that work without Ctrl and for the spoken run. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { Checkbox } from "../ui/Checkbox.tsx";
@@ -9,23 +9,29 @@ import { useServices } from "./services.ts";
 
 /** Each row: its words, and the keys that do the same. A plus inside joins keys pressed together. */
 const rows = [
-  ["drive", ["W", "A", "S", "D", "↑", "←", "↓", "→"]],
-  ["stop", ["Space", "Esc"]],
-  ["run", ["Ctrl+Enter"]],
-  ["step", ["Ctrl+Shift+Enter"]],
-  ["timeline", ["←", "→", "Home", "End"]],
-  ["undo", ["Ctrl+Z"]],
-  ["redo", ["Ctrl+Shift+Z"]],
-  ["maze", ["↑", "←", "↓", "→", "Space", "Enter"]],
-  ["line", ["Alt+↑", "Alt+↓", "Delete"]],
-  ["close", ["Esc"]],
-  ["help", ["?"]],
+  ["speech.keys.tab", ["Tab", "Shift+Tab"]],
+  ["shell.keys.drive", ["W", "A", "S", "D", "↑", "←", "↓", "→"]],
+  ["shell.keys.stop", ["Space", "Esc"]],
+  ["shell.keys.run", ["Ctrl+Enter"]],
+  ["shell.keys.step", ["Ctrl+Shift+Enter"]],
+  ["shell.keys.maze", ["↑", "←", "↓", "→", "Space", "Enter"]],
+  ["speech.keys.mazeFar", ["Home", "End", "Page Up", "Page Down", "Ctrl+Home", "Ctrl+End"]],
+  ["speech.keys.tape", ["Esc"]],
+  ["shell.keys.line", ["Alt+↑", "Alt+↓", "Delete"]],
+  ["shell.keys.timeline", ["←", "→", "Home", "End"]],
+  ["speech.keys.timelineFar", ["Page Down", "Page Up"]],
+  ["shell.keys.undo", ["Ctrl+Z"]],
+  ["shell.keys.redo", ["Ctrl+Shift+Z"]],
+  ["speech.keys.describe", ["I"]],
+  ["shell.keys.close", ["Esc"]],
+  ["shell.keys.help", ["?"]],
 ] as const;
 
 export function ShortcutsDialog({ isOpen, onClose }: { isOpen: boolean; onClose: () => void }) {
   const { t } = useTranslation();
   const { screen } = useServices();
   const singleKeys = useStore(screen, (state) => state.singleKeys);
+  const speakRun = useStore(screen, (state) => state.speakRun);
   const isMac = navigator.platform.startsWith("Mac");
   return (
     <Dialog
@@ -34,18 +40,26 @@ export function ShortcutsDialog({ isOpen, onClose }: { isOpen: boolean; onClose:
       title={t("shell.keys.title")}
       width="narrow"
       footer={
-        <Checkbox
-          label={t("shell.keys.single")}
-          note={t("shell.keys.singleNote")}
-          checked={singleKeys}
-          onChange={(isOn) => screen.setState({ singleKeys: isOn })}
-        />
+        <div className={styles["keySwitches"]}>
+          <Checkbox
+            label={t("shell.keys.single")}
+            note={t("shell.keys.singleNote")}
+            checked={singleKeys}
+            onChange={(isOn) => screen.setState({ singleKeys: isOn })}
+          />
+          <Checkbox
+            label={t("speech.setting")}
+            note={t("speech.settingNote")}
+            checked={speakRun}
+            onChange={(isOn) => screen.setState({ speakRun: isOn })}
+          />
+        </div>
       }
     >
       <dl className={styles["keys"]}>
         {rows.map(([row, keys]) => (
           <div key={row} className={styles["keyRow"]}>
-            <dt>{t(`shell.keys.${row}`)}</dt>
+            <dt>{t(row)}</dt>
             <dd>
               {keys.map((key) => (
                 <Kbd key={key}>{isMac ? key.replace("Ctrl", "⌘") : key}</Kbd>

@@ -7,8 +7,10 @@ import { createContext, useContext } from "react";
 import { createAdviceStore, type AdviceStore } from "../features/program/advice-store.ts";
 import { createSolvedStore, type SolvedStore } from "../features/presets/solved-presets.ts";
 import { tellNotice } from "../features/cards/tell-notice.ts";
+import { Speech } from "../features/speech/speech.ts";
 import { LessonsGate } from "../features/lessons/lessons-gate.ts";
 import { LessonsStorage } from "../features/lessons/lessons-storage.ts";
+import { createCameraStore, type CameraStore } from "../stores/camera-store.ts";
 import { createCardStore, explain, forgetAfter, type CardStore } from "../stores/card-store.ts";
 import { createChallengeStore, type ChallengeStore } from "../stores/challenge-store.ts";
 import { createMomentTeller } from "../stores/moment-teller.ts";
@@ -66,6 +68,10 @@ export interface Services {
   /** the challenge that is open, if any */
   challenge: ChallengeStore;
   lessons: LessonsGate;
+  /** how the stage looks at the maze */
+  camera: CameraStore;
+  /** the one voice for those who listen */
+  speech: Speech;
 }
 
 /** Builds everything and connects it: documents flow to the worker, what it tells flows to the stores. */
@@ -81,6 +87,7 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
   const workspace = createWorkspaceStore(maze, program);
   const run = createRunStore();
   const cards = createCardStore();
+  const camera = createCameraStore();
   const remote = createRemoteStore();
   const shownRun = new ShownRun();
 
@@ -151,6 +158,7 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
   };
   const advice = createAdviceStore({ workspace, load, later });
   const challenge = createChallengeStore();
+  const speech = new Speech({ now, later });
   const storage = new LessonsStorage(device);
   const lessons = new LessonsGate({
     simulator,
@@ -164,6 +172,7 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
   });
   return {
     advice,
+    camera,
     cards,
     simulator,
     workspace,
@@ -178,6 +187,7 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
     connection,
     challenge,
     lessons,
+    speech,
   };
 }
 

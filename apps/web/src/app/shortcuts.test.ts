@@ -52,6 +52,8 @@ describe("shortcutOf", () => {
     [" ", "radio"],
     [" ", "grid"],
     ["?", "text"],
+    ["i", "text"],
+    ["i", "choice"],
     ["x", "page"],
   ])("leaves %j to a focused %s", (key, place) => {
     expect(shortcutOf(press(key), place, true)).toBeNull();
@@ -82,13 +84,21 @@ describe("shortcutOf", () => {
     expect(shortcutOf(press("z", { command: true }), "text", true)).toBeNull();
   });
 
-  it.each(["w", "ArrowUp", " ", "?"])("does nothing on %j when single keys are off", (key) => {
+  it.each(["w", "ArrowUp", " ", "?", "i"])("does nothing on %j when single keys are off", (key) => {
     expect(shortcutOf(press(key), "page", false)).toBeNull();
   });
 
   it("opens the list with ? wherever nothing is typed", () => {
     expect(shortcutOf(press("?", { shift: true }), "grid", true)).toEqual({ kind: "help" });
   });
+
+  it.each(["grid", "radio", "slider", "button", "page"] as const)(
+    "describes the robot with I from a %s",
+    (place) => {
+      expect(shortcutOf(press("i"), place, true)).toEqual({ kind: "describe" });
+      expect(shortcutOf(press("ш", { code: "KeyI" }), place, true)).toEqual({ kind: "describe" });
+    },
+  );
 
   it("leaves combinations with Alt and other Ctrl keys to the browser", () => {
     expect(shortcutOf(press("ArrowLeft", { alt: true }), "page", true)).toBeNull();

@@ -21,7 +21,7 @@ export interface KeyPress {
 }
 
 export type Shortcut =
-  | { kind: "run-or-pause" | "step" | "undo" | "redo" | "help" | "escape" }
+  | { kind: "run-or-pause" | "step" | "undo" | "redo" | "help" | "describe" | "escape" }
   | { kind: "drive"; key: DriveKey };
 
 const letters: Readonly<Record<string, DriveKey>> = {
@@ -47,7 +47,9 @@ export function shortcutOf(press: KeyPress, place: Place, singleKeys: boolean): 
   if (press.key === "Escape") return { kind: "escape" };
   if (!singleKeys || place === "text" || place === "choice") return null;
   if (press.key === "?") return { kind: "help" };
-  if (press.shift || place === "grid") return null;
+  if (press.shift) return null;
+  if (letterOf(press) === "i") return { kind: "describe" };
+  if (place === "grid") return null;
   const key = driveKey(press, place);
   return key === null ? null : { kind: "drive", key };
 }
@@ -58,10 +60,14 @@ function commandShortcut({ key, shift }: KeyPress, place: Place): Shortcut | nul
   return { kind: shift ? "redo" : "undo" };
 }
 
-function driveKey({ key, code }: KeyPress, place: Place): DriveKey | null {
+function driveKey(press: KeyPress, place: Place): DriveKey | null {
+  const { key } = press;
   if (key === " ") return place === "page" || place === "slider" ? "stop" : null;
   if (place !== "radio" && place !== "slider" && arrows[key] !== undefined) return arrows[key];
-  // Where the keyboard has no Latin letters, the places of W, A, S and D count.
-  const letter = /^[a-z]$/i.test(key) ? key : code.replace("Key", "");
-  return letters[letter.toLowerCase()] ?? null;
+  return letters[letterOf(press)] ?? null;
+}
+
+/** Where the keyboard has no Latin letters, the places of W, A, S and D count. */
+function letterOf({ key, code }: KeyPress): string {
+  return (/^[a-z]$/i.test(key) ? key : code.replace("Key", "")).toLowerCase();
 }

@@ -1,9 +1,12 @@
 /**
- * The page's keys: driving while one is held, Run, Step, undo, help, Escape. One listener on the
+ * The page's keys: driving while one is held, Run, Step, undo, Describe, help, Escape. One listener on the
  * window; what a press means is decided in `shortcuts.ts`.
  */
+import type { i18n } from "i18next";
 import { useEffect, useState } from "react";
+import { useTranslation } from "react-i18next";
 import { createHoldStore, type HoldStore } from "../features/drive/hold-store.ts";
+import { describeRobot } from "../features/speech/describe-robot.ts";
 import { runOrPause, stepOn } from "../features/transport/run-button.ts";
 import { redo, undo } from "../stores/workspace-store.ts";
 import { useServices, type Services } from "./services.ts";
@@ -15,14 +18,20 @@ import { shortcutOf, type Place, type Shortcut } from "./shortcuts.ts";
  */
 export function useKeyboard(openHelp: () => void): HoldStore {
   const services = useServices();
+  const { i18n } = useTranslation();
   const [hold] = useState(() =>
     createHoldStore((key) => services.simulator.send({ type: "hold", key })),
   );
-  useEffect(() => listen(services, hold, openHelp), [services, hold, openHelp]);
+  useEffect(() => listen(services, hold, i18n, openHelp), [services, hold, i18n, openHelp]);
   return hold;
 }
 
-function listen(services: Services, hold: HoldStore, openHelp: () => void): () => void {
+function listen(
+  services: Services,
+  hold: HoldStore,
+  words: i18n,
+  openHelp: () => void,
+): () => void {
   const end = new AbortController();
   const { signal } = end;
   const { run, screen } = services;
@@ -52,7 +61,9 @@ function listen(services: Services, hold: HoldStore, openHelp: () => void): () =
         return;
       }
       if (shortcut.kind !== "escape") event.preventDefault();
-      if (!event.repeat) obey(services, hold, shortcut.kind, openHelp);
+      if (event.repeat) return;
+      if (shortcut.kind === "describe") void describeRobot(services, words);
+      else obey(services, hold, shortcut.kind, openHelp);
     },
     { signal },
   );
@@ -82,7 +93,7 @@ function listen(services: Services, hold: HoldStore, openHelp: () => void): () =
 function obey(
   { simulator, workspace, run }: Services,
   hold: HoldStore,
-  kind: Exclude<Shortcut["kind"], "drive">,
+  kind: Exclude<Shortcut["kind"], "drive" | "describe">,
   openHelp: () => void,
 ): void {
   switch (kind) {

@@ -31,6 +31,8 @@ export interface ScreenState {
   messages: readonly Message[];
   /** whether keys without Ctrl drive and open things (WCAG 2.1.4 asks for a switch) */
   singleKeys: boolean;
+  /** whether those who listen are told of the run while it goes on */
+  speakRun: boolean;
   /** whether the newest edit has reached the device's storage */
   saved: "saved" | "saving" | "blocked";
 }
@@ -45,6 +47,7 @@ export function createScreenStore() {
     showRulers: true,
     messages: [],
     singleKeys: true,
+    speakRun: true,
     saved: "saved",
   }));
 }

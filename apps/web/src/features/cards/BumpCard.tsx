@@ -1,7 +1,5 @@
 /** Why the program bumped: which line, the room that it needed, the room that it had, and the mends. */
-import { applyMend, storyOfBump, type BumpStory, type Mend } from "@corridor/coach";
-import type { ProgramDocument } from "@corridor/program";
-import type { LineRef } from "@corridor/protocol";
+import { applyMend, storyOfBump, type Mend } from "@corridor/coach";
 import { History } from "lucide-react";
 import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
@@ -13,6 +11,7 @@ import { Button } from "../../ui/Button.tsx";
 import { takeMend } from "../program/take-mend.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
 import { BurstIcon } from "../timeline/BurstIcon.tsx";
+import { bumpReason, bumpTitle } from "./bump-sentence.ts";
 import styles from "./cards.module.css";
 import { FloatingCard } from "./FloatingCard.tsx";
 import { hitBlock } from "./hit-block.ts";
@@ -44,13 +43,6 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
   const badge = isNumbered ? line + 1 : 0;
   const { program } = workspace.getState();
 
-  function storyText({ kind, side, needs, free }: BumpStory, action: string): string {
-    const numbers = { action, needs: Math.round(needs ?? 0), free: Math.floor(free) };
-    if (kind === "delay") return t("cards.bump.delay", numbers);
-    if (kind === "way-out") return t("cards.bump.wayOut", numbers);
-    return t(side === "front" ? "cards.bump.steadyFront" : "cards.bump.steadyBack", numbers);
-  }
-
   function mend(chosen: Mend) {
     takeMend(workspace, chosen, applyMend(workspace.getState().program, chosen));
     tell(screen, { tone: "info", text: t("cards.mend.done") });
@@ -64,14 +56,12 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
       keepClear={keepClear}
       tone="bad"
       icon={<BurstIcon size={18} />}
-      title={
-        isNumbered ? t("cards.bump.titleLine", { line: badge }) : t("cards.bump.titleOtherwise")
-      }
+      title={bumpTitle(t, line)}
       onClose={onClose}
     >
       <p className={styles["sentence"]}>
         {isNumbered && <Badge tone="bad">{badge}</Badge>}
-        <span>{storyText(story, t(`program.action.${actionOf(program, line)}`))}</span>
+        <span>{bumpReason(t, story, program, line)}</span>
       </p>
       {story.needs !== null && (
         <RoomBars
@@ -102,8 +92,4 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
       </div>
     </FloatingCard>
   );
-}
-
-function actionOf(program: ProgramDocument, line: LineRef | null): ProgramDocument["default"] {
-  return (typeof line === "number" ? program.rules[line]?.do : undefined) ?? program.default;
 }

@@ -5,6 +5,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
+import { useSay } from "../speech/use-say.ts";
 import { failureText, liveFailureText, metText } from "./failure-text.ts";
 import { LessonsDialog } from "./lazy-lessons-dialog.ts";
 import type { LessonsService } from "./lessons-service.ts";
@@ -110,17 +111,20 @@ function Outcome() {
   const challenge = useStore(store, (state) => state.challenge);
   const result = useStore(store, (state) => state.result);
   const verdict = useStore(store, (state) => state.verdict);
-  if (challenge === null) return null;
   const isMet = result.state === "met";
-  const text = isMet
-    ? metText(words, challenge, result)
-    : verdict?.failure
-      ? failureText(words, challenge, verdict.failure)
-      : liveFailureText(words, challenge, result);
+  const text =
+    challenge === null
+      ? null
+      : isMet
+        ? metText(words, challenge, result)
+        : verdict?.failure
+          ? failureText(words, challenge, verdict.failure)
+          : liveFailureText(words, challenge, result);
+  useSay(text, "mission");
   return (
-    <output className={styles["outcome"]} data-state={isMet ? "met" : "failed"}>
+    <p role="note" className={styles["outcome"]} data-state={isMet ? "met" : "failed"}>
       {text}
-    </output>
+    </p>
   );
 }
 

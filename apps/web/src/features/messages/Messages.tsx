@@ -5,6 +5,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { dismiss, type Message } from "../../stores/screen-store.ts";
+import { useSay } from "../speech/use-say.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import styles from "./messages.module.css";
@@ -16,7 +17,8 @@ export function Messages() {
   const { t } = useTranslation();
   const { screen } = useServices();
   const messages = useStore(screen, (state) => state.messages);
-  // Both regions are always there: a live region that comes with its text is not read out.
+  // What went wrong interrupts; its region is always there, since one that comes with its text is not read
+  // out. Information waits for its turn in the page's one voice.
   return (
     <section className={styles["messages"]} aria-label={t("shell.messages")}>
       <div role="alert" className={styles["list"]}>
@@ -26,13 +28,13 @@ export function Messages() {
             <MessageCard key={message.id} message={message} />
           ))}
       </div>
-      <output className={styles["list"]}>
+      <div className={styles["list"]}>
         {messages
           .filter(({ tone }) => tone === "info")
           .map((message) => (
             <MessageCard key={message.id} message={message} />
           ))}
-      </output>
+      </div>
     </section>
   );
 }
@@ -42,6 +44,7 @@ function MessageCard({ message }: { message: Message }) {
   const { screen } = useServices();
   const [isHeld, setIsHeld] = useState(false);
   const { id, tone, text, action, stays = tone === "bad" } = message;
+  useSay(tone === "bad" ? null : [text, action?.label ?? ""].join(" ").trim(), `message ${id}`);
 
   useEffect(() => {
     if (stays || isHeld) return;

@@ -2,6 +2,7 @@
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { useSay } from "../speech/use-say.ts";
 import { adviceOn } from "./advice-store.ts";
 import { useAdviceText } from "./use-advice-text.ts";
 
@@ -18,12 +19,13 @@ export function AdviceNews() {
     line === "default" ? null : (program.rules[line]?.when ?? null),
   );
   const text = useAdviceText(news, when);
-  return (
-    <output className="visually-hidden">
-      {text !== null &&
-        (line === "default"
-          ? t("program.advice.newsOtherwise", { advice: text.reason })
-          : t("program.advice.news", { line: line + 1, advice: text.reason }))}
-    </output>
+  useSay(
+    text === null
+      ? null
+      : line === "default"
+        ? t("program.advice.newsOtherwise", { advice: text.reason })
+        : t("program.advice.news", { line: line + 1, advice: text.reason }),
+    "advice",
   );
+  return null;
 }

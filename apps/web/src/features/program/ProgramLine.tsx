@@ -19,6 +19,7 @@ import { ConditionMenu, ConditionNumber } from "./ConditionField.tsx";
 import { LineBump, LineProgress } from "./LineNotes.tsx";
 import { shownBump, shownProgress, shownTruth } from "./line-state.ts";
 import { lineElementId } from "./focus-line.ts";
+import { lineName } from "./line-name.ts";
 import { LineTools } from "./LineTools.tsx";
 import { LineTruth } from "./LineTruth.tsx";
 import { allowsMend } from "./mend-rights.ts";
@@ -26,7 +27,6 @@ import { applyEdit, deleteLine, moveLine, type RememberedNumbers } from "./progr
 import styles from "./program.module.css";
 import { takeMend } from "./take-mend.ts";
 import { useAdviceText } from "./use-advice-text.ts";
-import { useLineName } from "./use-line-name.ts";
 
 interface ProgramLineProps {
   id: number;
@@ -62,7 +62,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   const by = given?.mend ?? null;
   const canMend = by !== null && allowsMend(by, count, rights);
   const isBumped = bump !== null;
-  const name = useLineName({
+  const name = lineName(t, {
     index,
     rule,
     state: isBumped ? "bumped" : isDeciding ? "running" : isPassedOver ? "notRead" : "resting",

@@ -4,12 +4,13 @@
  * 65,536 of them.
  */
 import { sizeOf, type Cell } from "@corridor/maze";
-import { useId, useState, type KeyboardEvent, type RefObject } from "react";
+import { useId, type KeyboardEvent, type RefObject } from "react";
 import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { classNames } from "../../ui/class-names.ts";
+import { useSay } from "../speech/use-say.ts";
 import { cellLabel } from "./cell-label.ts";
 import { around, clampCell, moveCursor } from "./grid-cursor.ts";
 import { cellOf, facingOf, type Facing } from "./robot-place.ts";
@@ -24,7 +25,7 @@ interface MazeGridProps {
 
 export function MazeGrid({ controller, element }: MazeGridProps) {
   "use memo";
-  const { workspace, run, screen } = useServices();
+  const { workspace, run, screen, speech } = useServices();
   const { t, i18n } = useTranslation();
   const maze = useStore(workspace, (state) => state.maze);
   const layout = useStore(controller.view, (view) => view.layout);
@@ -36,7 +37,6 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
     return `${column},${row},${facingOf(snapshot.pose.heading)}`;
   });
   const helpId = useId();
-  const [news, setNews] = useState("");
   const size = sizeOf(maze);
   const isMeasuring = useStore(screen, ({ tool }) => tool === "measure");
   const tape = useStore(controller.view, (view) => view.tape);
@@ -52,6 +52,8 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
         ? t("stage.measured.from", { square: labelOf(clampCell(cellAtPoint(tape.from), size)) })
         : tapeWords(t, i18n.language, tape).join(". ");
 
+  useSay(tapeNews, "tape");
+
   function onKeyDown(event: KeyboardEvent<HTMLTableCellElement>): void {
     if (event.key === " " || event.key === "Enter") {
       if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -61,7 +63,8 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
         return;
       }
       controller.editor.press(cursor);
-      setNews(cellLabel(t, workspace.getState().maze, cursor, robotFacingOn(robot, cursor)));
+      const is = cellLabel(t, workspace.getState().maze, cursor, robotFacingOn(robot, cursor));
+      speech.tell(is, "square");
       return;
     }
     const next = moveCursor(cursor, event, size);
@@ -115,7 +118,6 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
       <p id={helpId} hidden>
         {t(isMeasuring ? "stage.measureHelp" : "stage.gridHelp")}
       </p>
-      <output className="visually-hidden">{tapeNews ?? news}</output>
     </>
   );
 }

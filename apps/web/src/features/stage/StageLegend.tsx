@@ -2,6 +2,7 @@
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { DescribeButton } from "../speech/DescribeButton.tsx";
 import { facingOf } from "./robot-place.ts";
 import type { StageViewStore } from "./stage-view.ts";
 import { scaleBar } from "./scale-bar.ts";
@@ -14,6 +15,7 @@ export function StageLegend({ view }: { view: StageViewStore }) {
       <ScaleBar view={view} />
       <span className={styles["block"]}>{t("stage.block")}</span>
       <RobotPlace />
+      <DescribeButton className={styles["describe"]} />
     </div>
   );
 }

@@ -1,5 +1,5 @@
 /** What the stage shows besides maze and robot, and the figures that its measures rest on. */
-import { ChevronDown, Eraser, Eye, Scaling } from "lucide-react";
+import { ChevronDown, Eraser, Eye, MessageSquareText, Scaling } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -7,6 +7,7 @@ import { Button } from "../../ui/Button.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
 import { useRights } from "../lessons/use-rights.ts";
+import { describeRobot } from "../speech/describe-robot.ts";
 import { FullScreenButton } from "./FullScreenButton.tsx";
 import styles from "./tool-strip.module.css";
 
@@ -17,10 +18,11 @@ interface ViewMenuProps {
   onResize: () => void;
 }
 
-/** On a phone the strip has no room for Clear and Resize: they stand here. Rulers have none either. */
+/** What a phone has no room for in the strip or the legend stands here. Rulers have none either. */
 export function ViewMenu({ onClear, onResize }: ViewMenuProps) {
-  const { screen } = useServices();
-  const { t } = useTranslation();
+  const services = useServices();
+  const { screen } = services;
+  const { t, i18n } = useTranslation();
   const isFixed = useRights()?.maze === false;
   const state = useStore(screen);
   const menu = usePopover();
@@ -41,6 +43,14 @@ export function ViewMenu({ onClear, onResize }: ViewMenuProps) {
               />
             </div>
           ))}
+          <div className={styles["wholeItems"]}>
+            <MenuItem
+              icon={<MessageSquareText aria-hidden="true" />}
+              onSelect={() => void describeRobot(services, i18n)}
+            >
+              {t("speech.describe.button")}
+            </MenuItem>
+          </div>
           {!isFixed && (
             <div className={styles["wholeItems"]}>
               <MenuItem icon={<Scaling aria-hidden="true" />} onSelect={onResize}>

@@ -1,6 +1,6 @@
 /**
- * Goal reached and bumps, told in words once each to those who listen; the timeline, the stage and the
- * lines show them. Before a run it says, in the timeline's place, how to begin one.
+ * The newest bump or goal in words, for those who come to read it; when it happens the spoken run says
+ * it, and the timeline, the stage and the lines show it. Before a run it says, in the timeline's place, how to begin one.
  */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -16,9 +16,9 @@ export function RunStory() {
   const isFresh = useStore(run, ({ nowTick }) => nowTick === 0);
   const story = moment === null ? null : storyOf(moment);
   return (
-    <output className={classNames(styles["story"], !isFresh && "visually-hidden")}>
+    <p role="note" className={classNames(styles["story"], !isFresh && "visually-hidden")}>
       {story !== null && t(`shell.story.${story.kind}.${story.teller}`, { ...story })}
       {story === null && isFresh && t("shell.story.hint")}
-    </output>
+    </p>
   );
 }

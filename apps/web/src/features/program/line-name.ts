@@ -1,6 +1,6 @@
 /** A line's name for those who hear it: its sentence, whether it runs, and its truth with the numbers. */
 import type { Rule } from "@corridor/program";
-import { useTranslation } from "react-i18next";
+import type { TFunction } from "i18next";
 import type { ShownTruth } from "./line-state.ts";
 
 export interface LineNameParts {
@@ -14,8 +14,10 @@ export interface LineNameParts {
 }
 
 /** "Line 1, running: if right is more than 60, delayed right 90. Right is 250, true." */
-export function useLineName({ index, rule, state, truth, advice }: LineNameParts): string {
-  const { t } = useTranslation();
+export function lineName(
+  t: TFunction,
+  { index, rule, state, truth, advice }: LineNameParts,
+): string {
   const { when } = rule;
   const head = t(`program.name.${state === "notRead" ? "resting" : state}`, { line: index + 1 });
   const sentences = [];

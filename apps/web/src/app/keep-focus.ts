@@ -1,0 +1,86 @@
+/**
+ * Never loses the focus: where the focused control goes or is switched off (a card that is closed, Back to
+ * now, the last hint), the browser leaves the focus nowhere, and who has no mouse begins again at the top
+ * of the page. Here it goes to the nearest control that is left, else to where it was before.
+ */
+
+const FOCUSABLE =
+  "a[href], button, input, select, textarea, summary, [tabindex]:not([tabindex='-1'])";
+/** Containers that belong together: beyond them "near" means nothing. */
+const GROUPS = "section, fieldset, dialog, [popover], li, form";
+/** Places that are remembered, the newest last. */
+const MOST = 12;
+
+/** @returns a function that ends it */
+export function keepFocus(page: Document): () => void {
+  const end = new AbortController();
+  const { signal } = end;
+  /** where the focus was, with what was around it then */
+  let places: { element: HTMLElement; around: Element[] }[] = [];
+  /** the reader has taken the focus away, by a press on nothing or out of the window */
+  let isGivenUp = true;
+
+  page.addEventListener(
+    "focusin",
+    ({ target }) => {
+      if (!(target instanceof HTMLElement)) return;
+      isGivenUp = false;
+      const others = places.filter(({ element }) => element !== target);
+      places = [...others, { element: target, around: containersOf(target) }].slice(-MOST);
+    },
+    { signal },
+  );
+  page.addEventListener(
+    "focusout",
+    ({ target, relatedTarget }) => {
+      if (relatedTarget !== null || !(target instanceof HTMLElement)) return;
+      if (canTakeFocus(target)) isGivenUp = true;
+    },
+    { signal },
+  );
+
+  function rescue(): void {
+    if (isGivenUp || page.activeElement !== page.body) return;
+    const last = places.at(-1);
+    if (last === undefined || canTakeFocus(last.element)) return;
+    const near = last.around.map(firstIn).find((each) => each !== null);
+    const before = places.findLast(({ element }) => canTakeFocus(element))?.element;
+    const target = near ?? before ?? page.querySelector<HTMLElement>('[role=grid] [tabindex="0"]');
+    target?.focus({ preventScroll: true });
+  }
+
+  const watch = new MutationObserver(rescue);
+  watch.observe(page.body, {
+    childList: true,
+    subtree: true,
+    attributes: true,
+    attributeFilter: ["disabled", "hidden", "open"],
+  });
+  return () => {
+    watch.disconnect();
+    end.abort();
+  };
+}
+
+/** What is around an element, from the inside, up to the group that it belongs to. */
+function containersOf(element: Element): Element[] {
+  const containers: Element[] = [];
+  for (let at = element.parentElement; at !== null; at = at.parentElement) {
+    containers.push(at);
+    if (at.matches(GROUPS)) break;
+  }
+  return containers;
+}
+
+function firstIn(container: Element): HTMLElement | null {
+  if (!container.isConnected) return null;
+  return [...container.querySelectorAll<HTMLElement>(FOCUSABLE)].find(canTakeFocus) ?? null;
+}
+
+function canTakeFocus(element: HTMLElement): boolean {
+  return (
+    element.isConnected &&
+    !element.matches(":disabled, [inert] *") &&
+    element.checkVisibility({ visibilityProperty: true })
+  );
+}

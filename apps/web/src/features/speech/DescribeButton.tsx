@@ -1,0 +1,23 @@
+/** Says where the robot is, what it sees and which line runs; the same as the key I. */
+import { MessageSquareText } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { IconButton } from "../../ui/Button.tsx";
+import { describeRobot } from "./describe-robot.ts";
+
+export function DescribeButton({ className }: { className?: string | undefined }) {
+  const { t, i18n } = useTranslation();
+  const services = useServices();
+  const singleKeys = useStore(services.screen, (state) => state.singleKeys);
+  return (
+    <IconButton
+      label={t("speech.describe.button")}
+      className={className}
+      aria-keyshortcuts={singleKeys ? "I" : undefined}
+      onClick={() => void describeRobot(services, i18n)}
+    >
+      <MessageSquareText aria-hidden="true" />
+    </IconButton>
+  );
+}

@@ -1,0 +1,46 @@
+/**
+ * The one live region of the page, and what feeds it with the run: that comes in a file of its own once
+ * the robot has been let go.
+ */
+import { useEffect } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+
+export function SpokenRun() {
+  const services = useServices();
+  const { i18n } = useTranslation();
+  const { id, text } = useStore(services.speech.said);
+  useEffect(() => {
+    const { run } = services;
+    let hasEnded = false;
+    let end: (() => void) | null = null;
+    let before = run.getState();
+    const endWaiting = run.subscribe((state) => {
+      if ((state.snapshot?.tick ?? 0) === 0) {
+        before = state;
+        return;
+      }
+      endWaiting();
+      void import("./tell-run.ts").then(
+        ({ tellRun }) => {
+          const words = () => ({ t: i18n.t, language: i18n.language });
+          if (!hasEnded) end = tellRun(services, before, words);
+        },
+        // Without its file the run is not spoken; everything on the screen tells it all the same.
+        () => undefined,
+      );
+    });
+    return () => {
+      hasEnded = true;
+      endWaiting();
+      end?.();
+    };
+  }, [services, i18n]);
+  // A new element each time: the same words said again are heard again.
+  return (
+    <output id="spoken" className="visually-hidden">
+      <span key={id}>{text}</span>
+    </output>
+  );
+}

@@ -1,0 +1,73 @@
+/** The sentences of the spoken run and of Describe. */
+import type { ProgramDocument } from "@corridor/program";
+import type { LineRef, Snapshot } from "@corridor/protocol";
+import type { TFunction } from "i18next";
+import { formatReading, formatSeconds } from "../../text/numbers.ts";
+import { decidingLine, shownTruth } from "../program/line-state.ts";
+import { lineName } from "../program/line-name.ts";
+import { cellOf, facingOf } from "../stage/robot-place.ts";
+
+/** The words, and the language that they are in. */
+export interface Words {
+  t: TFunction;
+  language: string;
+}
+
+/** "Line 1: delayed right 90. Right is 250 cm." */
+export function decisionText(
+  { t, language }: Words,
+  { rules, default: otherwise }: ProgramDocument,
+  line: LineRef,
+  snapshot: Snapshot,
+): string {
+  const rule = line === "default" ? undefined : rules[line];
+  if (line === "default" || rule === undefined || rule.when === null) {
+    return t("speech.otherwise", {
+      action: t(`program.action.${otherwise}`),
+      number: formatReading(snapshot.sensors.front, language),
+    });
+  }
+  return t("speech.line", {
+    line: line + 1,
+    action: t(`program.action.${rule.do}`),
+    sensor: t(`program.sensorFirst.${rule.when.sensor}`),
+    number: shownTruth(rule.when, snapshot)?.left ?? "",
+  });
+}
+
+/** Where the robot is, what it sees, and what drives it: three sentences, or four. */
+export function describeText(
+  { t, language }: Words,
+  { rules, default: otherwise }: ProgramDocument,
+  snapshot: Snapshot,
+): string {
+  const { tick, pose, sensors, driver } = snapshot;
+  const { column, row } = cellOf(pose);
+  const reading = (centimetres: number): string => formatReading(centimetres, language);
+  const sentences = [
+    t("speech.describe.place", {
+      seconds: formatSeconds(tick, language),
+      row: row + 1,
+      column: column + 1,
+      facing: t(`stage.facing.${facingOf(pose.heading)}`),
+    }),
+    t("speech.describe.readings", {
+      front: reading(sensors.front),
+      right: reading(sensors.right),
+      back: reading(sensors.back),
+      left: reading(sensors.left),
+    }),
+  ];
+  const line = decidingLine(snapshot);
+  const rule = typeof line === "number" ? rules[line] : undefined;
+  if (driver !== "program") sentences.push(t(`drive.says.${driver}`));
+  else if (line === null) sentences.push(t("speech.describe.noLine"));
+  else if (line === "default" || rule === undefined) {
+    const action = t(`program.action.${otherwise}`);
+    sentences.push(t("speech.describe.otherwise", { action }));
+  } else {
+    const truth = shownTruth(rule.when, snapshot);
+    sentences.push(lineName(t, { index: line, rule, state: "running", truth, advice: null }));
+  }
+  return sentences.join(" ");
+}

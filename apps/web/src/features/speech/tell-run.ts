@@ -1,0 +1,103 @@
+/** Ties the run to the page's voice: what the ear notes is put into words and said. */
+import { storyOfBump } from "@corridor/coach";
+import type { Services } from "../../app/services.ts";
+import { formatSeconds } from "../../text/numbers.ts";
+import type { RunState } from "../../stores/run-store.ts";
+import type { Moment } from "../../worker/worker-messages.ts";
+import { bumpReason, bumpTitle } from "../cards/bump-sentence.ts";
+import { momentAt, sayMoment } from "../timeline/shown-moment.ts";
+import { storyOf } from "../transport/story.ts";
+import { RunEar, type RunTalk } from "./run-ear.ts";
+import { decisionText, type Words } from "./run-words.ts";
+
+type Ports = Pick<Services, "run" | "workspace" | "screen" | "timeline" | "speech">;
+
+/**
+ * @param before the state that was the last one to be known already
+ * @param words read anew each time: the language can change
+ * @returns a function that ends it
+ */
+export function tellRun(
+  { run, workspace, screen, timeline, speech }: Ports,
+  before: RunState,
+  words: () => Words,
+): () => void {
+  const ear = new RunEar(before);
+
+  function say(talk: RunTalk): void {
+    switch (talk.kind) {
+      case "moment":
+        speech.tell(momentText(talk.moment), "moment");
+        return;
+      case "decision": {
+        const about = talk.isTurn ? null : `line ${talk.line}`;
+        speech.say({ kind: "chatter", text: decision(), about });
+        return;
+      }
+      case "past":
+        chat([...(talk.isFirst ? [words().t("speech.past")] : []), ...shownMoment()].join(" "));
+        return;
+      case "too-fast":
+        speech.hush();
+        return;
+      case "at-start":
+        chat(words().t("speech.atStart"));
+        return;
+      case "playing":
+        chat(words().t("speech.playing"));
+        return;
+      case "paused":
+      case "now":
+        chat(words().t(`speech.${talk.kind}`, { seconds: seconds() }));
+    }
+  }
+
+  function chat(text: string): void {
+    if (text !== "") speech.say({ kind: "chatter", text, about: null });
+    speech.begin();
+  }
+
+  function seconds(): string {
+    return formatSeconds(run.getState().snapshot?.tick ?? 0, words().language);
+  }
+
+  function decision(): string {
+    const { snapshot } = run.getState();
+    if (snapshot === null || snapshot.line === null) return "";
+    return decisionText(words(), workspace.getState().program, snapshot.line, snapshot);
+  }
+
+  /** The slider of the timeline says its moment by itself while it has the focus. */
+  function shownMoment(): string[] {
+    const { snapshot } = run.getState();
+    if (snapshot === null || document.activeElement?.matches("[type=range]") === true) return [];
+    const moment = sayMoment(words().t, momentAt(timeline.timeline, snapshot.tick));
+    return [`${moment}.`, decision()].filter((each) => each !== "");
+  }
+
+  function momentText(moment: Moment): string {
+    const { t, language } = words();
+    const { kind, cause, line, mends } = moment;
+    if (kind === "bump" && cause !== null && mends !== null && line !== null) {
+      const { program } = workspace.getState();
+      const sentences = [
+        `${bumpTitle(t, line)}.`,
+        bumpReason(t, storyOfBump(cause), program, line),
+      ];
+      if (mends.length > 0) sentences.push(t("speech.mends", { count: mends.length }));
+      return sentences.join(" ");
+    }
+    const story = storyOf(moment);
+    return t(`shell.story.${story.kind}.${story.teller}`, {
+      ...story,
+      seconds: formatSeconds(moment.tick, language),
+    });
+  }
+
+  const listen = (state: RunState): void => {
+    const talk = ear.hear(state, workspace.getState().program);
+    if (talk !== null && screen.getState().speakRun) say(talk);
+  };
+  listen(run.getState());
+  return run.subscribe(listen);
+}
