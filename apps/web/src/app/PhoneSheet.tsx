@@ -1,7 +1,8 @@
 /** The sheet of the phone: Drive, Program and Presets behind tabs, as far open as the reader wants. */
 import { LayoutGrid, List, User } from "lucide-react";
-import { useEffect, useRef, useState, type ReactNode } from "react";
+import { useEffect, useLayoutEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
 import { DriveTab } from "../features/drive/DriveTab.tsx";
 import type { HoldStore } from "../features/drive/hold-store.ts";
 import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
@@ -23,7 +24,8 @@ type SheetTab = (typeof tabs)[number];
 export function PhoneSheet({ hold }: { hold: HoldStore }) {
   const { t } = useTranslation();
   const [tab, setTab] = useState<SheetTab>("program");
-  const { challenge } = useServices();
+  const { challenge, camera } = useServices();
+  const isMission = useStore(challenge, (state) => state.challenge !== null);
   useEffect(
     () =>
       // A mission opens where it is to be done.
@@ -34,8 +36,18 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
     [challenge],
   );
   const [position, setPosition] = useState<SheetPosition>("half");
+  const isDriving = tab === "drive" && position !== "closed";
+  useLayoutEffect(() => {
+    camera.setState({ isDriving });
+    return () => camera.setState({ isDriving: false });
+  }, [camera, isDriving]);
   return (
-    <aside className={styles["sheet"]} data-position={position} aria-label={t("shell.panel")}>
+    <aside
+      className={styles["sheet"]}
+      data-position={position}
+      data-driving={isDriving}
+      aria-label={t("shell.panel")}
+    >
       <GrabBar position={position} onChange={setPosition} />
       <Tabs
         label={t("shell.panel")}
@@ -53,7 +65,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
       >
         {tab === "drive" && (
           <>
-            <MissionPlace look="slim" />
+            {isMission && <MissionPlace look="slim" />}
             <DriveTab hold={hold} />
           </>
         )}

@@ -12,6 +12,7 @@ import { ThemeChoice } from "../features/theme/ThemeChoice.tsx";
 import { MazeMenu } from "../features/works/MazeMenu.tsx";
 import { IconButton } from "../ui/Button.tsx";
 import { MenuItem, Popover, usePopover } from "../ui/Popover.tsx";
+import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./app.module.css";
 import { Brand } from "./Brand.tsx";
 
@@ -24,6 +25,8 @@ interface TopBarProps {
 
 export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
+  // The maze's name needs the room first.
+  const isNarrow = useMediaQuery("(max-width: 759px)");
   return (
     <header className={styles["bar"]}>
       <Brand />
@@ -32,8 +35,8 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
         {!isPhone && <PresetsButton />}
         {!isPhone && <LessonsButton />}
         <ShareButton />
-        {isPhone ? (
-          <More onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
+        {isNarrow ? (
+          <More isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
         ) : (
           <div className={styles["barLast"]}>
             <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
@@ -48,8 +51,8 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   );
 }
 
-/** What a phone's bar has no room for. */
-function More({ onKeys, onRemote, onLessons }: Omit<TopBarProps, "isPhone">) {
+/** What a narrow bar has no room for; a phone's has no panel with "Who drives?" either. */
+function More({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
   const menu = usePopover();
   return (
@@ -58,12 +61,16 @@ function More({ onKeys, onRemote, onLessons }: Omit<TopBarProps, "isPhone">) {
         <Ellipsis aria-hidden="true" />
       </IconButton>
       <Popover {...menu.panel} label={t("shell.more")} align="end">
-        <MenuItem icon={<Target aria-hidden="true" />} onSelect={onLessons}>
-          {t("lessons.lessons")}
-        </MenuItem>
-        <MenuItem icon={<RadioTower aria-hidden="true" />} onSelect={onRemote}>
-          {t("drive.remote")}
-        </MenuItem>
+        {isPhone && (
+          <>
+            <MenuItem icon={<Target aria-hidden="true" />} onSelect={onLessons}>
+              {t("lessons.lessons")}
+            </MenuItem>
+            <MenuItem icon={<RadioTower aria-hidden="true" />} onSelect={onRemote}>
+              {t("drive.remote")}
+            </MenuItem>
+          </>
+        )}
         <MenuItem icon={<Keyboard aria-hidden="true" />} onSelect={onKeys}>
           {t("shell.keys.title")}
         </MenuItem>

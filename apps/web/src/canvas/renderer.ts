@@ -7,6 +7,7 @@
 import type { Snapshot } from "@corridor/protocol";
 import type { Frame } from "../worker/worker-messages.ts";
 import type { LayerCanvases } from "./brush.ts";
+import { Camera } from "./camera.ts";
 import { bumpMarks, drawBumps, type BumpMark } from "./layers/bumps.ts";
 import { awayFrom, type Hit } from "./layers/hit.ts";
 import { drawLive, type Shown } from "./layers/live.ts";
@@ -66,6 +67,9 @@ export class StageRenderer {
   readonly #stale = new Set<Layer>();
   #scene: Scene | null = null;
   #scroll: Scroll = { x: 0, y: 0 };
+  readonly #camera = new Camera();
+  /** where the camera stands; null while the stage is scrolled */
+  #panned: Scroll | null = null;
   #frame: Frame | null = null;
   #hit: Hit | null = null;
   #nudge: Nudge | null = null;
@@ -148,8 +152,9 @@ export class StageRenderer {
     const scene = this.#scene;
     const surfaces = this.#surfaces;
     if (scene === null || surfaces === null) return;
-    const viewport = viewportAt(scene.layout, this.#scroll);
-    this.#takeFrame(scene, viewport, surfaces.trail);
+    this.#takeFrame(scene, this.#viewport(scene.layout), surfaces.trail);
+    this.#pan(scene);
+    const viewport = this.#viewport(scene.layout);
     if (this.#frame !== null && this.#followed !== scene.layout) {
       // A maze that no longer fits begins where the robot is, even while it stands still.
       this.#follow(scene.layout, this.#frame.snapshot.pose);
@@ -218,6 +223,22 @@ export class StageRenderer {
     } else if (frame.snapshot.goalReached && !before.snapshot.goalReached) {
       this.#nudge = { kind: "hop", dx: 0, dy: 0, startedAt };
     }
+  }
+
+  #viewport(layout: Layout): Viewport {
+    return viewportAt(layout, this.#panned ?? this.#scroll);
+  }
+
+  /** Moves the camera with the robot; whatever it shows is drawn anew then. */
+  #pan({ layout, isCalm, pixelRatio }: Scene): void {
+    const pose = this.#frame?.snapshot.pose;
+    const before = this.#panned;
+    this.#panned =
+      layout.follows && pose !== undefined
+        ? this.#camera.at(layout, pose, isCalm, 1 / pixelRatio)
+        : null;
+    if (this.#panned === before) return;
+    for (const layer of layers) this.#stale.add(layer);
   }
 
   #follow(layout: Layout, pose: Snapshot["pose"]): void {

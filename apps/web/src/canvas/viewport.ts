@@ -44,8 +44,10 @@ export interface Layout {
   origin: { x: number; y: number };
   /** the part of the view in which the maze may show */
   port: Box;
-  /** whether only a part of the maze shows at a time */
+  /** whether only a part of the maze shows at a time, and the stage is scrolled */
   overflows: boolean;
+  /** whether only a part of the maze shows at a time, and a camera goes with the robot */
+  follows: boolean;
 }
 
 /** The transformation for drawing: view pixel = origin + units * scale. */
@@ -98,7 +100,23 @@ export function layOut(
     // A maze that is cut begins at its padding, so the port does too, wherever it is scrolled.
     port: { ...origin, width: Math.min(width, roomX), height: Math.min(height, roomY) },
     overflows: isWide || isTall,
+    follows: false,
   };
+}
+
+/**
+ * Divides a view for a camera that goes with the robot: squares of a fixed size, and the maze reaches the
+ * view's edges. A maze that fits as a whole needs no camera and is shown as large as it fits.
+ */
+export function layOutFollowing(
+  maze: { columns: number; rows: number },
+  view: { width: number; height: number },
+  padding: Padding,
+  cellPx: number,
+): Layout {
+  const layout = layOut(maze, view, padding, cellPx);
+  if (!layout.overflows) return layout;
+  return { ...layout, port: { x: 0, y: 0, ...view }, overflows: false, follows: true };
 }
 
 /** The transformation at a scroll position. */
@@ -182,5 +200,22 @@ export function followScroll(layout: Layout, scroll: Scroll, x: number, y: numbe
   return {
     x: along(origin.x + x * scale, scroll.x, port.x, port.width, content.width - view.width),
     y: along(origin.y + y * scale, scroll.y, port.y, port.height, content.height - view.height),
+  };
+}
+
+/**
+ * Where a camera stands that has a point in its middle, but never shows more than the padding beyond the
+ * maze: near the maze's edges the point leaves the middle and the camera stands still.
+ * @param x position in units
+ * @param y position in units
+ */
+export function centredScroll(layout: Layout, x: number, y: number): Scroll {
+  const scale = layout.cellPx / CELL;
+  const along = (at: number, length: number, whole: number): number =>
+    Math.min(whole - length, Math.max(0, at - length / 2));
+  const { origin, content, view } = layout;
+  return {
+    x: along(origin.x + x * scale, view.width, content.width),
+    y: along(origin.y + y * scale, view.height, content.height),
   };
 }

@@ -60,7 +60,9 @@ export function Tabs<Value extends string>({
           </button>
         ))}
       </div>
+      {/* Another one for each tab: it begins at its top, however far the last was scrolled. */}
       <div
+        key={value}
         role="tabpanel"
         id={`${id}-panel`}
         aria-labelledby={`${id}-${value}`}

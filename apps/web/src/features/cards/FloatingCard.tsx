@@ -76,6 +76,7 @@ export function FloatingCard(props: FloatingCardProps) {
     <section
       ref={card}
       aria-labelledby={titleId}
+      data-card=""
       className={classNames(styles["card"], styles[tone], isPhone && styles["onPhone"])}
       style={isPhone ? undefined : at === null ? HIDDEN : { left: at.x, top: at.y }}
       onKeyDown={(event) => {

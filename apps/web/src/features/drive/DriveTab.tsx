@@ -1,7 +1,10 @@
 /** The Drive tab of the phone: readings in a row, big keys under the thumbs, and who drives. */
+import { Pause, Play } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Button } from "../../ui/Button.tsx";
+import { runButton, runOrPause } from "../transport/run-button.ts";
 import { DrivePad } from "./DrivePad.tsx";
 import styles from "./drive.module.css";
 import type { HoldStore } from "./hold-store.ts";
@@ -11,14 +14,41 @@ export function DriveTab({ hold }: { hold: HoldStore }) {
   const { t } = useTranslation();
   const { run } = useServices();
   const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
+  const isNow = useStore(run, ({ view }) => view === "now");
   return (
     <div className={styles["tab"]}>
       <div className={styles["tabHead"]}>
         <h2 className={styles["caption"]}>{t("drive.hold")}</h2>
-        <p className={styles["says"]}>{t(`drive.says.${driver}`)}</p>
         <SensorCross look="row" />
       </div>
       <DrivePad hold={hold} caps="words" />
+      <div className={styles["tabFoot"]}>
+        <p className={styles["says"]}>{t(`drive.says.${driver}`)}</p>
+        {/* In the past the transport is in sight, with its own button. */}
+        {isNow && <RunProgram />}
+      </div>
     </div>
+  );
+}
+
+/** The transport's big button, where the transport itself has no room. */
+function RunProgram() {
+  const { t } = useTranslation();
+  const { simulator, run } = useServices();
+  const isPause = useStore(run, (state) => runButton(state) === "pause");
+  const isFault = useStore(run, ({ fault }) => fault !== null);
+  const Icon = isPause ? Pause : Play;
+  return (
+    <Button
+      kind={isPause ? "primary" : "run"}
+      size="large"
+      className={styles["runProgram"]}
+      icon={<Icon aria-hidden="true" fill="currentColor" />}
+      disabled={isFault}
+      aria-keyshortcuts="Control+Enter"
+      onClick={() => simulator.send(runOrPause(run.getState()))}
+    >
+      {t(isPause ? "shell.run.pause" : "shell.run.runProgram")}
+    </Button>
   );
 }

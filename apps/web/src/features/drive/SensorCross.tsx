@@ -9,7 +9,7 @@ import { RobotFace } from "../../ui/RobotFace.tsx";
 import styles from "./drive.module.css";
 import { readSensors, touchingSensor } from "./sensor-roles.ts";
 
-/** @param look cross: around the robot; row: one line of words, for phones */
+/** @param look cross: around the robot; row: one line of words, for phones, in whole cm as on the beams */
 export function SensorCross({ look }: { look: "cross" | "row" }) {
   const { t, i18n } = useTranslation();
   const { run, workspace } = useServices();
@@ -18,6 +18,8 @@ export function SensorCross({ look }: { look: "cross" | "row" }) {
   const read = readSensors(program, snapshot);
   const touching = touchingSensor(snapshot);
   const isCross = look === "cross";
+  const textOf = (centimetres: number): string =>
+    isCross ? formatReading(centimetres, i18n.language) : String(Math.round(centimetres));
   return (
     <dl
       className={isCross ? styles["cross"] : styles["row"]}
@@ -36,7 +38,7 @@ export function SensorCross({ look }: { look: "cross" | "row" }) {
         >
           <dt>{t(`drive.sensor.${sensor}`)}</dt>
           <Reading
-            text={snapshot === null ? "–" : formatReading(snapshot.sensors[sensor], i18n.language)}
+            text={snapshot === null ? "–" : textOf(snapshot.sensors[sensor])}
             sign={decimalSign(i18n.language)}
           />
         </div>

@@ -9,7 +9,13 @@ const MARK_SHARE = 1 / 50;
 /** Above so many cells a side an outline would be all that is seen of a block. */
 const OUTLINED_UP_TO = 45;
 
-export function MazePicture({ maze }: { maze: MazeDocument }) {
+interface MazePictureProps {
+  maze: MazeDocument;
+  /** whether it marks where the robot starts */
+  showStart?: boolean;
+}
+
+export function MazePicture({ maze, showStart = true }: MazePictureProps) {
   const { columns, rows } = sizeOf(maze);
   const longest = Math.max(columns, rows);
   const mark = Math.max(MARK, longest * MARK_SHARE);
@@ -35,12 +41,14 @@ export function MazePicture({ maze }: { maze: MazeDocument }) {
           height={2 * mark}
         />
       ))}
-      <circle
-        className={styles["start"]}
-        cx={maze.start.column + 0.5}
-        cy={maze.start.row + 0.5}
-        r={mark}
-      />
+      {showStart && (
+        <circle
+          className={styles["start"]}
+          cx={maze.start.column + 0.5}
+          cy={maze.start.row + 0.5}
+          r={mark}
+        />
+      )}
     </svg>
   );
 }

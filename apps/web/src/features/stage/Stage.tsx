@@ -4,6 +4,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { MomentCards } from "../cards/MomentCards.tsx";
+import { CameraView } from "./CameraView.tsx";
 import { MazeGrid } from "./MazeGrid.tsx";
 import { StageController } from "./stage-controller.ts";
 import { StageLegend } from "./StageLegend.tsx";
@@ -16,6 +17,7 @@ export function Stage() {
   const { t, i18n } = useTranslation();
   const [controller] = useState(() => new StageController(services, i18n));
   const layout = useStore(controller.view, (view) => view.layout);
+  const isDriving = useStore(services.camera, (camera) => camera.isDriving);
   const scroller = useRef<HTMLDivElement>(null);
   const grid = useRef<HTMLTableElement>(null);
   const layers = useRef<HTMLDivElement>(null);
@@ -30,8 +32,8 @@ export function Stage() {
     });
   }, [controller]);
   return (
-    <section className={styles["stage"]} aria-label={t("stage.name")}>
-      <ToolStrip />
+    <section className={styles["stage"]} aria-label={t("stage.name")} data-driving={isDriving}>
+      {isDriving ? <CameraView view={controller.view} /> : <ToolStrip />}
       <div
         ref={scroller}
         className={layout?.overflows === true ? styles["scroller"] : styles["still"]}

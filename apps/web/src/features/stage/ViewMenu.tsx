@@ -1,8 +1,9 @@
 /** What the stage shows besides maze and robot, and the figures that its measures rest on. */
-import { ChevronDown, Eraser, Eye, MessageSquareText, Scaling } from "lucide-react";
+import { ChevronDown, Eraser, Eye, MessageSquareText, Redo2, Scaling, Undo2 } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { redo, undo } from "../../stores/workspace-store.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
@@ -51,6 +52,7 @@ export function ViewMenu({ onClear, onResize }: ViewMenuProps) {
               {t("speech.describe.button")}
             </MenuItem>
           </div>
+          <HistoryItems />
           {!isFixed && (
             <div className={styles["wholeItems"]}>
               <MenuItem icon={<Scaling aria-hidden="true" />} onSelect={onResize}>
@@ -65,6 +67,31 @@ export function ViewMenu({ onClear, onResize }: ViewMenuProps) {
         </div>
       </Popover>
       <FullScreenButton />
+    </div>
+  );
+}
+
+function HistoryItems() {
+  const { workspace } = useServices();
+  const { t } = useTranslation();
+  const canUndo = useStore(workspace.temporal, (history) => history.pastStates.length > 0);
+  const canRedo = useStore(workspace.temporal, (history) => history.futureStates.length > 0);
+  return (
+    <div className={styles["historyItems"]}>
+      <MenuItem
+        icon={<Undo2 aria-hidden="true" />}
+        disabled={!canUndo}
+        onSelect={() => undo(workspace)}
+      >
+        {t("stage.undo")}
+      </MenuItem>
+      <MenuItem
+        icon={<Redo2 aria-hidden="true" />}
+        disabled={!canRedo}
+        onSelect={() => redo(workspace)}
+      >
+        {t("stage.redo")}
+      </MenuItem>
     </div>
   );
 }

@@ -7,6 +7,7 @@ import type { Pose } from "@corridor/protocol";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import type { Ghost } from "../../canvas/layers/ghost.ts";
+import { Camera } from "../../canvas/camera.ts";
 import { PointerInput, type PointerFacts } from "../../canvas/pointer-input.ts";
 import type { Measured } from "../../canvas/layers/measure.ts";
 import { readPalette, type Palette } from "../../canvas/palette.ts";
@@ -15,7 +16,7 @@ import { cellAt } from "../../canvas/viewport.ts";
 import { tell } from "../../stores/screen-store.ts";
 import { MazeEditor } from "./maze-editor.ts";
 import { MeasureTool } from "./measure-tool.ts";
-import { hasRulers, stageLayout } from "./stage-layout.ts";
+import { followLayout, hasRulers, stageLayout } from "./stage-layout.ts";
 import { openStageScreen, type StageScreen } from "./stage-screen.ts";
 import { tapePointAt, tapeWords, type Tape, type TapePoint } from "./tape.ts";
 import { createStageView } from "./stage-view.ts";
@@ -46,6 +47,7 @@ export class StageController {
   readonly #services: Services;
   readonly #words: Pick<i18n, "t" | "language">;
   readonly #pointer: PointerInput;
+  readonly #camera = new Camera();
   #drawing: StageScreen | null = null;
   #elements: StageElements | null = null;
   #palette: Palette | null = null;
@@ -75,7 +77,7 @@ export class StageController {
 
   /** Begins to draw and to listen. @returns a function that ends it */
   mount(elements: StageElements): () => void {
-    const { workspace, screen, run, simulator } = this.#services;
+    const { workspace, screen, run, simulator, camera } = this.#services;
     const { scroller } = elements;
     const drawing = openStageScreen(simulator, elements.layers, ({ x, y }) =>
       scroller.scrollTo({ left: x, top: y, behavior: "instant" }),
@@ -120,8 +122,14 @@ export class StageController {
         if (tool !== before.tool) this.#toolChanged();
         this.#divide();
       }),
-      run.subscribe(({ shownMaze }, before) => {
+      camera.subscribe(() => {
+        this.#pointer.cancel();
+        this.#pointer.leave();
+        this.#divide();
+      }),
+      run.subscribe(({ shownMaze, snapshot }, before) => {
         if (shownMaze !== before.shownMaze) this.#show();
+        if (snapshot?.pose !== before.snapshot?.pose) this.#panGrid();
       }),
       this.view.subscribe(() => this.#show()),
       () => measure.disconnect(),
@@ -144,7 +152,14 @@ export class StageController {
   #listenToPointer(grid: HTMLElement): () => void {
     const end = new AbortController();
     const on = (type: PointerEventName, handle: (event: PointerEvent) => void): void =>
-      grid.addEventListener(type, handle, { signal: end.signal });
+      grid.addEventListener(
+        type,
+        (event) => {
+          // Whoever drives with a thumb edits nothing: the tools are not in sight.
+          if (!this.#services.camera.getState().isDriving) handle(event);
+        },
+        { signal: end.signal },
+      );
     on("pointerdown", (event) => {
       // A drag that leaves the maze still ends here.
       grid.setPointerCapture(event.pointerId);
@@ -168,7 +183,14 @@ export class StageController {
       else this.#pointer.cancel();
     });
     on("pointerleave", () => this.#pointer.leave());
+    grid.addEventListener("focusin", () => this.#seeFocus(grid), { signal: end.signal });
     return () => end.abort();
+  }
+
+  /** The keyboard goes to any square, also to one that the camera does not show. */
+  #seeFocus(grid: HTMLElement): void {
+    if (grid.querySelector(":focus-visible") === null) return;
+    this.#services.camera.setState({ isWhole: true });
   }
 
   #factsOf(event: PointerEvent): PointerFacts {
@@ -215,7 +237,9 @@ export class StageController {
     if (view.width === 0 || view.height === 0) return;
     const size = sizeOf(this.#services.workspace.getState().maze);
     const { showRulers } = this.#services.screen.getState();
-    const layout = stageLayout(size, view, showRulers);
+    const { isDriving, isWhole } = this.#services.camera.getState();
+    const layout =
+      isDriving && !isWhole ? followLayout(size, view) : stageLayout(size, view, showRulers);
     const before = this.view.getState().layout;
     if (before !== null && JSON.stringify(before) === JSON.stringify(layout)) {
       this.#show();
@@ -223,6 +247,19 @@ export class StageController {
     }
     this.#pointer.setTouchScroll(layout.overflows);
     this.view.setState({ layout });
+    this.#panGrid();
+  }
+
+  /** The squares for screen readers lie where the camera shows them. */
+  #panGrid(): void {
+    const { layout } = this.view.getState();
+    const pose = this.#pose();
+    if (layout === null || this.#elements === null) return;
+    const { x, y } =
+      layout.follows && pose !== null
+        ? this.#camera.at(layout, pose, this.#isCalm, 1 / this.#pixelRatio)
+        : { x: 0, y: 0 };
+    this.#elements.grid.style.translate = `${-x}px ${-y}px`;
   }
 
   #show(): void {

@@ -1,6 +1,7 @@
 /** How much room the stage leaves around the maze, by its width and by what it shows. Pure. */
 import {
   layOut,
+  layOutFollowing,
   MIN_CELL_PX,
   MIN_CELL_PX_COMPACT,
   type Layout,
@@ -10,6 +11,10 @@ import {
 /** Below this width the stage is a phone's: the maze takes it whole, without rulers. */
 const COMPACT_BELOW_PX = 600;
 
+/** Side of a square while a camera goes with the robot: 0.6 px per unit. */
+const FOLLOW_CELL_PX = 60;
+
+const followed: Padding = { top: 16, right: 16, bottom: 16, left: 16 };
 const compact: Padding = { top: 4, right: 8, bottom: 4, left: 8 };
 const withRulers: Padding = { top: 36, right: 34, bottom: 20, left: 70 };
 const withoutRulers: Padding = { top: 16, right: 34, bottom: 20, left: 34 };
@@ -27,4 +32,12 @@ export function stageLayout(
 ): Layout {
   if (view.width < COMPACT_BELOW_PX) return layOut(maze, view, compact, MIN_CELL_PX_COMPACT);
   return layOut(maze, view, showRulers ? withRulers : withoutRulers, MIN_CELL_PX);
+}
+
+/** Divides it for a camera that goes with the robot. */
+export function followLayout(
+  maze: { columns: number; rows: number },
+  view: { width: number; height: number },
+): Layout {
+  return layOutFollowing(maze, view, followed, FOLLOW_CELL_PX);
 }

@@ -1,0 +1,40 @@
+/**
+ * What stands over the stage while a phone's Drive tab is open: a button for the whole maze or back to the
+ * robot and, where the camera shows a part only, the whole maze in small.
+ */
+import { LocateFixed, Scan } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Button } from "../../ui/Button.tsx";
+import { classNames } from "../../ui/class-names.ts";
+import { lazyPart } from "../../ui/lazy-part.tsx";
+import type { StageViewStore } from "./stage-view.ts";
+import styles from "./camera-view.module.css";
+
+const SmallMap = lazyPart(async () => (await import("./SmallMap.tsx")).SmallMap);
+
+export function CameraView({ view }: { view: StageViewStore }) {
+  const { t } = useTranslation();
+  const { camera } = useServices();
+  const isWhole = useStore(camera, (state) => state.isWhole);
+  const follows = useStore(view, ({ layout }) => layout?.follows === true);
+  // A maze that fits at the robot's scale is always whole.
+  if (!isWhole && !follows) return null;
+  const Icon = isWhole ? LocateFixed : Scan;
+  return (
+    <>
+      <div className={classNames(styles["bar"], follows && styles["over"])}>
+        <Button
+          size="large"
+          className={styles["look"]}
+          icon={<Icon aria-hidden="true" />}
+          onClick={() => camera.setState({ isWhole: !isWhole })}
+        >
+          {t(isWhole ? "phone.followRobot" : "phone.wholeMaze")}
+        </Button>
+      </div>
+      {follows && <SmallMap view={view} />}
+    </>
+  );
+}
