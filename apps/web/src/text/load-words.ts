@@ -21,12 +21,15 @@ const loaders: {
   words: {
     ar: async () => (await import("./ar/index.ts")).ar,
     de: async () => (await import("./de/index.ts")).de,
+    ja: async () => (await import("./ja/index.ts")).ja,
+    "zh-Hans": async () => (await import("./zh-Hans/index.ts")).zhHans,
   },
   missions: {
     en: englishMissions,
-    // Drafts speak English here until their missions are translated.
-    ar: englishMissions,
+    ar: async () => (await import("./ar/missions.json")).default,
     de: async () => (await import("./de/missions.json")).default,
+    ja: async () => (await import("./ja/missions.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/missions.json")).default,
   },
 };
 

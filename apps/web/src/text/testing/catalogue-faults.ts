@@ -5,10 +5,11 @@ export interface Catalogue {
   readonly [key: string]: string | Catalogue;
 }
 
-/** Names that are the same in every language. */
+/** Names and units that are the same in every language. */
 const names = new Set(
   `Corridor Python JavaScript curl HTTP QR PNG SVG JSON URL
-   Ctrl Alt Shift Enter Space Esc Delete W A S D C X`.split(/\s+/),
+   Ctrl Alt Shift Enter Space Esc Delete W A S D C X
+   cm MB`.split(/\s+/),
 );
 
 const plural = /^(?<base>.+)_(?<form>zero|one|two|few|many|other)$/;
