@@ -34,7 +34,10 @@ export function keepFocus(page: Document): () => void {
     "focusout",
     ({ target, relatedTarget }) => {
       if (relatedTarget !== null || !(target instanceof HTMLElement)) return;
-      if (canTakeFocus(target)) isGivenUp = true;
+      // A control that is being taken out of the page is still in it here.
+      queueMicrotask(() => {
+        if (page.activeElement === page.body && canTakeFocus(target)) isGivenUp = true;
+      });
     },
     { signal },
   );

@@ -18,7 +18,7 @@ export function SpokenRun() {
     let before = run.getState();
     const endWaiting = run.subscribe((state) => {
       if ((state.snapshot?.tick ?? 0) === 0) {
-        before = state;
+        if (state.snapshot?.state !== "running") before = state;
         return;
       }
       endWaiting();

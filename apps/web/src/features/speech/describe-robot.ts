@@ -29,5 +29,15 @@ export async function describeRobot(
   }
   const last = shown.get(screen);
   if (last !== undefined) dismiss(screen, last);
-  shown.set(screen, tell(screen, { tone: "info", stays: true, text }));
+  // It stays as long as it is true.
+  const isStill = run.getState().snapshot?.state !== "running";
+  const message = tell(screen, { tone: "info", stays: isStill, text });
+  shown.set(screen, message);
+  if (!isStill) return;
+  const described = run.getState().snapshot?.tick;
+  const end = run.subscribe(({ snapshot }) => {
+    if (snapshot?.tick === described) return;
+    end();
+    dismiss(screen, message);
+  });
 }

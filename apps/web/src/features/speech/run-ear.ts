@@ -12,6 +12,8 @@ import type { Moment } from "../../worker/worker-messages.ts";
 /** From this speed on lines change faster than they can be said. */
 const FASTEST_TOLD = 4;
 const STEADY: ReadonlySet<string> = new Set(["forward", "reverse", "stop"]);
+/** A Step that takes no turn lasts a tick; whoever runs and pauses is slower. */
+const SHORT_TICKS = 4;
 /** Rounding leaves crumbs of a distance. */
 const CRUMB = 1e-6;
 
@@ -33,6 +35,8 @@ export class RunEar {
   /** the line that was told has not yet begun the turn that it was told with */
   #isTurnTold = false;
   #wasTooFast = false;
+  /** tick at which the robot was let go */
+  #runsFrom = 0;
 
   /** @param state what is on the screen already: it is no news */
   constructor(state: Heard) {
@@ -59,7 +63,9 @@ export class RunEar {
     this.#wasTooFast = false;
     if (snapshot === null || snapshot.bumping || snapshot.goalReached) return null;
     if (before.snapshot?.state === "running") {
-      return snapshot.driver === "program" ? { kind: "paused" } : null;
+      // After a Step of one tick, its decision is what there is to say.
+      const isShort = snapshot.tick - this.#runsFrom < SHORT_TICKS;
+      return snapshot.driver === "program" && !isShort ? { kind: "paused" } : null;
     }
     // What the page opens with is no news.
     if (before.snapshot === null) return null;
@@ -77,6 +83,7 @@ export class RunEar {
       this.#wasTooFast = true;
       return { kind: "too-fast" };
     }
+    if (before.snapshot?.state !== "running") this.#runsFrom = before.snapshot?.tick ?? 0;
     const line = decidingLine(snapshot);
     if (line === null) return null;
     const isTurn = !STEADY.has(actionOf(program, line));

@@ -31,7 +31,7 @@ export function decisionText(
     line: line + 1,
     action: t(`program.action.${rule.do}`),
     sensor: t(`program.sensorFirst.${rule.when.sensor}`),
-    number: shownTruth(rule.when, snapshot)?.left ?? "",
+    number: formatReading(snapshot.sensors[rule.when.sensor], language),
   });
 }
 

@@ -71,8 +71,12 @@ export function tellRun(
   function shownMoment(): string[] {
     const { snapshot } = run.getState();
     if (snapshot === null || document.activeElement?.matches("[type=range]") === true) return [];
-    const moment = sayMoment(words().t, momentAt(timeline.timeline, snapshot.tick));
-    return [`${moment}.`, decision()].filter((each) => each !== "");
+    const moment = momentAt(timeline.timeline, snapshot.tick);
+    const line = decision();
+    if (line === "") return [`${sayMoment(words().t, moment)}.`];
+    // The line says who drives and how it turns.
+    const event = moment.event?.kind === "turn" ? null : moment.event;
+    return [`${sayMoment(words().t, { ...moment, who: null, event })}.`, line];
   }
 
   function momentText(moment: Moment): string {
