@@ -5,7 +5,10 @@ export const languages = [
   { tag: "en", name: "English", dir: "ltr" },
   { tag: "ar", name: "العربية", dir: "rtl", isDraft: true },
   { tag: "de", name: "Deutsch", dir: "ltr", isDraft: true },
+  { tag: "es", name: "Español", dir: "ltr", isDraft: true },
+  { tag: "fr", name: "Français", dir: "ltr", isDraft: true },
   { tag: "ja", name: "日本語", dir: "ltr", isDraft: true },
+  { tag: "pt", name: "Português", dir: "ltr", isDraft: true },
   { tag: "zh-Hans", name: "简体中文", dir: "ltr", isDraft: true },
 ] as const satisfies readonly {
   tag: string;

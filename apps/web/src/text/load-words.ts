@@ -21,14 +21,20 @@ const loaders: {
   words: {
     ar: async () => (await import("./ar/index.ts")).ar,
     de: async () => (await import("./de/index.ts")).de,
+    es: async () => (await import("./es/index.ts")).es,
+    fr: async () => (await import("./fr/index.ts")).fr,
     ja: async () => (await import("./ja/index.ts")).ja,
+    pt: async () => (await import("./pt/index.ts")).pt,
     "zh-Hans": async () => (await import("./zh-Hans/index.ts")).zhHans,
   },
   missions: {
     en: englishMissions,
     ar: async () => (await import("./ar/missions.json")).default,
     de: async () => (await import("./de/missions.json")).default,
+    es: async () => (await import("./es/missions.json")).default,
+    fr: async () => (await import("./fr/missions.json")).default,
     ja: async () => (await import("./ja/missions.json")).default,
+    pt: async () => (await import("./pt/missions.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/missions.json")).default,
   },
 };
