@@ -2,6 +2,7 @@ import { basename } from "node:path";
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vite";
 import { VitePWA } from "vite-plugin-pwa";
+import { firstScript } from "./build/first-script.ts";
 import { precompress } from "./build/precompress.ts";
 
 /** Addresses at which the page shows itself; all others belong to the relay. */
@@ -75,6 +76,7 @@ export default defineConfig({
         ],
       },
     }),
+    firstScript(),
     precompress(),
   ],
   worker: { format: "es" },
@@ -100,7 +102,7 @@ export default defineConfig({
           groups: [
             {
               name: "react",
-              test: /node_modules\/(?:react|react-dom|scheduler|i18next|react-i18next|zustand|zundo|use-sync-external-store)\//,
+              test: /node_modules\/(?:react|react-dom|scheduler|i18next|react-i18next|zustand|zundo|use-sync-external-store|lucide-react\/dist\/esm\/(?!icons\/))|ui\/class-names|maze-limits|program\/src\/vocabulary|rolldown\/runtime/,
             },
           ],
         },

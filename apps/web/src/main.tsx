@@ -9,6 +9,7 @@ import { LanguageProvider } from "./app/language-context.ts";
 import { keepSwitches } from "./app/kept-switches.ts";
 import { createServices, ServicesProvider } from "./app/services.ts";
 import { whenSettled } from "./app/settled.ts";
+import { onSimulatorFailure, startSimulator } from "./app/simulator-start.ts";
 import { startTheme } from "./app/theme.ts";
 import { followAddress } from "./app/url-sync.ts";
 import { WorkReader } from "./app/work-reader.ts";
@@ -20,9 +21,7 @@ import { preloadParts } from "./ui/lazy-part.tsx";
 
 const words = createI18n();
 const device = storageOrNone(() => localStorage);
-const worker = new Worker(new URL("./worker/simulator.worker.ts", import.meta.url), {
-  type: "module",
-});
+const worker = startSimulator();
 const reader = new WorkReader();
 const screen = createScreenStore();
 const language = browserLanguage(words, screen, device);
@@ -59,10 +58,9 @@ async function open(): Promise<void> {
     reader,
   });
 
-  // A worker that does not load or breaks outside of its own care says so here only.
-  worker.onerror = ({ message }) => {
-    services.run.setState({ fault: message || words.t("shell.failure.notLoaded") });
-  };
+  onSimulatorFailure(worker, (reason) => {
+    services.run.setState({ fault: reason || words.t("shell.failure.notLoaded") });
+  });
 
   startTheme({
     screen,

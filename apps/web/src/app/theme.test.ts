@@ -83,10 +83,10 @@ describe("the theme", () => {
         "(prefers-color-scheme: dark)": given.isSystemDark,
         "(prefers-contrast: more)": given.asksForContrast,
       };
-      runInNewContext(readFileSync(new URL("../../public/theme.js", import.meta.url), "utf8"), {
+      runInNewContext(readFileSync(new URL("../../public/first.js", import.meta.url), "utf8"), {
         localStorage: { getItem: (key: string) => kept[key] ?? null },
         matchMedia: (query: string) => ({ matches: wishes[query] ?? false }),
-        document: { documentElement: { dataset } },
+        document: { documentElement: { dataset }, currentScript: { dataset: {} } },
       });
       expect(`${dataset["theme"]} ${dataset["contrast"]}`).toBe(shown);
     },

@@ -1,12 +1,12 @@
 /**
  * Light, dark, or as the system is; with more contrast, or as the system is. The choices are kept on
- * the device; `public/theme.js` applies them before the first paint, so that the page never flashes
+ * the device; `public/first.js` applies them before the first paint, so that the page never flashes
  * in other colours.
  */
 import type { ScreenStore, Theme } from "../stores/screen-store.ts";
 import type { KeyValueStorage } from "./works.ts";
 
-/** Also read by `public/theme.js`. */
+/** Also read by `public/first.js`. */
 const THEME_KEY = "corridor.theme";
 const CONTRAST_KEY = "corridor.contrast";
 

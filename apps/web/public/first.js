@@ -1,0 +1,28 @@
+// What cannot wait for the page's own script: theme and contrast, before the first paint, and the
+// simulator worker, which gets ready while that script is still on its way. A file of its own, since
+// the page's Content-Security-Policy forbids inline scripts; src/app/theme.ts and
+// src/app/simulator-start.ts take over.
+(() => {
+  const { simulator } = document.currentScript.dataset;
+  // The address is there in a build; while Corridor is developed the page starts the worker.
+  if (simulator) {
+    const worker = new Worker(simulator, { type: "module" });
+    window.corridorSimulator = { worker, failure: null };
+    worker.onerror = ({ message }) => (window.corridorSimulator.failure = message);
+  }
+  let theme = null;
+  let contrast = null;
+  try {
+    theme = localStorage.getItem("corridor.theme");
+    contrast = localStorage.getItem("corridor.contrast");
+  } catch {
+    // Storage is forbidden: the system decides.
+  }
+  if (theme !== "light" && theme !== "dark") {
+    theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+  }
+  if (contrast !== "more") {
+    contrast = matchMedia("(prefers-contrast: more)").matches ? "more" : "normal";
+  }
+  Object.assign(document.documentElement.dataset, { theme, contrast });
+})();
