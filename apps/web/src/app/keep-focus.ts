@@ -42,17 +42,33 @@ export function keepFocus(page: Document): () => void {
     { signal },
   );
 
+  /** A control that is switched off keeps the focus for a moment, and answers no key. */
+  function isLost(): boolean {
+    const { activeElement } = page;
+    return (
+      !isGivenUp && (activeElement === page.body || activeElement?.matches(":disabled") === true)
+    );
+  }
+
   function rescue(): void {
-    if (isGivenUp || page.activeElement !== page.body) return;
     const last = places.at(-1);
-    if (last === undefined || canTakeFocus(last.element)) return;
+    if (!isLost() || last === undefined || canTakeFocus(last.element)) return;
     const near = last.around.map(firstIn).find((each) => each !== null);
     const before = places.findLast(({ element }) => canTakeFocus(element))?.element;
     const target = near ?? before ?? page.querySelector<HTMLElement>('[role=grid] [tabindex="0"]');
     target?.focus({ preventScroll: true });
   }
 
-  const watch = new MutationObserver(rescue);
+  let isDue = false;
+  // A dialog that closes gives the focus back by itself, a little later than it goes.
+  const watch = new MutationObserver(() => {
+    if (isDue || !isLost()) return;
+    isDue = true;
+    setTimeout(() => {
+      isDue = false;
+      rescue();
+    });
+  });
   watch.observe(page.body, {
     childList: true,
     subtree: true,
