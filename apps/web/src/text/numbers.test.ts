@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { formatClock, formatReading, formatSeconds } from "./numbers.ts";
+import { formatClock, formatReading, formatSeconds, localNumber } from "./numbers.ts";
 
 describe("formatReading", () => {
   it.each([
@@ -47,5 +47,12 @@ describe("the decimal sign", () => {
     expect(formatReading(250.5, language)).toBe(reading);
     expect(formatClock(1063, language)).toBe(clock);
     expect(formatSeconds(2352, language)).toBe(seconds);
+  });
+});
+
+describe("a negative number", () => {
+  it("keeps its minus before its figures where text runs the other way", () => {
+    expect(localNumber("> -20.5", "de")).toBe("> -20,5");
+    expect(localNumber("> -20.5", "ar")).toBe("> \u200E-20.5");
   });
 });

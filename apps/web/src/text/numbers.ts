@@ -6,22 +6,36 @@
 /** Ticks in a second of simulated time. */
 const TICKS_PER_SECOND = 60;
 
-const signs = new Map<string, string>();
+interface Signs {
+  /** what stands before a negative number: right-to-left scripts need a mark that keeps it there */
+  minus: string;
+  decimal: string;
+}
+
+const known = new Map<string, Signs>();
+
+function signsOf(language: string): Signs {
+  let signs = known.get(language);
+  if (signs === undefined) {
+    const parts = new Intl.NumberFormat(language, { numberingSystem: "latn" }).formatToParts(-0.5);
+    const figures = parts.findIndex(({ type }) => type === "integer");
+    const before = parts.slice(0, figures).map(({ value }) => value);
+    const decimal = parts.find(({ type }) => type === "decimal")?.value ?? ".";
+    signs = { minus: before.join(""), decimal };
+    known.set(language, signs);
+  }
+  return signs;
+}
 
 /** The sign before the tenths: "." or ",". */
 export function decimalSign(language: string): string {
-  let sign = signs.get(language);
-  if (sign === undefined) {
-    const parts = new Intl.NumberFormat(language, { numberingSystem: "latn" }).formatToParts(0.5);
-    sign = parts.find(({ type }) => type === "decimal")?.value ?? ".";
-    signs.set(language, sign);
-  }
-  return sign;
+  return signsOf(language).decimal;
 }
 
 /** A number written with a point, as the language writes it: "48.3" is "48,3" in German. */
 export function localNumber(text: string, language: string): string {
-  return text.replace(".", decimalSign(language));
+  const { minus, decimal } = signsOf(language);
+  return text.replace("-", minus).replace(".", decimal);
 }
 
 /** A reading in cm for the eye: at most one decimal, and none where it is 0. */

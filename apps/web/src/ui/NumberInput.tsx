@@ -15,6 +15,8 @@ export function NumberInput({ draft, errorId, className, onBlur, ...rest }: Numb
     <input
       {...rest}
       type="text"
+      // A minus stands before its figures in every script.
+      dir="ltr"
       inputMode="decimal"
       autoComplete="off"
       className={classNames(styles["field"], styles["number"], className)}

@@ -120,7 +120,10 @@ async function readFile(
   words: Pick<i18n, "t" | "language">,
 ): Promise<ReturnType<typeof readDocument>> {
   if (file.size > MAX_BYTES) {
-    const size = new Intl.NumberFormat(words.language, { maximumFractionDigits: 1 });
+    const size = new Intl.NumberFormat(words.language, {
+      maximumFractionDigits: 1,
+      numberingSystem: "latn",
+    });
     const found = words.t("files.megabytes", { size: size.format(file.size / 1_000_000) });
     return refuse(found, words.t("files.atMost", { size: size.format(MAX_BYTES / 1_000_000) }));
   }

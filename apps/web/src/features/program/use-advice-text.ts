@@ -2,6 +2,7 @@
 import type { Advice, Mend } from "@corridor/coach";
 import { numberOf, type Condition } from "@corridor/program";
 import { useTranslation } from "react-i18next";
+import { localNumber } from "../../text/numbers.ts";
 
 export interface AdviceText {
   reason: string;
@@ -18,7 +19,8 @@ export function useAdviceText(advice: Advice | null, when: Condition | null): Ad
   function conditionText(condition: Condition): string {
     const sensor = t(`program.sensor.${condition.sensor}`);
     const other = condition.than === "right" ? `${t("program.sensor.right")} + ` : "";
-    return `${sensor} ${condition.is} ${other}${numberOf(condition)}`;
+    const number = localNumber(String(numberOf(condition)), i18n.language);
+    return `${sensor} ${condition.is} ${other}${number}`;
   }
 
   function lineList(lines: readonly number[]): string {

@@ -15,7 +15,9 @@ export function AddressFields({ address }: { address: RobotAddress }) {
     <dl className={styles["fields"]}>
       <dt className={styles["label"]}>{t("remote.address")}</dt>
       <dd className={styles["value"]}>
-        <span className={styles["mono"]}>{address.shown}</span>
+        <span dir="ltr" className={styles["mono"]}>
+          {address.shown}
+        </span>
         <CopyButton
           text={address.full}
           label={t("remote.copyAddress")}
@@ -25,7 +27,9 @@ export function AddressFields({ address }: { address: RobotAddress }) {
       </dd>
       <dt className={styles["label"]}>{t("remote.key")}</dt>
       <dd className={styles["value"]}>
-        <span className={styles["mono"]}>{isKeyShown ? address.key : maskKey(address.key)}</span>
+        <span dir="ltr" className={styles["mono"]}>
+          {isKeyShown ? address.key : maskKey(address.key)}
+        </span>
         <IconButton
           label={isKeyShown ? t("remote.hideKey") : t("remote.showKey")}
           onClick={() => setKeyShown(!isKeyShown)}

@@ -80,12 +80,18 @@ function CommandRow({ record }: { record: ListedCommand }) {
   const { t, i18n } = useTranslation();
   const { tone, Icon } = looks[record.state];
   const distance = cutShortAfter(record);
-  const time = new Intl.DateTimeFormat(i18n.language, { timeStyle: "medium", hour12: false });
+  const time = new Intl.DateTimeFormat(i18n.language, {
+    timeStyle: "medium",
+    hour12: false,
+    numberingSystem: "latn",
+  });
   return (
     <tr className={classNames(styles["row"], record.state === "started" && styles["running"])}>
       <td className={styles["seq"]}>{record.seq}</td>
       <td className={styles["command"]}>
-        <span className={styles["mono"]}>{commandText(record.command)}</span>
+        <span dir="ltr" className={styles["mono"]}>
+          {commandText(record.command)}
+        </span>
         {distance !== null && (
           <span className={styles["detail"]}>{t("remote.after", { distance })}</span>
         )}

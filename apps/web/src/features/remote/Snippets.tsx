@@ -44,6 +44,7 @@ export function Snippets({ address }: { address: RobotAddress }) {
       </div>
       {/* A field, not a pre: it can be scrolled and selected by keyboard in every browser. */}
       <textarea
+        dir="ltr"
         className={styles["code"]}
         readOnly
         rows={SHOWN_LINES}

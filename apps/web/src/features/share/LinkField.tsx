@@ -29,6 +29,7 @@ export function LinkField({ link, tooBig }: LinkFieldProps) {
         <input
           id={id}
           ref={field}
+          dir="ltr"
           className={styles["address"]}
           readOnly
           value={link}

@@ -49,19 +49,17 @@ export function SmallMap({ view }: { view: StageViewStore }) {
   );
 }
 
-/** The lower corner that the robot is not in. The map changes sides with the page's language, the maze does not. */
-function useSide(view: StageViewStore): "start" | "end" {
+/** The lower corner that the robot is not in: left and right as in the maze, in every language. */
+function useSide(view: StageViewStore): "left" | "right" {
   const { run } = useServices();
   const layout = useStore(view, (state) => state.layout);
   return useStore(run, ({ snapshot }) => {
-    if (layout === null || snapshot === null) return "start";
+    if (layout === null || snapshot === null) return "left";
     const { x, y } = snapshot.pose;
     const viewport = viewportAt(layout, centredScroll(layout, x, y));
     const { width, height } = layout.view;
-    const fromLeft = viewX(viewport, x) / width;
+    const isNear = viewX(viewport, x) / width < NEAR_X;
     const isLow = viewY(viewport, y) / height > NEAR_Y;
-    const isMirrored = document.documentElement.dir === "rtl";
-    const near = isMirrored ? 1 - fromLeft : fromLeft;
-    return isLow && near < NEAR_X ? "end" : "start";
+    return isLow && isNear ? "right" : "left";
   });
 }

@@ -17,7 +17,11 @@ interface WorksListProps {
 export function WorksList({ works, onOpen, onDelete }: WorksListProps) {
   const { t, i18n } = useTranslation();
   const currentId = useServices().works.currentId();
-  const when = new Intl.DateTimeFormat(i18n.language, { dateStyle: "medium", timeStyle: "short" });
+  const when = new Intl.DateTimeFormat(i18n.language, {
+    dateStyle: "medium",
+    timeStyle: "short",
+    numberingSystem: "latn",
+  });
   return (
     <section className={styles["works"]} aria-labelledby="works-heading">
       <h2 id="works-heading" className={styles["heading"]}>
