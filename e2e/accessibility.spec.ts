@@ -118,6 +118,7 @@ for (const [width, height] of [
     await expect(corridor.bumps).not.toHaveText("0 bumps");
     expect(await stickingOut(page), "long words").toEqual([]);
     await corridor.share.click();
+    await expect(corridor.dialog("Share this maze")).toBeVisible();
     expect(await stickingOut(page), "share").toEqual([]);
     await page.keyboard.press("Escape");
     await corridor.mazeMenu.click();

@@ -2,12 +2,11 @@
 import { AxeBuilder } from "@axe-core/playwright";
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
+import { atRest } from "./support/at-rest.ts";
 
 /** Texts below 7:1, as axe measures them where they stand. */
 async function faint(page: Page): Promise<string[]> {
-  await page.evaluate(() =>
-    Promise.allSettled(document.getAnimations().map((animation) => animation.finished)),
-  );
+  await atRest(page);
   const axe = new AxeBuilder({ page }).withRules("color-contrast-enhanced");
   const { violations } = await axe.analyze();
   return violations.flatMap(({ nodes }) => nodes.map(({ target }) => target.join(" ")));

@@ -1,5 +1,6 @@
 /** Every language has room: nothing is cut off or runs over, on the smallest phone and on a desktop. */
 import { expect, test } from "./fixtures.ts";
+import { atRest } from "./support/at-rest.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { unreadable } from "./support/layout.ts";
 import { languageTags, Words } from "./support/words.ts";
@@ -37,9 +38,7 @@ for (const { name, tag, words, isMade } of languages) {
       await expect(page.getByRole("grid")).toBeVisible();
       const faults: string[] = [];
       const look = async (state: string): Promise<void> => {
-        await page.evaluate(() =>
-          Promise.allSettled(document.getAnimations().map((animation) => animation.finished)),
-        );
+        await atRest(page);
         faults.push(...(await unreadable(page)).map((fault) => `${state}: ${fault}`));
       };
       const floating = page.locator("dialog[open], :popover-open");

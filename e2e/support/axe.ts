@@ -1,6 +1,7 @@
 /** Asks axe about a state of the page, in the light and in the dark theme. */
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, type Page } from "playwright/test";
+import { atRest } from "./at-rest.ts";
 
 /** @param state names the state in the report */
 export async function expectNoBarriers(page: Page, state: string): Promise<void> {
@@ -18,15 +19,7 @@ export async function expectNoBarriers(page: Page, state: string): Promise<void>
 async function putOn(page: Page, colorScheme: "light" | "dark"): Promise<void> {
   await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
   await expect(page.locator("html")).toHaveAttribute("data-theme", colorScheme);
-  await page.evaluate(() =>
-    Promise.allSettled(
-      document
-        .getAnimations()
-        // One that follows a scroll bar has no end.
-        .filter(({ timeline }) => timeline === document.timeline)
-        .map((animation) => animation.finished),
-    ),
-  );
+  await atRest(page);
 }
 
 async function barriers(axe: AxeBuilder): Promise<string[]> {
