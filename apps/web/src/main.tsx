@@ -99,6 +99,7 @@ async function open(): Promise<void> {
     });
   await follow();
   void services.runKeeper.resume();
+  window.addEventListener("online", () => services.connection.networkIsBack());
   window.addEventListener("hashchange", () => void follow());
 
   root.render(

@@ -61,6 +61,26 @@ describe("RemoteConnection", () => {
     expect(page.sent.at(-1)).toEqual({ type: "remote-open", session, fresh: false });
   });
 
+  it.each([
+    { name: "connects again while Remote drives", driver: "remote", opened: 2 },
+    { name: "leaves it while somebody else drives", driver: "me", opened: 1 },
+  ] as const)("$name when a network that was lost is back", ({ driver, opened }) => {
+    const page = openPage();
+    page.drive("remote");
+    page.remote.setState({ status: { kind: "lost", reason: "lineLost" } });
+    page.drive(driver);
+    page.connection.networkIsBack();
+    expect(page.sent.filter(({ type }) => type === "remote-open")).toHaveLength(opened);
+  });
+
+  it("does not connect anew what is connected when a network comes", () => {
+    const page = openPage();
+    page.drive("remote");
+    page.remote.setState({ status: { kind: "waiting" }, session });
+    page.connection.networkIsBack();
+    expect(page.sent).toHaveLength(1);
+  });
+
   it("keeps the robot's address over a reload, with the newest command that was started", () => {
     const page = openPage();
     page.remote.setState({ status: { kind: "waiting" }, session });

@@ -63,6 +63,13 @@ export class RemoteConnection {
     }
   }
 
+  /** The device has a network again: a robot that was lost without one is brought back by itself. */
+  networkIsBack(): void {
+    const { remote, run } = this.#ports;
+    const isLost = remote.getState().status.kind === "lost";
+    if (isLost && run.getState().nowDriver === "remote") this.connect();
+  }
+
   /** Ends the connection; the address stays this tab's own and works again after connecting. */
   disconnect(): void {
     const { simulator, tab } = this.#ports;
