@@ -26,7 +26,7 @@ interface TopBarProps {
 export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
   // The maze's name needs the room first.
-  const isNarrow = useMediaQuery("(max-width: 759px)");
+  const isNarrow = useMediaQuery("(max-width: 899px)");
   return (
     <header className={styles["bar"]}>
       <Brand />
