@@ -44,6 +44,10 @@ function ProgramName() {
   const { workspace } = useServices();
   const name = useStore(workspace, ({ program }) => program.name);
   const endStroke = useRef<(() => void) | null>(null);
+  function endEdit(): void {
+    endStroke.current?.();
+    endStroke.current = null;
+  }
   return (
     <input
       className={styles["name"]}
@@ -58,12 +62,9 @@ function ProgramName() {
         applyEdit(workspace, rename(workspace.getState().program, event.target.value));
       }}
       onKeyDown={(event) => {
-        if (event.key === "Enter") event.currentTarget.blur();
+        if (event.key === "Enter") endEdit();
       }}
-      onBlur={() => {
-        endStroke.current?.();
-        endStroke.current = null;
-      }}
+      onBlur={endEdit}
     />
   );
 }

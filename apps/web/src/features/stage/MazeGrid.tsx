@@ -13,10 +13,11 @@ import { classNames } from "../../ui/class-names.ts";
 import { useSay } from "../speech/use-say.ts";
 import { cellLabel } from "./cell-label.ts";
 import { around, clampCell, moveCursor } from "./grid-cursor.ts";
-import { cellOf, facingOf, type Facing } from "./robot-place.ts";
+import type { Facing } from "./robot-place.ts";
 import { cellAtPoint, tapeWords } from "./tape.ts";
 import type { StageController } from "./stage-controller.ts";
 import styles from "./stage.module.css";
+import { useRobotSquare } from "./use-robot-square.ts";
 
 interface MazeGridProps {
   controller: StageController;
@@ -25,17 +26,12 @@ interface MazeGridProps {
 
 export function MazeGrid({ controller, element }: MazeGridProps) {
   "use memo";
-  const { workspace, run, screen, speech } = useServices();
+  const { workspace, screen, speech } = useServices();
   const { t, i18n } = useTranslation();
   const maze = useStore(workspace, (state) => state.maze);
   const layout = useStore(controller.view, (view) => view.layout);
   const chosen = useStore(controller.view, (view) => view.cursor);
-  // One text, so that the grid is built anew when the robot enters a square, not when it moves.
-  const robot = useStore(run, ({ snapshot }) => {
-    if (snapshot === null) return "";
-    const { column, row } = cellOf(snapshot.pose);
-    return `${column},${row},${facingOf(snapshot.pose.heading)}`;
-  });
+  const robot = useRobotSquare();
   const helpId = useId();
   const size = sizeOf(maze);
   const isMeasuring = useStore(screen, ({ tool }) => tool === "measure");
