@@ -73,8 +73,12 @@ for (const { name, tag, words, isMade } of languages) {
         await opened("presets", () => button("presets.presets").click());
         await opened("keys", () => button("shell.keys.title").click());
         await opened("theme", () => button("works.theme").click());
-        await opened("resize", () => button("stage.resize").click());
-        await opened("clear", () => button("stage.clear").click());
+        for (const change of ["stage.resize", "stage.clear"]) {
+          await opened(change, async () => {
+            await button("stage.view").click();
+            await button(change).click();
+          });
+        }
         await page.getByRole("radio", { name: words.t("drive.remote"), exact: true }).click();
         await look("remote");
         await page.getByRole("radio", { name: words.t("drive.program"), exact: true }).click();
