@@ -40,9 +40,10 @@ export async function tooSmallToTouch(page: Page): Promise<string[]> {
 /**
  * Texts that cannot be read: cut off by what holds them, wider than their button or menu, off the
  * screen, or printed over one another. Asked of the topmost dialog or menu, else of the whole page.
+ * @param within selector of a part that lies over the page, to ask of it alone
  */
-export async function unreadable(page: Page): Promise<string[]> {
-  return page.evaluate(() => {
+export async function unreadable(page: Page, within = "body"): Promise<string[]> {
+  return page.evaluate((selector) => {
     interface Box {
       left: number;
       right: number;
@@ -51,7 +52,7 @@ export async function unreadable(page: Page): Promise<string[]> {
     }
     const slack = 1.5;
     const open = [...document.querySelectorAll("dialog[open], :popover-open")];
-    const root = open.at(-1) ?? document.body;
+    const root = open.at(-1) ?? document.querySelector(selector) ?? document.body;
     const faults = new Set<string>();
     const seen: { box: Box; text: string; control: Element | null }[] = [];
     const { clientWidth, scrollWidth } = document.documentElement;
@@ -143,5 +144,5 @@ export async function unreadable(page: Page): Promise<string[]> {
       }
     }
     return [...faults];
-  });
+  }, within);
 }
