@@ -3,13 +3,13 @@
 /** Tags are BCP 47. Names are in the language itself, so that readers find their own. */
 export const languages = [
   { tag: "en", name: "English", dir: "ltr" },
-  { tag: "ar", name: "العربية", dir: "rtl", isDraft: true },
-  { tag: "de", name: "Deutsch", dir: "ltr", isDraft: true },
+  { tag: "ar", name: "العربية", dir: "rtl" },
+  { tag: "de", name: "Deutsch", dir: "ltr" },
   { tag: "es", name: "Español", dir: "ltr", isDraft: true },
   { tag: "fr", name: "Français", dir: "ltr", isDraft: true },
-  { tag: "ja", name: "日本語", dir: "ltr", isDraft: true },
+  { tag: "ja", name: "日本語", dir: "ltr" },
   { tag: "pt", name: "Português", dir: "ltr", isDraft: true },
-  { tag: "zh-Hans", name: "简体中文", dir: "ltr", isDraft: true },
+  { tag: "zh-Hans", name: "简体中文", dir: "ltr" },
 ] as const satisfies readonly {
   tag: string;
   name: string;
