@@ -1,6 +1,7 @@
 /** Everyone can use it: no barrier that axe knows, by keyboard alone, under a finger, on any screen. */
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
+import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { expectNoBarriers } from "./support/axe.ts";
 import { stickingOut, tooSmallToTouch } from "./support/layout.ts";
 
@@ -71,6 +72,63 @@ test("meets no barrier among mazes and messages", async ({ corridor, page }) => 
   await page.evaluate(() => (location.hash = "1cut"));
   await expect(corridor.message("This link is cut off.")).toBeVisible();
   await expectNoBarriers(page, "message");
+});
+
+test("meets no barrier in the past, at a bump, at the goal, with advice and a description", async ({
+  corridor,
+  page,
+}) => {
+  test.slow();
+  await corridor.program.action(2).selectOption("delayed left 90");
+  await expect(corridor.spoken).toContainText("Advice on line 2");
+  await expectNoBarriers(page, "advice");
+  await corridor.speed.selectOption("4×");
+  await corridor.run.click();
+  await expect(page.getByRole("region", { name: /^Bump: line 2/ })).toBeVisible();
+  await expectNoBarriers(page, "bump card");
+  await corridor.timeline.slider.focus();
+  await page.keyboard.press("ArrowLeft");
+  await expect(corridor.timeline.inThePast).toBeVisible();
+  await page.keyboard.press("i");
+  await expect(corridor.message(/^At \d/)).toBeVisible();
+  await expectNoBarriers(page, "in the past, described");
+  await corridor.timeline.backToNow.click();
+  await corridor.program.action(2).selectOption("left 90");
+  await corridor.reset.click();
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
+  await expectNoBarriers(page, "solved card");
+});
+
+test("meets no barrier in a mission, while measuring, among random mazes and pictures", async ({
+  corridor,
+  page,
+}) => {
+  test.slow();
+  const lessons = new LessonsPanel(page);
+  await lessons.openPath();
+  await expectNoBarriers(page, "lessons");
+  await page.keyboard.press("Escape");
+  await lessons.openMission(8);
+  await lessons.button("Show a hint").click();
+  await expectNoBarriers(page, "mission");
+  await lessons.button("Back to my maze").click();
+  await corridor.maze.tool("Measure").check();
+  await (await corridor.maze.goTo({ column: 2, row: 6 })).press("Enter");
+  await (await corridor.maze.goTo({ column: 5, row: 4 })).press("Enter");
+  await expect(corridor.spoken).toContainText("squares");
+  await expectNoBarriers(page, "measuring");
+  await page.getByRole("button", { name: "Presets", exact: true }).click();
+  await corridor.dialog("Presets").getByRole("radio", { name: "Rooms" }).click();
+  await expectNoBarriers(page, "random maze");
+  await page.keyboard.press("Escape");
+  await corridor.mazeMenu.click();
+  await corridor
+    .dialog("Maze menu")
+    .getByRole("button", { name: /picture/i })
+    .click();
+  await expectNoBarriers(page, "picture");
 });
 
 test("meets no barrier on a phone, in each tab and menu", async ({ openWindow }) => {

@@ -7,6 +7,7 @@ test("builds, programs, runs, bumps, mends, goes back in time, solves and shares
   corridor,
   page,
 }) => {
+  test.slow();
   const keys = new Keys(page);
   const { maze, program, timeline } = corridor;
 
@@ -86,6 +87,7 @@ test("builds, programs, runs, bumps, mends, goes back in time, solves and shares
 });
 
 test("opens a mission and solves it by keys alone", async ({ corridor, page }) => {
+  test.slow();
   const keys = new Keys(page);
   const lessons = new LessonsPanel(page);
   await keys.press(page.getByRole("banner").getByRole("button", { name: "Lessons" }));
@@ -107,6 +109,7 @@ test("opens a mission and solves it by keys alone", async ({ corridor, page }) =
 });
 
 test("keeps the focus where something goes or is switched off", async ({ corridor, page }) => {
+  test.slow();
   const keys = new Keys(page);
   const { timeline } = corridor;
   // The invitation that is sent away.
@@ -134,6 +137,7 @@ test("keeps the focus where something goes or is switched off", async ({ corrido
 });
 
 test("stays in a dialog with Tab, and comes back to its button", async ({ corridor, page }) => {
+  test.slow();
   const keys = new Keys(page);
   for (const [button, title] of [
     [corridor.share, "Share this maze"],

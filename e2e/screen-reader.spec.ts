@@ -87,10 +87,13 @@ test("hears the lines as they drive, in order, at most one message a second, and
   corridor,
   page,
 }) => {
+  test.slow();
+  // As slow as it goes, so that each line lasts longer than its sentence, on a busy machine too.
+  await corridor.speed.selectOption("0.25×");
   const heard = await listen(page);
   await page.keyboard.press("Control+Enter");
   await expect(corridor.spoken).toHaveText("Line 1: delayed right 90. Right is 248.3 cm.", {
-    timeout: 30_000,
+    timeout: 90_000,
   });
   await page.keyboard.press("Control+Enter");
   await expect(corridor.spoken).toHaveText(/^Paused at \d+\.\d s\.$/);
@@ -111,6 +114,7 @@ test("hears the lines as they drive, in order, at most one message a second, and
 });
 
 test("builds, programs, bumps, mends, goes back and solves by ear", async ({ corridor, page }) => {
+  test.slow();
   const heard = await listen(page);
   const keys = new Keys(page);
   const { maze, program, timeline } = corridor;
