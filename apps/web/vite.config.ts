@@ -2,6 +2,7 @@ import { basename } from "node:path";
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vite";
 import { VitePWA } from "vite-plugin-pwa";
+import { englishWords } from "./build/english-words.ts";
 import { firstScript } from "./build/first-script.ts";
 import { precompress } from "./build/precompress.ts";
 
@@ -62,7 +63,12 @@ export default defineConfig({
         // The first visit is offline-ready too, without a reload.
         clientsClaim: true,
         skipWaiting: false,
-        globPatterns: ["**/*.{js,css,html}", "assets/inter-latin-*.woff2", "mark.svg"],
+        globPatterns: [
+          "**/*.{js,css,html}",
+          "assets/words-*.json",
+          "assets/inter-latin-*.woff2",
+          "mark.svg",
+        ],
         globIgnores: ["assets/inter-latin-ext-*.woff2", "sw.js"],
         navigateFallback: "/index.html",
         navigateFallbackAllowlist: [PAGE],
@@ -76,6 +82,7 @@ export default defineConfig({
         ],
       },
     }),
+    englishWords(),
     firstScript(),
     precompress(),
   ],

@@ -1,7 +1,7 @@
-// What cannot wait for the page's own script: theme and contrast, before the first paint, and the
-// simulator worker, which gets ready while that script is still on its way. A file of its own, since
-// the page's Content-Security-Policy forbids inline scripts; src/app/theme.ts and
-// src/app/simulator-start.ts take over.
+// What cannot wait for the page's own script: theme, contrast and the way the script runs, before the
+// first paint, and the simulator worker, which gets ready while that script is still on its way. A file of its own, since
+// the page's Content-Security-Policy forbids inline scripts; src/app/theme.ts, language.ts
+// and simulator-start.ts take over.
 (() => {
   const { simulator } = document.currentScript.dataset;
   // The address is there in a build; while Corridor is developed the page starts the worker.
@@ -12,9 +12,11 @@
   }
   let theme = null;
   let contrast = null;
+  let language = null;
   try {
     theme = localStorage.getItem("corridor.theme");
     contrast = localStorage.getItem("corridor.contrast");
+    language = localStorage.getItem("corridor.language");
   } catch {
     // Storage is forbidden: the system decides.
   }
@@ -25,4 +27,6 @@
     contrast = matchMedia("(prefers-contrast: more)").matches ? "more" : "normal";
   }
   Object.assign(document.documentElement.dataset, { theme, contrast });
+  language = new URLSearchParams(location.search).get("lang") ?? language ?? navigator.language;
+  if (/^ar\b/.test(language)) document.documentElement.dir = "rtl";
 })();

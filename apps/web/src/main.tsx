@@ -1,10 +1,12 @@
 /** Entry of the page: starts the worker, builds the services, mounts React. */
+import type { i18n } from "i18next";
 import { createRoot } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
 import { App } from "./app/App.tsx";
 import { flushWhenHidden, type PageLife } from "./app/autosave.ts";
 import { LoadFailure } from "./app/LoadFailure.tsx";
 import { browserLanguage } from "./app/browser-language.ts";
+import type { LanguageChoice } from "./app/language.ts";
 import { LanguageProvider } from "./app/language-context.ts";
 import { keepSwitches } from "./app/kept-switches.ts";
 import { createServices, ServicesProvider } from "./app/services.ts";
@@ -16,39 +18,44 @@ import { WorkReader } from "./app/work-reader.ts";
 import { storageOrNone, WorkShelf } from "./app/works.ts";
 import { openEmptyMaze } from "./features/works/empty-maze.ts";
 import { createScreenStore } from "./stores/screen-store.ts";
+import { englishWords } from "./text/english-words.ts";
 import { createI18n } from "./text/i18n.ts";
 import { preloadParts } from "./ui/lazy-part.tsx";
 
-const words = createI18n();
 const device = storageOrNone(() => localStorage);
 const worker = startSimulator();
 const reader = new WorkReader();
 const screen = createScreenStore();
-const language = browserLanguage(words, screen, device);
 
 const place = document.getElementById("root");
 if (place === null) throw new Error("index.html has no #root");
 const root = createRoot(place);
 
-/** Brings what this visit needs before anything is shown: most first visits need nothing. */
 async function start(): Promise<void> {
-  // The first paint and all that is told are in the reader's language.
+  const words = createI18n(await englishWords());
+  const language = browserLanguage(words, screen, device);
+  // All that is shown and told is in the reader's language.
   await language.start();
+  await prepare(words, language);
+}
+
+/** Brings what this visit needs before anything is shown: most first visits need nothing. */
+async function prepare(words: i18n, language: LanguageChoice): Promise<void> {
   try {
     if (!new WorkShelf(device, () => null).isEmpty) await reader.load();
   } catch {
     // Without its reader all stored work would be out of sight: better no page than an empty one.
     root.render(
       <I18nextProvider i18n={words}>
-        <LoadFailure onRetry={() => void start()} />
+        <LoadFailure onRetry={() => void prepare(words, language)} />
       </I18nextProvider>,
     );
     return;
   }
-  await open();
+  await open(words, language);
 }
 
-async function open(): Promise<void> {
+async function open(words: i18n, language: LanguageChoice): Promise<void> {
   const services = createServices({
     worker,
     device,

@@ -14,6 +14,7 @@ import { Stage } from "../features/stage/Stage.tsx";
 import { Transport } from "../features/transport/Transport.tsx";
 import { Button } from "../ui/Button.tsx";
 import { Dialog } from "../ui/Dialog.tsx";
+import { Later } from "../ui/Later.tsx";
 import { lazyDialog } from "../ui/lazy-part.tsx";
 import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./app.module.css";
@@ -62,7 +63,9 @@ function Page() {
       <main className={styles["stage"]}>
         <Stage />
         <FaultNotice />
-        <Messages />
+        <Later>
+          <Messages />
+        </Later>
       </main>
       {isPhone ? (
         <>
@@ -82,15 +85,17 @@ function Page() {
           </div>
         </>
       )}
-      <SpokenRun />
-      <LessonsDialog isOpen={opened === "lessons"} onClose={close} />
-      <ShortcutsDialog isOpen={opened === "keys"} onClose={close} />
-      <Dialog isOpen={opened === "remote"} onClose={close} title={t("drive.remote")}>
-        <div className={styles["remote"]}>
-          <DriverChoice />
-          <LazyRemotePanel />
-        </div>
-      </Dialog>
+      <Later>
+        <SpokenRun />
+        <LessonsDialog isOpen={opened === "lessons"} onClose={close} />
+        <ShortcutsDialog isOpen={opened === "keys"} onClose={close} />
+        <Dialog isOpen={opened === "remote"} onClose={close} title={t("drive.remote")}>
+          <div className={styles["remote"]}>
+            <DriverChoice />
+            <LazyRemotePanel />
+          </div>
+        </Dialog>
+      </Later>
     </div>
   );
 }

@@ -8,6 +8,7 @@ import type { HoldStore } from "../features/drive/hold-store.ts";
 import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
 import { LazyPresetsPanel } from "../features/presets/lazy-presets-panel.ts";
 import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
+import { Later } from "../ui/Later.tsx";
 import { Tabs } from "../ui/Tabs.tsx";
 import styles from "./app.module.css";
 import { useServices } from "./services.ts";
@@ -48,35 +49,37 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
       data-driving={isDriving}
       aria-label={t("shell.panel")}
     >
-      <GrabBar position={position} onChange={setPosition} />
-      <Tabs
-        label={t("shell.panel")}
-        value={tab}
-        tabs={tabs.map((each) => ({
-          value: each,
-          label: t(`shell.tabs.${each}`),
-          icon: icons[each],
-        }))}
-        onChange={(next) => {
-          setTab(next);
-          if (position === "closed") setPosition("half");
-        }}
-        panelClassName={styles["sheetContent"]}
-      >
-        {tab === "drive" && (
-          <>
-            {isMission && <MissionPlace look="slim" />}
-            <DriveTab hold={hold} />
-          </>
-        )}
-        {tab === "program" && (
-          <>
-            <MissionPlace />
-            <ProgramEditor />
-          </>
-        )}
-        {tab === "presets" && <LazyPresetsPanel />}
-      </Tabs>
+      <Later>
+        <GrabBar position={position} onChange={setPosition} />
+        <Tabs
+          label={t("shell.panel")}
+          value={tab}
+          tabs={tabs.map((each) => ({
+            value: each,
+            label: t(`shell.tabs.${each}`),
+            icon: icons[each],
+          }))}
+          onChange={(next) => {
+            setTab(next);
+            if (position === "closed") setPosition("half");
+          }}
+          panelClassName={styles["sheetContent"]}
+        >
+          {tab === "drive" && (
+            <>
+              {isMission && <MissionPlace look="slim" />}
+              <DriveTab hold={hold} />
+            </>
+          )}
+          {tab === "program" && (
+            <>
+              <MissionPlace />
+              <ProgramEditor />
+            </>
+          )}
+          {tab === "presets" && <LazyPresetsPanel />}
+        </Tabs>
+      </Later>
     </aside>
   );
 }

@@ -7,6 +7,7 @@ import type { HoldStore } from "../features/drive/hold-store.ts";
 import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
 import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
 import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
+import { Later } from "../ui/Later.tsx";
 import styles from "./app.module.css";
 import { useServices } from "./services.ts";
 
@@ -16,22 +17,24 @@ export function SidePanel({ hold }: { hold: HoldStore }) {
   const isRemote = useStore(run, ({ snapshot }) => snapshot?.driver === "remote");
   return (
     <aside className={styles["panel"]} aria-label={t("shell.panel")}>
-      <div className={styles["who"]}>
-        <DriverChoice />
-      </div>
-      {isRemote ? (
-        <div className={styles["remote"]}>
-          <LazyRemotePanel />
+      <Later>
+        <div className={styles["who"]}>
+          <DriverChoice />
         </div>
-      ) : (
-        <>
-          <div className={styles["program"]}>
-            <MissionPlace />
-            <ProgramEditor />
+        {isRemote ? (
+          <div className={styles["remote"]}>
+            <LazyRemotePanel />
           </div>
-          <DriveFoot hold={hold} />
-        </>
-      )}
+        ) : (
+          <>
+            <div className={styles["program"]}>
+              <MissionPlace />
+              <ProgramEditor />
+            </div>
+            <DriveFoot hold={hold} />
+          </>
+        )}
+      </Later>
     </aside>
   );
 }

@@ -11,6 +11,7 @@ import { ThemeButton } from "../features/theme/ThemeButton.tsx";
 import { ThemeChoice } from "../features/theme/ThemeChoice.tsx";
 import { MazeMenu } from "../features/works/MazeMenu.tsx";
 import { IconButton } from "../ui/Button.tsx";
+import { Later } from "../ui/Later.tsx";
 import { MenuItem, Popover, usePopover } from "../ui/Popover.tsx";
 import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./app.module.css";
@@ -30,23 +31,25 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   return (
     <header className={styles["bar"]}>
       <Brand />
-      <MazeMenu />
-      <div className={styles["barEnd"]}>
-        {!isPhone && <PresetsButton />}
-        {!isPhone && <LessonsButton />}
-        <ShareButton />
-        {isNarrow ? (
-          <More isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
-        ) : (
-          <div className={styles["barLast"]}>
-            <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
-              <Keyboard aria-hidden="true" />
-            </IconButton>
-            <ThemeButton />
-            <LanguageButton />
-          </div>
-        )}
-      </div>
+      <Later>
+        <MazeMenu />
+        <div className={styles["barEnd"]}>
+          {!isPhone && <PresetsButton />}
+          {!isPhone && <LessonsButton />}
+          <ShareButton />
+          {isNarrow ? (
+            <More isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
+          ) : (
+            <div className={styles["barLast"]}>
+              <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
+                <Keyboard aria-hidden="true" />
+              </IconButton>
+              <ThemeButton />
+              <LanguageButton />
+            </div>
+          )}
+        </div>
+      </Later>
     </header>
   );
 }

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { createScreenStore } from "../stores/screen-store.ts";
+import { en } from "../text/en/index.ts";
 import { createI18n } from "../text/i18n.ts";
 import { LanguageChoice, sharedSearch } from "./language.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
@@ -7,7 +8,7 @@ import { MemoryStorage } from "./testing/memory-storage.ts";
 function openPage({ search = "", kept = "", preferred = ["en"] }) {
   const storage = new MemoryStorage();
   if (kept !== "") storage.setItem("corridor.language", kept);
-  const words = createI18n();
+  const words = createI18n(en);
   const screen = createScreenStore();
   const location = { pathname: "/", search, hash: "#1maze" };
   const shown: string[] = [];

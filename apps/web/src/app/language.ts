@@ -44,8 +44,8 @@ export class LanguageChoice {
     const all = languages.map(({ tag }) => tag);
     const inAddress = asked === null ? null : matchLanguage([asked], all);
     const kept = offered.find((tag) => tag === storage.getItem(LANGUAGE_KEY));
-    this.#apply();
     await this.#show(inAddress ?? kept ?? matchLanguage(preferred, offered) ?? "en");
+    this.#apply();
     if (asked !== null && inAddress === null) {
       this.#writeAddress(null);
       tell(screen, { tone: "info", text: words.t("language.unknown", { tag: asked }) });

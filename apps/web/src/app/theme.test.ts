@@ -87,6 +87,9 @@ describe("the theme", () => {
         localStorage: { getItem: (key: string) => kept[key] ?? null },
         matchMedia: (query: string) => ({ matches: wishes[query] ?? false }),
         document: { documentElement: { dataset }, currentScript: { dataset: {} } },
+        URLSearchParams,
+        location: { search: "" },
+        navigator: { language: "en" },
       });
       expect(`${dataset["theme"]} ${dataset["contrast"]}`).toBe(shown);
     },

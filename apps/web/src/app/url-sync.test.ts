@@ -4,6 +4,7 @@ import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
 import { createScreenStore } from "../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze } from "../stores/workspace-store.ts";
+import { en } from "../text/en/index.ts";
 import { createI18n } from "../text/i18n.ts";
 import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "./first-visit.ts";
@@ -40,7 +41,7 @@ function openPage(
   );
   const workspace = createWorkspaceStore(current.work.maze, current.work.program);
   const screen = createScreenStore();
-  const words = createI18n();
+  const words = createI18n(en);
   const later = () => undefined;
   const works = new WorksService({ shelf, current, workspace, screen, words, later });
   const addresses: string[] = [];

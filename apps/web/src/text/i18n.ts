@@ -1,10 +1,10 @@
 /**
  * Every word on the screen comes from a catalogue: `t("stage.clear")`, with keys that the compiler
- * checks. English is part of the page; other languages come by `load-words.ts`.
+ * checks. English comes with the page (`english-words.ts`), other languages by `load-words.ts`.
  */
 import i18next, { type i18n } from "i18next";
 import { initReactI18next } from "react-i18next";
-import { en } from "./en/index.ts";
+import type { en } from "./en/index.ts";
 import { languageOf, type LanguageTag } from "./languages.ts";
 import { loadWords, wordsBackend } from "./load-words.ts";
 import type { Namespace, Namespaces } from "./namespaces.ts";
@@ -18,7 +18,7 @@ declare module "i18next" {
 }
 
 /** Ready at once, in English. React escapes text itself. */
-export function createI18n(): i18n {
+export function createI18n(english: typeof en): i18n {
   const instance = i18next.createInstance();
   void instance
     .use(initReactI18next)
@@ -29,7 +29,7 @@ export function createI18n(): i18n {
       load: "currentOnly",
       defaultNS: "words",
       ns: ["words"],
-      resources: { en: { words: en } },
+      resources: { en: { words: english } },
       partialBundledLanguages: true,
       interpolation: {
         escapeValue: true,

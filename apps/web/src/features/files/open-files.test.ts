@@ -4,6 +4,7 @@ import { describe, expect, it, vi } from "vitest";
 import type { WorksService } from "../../app/works-service.ts";
 import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore } from "../../stores/workspace-store.ts";
+import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
 import { openFiles, type TextFile } from "./open-files.ts";
 
@@ -34,7 +35,7 @@ function open(...files: TextFile[]) {
   return { reports, begin, screen };
 }
 
-const words = createI18n();
+const words = createI18n(en);
 
 describe("opening files", () => {
   it.each([

@@ -38,7 +38,7 @@ export function Stage() {
         ref={scroller}
         className={layout?.overflows === true ? styles["scroller"] : styles["still"]}
       >
-        <div className={styles["content"]} style={layout?.content}>
+        <div className={styles["content"]} style={layout?.content} data-ready={layout !== null}>
           <div ref={layers} className={styles["layers"]} style={layout?.view} aria-hidden="true" />
           <MazeGrid controller={controller} element={grid} />
           <MomentCards view={controller.view} />

@@ -10,8 +10,11 @@ import styles from "./stage.module.css";
 
 export function StageLegend({ view }: { view: StageViewStore }) {
   const { t } = useTranslation();
+  const { run } = useServices();
+  const isDivided = useStore(view, ({ layout }) => layout !== null);
+  const isKnown = useStore(run, ({ snapshot }) => snapshot !== null);
   return (
-    <div className={styles["legend"]}>
+    <div className={styles["legend"]} data-ready={isDivided && isKnown}>
       <ScaleBar view={view} />
       <span className={styles["block"]}>{t("stage.block")}</span>
       <RobotPlace />

@@ -1,10 +1,11 @@
 import type { MazeDocument } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
+import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
 import { cellLabel } from "./cell-label.ts";
 import { cellOf, facingOf } from "./robot-place.ts";
 
-const { t } = createI18n();
+const { t } = createI18n(en);
 const maze: MazeDocument = {
   format: "corridor/maze",
   version: 1,

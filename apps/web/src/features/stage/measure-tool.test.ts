@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { layOut } from "../../canvas/viewport.ts";
+import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
 import { MeasureTool } from "./measure-tool.ts";
 import { createStageView } from "./stage-view.ts";
@@ -66,7 +67,7 @@ describe("a tape by keyboard", () => {
 });
 
 describe("what a tape says", () => {
-  const { t } = createI18n();
+  const { t } = createI18n(en);
   const tape = (x: number, y: number): Tape => ({
     from: { x: 50, y: 50 },
     to: { x, y },

@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "../../app/first-visit.ts";
 import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze, setProgram } from "../../stores/workspace-store.ts";
+import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
 import { tellUndoable } from "./tell-undoable.ts";
 
@@ -9,7 +10,7 @@ function afterAnEdit() {
   const screen = createScreenStore();
   const workspace = createWorkspaceStore(firstMaze, firstProgram);
   setMaze(workspace, { ...firstMaze, goals: [] });
-  tellUndoable({ screen, workspace }, createI18n(), "Goal removed.");
+  tellUndoable({ screen, workspace }, createI18n(en), "Goal removed.");
   return { screen, workspace };
 }
 

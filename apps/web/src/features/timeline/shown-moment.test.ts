@@ -1,9 +1,10 @@
 import { Timeline } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
+import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
 import { momentAt, sayMoment } from "./shown-moment.ts";
 
-const { t } = createI18n();
+const { t } = createI18n(en);
 
 /** Me for 4 s with a bump at 3 s, then line 2, which turns at 6 s; the goal at 10 s by "otherwise". */
 const timeline = new Timeline();
