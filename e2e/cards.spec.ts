@@ -34,6 +34,18 @@ test("is told why line 2 bumped, takes the mend and gets past the place", async 
   await expect(corridor.bumps).toHaveText("0 bumps");
 });
 
+test("mends it in another way: the card no longer offers what was meant for the old program", async ({
+  corridor,
+}) => {
+  const card = await bump(corridor);
+  const change = card.getByRole("button", { name: "Change to left 90" });
+  await expect(change).toBeVisible();
+  await corridor.program.button("Delete line 1").click();
+  await expect(change).toBeHidden();
+  await corridor.program.button("Undo").click();
+  await expect(change).toBeVisible();
+});
+
 test("watches the bump again, and finds its card where it happened", async ({ corridor }) => {
   const card = await bump(corridor);
   const clock = await corridor.clock.textContent();

@@ -111,7 +111,7 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
       }
       case "moment":
         moments.tell(message.moment);
-        explain(cards, message.moment);
+        explain(cards, message.moment, workspace.getState().program);
         return;
       case "notice":
         tellNotice({ screen, workspace, words }, message.notice);

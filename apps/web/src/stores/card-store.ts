@@ -3,11 +3,14 @@
  * the run; whether it shows is seen from the moment on the screen.
  */
 import type { Mend } from "@corridor/coach";
+import type { ProgramDocument } from "@corridor/program";
 import { createStore } from "zustand/vanilla";
 import type { Moment } from "../worker/worker-messages.ts";
 
 export interface Explanation {
   moment: Moment;
+  /** the program that drove */
+  program: ProgramDocument;
   /** edits that would have kept the robot from this bump, each tried; none for a goal */
   mends: readonly Mend[];
 }
@@ -23,10 +26,10 @@ export function createCardStore() {
 export type CardStore = ReturnType<typeof createCardStore>;
 
 /** Keeps a moment that has a card: the goal, and a bump for which the run has paused. */
-export function explain(store: CardStore, moment: Moment): void {
+export function explain(store: CardStore, moment: Moment, program: ProgramDocument): void {
   const { kind, mends } = moment;
-  if (kind === "goal") store.setState({ goal: { moment, mends: [] } });
-  else if (mends !== null) store.setState({ bump: { moment, mends } });
+  if (kind === "goal") store.setState({ goal: { moment, program, mends: [] } });
+  else if (mends !== null) store.setState({ bump: { moment, program, mends } });
 }
 
 /** The run no longer goes further than to this tick: what came after it has not happened. */

@@ -3,11 +3,14 @@ import { applyMend, storyOfBump, type Mend } from "@corridor/coach";
 import { History } from "lucide-react";
 import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import type { Explanation } from "../../stores/card-store.ts";
 import { tell } from "../../stores/screen-store.ts";
 import { Badge } from "../../ui/Badge.tsx";
 import { Button } from "../../ui/Button.tsx";
+import { useRights } from "../lessons/use-rights.ts";
+import { allowsMend } from "../program/mend-rights.ts";
 import { takeMend } from "../program/take-mend.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
 import { BurstIcon } from "../timeline/BurstIcon.tsx";
@@ -31,7 +34,13 @@ interface BumpCardProps {
 export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
   const { t } = useTranslation();
   const { workspace, simulator, screen } = useServices();
-  const { moment, mends } = explanation;
+  const rights = useRights();
+  const { moment, program, mends } = explanation;
+  // A program that was edited since needs other mends, or none.
+  const isSame = useStore(workspace, (state) => state.program === program);
+  const offered = isSame
+    ? mends.filter((each) => allowsMend(each, program.rules.length, rights))
+    : [];
   const { cause, pose, line, tick } = moment;
   const keepClear = useMemo(
     () => (cause === null ? [] : [hitBlock(pose, cause.side)]),
@@ -41,10 +50,9 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
   const story = storyOfBump(cause);
   const isNumbered = typeof line === "number";
   const badge = isNumbered ? line + 1 : 0;
-  const { program } = workspace.getState();
 
   function mend(chosen: Mend) {
-    takeMend(workspace, chosen, applyMend(workspace.getState().program, chosen));
+    takeMend(workspace, chosen, applyMend(program, chosen));
     tell(screen, { tone: "info", text: t("cards.mend.done") });
     onClose();
   }
@@ -74,7 +82,7 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
         />
       )}
       <div className={styles["actions"]}>
-        {mends.map((each, at) => (
+        {offered.map((each, at) => (
           <Button
             key={JSON.stringify(each)}
             kind={at === 0 ? "primary" : "outline"}

@@ -1,5 +1,6 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
+import { firstProgram } from "../../app/first-visit.ts";
 import type { Moment } from "../../worker/worker-messages.ts";
 import { shownCard } from "./shown-card.ts";
 
@@ -14,7 +15,7 @@ function explained(kind: Moment["kind"], tick: number) {
     cause: null,
     mends: null,
   };
-  return { moment, mends: [] };
+  return { moment, program: firstProgram, mends: [] };
 }
 
 const bump = explained("bump", 100);

@@ -1,0 +1,102 @@
+/**
+ * Where the stage is drawn: in the simulator worker, on canvases that are handed over to it, or, in a
+ * browser without OffscreenCanvas, here on the page by the same renderer, which is only then loaded.
+ */
+import interFont from "../../ui/fonts/inter-latin.woff2?url";
+import type { LayerCanvases } from "../../canvas/brush.ts";
+import { sceneChanges, type Scene } from "../../canvas/scene.ts";
+import type { Scroll } from "../../canvas/viewport.ts";
+import type { SimulatorClient } from "../../worker/simulator-client.ts";
+import type { StageScreen } from "./stage-screen.ts";
+
+/**
+ * @param holder what the canvases are put into: new ones each time, since a canvas is handed over once
+ * @param follow scrolls the stage so that the robot stays in sight
+ */
+export function openStageScreen(
+  simulator: SimulatorClient,
+  holder: HTMLElement,
+  follow: (scroll: Scroll) => void,
+): StageScreen {
+  const canvases = {
+    maze: document.createElement("canvas"),
+    trail: document.createElement("canvas"),
+    live: document.createElement("canvas"),
+  };
+  holder.replaceChildren(...Object.values(canvases));
+  // Every browser that can hand a canvas over has animation frames in its workers too.
+  const screen =
+    "OffscreenCanvas" in window && "transferControlToOffscreen" in HTMLCanvasElement.prototype
+      ? openInWorker(simulator, canvases, follow)
+      : openOnPage(simulator, canvases, follow);
+  return {
+    ...screen,
+    end: () => {
+      screen.end();
+      holder.replaceChildren();
+    },
+  };
+}
+
+function openInWorker(
+  simulator: SimulatorClient,
+  canvases: LayerCanvases<HTMLCanvasElement>,
+  follow: (scroll: Scroll) => void,
+): StageScreen {
+  const handedOver = {
+    maze: canvases.maze.transferControlToOffscreen(),
+    trail: canvases.trail.transferControlToOffscreen(),
+    live: canvases.live.transferControlToOffscreen(),
+  };
+  simulator.send(
+    { type: "stage-mount", canvases: handedOver, font: new URL(interFont, location.href).href },
+    Object.values(handedOver),
+  );
+  const stop = simulator.listen((message) => {
+    if (message.type === "stage-scroll-to") follow(message.scroll);
+  });
+  let shown: Scene | null = null;
+  return {
+    show: (scene) => {
+      const changes = sceneChanges(shown, scene);
+      shown = scene;
+      if (changes !== null) simulator.send({ type: "stage-scene", changes });
+    },
+    scrollTo: (scroll) => simulator.send({ type: "stage-scroll", scroll }),
+    end: () => {
+      stop();
+      simulator.send({ type: "stage-unmount" });
+    },
+  };
+}
+
+function openOnPage(
+  simulator: SimulatorClient,
+  canvases: LayerCanvases<HTMLCanvasElement>,
+  follow: (scroll: Scroll) => void,
+): StageScreen {
+  let screen: StageScreen | null = null;
+  let isOver = false;
+  let scene: Scene | null = null;
+  let scroll: Scroll = { x: 0, y: 0 };
+  void import("./page-stage.ts").then(({ openPageStage }) => {
+    if (isOver) return;
+    screen = openPageStage(simulator, canvases, follow);
+    screen.scrollTo(scroll);
+    if (scene !== null) screen.show(scene);
+  });
+  return {
+    show: (next) => {
+      scene = next;
+      screen?.show(next);
+    },
+    scrollTo: (next) => {
+      scroll = next;
+      screen?.scrollTo(next);
+    },
+    end: () => {
+      isOver = true;
+      screen?.end();
+    },
+  };
+}
