@@ -167,10 +167,10 @@ for (const device of [phone, smallest]) {
     const bar = page.getByRole("button", { name: /^Panel is / });
     const fingers = await Fingers.of(page);
     const pull = async (by: number) => {
-      // The sheet moves to its place before the next hand can take it.
-      await corridor.frames(30);
       const from = await middleOf(bar);
       await fingers.drag(from, { x: from.x, y: from.y + by });
+      // The sheet moves to its place before the next finger can find what lies on it.
+      await corridor.frames(30);
     };
     // Half open, the maze is wholly in sight.
     const maze = await boxOf(corridor.maze.grid);
