@@ -186,11 +186,12 @@ for (const device of [phone, smallest]) {
     await pull(60);
     await expect(bar).toHaveAccessibleName("Panel is closed. Open it by half");
     await expect(corridor.program.button("Add line")).toBeHidden();
-    await bar.tap();
+    await bar.click();
     await expect(corridor.program.button("Add line")).toBeVisible();
     // A tab of a closed sheet opens it.
     await pull(60);
-    await tab(page, "Drive").tap();
+    await expect(bar).toHaveAccessibleName("Panel is closed. Open it by half");
+    await tab(page, "Drive").click();
     await expect(corridor.driveKey("forward")).toBeVisible();
   });
 }
