@@ -8,6 +8,7 @@ import { LoadFailure } from "./app/LoadFailure.tsx";
 import { browserLanguage } from "./app/browser-language.ts";
 import type { LanguageChoice } from "./app/language.ts";
 import { LanguageProvider } from "./app/language-context.ts";
+import { guardLeaving } from "./app/guard-leaving.ts";
 import { keepSwitches } from "./app/kept-switches.ts";
 import { createServices, ServicesProvider } from "./app/services.ts";
 import { whenSettled } from "./app/settled.ts";
@@ -88,6 +89,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
     },
   };
   flushWhenHidden({ flush }, life);
+  guardLeaving(screen, window);
 
   const follow = () =>
     followAddress({

@@ -31,4 +31,13 @@ describe("messages", () => {
     for (let n = 0; n < 9; n++) tell(screen, { tone: "info", text: `Message ${n}` });
     expect(screen.getState().messages).toHaveLength(4);
   });
+
+  it("that stay are not pushed out by those that leave by themselves", () => {
+    const screen = createScreenStore();
+    tell(screen, { tone: "info", text: "A new version is ready.", stays: true });
+    tell(screen, { tone: "bad", text: "Not saved." });
+    for (let n = 0; n < 9; n++) tell(screen, { tone: "info", text: `Message ${n}` });
+    const texts = screen.getState().messages.map(({ text }) => text);
+    expect(texts).toEqual(["Message 8", "Message 7", "Not saved.", "A new version is ready."]);
+  });
 });

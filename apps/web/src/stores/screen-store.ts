@@ -55,17 +55,28 @@ export type ScreenStore = ReturnType<typeof createScreenStore>;
 
 let lastMessageId = 0;
 
+/** Messages that stand at once, so that the screen is never covered. */
+const MOST_MESSAGES = 4;
+
 /**
- * Shows a message; the newest stands first. At most four stay, so that the screen is never covered.
- * One that says the same as before takes its place.
+ * Shows a message; the newest stands first. One that says the same as before takes its place. Where
+ * there are too many the oldest goes that would have left by itself; what stays is not pushed out.
  */
 export function tell(store: ScreenStore, message: Omit<Message, "id">): number {
   const id = ++lastMessageId;
   store.setState((state) => {
     const others = state.messages.filter((each) => !isRenewedBy(each, message));
-    return { messages: [{ ...message, id }, ...others].slice(0, 4) };
+    return { messages: withRoom([{ ...message, id }, ...others]) };
   });
   return id;
+}
+
+function withRoom(messages: readonly Message[]): readonly Message[] {
+  if (messages.length <= MOST_MESSAGES) return messages;
+  const passing = messages.findLastIndex(
+    ({ tone, stays = tone === "bad" }, at) => at > 0 && !stays,
+  );
+  return messages.toSpliced(passing < 0 ? messages.length - 1 : passing, 1);
 }
 
 /** Information with an action takes something back, and two of those may say the same of two things. */

@@ -24,8 +24,13 @@ export async function offerUpdates(
       action: {
         label: words.t("offline.reload"),
         run: () => {
-          dismiss(screen, id);
           works.autosave.flush();
+          if (screen.getState().saved === "blocked") {
+            // A reload would lose what the device does not keep: the reader saves it elsewhere first.
+            tell(screen, { tone: "bad", text: words.t("works.blocked") });
+            return;
+          }
+          dismiss(screen, id);
           void take().then(reload);
         },
       },
