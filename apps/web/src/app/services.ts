@@ -23,7 +23,7 @@ import { createWorkspaceStore, type WorkspaceStore } from "../stores/workspace-s
 import { SimulatorClient, type WorkerPort } from "../worker/simulator-client.ts";
 import type { Moment } from "../worker/worker-messages.ts";
 import { CurrentWork } from "./current-work.ts";
-import { firstMaze, firstProgram } from "./first-visit.ts";
+import { firstWork } from "./first-visit.ts";
 import { RemoteConnection } from "./remote-session.ts";
 import { RunKeeper } from "./run-keeper.ts";
 import { whenSettled } from "./settled.ts";
@@ -77,10 +77,11 @@ export interface Services {
 /** Builds everything and connects it: documents flow to the worker, what it tells flows to the stores. */
 export function createServices({ worker, device, tab, words, screen, reader }: Browser): Services {
   const shelf = new WorkShelf(device, () => reader.read);
+  const first = firstWork(words);
   const current = new CurrentWork(
     { shelf, tab, now: Date.now, newId: newTextId },
-    { ...firstMaze, name: words.t("presets.long-way-round.title") },
-    { ...firstProgram, name: words.t("program.preset.right-wall.name") },
+    first.maze,
+    first.program,
   );
   const { maze, program } = current.work;
   const simulator = new SimulatorClient(worker);

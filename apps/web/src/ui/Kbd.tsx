@@ -1,6 +1,10 @@
-/** A key of the keyboard, as it is printed on it. */
+/** A key of the keyboard, as it is printed on it: "Alt+↓" in every script. */
 import styles from "./tag.module.css";
 
 export function Kbd({ children }: { children: string }) {
-  return <kbd className={styles["kbd"]}>{children}</kbd>;
+  return (
+    <kbd dir="ltr" className={styles["kbd"]}>
+      {children}
+    </kbd>
+  );
 }

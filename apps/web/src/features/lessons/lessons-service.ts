@@ -12,7 +12,7 @@ import {
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import { createStore } from "zustand/vanilla";
-import { firstMaze, firstProgram } from "../../app/first-visit.ts";
+import { firstWork } from "../../app/first-visit.ts";
 import { noChallenge } from "../../stores/challenge-store.ts";
 import { dismiss, tell } from "../../stores/screen-store.ts";
 import { newLineIds, setMaze, setProgram, undo } from "../../stores/workspace-store.ts";
@@ -163,13 +163,16 @@ export class LessonsService {
 
   /** Back to what was open before the first mission. Missions stay where they are. */
   goHome(): void {
-    const { works, storage } = this.#ports;
+    const { works, storage, words } = this.#ports;
     const home = works.list().find((work) => work.id === storage.record.home);
     const way = this.#wayHome;
     this.#wayHome = null;
     if (home !== undefined) works.open(home);
     else if (way !== null) way();
-    else works.begin(firstMaze, firstProgram);
+    else {
+      const { maze, program } = firstWork(words);
+      works.begin(maze, program);
+    }
     this.#ports.simulator.send({ type: "reset" });
     this.#ports.simulator.send({ type: "driver", driver: "program" });
   }
