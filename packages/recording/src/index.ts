@@ -1,5 +1,5 @@
 export type { BumpCause } from "./approach.ts";
-export { openRun } from "./open-run.ts";
+export { openRun, Replay } from "./open-run.ts";
 export type { PlaceLog } from "./place-log.ts";
 export type { Playback } from "./playback.ts";
 export { Recording, type WrittenRun } from "./recording.ts";
