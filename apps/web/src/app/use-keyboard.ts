@@ -3,7 +3,7 @@
  * window; what a press means is decided in `shortcuts.ts`.
  */
 import type { i18n } from "i18next";
-import { useEffect, useState } from "react";
+import { useEffect, useEffectEvent, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { createHoldStore, type HoldStore } from "../features/drive/hold-store.ts";
 import { describeRobot } from "../features/speech/describe-robot.ts";
@@ -22,7 +22,9 @@ export function useKeyboard(openHelp: () => void): HoldStore {
   const [hold] = useState(() =>
     createHoldStore((key) => services.simulator.send({ type: "hold", key })),
   );
-  useEffect(() => listen(services, hold, i18n, openHelp), [services, hold, i18n, openHelp]);
+  // Listening anew lets go of what is held: not each time that the page is drawn with another `openHelp`.
+  const help = useEffectEvent(openHelp);
+  useEffect(() => listen(services, hold, i18n, () => help()), [services, hold, i18n]);
   return hold;
 }
 
