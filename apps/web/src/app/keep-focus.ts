@@ -1,7 +1,7 @@
 /**
  * Never loses the focus: where the focused control goes or is switched off (a card that is closed, Back to
  * now, the last hint), the browser leaves the focus nowhere, and who has no mouse begins again at the top
- * of the page. Here it goes to the nearest control that is left, else to where it was before.
+ * of the page. Here it goes to the nearest control that is left, else to where it was before, else to Run.
  */
 
 const FOCUSABLE =
@@ -24,7 +24,8 @@ export function keepFocus(page: Document): () => void {
     "focusin",
     ({ target }) => {
       if (!(target instanceof HTMLElement)) return;
-      isGivenUp = false;
+      // Who presses with a pointer needs no focus, and holds a drive key next: none is put in their way.
+      isGivenUp = !target.matches(":focus-visible");
       const others = places.filter(({ element }) => element !== target);
       places = [...others, { element: target, around: containersOf(target) }].slice(-MOST);
     },
@@ -55,7 +56,7 @@ export function keepFocus(page: Document): () => void {
     if (!isLost() || last === undefined || canTakeFocus(last.element)) return;
     const near = last.around.map(firstIn).find((each) => each !== null);
     const before = places.findLast(({ element }) => canTakeFocus(element))?.element;
-    const target = near ?? before ?? page.querySelector<HTMLElement>('[role=grid] [tabindex="0"]');
+    const target = near ?? before ?? page.querySelector<HTMLElement>("[data-does]");
     target?.focus({ preventScroll: true });
   }
 
