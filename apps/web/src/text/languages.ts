@@ -5,10 +5,10 @@ export const languages = [
   { tag: "en", name: "English", dir: "ltr" },
   { tag: "ar", name: "العربية", dir: "rtl" },
   { tag: "de", name: "Deutsch", dir: "ltr" },
-  { tag: "es", name: "Español", dir: "ltr", isDraft: true },
-  { tag: "fr", name: "Français", dir: "ltr", isDraft: true },
+  { tag: "es", name: "Español", dir: "ltr" },
+  { tag: "fr", name: "Français", dir: "ltr" },
   { tag: "ja", name: "日本語", dir: "ltr" },
-  { tag: "pt", name: "Português", dir: "ltr", isDraft: true },
+  { tag: "pt", name: "Português", dir: "ltr" },
   { tag: "zh-Hans", name: "简体中文", dir: "ltr" },
 ] as const satisfies readonly {
   tag: string;
