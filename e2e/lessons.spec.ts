@@ -2,6 +2,7 @@
 import type { ChallengeDocument } from "@corridor/challenge";
 import { encodeLink } from "@corridor/link";
 import { expect, test } from "./fixtures.ts";
+import { CorridorPage } from "./pages/corridor-page.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { expectNoBarriers } from "./support/axe.ts";
 import { stickingOut } from "./support/layout.ts";
@@ -54,6 +55,29 @@ test("keeps progress after a reload", async ({ corridor, page }) => {
   await expect(lessons.path).toContainText("1 of 14 done");
   await lessons.path.getByRole("button", { name: "Forget my progress" }).click();
   await expect(lessons.path).toContainText("0 of 14 done");
+});
+
+test("keeps what is done in two tabs", async ({ corridor, page, context }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(3);
+  const other = new CorridorPage(await context.newPage());
+  await other.open();
+  const theirs = new LessonsPanel(other.page);
+  await theirs.openMission(4);
+  await other.program.line(2).focus();
+  await other.page.keyboard.press("Alt+ArrowUp");
+  await theirs.button("Check the program").click();
+  await expect(theirs.outcome).toHaveText("Challenge met: 2 of 2 lines used");
+  await corridor.program.action(1).selectOption("turn 180");
+  await lessons.button("Check the program").click();
+  await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+  for (const each of [lessons, theirs]) {
+    await each.openPath();
+    await expect(each.path).toContainText("2 of 14 done");
+  }
+  await page.reload();
+  await lessons.openPath();
+  await expect(lessons.path).toContainText("2 of 14 done");
 });
 
 test("opens hints one by one", async ({ corridor, page }) => {

@@ -24,6 +24,9 @@ export function LessonsDialog({ isOpen, onClose }: LessonsDialogProps) {
   useEffect(() => {
     if (isOpen && service === null) void lessons.load().then(setService, onClose);
   }, [isOpen, service, lessons, onClose]);
+  useEffect(() => {
+    if (isOpen) service?.showProgress();
+  }, [isOpen, service]);
   return (
     <Dialog
       isOpen={isOpen && ready && service !== null}

@@ -56,7 +56,7 @@ export class LessonsGate {
   /** The reader does not want to be invited again. */
   dismissInvitation(): void {
     this.#ports.challenge.setState({ isInvited: false });
-    this.#ports.storage.change({});
+    this.#ports.storage.add({});
   }
 
   #belongsToChallenge(): boolean {

@@ -40,7 +40,7 @@ export class LessonsService {
   constructor(ports: LessonsPorts, checker: ChallengeChecker = startChecker()) {
     this.#ports = ports;
     this.#checker = checker;
-    this.progress.setState({ done: ports.storage.record.done });
+    this.showProgress();
     ports.run.subscribe(() => this.#look());
     ports.workspace.subscribe((next, before) => {
       if (ports.challenge.getState().challenge === null) return;
@@ -49,6 +49,11 @@ export class LessonsService {
         ports.challenge.setState({ verdict: null, result: { state: "open" } });
       }
     });
+  }
+
+  /** Brings what is done up to date: another tab may have done more since. */
+  showProgress(): void {
+    this.progress.setState({ done: this.#ports.storage.record.done });
   }
 
   /** Opens a mission where it was left, or from its beginning. */
@@ -63,7 +68,7 @@ export class LessonsService {
     if (attempt !== undefined) works.open(attempt);
     else if (maze !== undefined) {
       works.begin(maze, startingProgram(challenge));
-      this.#keep({ works: { ...storage.record.works, [id]: works.currentId() } });
+      this.#tellUnlessKept(storage.add({ works: { [id]: works.currentId() } }));
     }
     this.#start(challenge, id);
   }
@@ -181,8 +186,8 @@ export class LessonsService {
   forgetProgress(): void {
     const { storage, screen, words } = this.#ports;
     const { done } = storage.record;
-    this.#keep({ done: {} });
-    this.progress.setState({ done: {} });
+    this.#tellUnlessKept(storage.forgetDone());
+    this.showProgress();
     const id = tell(screen, {
       tone: "info",
       text: words.t("missions:path.resetDone"),
@@ -190,8 +195,8 @@ export class LessonsService {
         label: words.t("missions:path.undo"),
         run: () => {
           dismiss(screen, id);
-          this.#keep({ done: { ...done, ...storage.record.done } });
-          this.progress.setState({ done: storage.record.done });
+          this.#tellUnlessKept(storage.add({ done }));
+          this.showProgress();
         },
       },
     });
@@ -199,11 +204,11 @@ export class LessonsService {
 
   /** Remembers the reader's own work before the first mission opens. */
   #leaveHome(): void {
-    const { works, challenge } = this.#ports;
+    const { works, challenge, storage } = this.#ports;
     if (challenge.getState().challenge !== null) return;
     const { maze, program } = this.#ports.workspace.getState();
     this.#wayHome = () => void works.begin(maze, program);
-    this.#keep({ home: works.currentId() });
+    this.#tellUnlessKept(storage.add({ home: works.currentId() }));
   }
 
   #start(challenge: ChallengeDocument, mission: string | null): void {
@@ -247,8 +252,7 @@ export class LessonsService {
   #detach(): void {
     const { works, storage, challenge } = this.#ports;
     const work = works.currentId();
-    const left = Object.entries(storage.record.works).filter(([, id]) => id !== work);
-    this.#keep({ works: Object.fromEntries(left) });
+    this.#tellUnlessKept(storage.dropWork(work));
     storage.dropChallenge(work);
     this.#judge = null;
     challenge.setState(noChallenge);
@@ -292,18 +296,12 @@ export class LessonsService {
     const { storage, challenge } = this.#ports;
     const { mission } = challenge.getState();
     if (mission === null) return;
-    const before = storage.record.done[mission];
-    const isBetter =
-      before === undefined ||
-      done.lines < before.lines ||
-      (done.lines === before.lines && done.ticks < before.ticks);
-    if (isBetter) this.#keep({ done: { ...storage.record.done, [mission]: done } });
-    this.progress.setState({ done: storage.record.done });
+    this.#tellUnlessKept(storage.add({ done: { [mission]: done } }));
+    this.showProgress();
   }
 
-  #keep(part: Partial<LessonsRecord>): void {
-    const { storage, screen, words } = this.#ports;
-    if (storage.change(part)) return;
-    tell(screen, { tone: "bad", text: words.t("missions:card.blocked") });
+  #tellUnlessKept(isKept: boolean): void {
+    const { screen, words } = this.#ports;
+    if (!isKept) tell(screen, { tone: "bad", text: words.t("missions:card.blocked") });
   }
 }

@@ -9,8 +9,8 @@ describe("what the device remembers of the lessons", () => {
     const device = new MemoryStorage();
     const before = new LessonsStorage(device);
     expect(before.isKnown).toBe(false);
-    before.change({ works: { "one-line": "w1" }, home: "w0" });
-    before.change({ done: { "one-line": { lines: 1, ticks: 420 } } });
+    before.add({ works: { "one-line": "w1" }, home: "w0" });
+    before.add({ done: { "one-line": { lines: 1, ticks: 420 } } });
     before.keepChallenge("w9", "{}");
     const after = new LessonsStorage(device);
     expect(after.isKnown).toBe(true);
@@ -26,12 +26,40 @@ describe("what the device remembers of the lessons", () => {
     expect(new LessonsStorage(device).challengeOf("w9")).toBeNull();
   });
 
-  it("keeps what another tab has done in the meantime", () => {
+  it("keeps what two tabs do by turns, and the better of what both do", () => {
     const device = new MemoryStorage();
-    const mine = new LessonsStorage(device);
-    new LessonsStorage(device).change({ done: { "how-far": { lines: 0, ticks: 300 } } });
-    mine.change({ home: "w0" });
-    expect(Object.keys(mine.record.done)).toEqual(["how-far"]);
+    const a = new LessonsStorage(device);
+    const b = new LessonsStorage(device);
+    a.add({ done: { one: { lines: 1, ticks: 300 } }, works: { one: "w1" } });
+    b.add({ done: { two: { lines: 2, ticks: 200 } }, works: { two: "w2" } });
+    a.add({ done: { three: { lines: 0, ticks: 100 }, two: { lines: 3, ticks: 100 } } });
+    const all = {
+      done: {
+        one: { lines: 1, ticks: 300 },
+        two: { lines: 2, ticks: 200 },
+        three: { lines: 0, ticks: 100 },
+      },
+      works: { one: "w1", two: "w2" },
+      home: null,
+    };
+    expect(a.record).toEqual(all);
+    expect(b.record).toEqual(all);
+    expect(b.record).toBe(b.record);
+    expect(new LessonsStorage(device).record).toEqual(all);
+    b.add({ done: { two: { lines: 2, ticks: 199 } } });
+    expect(a.record.done["two"]).toEqual({ lines: 2, ticks: 199 });
+  });
+
+  it("forgets and drops in both tabs", () => {
+    const device = new MemoryStorage();
+    const a = new LessonsStorage(device);
+    const b = new LessonsStorage(device);
+    a.add({ done: { one: { lines: 1, ticks: 300 } }, works: { one: "w1", two: "w2" } });
+    b.forgetDone();
+    b.dropWork("w1");
+    a.add({ home: "w0" });
+    expect(a.record).toEqual({ done: {}, works: { two: "w2" }, home: "w0" });
+    expect(a.missionOf("w1")).toBeNull();
   });
 
   it.each(["no JSON", "null", "[]", '{"done":3,"works":null}', '{"done":{"a":{"lines":"x"}}}'])(
@@ -47,9 +75,24 @@ describe("what the device remembers of the lessons", () => {
     const device = new MemoryStorage();
     device.isFull = true;
     const storage = new LessonsStorage(device);
-    expect(storage.change({ home: "w0" })).toBe(false);
+    expect(storage.add({ home: "w0" })).toBe(false);
     expect(storage.keepChallenge("w1", "{}")).toBe(false);
+    expect(storage.add({ done: { one: { lines: 1, ticks: 300 } } })).toBe(false);
     expect(storage.record.home).toBe("w0");
     expect(storage.challengeOf("w1")).toBe("{}");
+    device.isFull = false;
+    new LessonsStorage(device).add({ done: { two: { lines: 1, ticks: 300 } } });
+    expect(storage.add({ works: { one: "w1" } })).toBe(true);
+    expect(Object.keys(storage.record.done)).toEqual(["two", "one"]);
+    expect(new LessonsStorage(device).record).toEqual(storage.record);
+  });
+
+  it("forgets also where the device is full", () => {
+    const device = new MemoryStorage();
+    const storage = new LessonsStorage(device);
+    storage.add({ done: { one: { lines: 1, ticks: 300 } } });
+    device.isFull = true;
+    storage.forgetDone();
+    expect(storage.record.done).toEqual({});
   });
 });

@@ -26,13 +26,13 @@ const nothing: LessonsRecord = { done: {}, works: {}, home: null };
 
 export class LessonsStorage {
   readonly #device: KeyValueStorage;
-  /** also when the device keeps nothing, the page remembers */
-  #record: LessonsRecord;
+  /** what the page knows where the device did not take it; null where the device has it all */
+  #unkept: LessonsRecord | null = null;
+  #read: { text: string | null; record: LessonsRecord } = { text: null, record: nothing };
   readonly #challenges = new Map<string, string>();
 
   constructor(device: KeyValueStorage) {
     this.#device = device;
-    this.#record = parse(device.getItem(KEY));
   }
 
   /** Whether this device has seen the lessons, or was asked and said no. */
@@ -40,25 +40,57 @@ export class LessonsStorage {
     return this.#device.getItem(KEY) !== null;
   }
 
+  /** As it stands now, with what other tabs have added; the same object as long as it is the same. */
   get record(): LessonsRecord {
-    return this.#record;
+    if (this.#unkept !== null) return this.#unkept;
+    const text = this.#device.getItem(KEY);
+    if (text !== this.#read.text) this.#read = { text, record: parse(text) };
+    return this.#read.record;
   }
 
-  /** @returns whether the device keeps it */
-  change(part: Partial<LessonsRecord>): boolean {
-    // Another tab may have added something since.
+  /** Adds entries; of a mission that was done before, the better one stays. @returns whether the device keeps it */
+  add({ done = {}, works = {}, home }: Partial<LessonsRecord>): boolean {
+    const record = this.#newest();
+    return this.#write({
+      done: bestOf(record.done, done),
+      works: { ...record.works, ...works },
+      home: home === undefined ? record.home : home,
+    });
+  }
+
+  /** Forgets what is done, in every tab; attempts stay. @returns whether the device keeps it */
+  forgetDone(): boolean {
+    return this.#write({ ...this.#newest(), done: {} });
+  }
+
+  /** A work is no attempt at a mission any more. @returns whether the device keeps it */
+  dropWork(work: string): boolean {
+    const record = this.#newest();
+    const left = Object.entries(record.works).filter(([, id]) => id !== work);
+    return this.#write({ ...record, works: Object.fromEntries(left) });
+  }
+
+  /** What another tab has stored since, where this one could not store its own. */
+  #newest(): LessonsRecord {
+    const unkept = this.#unkept;
+    if (unkept === null) return this.record;
     const stored = parse(this.#device.getItem(KEY));
-    this.#record = {
-      done: part.done ?? { ...stored.done, ...this.#record.done },
-      works: part.works ?? { ...stored.works, ...this.#record.works },
-      home: part.home === undefined ? this.#record.home : part.home,
+    return {
+      done: bestOf(stored.done, unkept.done),
+      works: { ...stored.works, ...unkept.works },
+      home: unkept.home,
     };
-    return this.#keep(KEY, JSON.stringify(this.#record));
+  }
+
+  #write(record: LessonsRecord): boolean {
+    const isKept = this.#keep(KEY, JSON.stringify(record));
+    this.#unkept = isKept ? null : record;
+    return isKept;
   }
 
   /** The mission whose attempt this work is; null when it is none. */
   missionOf(work: string): string | null {
-    return Object.entries(this.#record.works).find(([, id]) => id === work)?.[0] ?? null;
+    return Object.entries(this.record.works).find(([, id]) => id === work)?.[0] ?? null;
   }
 
   /** The text of the shared challenge that is tried in this work; null when there is none. */
@@ -85,6 +117,20 @@ export class LessonsStorage {
       return false;
     }
   }
+}
+
+/** All missions of both; where both have one, the fewer lines, then the shorter time. */
+function bestOf(a: LessonsRecord["done"], b: LessonsRecord["done"]): LessonsRecord["done"] {
+  const best = { ...a };
+  for (const [id, done] of Object.entries(b)) {
+    const before = best[id];
+    const isBetter =
+      before === undefined ||
+      done.lines < before.lines ||
+      (done.lines === before.lines && done.ticks < before.ticks);
+    if (isBetter) best[id] = done;
+  }
+  return best;
 }
 
 /** What cannot be read counts as nothing: the works themselves are kept elsewhere. */
