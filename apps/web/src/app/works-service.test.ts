@@ -6,7 +6,7 @@ import { firstMaze, firstProgram } from "./first-visit.ts";
 import { readWork } from "./read-work.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 import { WorksService } from "./works-service.ts";
-import { WorkShelf, type Work } from "./works.ts";
+import { challengeKey, WorkShelf, type Work } from "./works.ts";
 
 let lastId = 0;
 
@@ -107,5 +107,38 @@ describe("works that another tab saves meanwhile", () => {
     one.edit("Draft, by one");
     two.screen.getState().messages[0]?.action?.run();
     expect(two.names()).toEqual(["Draft, by one", "Other"]);
+  });
+});
+
+describe("works that hold the same", () => {
+  it("are one where a maze is opened again, and two where a challenge begins", () => {
+    const { two } = openTwoTabs();
+    two.works.begin({ ...firstMaze, name: "Other" }, firstProgram);
+    expect(two.names()).toEqual(["Draft", "Other"]);
+    const own = two.works.currentId();
+    const back = two.works.beginNew({ ...firstMaze, name: "Other" }, firstProgram);
+    expect(two.works.currentId()).not.toBe(own);
+    expect(two.names()).toEqual(["Draft", "Other", "Other"]);
+    back();
+    expect(two.works.currentId()).toBe(own);
+  });
+});
+
+describe("a work with a challenge", () => {
+  it("has it again when its deletion is taken back", () => {
+    const { device, two } = openTwoTabs();
+    const draft = two.listed("Draft");
+    device.setItem(challengeKey(draft.id), "task");
+    two.works.remove(draft);
+    expect(device.getItem(challengeKey(draft.id))).toBeNull();
+    two.screen.getState().messages[0]?.action?.run();
+    expect(device.getItem(challengeKey(draft.id))).toBe("task");
+  });
+
+  it("leaves nothing behind that a new page does not clear", () => {
+    const { device } = openTwoTabs();
+    device.setItem(challengeKey("gone"), "task");
+    openTab(device);
+    expect(device.getItem(challengeKey("gone"))).toBeNull();
   });
 });

@@ -36,6 +36,7 @@ export class WorksService {
       onBlocked: () => tell(screen, { tone: "bad", text: words.t("works.blocked") }),
     });
     this.#tellDamage();
+    ports.shelf.sweepChallenges();
   }
 
   /** The works on this device, newest first, with the one that is open as it is now. */
@@ -61,16 +62,35 @@ export class WorksService {
    * @returns a way back to what was open: its newest version, or the edits that could not be saved
    */
   begin(maze: MazeDocument, program: ProgramDocument | null): () => void {
-    const { current, workspace, shelf } = this.#ports;
     this.autosave.flush();
-    const { maze: oldMaze, program: oldProgram } = workspace.getState();
+    const found = this.#ports.shelf.list().find((work) => isCopy(work, maze, program));
+    if (found === undefined) return this.beginNew(maze, program);
+    const back = this.#wayBack();
+    this.#show(found);
+    return back;
+  }
+
+  /**
+   * Opens documents as a new work, also where another one holds the same: for what must not become part
+   * of the reader's own, such as a challenge and its limits.
+   * @param program null: the reader's own program is copied along, whatever it is
+   * @returns a way back to what was open: its newest version, or the edits that could not be saved
+   */
+  beginNew(maze: MazeDocument, program: ProgramDocument | null): () => void {
+    const { current, workspace } = this.#ports;
+    this.autosave.flush();
+    const back = this.#wayBack();
+    current.begin(maze, program ?? workspace.getState().program);
+    openWork(workspace, current.work.maze, current.work.program);
+    return back;
+  }
+
+  /** To what is open, which the autosave has just tried to save. */
+  #wayBack(): () => void {
+    const { current, workspace } = this.#ports;
+    const { maze, program } = workspace.getState();
     const before = current.work;
-    const isKept = current.has(oldMaze, oldProgram);
-    const found = shelf.list().find((work) => isCopy(work, maze, program));
-    if (found === undefined) {
-      current.begin(maze, program ?? oldProgram);
-      openWork(workspace, current.work.maze, current.work.program);
-    } else this.#show(found);
+    const isKept = current.has(maze, program);
     return () => {
       if (isKept) {
         this.open(before);
@@ -78,7 +98,7 @@ export class WorksService {
       }
       this.autosave.flush();
       current.resume(before);
-      openWork(workspace, oldMaze, oldProgram);
+      openWork(workspace, maze, program);
     };
   }
 
@@ -103,7 +123,7 @@ export class WorksService {
     const { shelf, screen, words } = this.#ports;
     // Another tab may have saved it since it was listed, and what is taken back must be what went.
     const removed = shelf.read(work.id) ?? work;
-    shelf.remove(work.id);
+    const challenge = shelf.remove(work.id);
     const id = tell(screen, {
       tone: "info",
       text: words.t("works.deleted", { name: removed.maze.name }),
@@ -112,7 +132,7 @@ export class WorksService {
         run: () => {
           try {
             // A tab that has it open stores it again with its next edit, which is newer.
-            if (!shelf.has(removed.id)) shelf.write(removed);
+            if (!shelf.has(removed.id)) shelf.write(removed, challenge);
           } catch {
             tell(screen, { tone: "bad", text: words.t("works.blocked") });
           }

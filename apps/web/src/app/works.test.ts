@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-visit.ts";
 import { readWork } from "./read-work.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
-import { storageOrNone, WorkShelf, type Work } from "./works.ts";
+import { challengeKey, storageOrNone, WorkShelf, type Work } from "./works.ts";
 
 function work(id: string, savedAt: number, edited = true): Work {
   return { id, savedAt, revision: `r-${id}`, edited, maze: firstMaze, program: firstProgram };
@@ -81,6 +81,34 @@ describe("WorkShelf", () => {
     expect(ids.slice(0, 2)).toEqual(["copy-3", "copy-2"]);
     for (let n = 0; n < 5; n++) shelf.write(work(`more-${n}`, 200 + n));
     expect(shelf.list().filter(({ edited }) => edited)).toHaveLength(33);
+  });
+
+  it("lets the challenge of a work go with it, and brings it back with it", () => {
+    const storage = new MemoryStorage();
+    const shelf = new WorkShelf(storage, () => readWork);
+    shelf.write(work("shared", 0, false));
+    storage.setItem(challengeKey("shared"), "task");
+    expect(shelf.remove("shared")).toBe("task");
+    expect(storage.length).toBe(0);
+    shelf.write(work("shared", 0, false), "task");
+    expect(storage.getItem(challengeKey("shared"))).toBe("task");
+    for (let n = 0; n < 30; n++) shelf.write(work(`edited-${n}`, n));
+    expect(shelf.read("shared")).toBeNull();
+    expect(storage.getItem(challengeKey("shared"))).toBeNull();
+  });
+
+  it("drops challenges whose work is gone, and keeps those of works that are there or aside", () => {
+    const storage = new MemoryStorage();
+    const shelf = new WorkShelf(storage, () => readWork);
+    shelf.write(work("here", 1));
+    storage.setItem("corridor.aside.damaged", "nonsense");
+    for (const id of ["here", "damaged", "gone", "gone-too"]) {
+      storage.setItem(challengeKey(id), "task");
+    }
+    shelf.sweepChallenges();
+    expect(storage.getItem(challengeKey("here"))).toBe("task");
+    expect(storage.getItem(challengeKey("damaged"))).toBe("task");
+    expect(storage.length).toBe(4);
   });
 
   it("does not drop the copy that is being written", () => {

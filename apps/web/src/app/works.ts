@@ -43,6 +43,12 @@ export type KeyValueStorage = Pick<
 const MAX_WORKS = 30;
 const WORK_PREFIX = "corridor.work.";
 const ASIDE_PREFIX = "corridor.aside.";
+const CHALLENGE_PREFIX = "corridor.challenge.";
+
+/** Where the shared challenge is stored that is tried in a work; it goes when the work goes. */
+export function challengeKey(work: string): string {
+  return CHALLENGE_PREFIX + work;
+}
 
 export class WorkShelf {
   readonly #storage: KeyValueStorage;
@@ -91,6 +97,15 @@ export class WorkShelf {
     return damaged;
   }
 
+  /** Drops challenges whose work is gone: a browser that was ended in between, or an older Corridor. */
+  sweepChallenges(): void {
+    for (const key of this.#keys(CHALLENGE_PREFIX)) {
+      const id = key.slice(CHALLENGE_PREFIX.length);
+      const isNeeded = this.has(id) || this.#storage.getItem(ASIDE_PREFIX + id) !== null;
+      if (!isNeeded) this.#storage.removeItem(key);
+    }
+  }
+
   /** One work; null when it is not there or cannot be read. */
   read(id: string): Work | null {
     const result = this.#readEntry(WORK_PREFIX + id);
@@ -117,10 +132,12 @@ export class WorkShelf {
 
   /**
    * Stores a work under its id, and lets untouched copies go while there are more than 30.
+   * @param challenge what `remove` gave, to bring it back with the work
    * @throws what the storage throws when it is full or forbidden; then nothing has changed
    */
-  write(work: Work): void {
+  write(work: Work, challenge: string | null = null): void {
     const text = JSON.stringify(work);
+    if (challenge !== null) this.#storage.setItem(challengeKey(work.id), challenge);
     this.#storage.setItem(WORK_PREFIX + work.id, text);
     this.#known.set(work.id, { text, result: { ok: true, value: work } });
     if (this.#keys(WORK_PREFIX).length <= MAX_WORKS) return;
@@ -133,9 +150,13 @@ export class WorkShelf {
     }
   }
 
-  remove(id: string): void {
+  /** Removes a work and the challenge that was tried in it. @returns that challenge's text; null without one */
+  remove(id: string): string | null {
+    const challenge = this.#storage.getItem(challengeKey(id));
     this.#storage.removeItem(WORK_PREFIX + id);
+    this.#storage.removeItem(challengeKey(id));
     this.#known.delete(id);
+    return challenge;
   }
 
   #keys(prefix: string): string[] {

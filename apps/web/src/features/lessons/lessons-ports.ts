@@ -13,7 +13,7 @@ export interface LessonsPorts {
   workspace: WorkspaceStore;
   run: RunStore;
   screen: ScreenStore;
-  works: Pick<WorksService, "begin" | "open" | "list" | "currentId">;
+  works: Pick<WorksService, "begin" | "beginNew" | "open" | "list" | "currentId">;
   challenge: ChallengeStore;
   storage: LessonsStorage;
   words: Pick<i18n, "t" | "loadNamespaces">;

@@ -3,7 +3,6 @@
  * the maze of before. A mission is tried in a work of its own, so that nothing else is touched.
  */
 import {
-  readChallenge,
   rightsOf,
   startingProgram,
   type ChallengeDocument,
@@ -17,6 +16,7 @@ import { noChallenge } from "../../stores/challenge-store.ts";
 import { dismiss, tell } from "../../stores/screen-store.ts";
 import { newLineIds, setMaze, setProgram, undo } from "../../stores/workspace-store.ts";
 import { AttemptJudge, type Judgement } from "./attempt-judge.ts";
+import { readChallengeText, writeChallengeText } from "./challenge-text.ts";
 import { startChecker, type ChallengeChecker } from "./challenge-checker.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import type { Done, LessonsRecord } from "./lessons-storage.ts";
@@ -67,7 +67,7 @@ export class LessonsService {
     const [maze] = challenge.mazes;
     if (attempt !== undefined) works.open(attempt);
     else if (maze !== undefined) {
-      works.begin(maze, startingProgram(challenge));
+      works.beginNew(maze, startingProgram(challenge));
       this.#tellUnlessKept(storage.add({ works: { [id]: works.currentId() } }));
     }
     this.#start(challenge, id);
@@ -79,8 +79,9 @@ export class LessonsService {
     const [maze] = challenge.mazes;
     if (maze === undefined) return;
     this.#leaveHome();
-    works.begin(maze, program ?? startingProgram(challenge));
-    storage.keepChallenge(works.currentId(), JSON.stringify(challenge));
+    works.beginNew(maze, program ?? startingProgram(challenge));
+    const text = writeChallengeText(challenge);
+    this.#tellUnlessKept(text !== null && storage.keepChallenge(works.currentId(), text));
     this.#start(challenge, null);
   }
 
@@ -94,8 +95,8 @@ export class LessonsService {
       return;
     }
     const text = storage.challengeOf(works.currentId());
-    const read = text === null ? null : readChallenge(text);
-    if (read?.ok === true) this.#show(read.value, null);
+    const challenge = text === null ? null : readChallengeText(text);
+    if (challenge !== null) this.#show(challenge, null);
   }
 
   /** Shows another maze of the challenge; the program stays. */

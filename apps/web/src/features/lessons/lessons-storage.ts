@@ -3,7 +3,7 @@
  * which mission, and where the reader came from. Shared challenges are kept by the work that they are
  * tried in. Without a schema, so that the first screen can ask it.
  */
-import type { KeyValueStorage } from "../../app/works.ts";
+import { challengeKey, type KeyValueStorage } from "../../app/works.ts";
 
 /** What a mission took when it was done, at its best: the fewest lines, then the shortest time. */
 export interface Done {
@@ -21,7 +21,6 @@ export interface LessonsRecord {
 }
 
 const KEY = "corridor.lessons";
-const CHALLENGE_PREFIX = "corridor.challenge.";
 const nothing: LessonsRecord = { done: {}, works: {}, home: null };
 
 export class LessonsStorage {
@@ -95,18 +94,18 @@ export class LessonsStorage {
 
   /** The text of the shared challenge that is tried in this work; null when there is none. */
   challengeOf(work: string): string | null {
-    return this.#challenges.get(work) ?? this.#device.getItem(CHALLENGE_PREFIX + work);
+    return this.#challenges.get(work) ?? this.#device.getItem(challengeKey(work));
   }
 
   /** @returns whether the device keeps it */
   keepChallenge(work: string, text: string): boolean {
     this.#challenges.set(work, text);
-    return this.#keep(CHALLENGE_PREFIX + work, text);
+    return this.#keep(challengeKey(work), text);
   }
 
   dropChallenge(work: string): void {
     this.#challenges.delete(work);
-    this.#device.removeItem(CHALLENGE_PREFIX + work);
+    this.#device.removeItem(challengeKey(work));
   }
 
   #keep(key: string, text: string): boolean {
