@@ -61,7 +61,9 @@ function Page() {
         onLessons={() => setOpened("lessons")}
       />
       <main className={styles["stage"]}>
-        <Stage />
+        <Later>
+          <Stage />
+        </Later>
         <FaultNotice />
         <Later>
           <Messages />
