@@ -139,8 +139,9 @@ test("stays in the present language and says so when words cannot be loaded", as
     route.fulfill({ contentType: "text/javascript", body: "throw new Error('cut off')" }),
   );
   await page.goto("/?lang=de");
+  const messages = page.getByRole("region", { name: english.t("shell.messages") });
   await expect(
-    page.getByText(english.t("language.notLoaded", { language: "Deutsch" })),
+    messages.getByText(english.t("language.notLoaded", { language: "Deutsch" })),
   ).toBeVisible();
   await expect(page.locator("html")).toHaveAttribute("lang", "en");
 });
@@ -148,7 +149,9 @@ test("stays in the present language and says so when words cannot be loaded", as
 test("says that it does not speak the language of the address", async ({ openWindow }) => {
   const { page } = await openWindow();
   await page.goto("/?lang=tlh");
-  await expect(page.getByText(english.t("language.unknown", { tag: "tlh" }))).toBeVisible();
+  // What is said aloud has the same words.
+  const messages = page.getByRole("region", { name: english.t("shell.messages") });
+  await expect(messages.getByText(english.t("language.unknown", { tag: "tlh" }))).toBeVisible();
   await expect(page).toHaveURL(/\/$/);
 });
 
