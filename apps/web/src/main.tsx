@@ -67,7 +67,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   });
 
   onSimulatorFailure(worker, (reason) => {
-    services.run.setState({ fault: reason || words.t("shell.failure.notLoaded") });
+    services.simulator.fail(reason || words.t("shell.failure.notLoaded"));
   });
 
   startTheme({
@@ -106,8 +106,6 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
       },
       openChallenge: (challenge, program) => services.lessons.openShared(challenge, program),
     });
-  await follow();
-  void services.runKeeper.resume();
   window.addEventListener("online", () => services.connection.networkIsBack());
   window.addEventListener("hashchange", () => void follow());
 
@@ -120,6 +118,9 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
       </ServicesProvider>
     </I18nextProvider>,
   );
+
+  // The page stands before what its address asks for: a link may take long, or never come to an end.
+  void follow().finally(() => void services.runKeeper.resume());
 
   await whenSettled(services.run);
   await Promise.allSettled([reader.load(), preloadParts()]);

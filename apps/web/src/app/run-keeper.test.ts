@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { createWorkspaceStore } from "../stores/workspace-store.ts";
+import { RunLoader } from "../worker/run-loader.ts";
 import { RunLoop } from "../worker/run-loop.ts";
 import type { FromWorker, ToWorker } from "../worker/worker-messages.ts";
 import { firstMaze, firstProgram } from "./first-visit.ts";
@@ -22,18 +23,34 @@ function openPage(tab = new MemoryStorage(), maze = firstMaze) {
     const news = loop.takeNews();
     if (news !== null) post({ type: "frame", frame: news.frame });
   };
+  /** a slice of a long run takes all its time */
+  let isSlow = false;
+  let slowTime = 0;
+  const slices: (() => void)[] = [];
+  const loader = new RunLoader({
+    now: () => (isSlow ? (slowTime += 10) : time),
+    later: () => void slices.push(() => loader.goOn()),
+    post,
+    open: (recording) => loop.open(recording),
+  });
   const send = (message: ToWorker) => {
-    if (message.type === "save-run") post({ type: "run-saved", saved: loop.saveRun() });
-    if (message.type === "edit-program") loop.editProgram(message.program);
-    if (message.type === "load-run") {
-      post({ type: "run-loaded", loaded: loop.loadRun(message.run, message.until) });
+    if (message.type === "save-run") {
+      const written = loop.saveRun();
+      const saved = written.ok
+        ? { ok: true as const, text: JSON.stringify(written.run), ticks: written.run.ticks }
+        : written;
+      post({ type: "run-saved", id: message.id, saved });
     }
+    if (message.type === "edit-program") loop.editProgram(message.program);
+    if (message.type === "cancel-load") loader.cancel(message.id);
+    if (message.type === "load-run") loader.load(message);
     tellNews();
   };
   const workspace = createWorkspaceStore(maze, firstProgram);
   const keeper = new RunKeeper({
     simulator: {
       send,
+      isGone: false,
       listen: (listener) => {
         listeners.add(listener);
         return () => listeners.delete(listener);
@@ -55,8 +72,10 @@ function openPage(tab = new MemoryStorage(), maze = firstMaze) {
   const ring = () => {
     for (const timer of timers.splice(0)) timer();
   };
+  const beSlow = () => void (isSlow = true);
+  const slice = () => slices.shift()?.();
   tellNews();
-  return { loop, keeper, tab, workspace, pass, ring, lost, tellNews };
+  return { loop, keeper, tab, workspace, pass, ring, lost, tellNews, beSlow, slice };
 }
 
 describe("a run over a reload", () => {
@@ -127,6 +146,37 @@ describe("a run over a reload", () => {
     await eager.keeper.resume();
     expect(eager.loop.snapshot().tick).toBeLessThan(10);
     expect([...other.lost, ...eager.lost]).toEqual([]);
+  });
+
+  it("is not waited for by who drives already while a long one is brought back", async () => {
+    const page = openPage();
+    page.loop.run();
+    page.pass(20_000);
+    page.keeper.flush();
+    const reloaded = openPage(page.tab);
+    reloaded.beSlow();
+    const resumed = reloaded.keeper.resume();
+    await Promise.resolve();
+    await Promise.resolve();
+    reloaded.slice();
+    reloaded.loop.run();
+    reloaded.pass(500);
+    await resumed;
+    expect(reloaded.lost).toEqual([]);
+    expect(reloaded.loop.snapshot().tick).toBeLessThan(40);
+    expect(reloaded.loop.isRunning).toBe(true);
+  });
+
+  it("is still there for the next page when this one goes before it was brought back", async () => {
+    const page = openPage();
+    page.loop.run();
+    page.pass(2000);
+    page.keeper.flush();
+    const hasty = openPage(page.tab);
+    hasty.keeper.flush();
+    const reloaded = openPage(page.tab);
+    await reloaded.keeper.resume();
+    expect(reloaded.loop.snapshot().tick).toBe(page.loop.snapshot().tick);
   });
 
   it("that stands at its start leaves nothing behind", () => {

@@ -7,7 +7,9 @@
  */
 import type { RunDocument } from "@corridor/recording";
 import type { WorkspaceStore } from "../stores/workspace-store.ts";
-import type { Frame, FromWorker, ToWorker } from "../worker/worker-messages.ts";
+import { loadRun, saveRun, type RunLoad } from "./run-requests.ts";
+import type { SimulatorClient } from "../worker/simulator-client.ts";
+import type { Frame } from "../worker/worker-messages.ts";
 import type { KeyValueStorage } from "./works.ts";
 
 const RUN_KEY = "corridor.run";
@@ -18,10 +20,7 @@ const ASK_EVERY_MS = 300;
 const CHARACTERS_PER_MS = 1000;
 
 export interface RunKeeperPorts {
-  simulator: {
-    send: (message: ToWorker) => void;
-    listen: (listener: (message: FromWorker) => void) => () => void;
-  };
+  simulator: Pick<SimulatorClient, "send" | "listen" | "isGone">;
   workspace: WorkspaceStore;
   /** sessionStorage */
   tab: KeyValueStorage;
@@ -46,17 +45,18 @@ export class RunKeeper {
   #frame: Frame | null = null;
   #asked: Asked | null = null;
   #isWaiting = false;
+  /** an answer that the worker still owes is out of date when it is asked again */
+  #endAsking = (): void => {};
+  /** whether what the page before put away was brought back, or was none of this one's */
+  #hasResumed = false;
+  /** the run that is being brought back */
+  #load: RunLoad | null = null;
 
   /** Begins to follow the run. */
   constructor(ports: RunKeeperPorts) {
     this.#ports = ports;
     ports.simulator.listen((message) => {
       if (message.type === "frame") this.#follow(message.frame);
-      if (message.type !== "run-saved") return;
-      const { saved } = message;
-      const ticks = saved.ok ? saved.run.ticks : 0;
-      const text = saved.ok ? JSON.stringify(saved.run) : null;
-      this.#asked = { revision: this.#frame?.revision ?? 0, ticks, text };
     });
   }
 
@@ -64,6 +64,8 @@ export class RunKeeper {
   flush(): void {
     const { tab } = this.#ports;
     const frame = this.#frame;
+    // A page that goes so soon leaves what it has not brought back yet to the next one.
+    if (!this.#hasResumed && this.#isUntouched()) return;
     tab.removeItem(RUN_KEY);
     if (frame === null || frame.nowTick === 0 || this.#asked === null) return;
     const { revision, ticks, text } = this.#asked;
@@ -81,9 +83,16 @@ export class RunKeeper {
    * already.
    */
   async resume(): Promise<void> {
+    try {
+      await this.#bringBack();
+    } finally {
+      this.#hasResumed = true;
+    }
+  }
+
+  async #bringBack(): Promise<void> {
     const { tab, simulator, loadReader, onLost } = this.#ports;
     const kept = tab.getItem(RUN_KEY);
-    tab.removeItem(RUN_KEY);
     if (kept === null) return;
     const [until, work, text] = kept.split("\n");
     if (until === LOST) return onLost();
@@ -91,15 +100,17 @@ export class RunKeeper {
     const readRun = await loadReader();
     const run = readRun(text);
     if (run === null) return onLost();
-    const isUntouched = (this.#frame?.nowTick ?? 0) === 0 && (this.#frame?.revision ?? 0) === 0;
-    if (!isUntouched || work !== this.#work()) return;
-    const end = simulator.listen((message) => {
-      if (message.type !== "run-loaded") return;
-      end();
-      if (message.loaded.ok) this.#bringEdits(message.loaded);
-      else onLost();
-    });
-    simulator.send({ type: "load-run", run, until: Number(until) });
+    if (!this.#isUntouched() || work !== this.#work()) return;
+    this.#load = loadRun(simulator, run, { until: Number(until) });
+    const loaded = await this.#load.loaded;
+    this.#load = null;
+    if (loaded.ok) this.#bringEdits(loaded);
+    else if (loaded.reason !== "cancelled") onLost();
+  }
+
+  /** Whether nothing has happened to the robot that the page began with. */
+  #isUntouched(): boolean {
+    return (this.#frame?.nowTick ?? 0) === 0 && (this.#frame?.revision ?? 0) === 0;
   }
 
   /** Edits of the last moment before the reload, which the worker had not told yet. */
@@ -116,9 +127,16 @@ export class RunKeeper {
 
   #follow(frame: Frame): void {
     this.#frame = frame;
+    // Whoever drives or edits already while a long run is brought back has begun another one.
+    if (!this.#isUntouched()) this.#load?.cancel();
     if (this.#isWaiting || this.#asked?.revision === frame.revision) return;
     this.#isWaiting = true;
-    this.#ports.simulator.send({ type: "save-run" });
+    this.#endAsking();
+    this.#endAsking = saveRun(this.#ports.simulator, (saved) => {
+      const revision = this.#frame?.revision ?? 0;
+      if (saved.ok) this.#asked = { revision, ticks: saved.ticks, text: saved.text };
+      else this.#asked = { revision, ticks: 0, text: null };
+    });
     const length = this.#asked?.text?.length ?? 0;
     this.#ports.later(
       () => {

@@ -18,7 +18,7 @@ function newPage() {
       return () => undefined;
     },
   });
-  const loadRun = () => hear({ type: "run-loaded", loaded: { ok: true, maze, program } });
+  const loadRun = () => hear({ type: "run-loaded", id: 1, loaded: { ok: true, maze, program } });
   return { workspace, sent, loadRun };
 }
 

@@ -133,6 +133,7 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
       case "picture":
       case "stage-scroll-to":
       case "run-saved":
+      case "run-loading":
       case "run-loaded":
         return;
     }

@@ -47,6 +47,8 @@ function openPage(
   const addresses: string[] = [];
   const emptied: string[] = [];
   const runs: string[] = [];
+  /** what the address was replaced by before the run was there */
+  const runAddresses: string[] = [];
   const challenges: [string, string | null][] = [];
   const go = (pathname: string, hash: string) =>
     followAddress({
@@ -60,6 +62,7 @@ function openPage(
       openEmptyMaze: () => emptied.push("empty"),
       openRun: (run) => {
         runs.push(run.name);
+        runAddresses.push(...addresses);
         return Promise.resolve(run.ticks === 0 ? [{ path: "", found: "a", expected: "b" }] : []);
       },
       openChallenge: (challenge, program) => {
@@ -85,6 +88,7 @@ function openPage(
     addresses,
     emptied,
     runs,
+    runAddresses,
     challenges,
     go,
     rename,
@@ -227,6 +231,8 @@ describe("opening the link of a run", () => {
     const page = openPage(new MemoryStorage());
     await page.go("/", `#${linkOf({ run })}`);
     expect(page.runs).toEqual(["Tuesday"]);
+    // Not before it is there: a reload meanwhile begins again.
+    expect(page.runAddresses).toEqual([]);
     expect(page.addresses).toEqual(["/"]);
     expect(page.message()).toBeUndefined();
   });

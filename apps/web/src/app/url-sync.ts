@@ -52,10 +52,15 @@ export async function followAddress(ports: UrlPorts): Promise<void> {
     // The address keeps the link, so that a reload opens it as well.
     return tellNotLoaded(ports);
   }
-  replaceAddress(pathname + search);
   const result = links.decodeLink(hash.slice(1));
-  if (result.ok && result.value.run !== undefined) await openRecorded(ports, result.value.run);
-  else if (result.ok && result.value.challenge !== undefined) {
+  if (result.ok && result.value.run !== undefined) {
+    await openRecorded(ports, result.value.run);
+    // A long run takes its time, and a reload meanwhile begins again; another link may have come since.
+    if (location.hash === hash) replaceAddress(pathname + search);
+    return;
+  }
+  replaceAddress(pathname + search);
+  if (result.ok && result.value.challenge !== undefined) {
     const { challenge, program = null } = result.value;
     const isOwner = hasOwnWork(ports);
     await ports.openChallenge(challenge, program);

@@ -16,6 +16,8 @@ export interface Message {
   text: string;
   /** information that waits for an answer, however long; by itself it leaves after some seconds */
   stays?: boolean;
+  /** how much of what is waited for is done, from 0 to 1 */
+  part?: number;
   /** one way to mend or take back, such as Undo */
   action?: { label: string; run: () => void } | undefined;
 }
@@ -87,4 +89,11 @@ function isRenewedBy(shown: Message, next: Omit<Message, "id">): boolean {
 
 export function dismiss(store: ScreenStore, id: number): void {
   store.setState((state) => ({ messages: state.messages.filter((each) => each.id !== id) }));
+}
+
+/** What a message waits for is so far now, from 0 to 1. */
+export function tellPart(store: ScreenStore, id: number, part: number): void {
+  store.setState((state) => ({
+    messages: state.messages.map((each) => (each.id === id ? { ...each, part } : each)),
+  }));
 }

@@ -10,14 +10,7 @@ import type { LoopNotice } from "@corridor/coach";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { DriverName, LineRef, Snapshot } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
-import {
-  openRun,
-  Recording,
-  type Run,
-  type RunDocument,
-  type TimelineNews,
-  type WrittenRun,
-} from "@corridor/recording";
+import { Recording, type Run, type TimelineNews, type WrittenRun } from "@corridor/recording";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
 import { commandOfKey } from "../drivers/hand-driver.ts";
 import { RemoteDriver, type Delivery, type RemoteDriverEvents } from "../drivers/remote-driver.ts";
@@ -27,7 +20,7 @@ import { RunCoach } from "./run-coach.ts";
 import { ShownPast } from "./shown-past.ts";
 import { isDecidedAnew, shownLine, type NewestProgram } from "./shown-line.ts";
 import { TrailFeed } from "./trail-feed.ts";
-import type { DriveKey, Frame, LoadedRun, Moment, RunView, Speed } from "./worker-messages.ts";
+import type { DriveKey, Frame, Moment, RunView, Speed } from "./worker-messages.ts";
 
 export class RunLoop {
   readonly #clock: RunClock;
@@ -209,15 +202,8 @@ export class RunLoop {
     return this.#recording.toDocument(this.#maze.name);
   }
 
-  /**
-   * Opens a run where it ended, paused. Where that does not work, nothing has changed.
-   * @param until runs on to this tick without further inputs
-   */
-  loadRun(run: RunDocument, until = run.ticks): LoadedRun {
-    const opened = openRun(run);
-    if (!opened.ok) return opened;
-    const recording = opened.value;
-    while (recording.run.tick < until) recording.step();
+  /** Shows another run where it ended, paused. @returns the documents that it ended with */
+  open(recording: Recording): { ok: true; maze: MazeDocument; program: ProgramDocument } {
     this.#remote.cancel(this.#recording, "movedInTime");
     this.#show(recording);
     const { maze, program } = recording.run;

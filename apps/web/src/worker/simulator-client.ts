@@ -10,12 +10,22 @@ export interface WorkerPort {
 export class SimulatorClient {
   readonly #port: WorkerPort;
   readonly #listeners = new Set<(message: FromWorker) => void>();
+  #isGone = false;
 
   constructor(port: WorkerPort) {
     this.#port = port;
-    port.onmessage = ({ data }) => {
-      for (const listener of this.#listeners) listener(data);
-    };
+    port.onmessage = ({ data }) => this.#hear(data);
+  }
+
+  /** Whether the worker did not load or broke outside of its own care: it answers nothing any more. */
+  get isGone(): boolean {
+    return this.#isGone;
+  }
+
+  /** The worker is gone; everybody who listens hears of it as of a fault. */
+  fail(reason: string): void {
+    this.#isGone = true;
+    this.#hear({ type: "fault", reason });
   }
 
   /** @param transfer what is handed over for good, not copied */
@@ -27,5 +37,9 @@ export class SimulatorClient {
   listen(listener: (message: FromWorker) => void): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
+  }
+
+  #hear(message: FromWorker): void {
+    for (const listener of this.#listeners) listener(message);
   }
 }

@@ -9,9 +9,10 @@ import { replayDigest } from "@corridor/simulation";
 import { describeFault } from "./describe-fault.ts";
 import { FramePace } from "./frame-pace.ts";
 import { RemoteHost } from "./remote-host.ts";
+import { RunLoader } from "./run-loader.ts";
 import { RunLoop } from "./run-loop.ts";
 import { StagePainter } from "./stage-painter.ts";
-import type { FromWorker, ToWorker } from "./worker-messages.ts";
+import type { FromWorker, SavedRun, ToWorker } from "./worker-messages.ts";
 
 /** Twice as often as a screen repaints, so that no frame waits for a whole interval. */
 const INTERVAL_MS = 8;
@@ -63,6 +64,24 @@ const painter = new StagePainter({
 const afterMessages = new MessageChannel();
 afterMessages.port1.onmessage = () => guarded(tellNews);
 
+/** The same for the slices of a run that is opened. */
+const afterSlice = new MessageChannel();
+afterSlice.port1.onmessage = () =>
+  guarded(() => {
+    loader.goOn();
+    tellNews();
+  });
+
+const loader = new RunLoader({
+  now,
+  later: () => afterSlice.port2.postMessage(null),
+  post,
+  open: (recording) => {
+    if (loop === null) throw new Error("a run comes before the documents");
+    return loop.open(recording);
+  },
+});
+
 worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   try {
     handle(data);
@@ -109,6 +128,7 @@ function handle(message: ToWorker): void {
     post({ type: "digest", digest: replayDigest({ maze, driver: decider }, ticks) });
     return;
   }
+  if (message.type === "load-run") return loader.load(message);
   if (loop === null) return;
   switch (message.type) {
     case "edit-maze":
@@ -122,6 +142,7 @@ function handle(message: ToWorker): void {
     case "step":
       return loop.step();
     case "reset":
+      loader.cancel();
       return loop.reset();
     case "speed":
       return loop.setSpeed(message.speed);
@@ -140,9 +161,9 @@ function handle(message: ToWorker): void {
     case "run-here":
       return loop.run();
     case "save-run":
-      return post({ type: "run-saved", saved: loop.saveRun() });
-    case "load-run":
-      return post({ type: "run-loaded", loaded: loop.loadRun(message.run, message.until) });
+      return saveRun(loop, message.id);
+    case "cancel-load":
+      return loader.cancel(message.id);
     case "remote-open":
       return remote.open(message.session, message.fresh);
     case "remote-close":

@@ -6,6 +6,7 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "../app/first-visit.ts";
 import { RunLoop } from "./run-loop.ts";
+import { loadRun } from "./testing/load-run.ts";
 import type { DriveKey, Frame, Speed } from "./worker-messages.ts";
 
 /** A loop whose real time passes when the test says so. */
@@ -159,7 +160,7 @@ describe("whatever is done with a run", () => {
         const opened = openRun(read.value);
         if (!opened.ok) throw new Error(JSON.stringify(opened.problems));
         const other = new Bench();
-        expect(other.loop.loadRun(read.value)).toMatchObject({ ok: true });
+        expect(loadRun(other.loop, read.value)).toMatchObject({ ok: true });
         const end = momentOf(bench.loop.snapshot());
         const { line, driver, command } = opened.value.run;
         expect({ ...opened.value.run.report(), line, driver, command }).toEqual(end);
@@ -432,7 +433,7 @@ describe("a file", () => {
     if (!saved.ok) throw new Error(saved.reason);
     const other = new Bench();
     const tick = bench.loop.snapshot().tick + 77;
-    expect(other.loop.loadRun(saved.run, tick)).toMatchObject({ ok: true });
+    expect(loadRun(other.loop, saved.run, tick)).toMatchObject({ ok: true });
     expect(other.frame()).toMatchObject({ view: "now", trailReset: true, snapshot: { tick } });
     for (const { loop } of [bench, other]) loop.run();
     bench.pass(1000 + (77 * 1000) / 60, 1000 / 60);
@@ -452,7 +453,7 @@ describe("a file", () => {
     const saved = bench.loop.saveRun();
     if (!saved.ok) throw new Error(saved.reason);
     const { tick } = bench.loop.snapshot();
-    const loaded = bench.loop.loadRun({ ...saved.run, digest: "0123456789abcdef" });
+    const loaded = loadRun(bench.loop, { ...saved.run, digest: "0123456789abcdef" });
     expect(loaded).toMatchObject({
       ok: false,
       problems: [{ path: "digest", found: "0123456789abcdef" }],

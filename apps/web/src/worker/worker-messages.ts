@@ -40,6 +40,17 @@ export interface RemoteSession {
   lastApplied: number;
 }
 
+/**
+ * Opens a run where it ended, or runs it on to a later tick, and pauses; answered by `run-loaded` with
+ * the same id. Until then the run that is there goes on; Reset, or another run, gives this one up.
+ */
+export interface LoadRun {
+  type: "load-run";
+  id: number;
+  run: RunDocument;
+  until?: number;
+}
+
 export type ToWorker =
   | StageToWorker
   /** the first message: what the page starts with */
@@ -63,8 +74,9 @@ export type ToWorker =
   | { type: "now" }
   /** forgets what came after the shown moment and runs on from it */
   | { type: "run-here" }
-  /** opens a run where it ended, or runs it on to a later tick, and pauses; answered by `run-loaded` */
-  | { type: "load-run"; run: RunDocument; until?: number }
+  | LoadRun
+  /** gives up opening a run, which is then answered as cancelled */
+  | { type: "cancel-load"; id: number }
   /** asks for the run so far, answered by `run-saved`; one longer than a document may be is not written */
   | { type: "save-run" }
   | { type: "speed"; speed: Speed }
@@ -154,7 +166,15 @@ export interface RemoteView {
 /** The answer to `load-run`: the documents that the run ended with; or why nothing was loaded. */
 export type LoadedRun =
   | { ok: true; maze: MazeDocument; program: ProgramDocument }
-  | { ok: false; problems: FieldProblem[] };
+  /** it cannot be repeated */
+  | { ok: false; reason: "refused"; problems: FieldProblem[] }
+  /** given up for something else, or the simulator broke, which is told as a fault */
+  | { ok: false; reason: "cancelled" | "fault" };
+
+/** The answer to `save-run`: the text of the document and its ticks, or why there is none. */
+export type SavedRun =
+  | { ok: true; text: string; ticks: number }
+  | Extract<WrittenRun, { ok: false }>;
 
 export type FromWorker =
   /** at the calm rate of the panels, and at once when something was decided */
@@ -169,8 +189,10 @@ export type FromWorker =
   | { type: "timeline"; news: TimelineNews }
   /** the maze of the shown moment where it is not the newest one; null when it is */
   | { type: "shown-maze"; maze: MazeDocument | null }
-  | { type: "run-saved"; saved: WrittenRun }
-  | { type: "run-loaded"; loaded: LoadedRun }
+  | { type: "run-saved"; id: number; saved: SavedRun }
+  /** how much of a long run is opened, from 0 to 1 */
+  | { type: "run-loading"; id: number; part: number }
+  | { type: "run-loaded"; id: number; loaded: LoadedRun }
   | { type: "remote"; remote: RemoteView }
   | { type: "digest"; digest: string }
   | { type: "fault"; reason: string };

@@ -13,9 +13,12 @@ export function saveFile(content: Blob, name: string): void {
   setTimeout(() => URL.revokeObjectURL(url), 0);
 }
 
-/** A document as a file that can be opened again: "long-way-round.maze.json". */
+/**
+ * A document as a file that can be opened again: "long-way-round.maze.json". A run is for no human eye,
+ * and its bounds are those of the text without blanks.
+ */
 export function saveDocument(document: { name: string }, kind: "maze" | "program" | "run"): void {
-  const text = `${JSON.stringify(document, null, 2)}\n`;
+  const text = kind === "run" ? JSON.stringify(document) : `${JSON.stringify(document, null, 2)}\n`;
   const file = `${fileName(document.name, kind)}.${kind}.json`;
   saveFile(new Blob([text], { type: "application/json" }), file);
 }

@@ -1,18 +1,17 @@
 /** Saves the run so far, which the simulator writes when it is asked. */
+import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import { tell } from "../../stores/screen-store.ts";
+import { saveRun as askForRun } from "../../app/run-requests.ts";
 import { saveDocument } from "./save-file.ts";
 
 export function saveRun(
   { simulator, screen }: Pick<Services, "simulator" | "screen">,
   words: Pick<i18n, "t">,
 ): void {
-  const end = simulator.listen((message) => {
-    if (message.type !== "run-saved") return;
-    end();
-    if (message.saved.ok) saveDocument(message.saved.run, "run");
+  askForRun(simulator, (saved) => {
+    if (saved.ok) saveDocument(JSON.parse(saved.text) as RunDocument, "run");
     else tell(screen, { tone: "bad", text: words.t("timeline.share.tooMuch") });
   });
-  simulator.send({ type: "save-run" });
 }

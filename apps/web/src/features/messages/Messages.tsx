@@ -43,7 +43,7 @@ function MessageCard({ message }: { message: Message }) {
   const { t } = useTranslation();
   const { screen } = useServices();
   const [isHeld, setIsHeld] = useState(false);
-  const { id, tone, text, action, stays = tone === "bad" } = message;
+  const { id, tone, text, part, action, stays = tone === "bad" } = message;
   useSay(tone === "bad" ? null : [text, action?.label ?? ""].join(" ").trim(), `message ${id}`);
 
   useEffect(() => {
@@ -62,6 +62,7 @@ function MessageCard({ message }: { message: Message }) {
     >
       {tone === "bad" && <CircleAlert size={18} aria-hidden="true" />}
       <span className={styles["text"]}>{text}</span>
+      {part !== undefined && <progress className={styles["part"]} aria-label={text} value={part} />}
       {action !== undefined && (
         <Button
           size="small"

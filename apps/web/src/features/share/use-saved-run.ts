@@ -1,7 +1,8 @@
 /** The run so far as a document, asked of the simulator when somebody wants it. */
 import { useEffect, useState } from "react";
-import type { WrittenRun } from "@corridor/recording";
+import type { RunDocument, WrittenRun } from "@corridor/recording";
 import { useServices } from "../../app/services.ts";
+import { saveRun } from "../../app/run-requests.ts";
 
 /**
  * @param isWanted false: nothing is asked, and what was asked before is forgotten
@@ -12,10 +13,9 @@ export function useSavedRun(isWanted: boolean): WrittenRun | null {
   const [saved, setSaved] = useState<WrittenRun | null>(null);
   useEffect(() => {
     if (!isWanted) return;
-    const end = simulator.listen((message) => {
-      if (message.type === "run-saved") setSaved(message.saved);
-    });
-    simulator.send({ type: "save-run" });
+    const end = saveRun(simulator, (answer) =>
+      setSaved(answer.ok ? { ok: true, run: JSON.parse(answer.text) as RunDocument } : answer),
+    );
     return () => {
       end();
       setSaved(null);

@@ -6,22 +6,25 @@ import type { FieldProblem } from "@corridor/protocol";
 import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
-import { dismiss, tell } from "../../stores/screen-store.ts";
-import type { LoadedRun } from "../../worker/worker-messages.ts";
+import { dismiss, tell, tellPart } from "../../stores/screen-store.ts";
+import { loadRun } from "../../app/run-requests.ts";
 
 type Opener = Pick<Services, "simulator" | "works" | "screen">;
 
 /**
  * @param run one that passed its schema
- * @returns nothing when it was opened; else what is wrong with it, and nothing has changed
+ * @returns nothing when it was opened or given up; else what is wrong with it, and nothing has changed
  */
 export async function openRun(
   { simulator, works, screen }: Opener,
   words: Pick<i18n, "t">,
   run: RunDocument,
 ): Promise<readonly FieldProblem[]> {
-  const loaded = await load(simulator, run);
-  if (!loaded.ok) return loaded.problems;
+  const waiting = new WaitingMessage(screen, words, () => load.cancel());
+  const load = loadRun(simulator, run, { onPart: (part) => waiting.tell(part) });
+  const loaded = await load.loaded;
+  waiting.end();
+  if (!loaded.ok) return loaded.reason === "refused" ? loaded.problems : [];
   const back = works.beginShared(loaded.maze, loaded.program);
   simulator.send({ type: "seek", tick: 0 });
   const id = tell(screen, {
@@ -39,14 +42,34 @@ export async function openRun(
   return [];
 }
 
-/** The worker repeats the run and says how it ended. */
-function load(simulator: Opener["simulator"], run: RunDocument): Promise<LoadedRun> {
-  return new Promise((resolve) => {
-    const end = simulator.listen((message) => {
-      if (message.type !== "run-loaded") return;
-      end();
-      resolve(message.loaded);
-    });
-    simulator.send({ type: "load-run", run });
-  });
+/** Says that a long run is on its way, how far it is, and how not to wait for it. */
+class WaitingMessage {
+  readonly #screen: Opener["screen"];
+  readonly #words: Pick<i18n, "t">;
+  readonly #cancel: () => void;
+  #id: number | null = null;
+
+  constructor(screen: Opener["screen"], words: Pick<i18n, "t">, cancel: () => void) {
+    this.#screen = screen;
+    this.#words = words;
+    this.#cancel = cancel;
+  }
+
+  /** @param part how much is done, from 0 to 1 */
+  tell(part: number): void {
+    if (this.#id === null) {
+      const t = this.#words.t;
+      this.#id = tell(this.#screen, {
+        tone: "info",
+        text: t("timeline.opening"),
+        stays: true,
+        part,
+        action: { label: t("timeline.dontOpen"), run: this.#cancel },
+      });
+    } else tellPart(this.#screen, this.#id, part);
+  }
+
+  end(): void {
+    if (this.#id !== null) dismiss(this.#screen, this.#id);
+  }
 }

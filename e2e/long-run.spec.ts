@@ -1,0 +1,34 @@
+/** The link of a run that takes half a minute to open leaves the page alive, and can be declined. */
+import { expect, test } from "./fixtures.ts";
+
+/** A run of a day, in as many characters as it takes. */
+const day = "/#1t8_qs-ABgEHmkpSgHdK01g6AAAAABLpOsHcRhNFjPlXm-AkaH5";
+
+test("opens the link of a run of a day, drives meanwhile, and declines it", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow();
+  await corridor.open(day);
+  const message = corridor.message(/^The run is being opened\./);
+  await expect(message).toBeVisible();
+  await expect(corridor.messages.getByRole("progressbar")).toBeVisible();
+  // A reload meanwhile begins again.
+  expect(new URL(corridor.page.url()).hash).not.toBe("");
+  await corridor.run.click();
+  await expect(corridor.clock).not.toHaveText("Time 0:00.0");
+  await corridor.messages.getByRole("button", { name: "Don’t open it" }).click();
+  await expect(message).toBeHidden();
+  await expect.poll(() => new URL(corridor.page.url()).hash).toBe("");
+  await expect(corridor.pause).toBeVisible();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+});
+
+test("keeps the page where the simulator does not come", async ({ openWindow, watch }) => {
+  const corridor = await openWindow();
+  await corridor.page.route(/simulator\.worker/, (route) => route.abort());
+  await corridor.page.goto(day);
+  await expect(corridor.run).toBeVisible();
+  await expect(corridor.page.getByRole("alert").first()).toBeVisible();
+  // The browser tells of the file that is missing.
+  watch.complaints.splice(0);
+});
