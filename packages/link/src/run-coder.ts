@@ -2,10 +2,11 @@
  * A recorded run as bits, written and read by one function: maze and program that it began with, its
  * inputs in the order of their ticks, its length, digest and name.
  *
- * A few characters can ask for many edits, and an edit for a large maze. What a run may cost is
- * therefore counted while it is written and read, and more than the largest document is refused.
+ * A few characters can ask for many edits, and an edit for a large maze or a long program. What a run
+ * may cost is therefore counted while it is written and read, as the text that its document would be;
+ * what is longer goes as a file.
  */
-import { sizeOf, type MazeDocument } from "@corridor/maze";
+import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import { plainActions, type Command, type DriverName } from "@corridor/protocol";
 import {
@@ -22,8 +23,8 @@ import { codeUniform, NumberModel, RealModel, SymbolModel } from "./numbers.ts";
 import { codeProgram } from "./program-coder.ts";
 import { BitModel, type BitCoder } from "./range-coder.ts";
 
-/** Cells, lines and inputs that all edits together may bring: a run of a megabyte of JSON. */
-const MAX_COST = 1_000_000;
+/** Characters of JSON that a link may bring: read in a moment, and twenty edits of the longest program. */
+const MAX_RUN_LINK_JSON = 256 * 1024;
 
 const kinds = ["command", "driver", "cancel", "program", "maze"] as const;
 const drivers = ["me", "program", "remote"] as const satisfies readonly DriverName[];
@@ -33,15 +34,22 @@ const actions: readonly Command["action"][] = [...plainActions, "move", "turn", 
 /**
  * Writes or reads a run.
  * @param run what to write; a decoder is given any legal run and ignores it
+ * @param maxJson for tests: the characters of JSON that it may bring
  * @returns the run as a decoder will read it, still to be checked by its schema; null where it is more
  * than a link may carry, or a link asks for what no encoder writes
  */
-export function codeRun(coder: BitCoder, run: RunDocument, choices: Choices): RunDocument | null {
+export function codeRun(
+  coder: BitCoder,
+  run: RunDocument,
+  choices: Choices,
+  maxJson = MAX_RUN_LINK_JSON,
+): RunDocument | null {
   const maze = codeMaze(coder, run.maze, choices.waysOf(run.maze));
   if (maze === null) return null;
   const program = codeProgram(coder, run.program, choices.isPlainName(run.program.name));
   if (program === null) return null;
-  const inputs = new InputCoder(maze, program, choices).codeAll(coder, run.inputs);
+  const left = maxJson - lengthOf(maze) - lengthOf(program);
+  const inputs = new InputCoder(maze, program, choices).codeAll(coder, run.inputs, left);
   if (inputs === null) return null;
   const last = inputs.at(-1)?.tick ?? 0;
   const ticks = last + new TickModel().code(coder, run.ticks - last);
@@ -65,7 +73,6 @@ export function codeRun(coder: BitCoder, run: RunDocument, choices: Choices): Ru
 class InputCoder {
   #maze: MazeDocument;
   #program: ProgramDocument;
-  #cost = 0;
   #seq = 0;
   readonly #waits = new TickModel();
   readonly #kinds = new SymbolModel(3);
@@ -84,23 +91,27 @@ class InputCoder {
     this.#programs = new ProgramEditCoder(choices);
   }
 
-  codeAll(coder: BitCoder, inputs: readonly TimedInput[]): TimedInput[] | null {
+  /** @param maxJson characters of JSON that they may be */
+  codeAll(coder: BitCoder, inputs: readonly TimedInput[], maxJson: number): TimedInput[] | null {
     const count = new NumberModel().code(coder, inputs.length);
     if (count > MAX_RUN_INPUTS) return null;
     const coded: TimedInput[] = [];
+    let left = maxJson;
     let tick = 0;
     for (let at = 0; at < count; at += 1) {
       const input = inputs[at];
       tick += this.#waits.code(coder, (input?.tick ?? 0) - tick);
       const read = this.#code(coder, input);
-      if (read === null || this.#cost > MAX_COST) return null;
-      coded.push({ tick, ...read });
+      if (read === null) return null;
+      const timed: TimedInput = { tick, ...read };
+      left -= lengthOf(timed);
+      if (left < 0) return null;
+      coded.push(timed);
     }
     return coded;
   }
 
   #code(coder: BitCoder, input: TimedInput | undefined): RunInput | null {
-    this.#cost += 1;
     const kind = kinds[this.#kinds.code(coder, kinds.indexOf(input?.do ?? "cancel"))];
     if (kind === undefined) return null;
     switch (kind) {
@@ -117,7 +128,6 @@ class InputCoder {
         const after = input?.do === kind ? input.program : this.#program;
         const program = this.#programs.code(coder, this.#program, after);
         if (program === null) return null;
-        this.#cost += program.rules.length;
         this.#program = program;
         return { do: kind, program };
       }
@@ -125,8 +135,6 @@ class InputCoder {
         const after = input?.do === kind ? input.maze : this.#maze;
         const maze = this.#mazes.code(coder, this.#maze, after);
         if (maze === null) return null;
-        const { columns, rows } = sizeOf(maze);
-        this.#cost += columns * rows;
         this.#maze = maze;
         return { do: kind, maze };
       }
@@ -196,6 +204,11 @@ class TickModel {
     const high = this.#high.code(coder, ticks >>> 16);
     return high * 65_536 + this.#low.code(coder, ticks & 65_535);
   }
+}
+
+/** Characters of JSON. */
+function lengthOf(value: MazeDocument | ProgramDocument | TimedInput): number {
+  return JSON.stringify(value).length;
 }
 
 /** 16 hexadecimal digits. */
