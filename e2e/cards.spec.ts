@@ -34,6 +34,17 @@ test("is told why line 2 bumped, takes the mend and gets past the place", async 
   await expect(corridor.bumps).toHaveText("0 bumps");
 });
 
+test("is told that a turn came too early, though another line met the wall", async ({
+  corridor,
+}) => {
+  await corridor.program.action(1).selectOption("right 90");
+  await corridor.run.click();
+  const card = corridor.page.getByRole("region", { name: /^Bump: / });
+  await expect(card).toContainText("right > 60 begins at the edge of an opening");
+  await card.getByRole("button", { name: "Change to delayed right 90" }).click();
+  await expect(corridor.program.action(1)).toHaveValue("delayed right 90");
+});
+
 test("mends it in another way: the card no longer offers what was meant for the old program", async ({
   corridor,
 }) => {

@@ -47,6 +47,28 @@ export function mendsForBump(scene: BumpScene, most: number): Mend[] {
   return mends;
 }
 
+const delayed: Partial<Record<PlainAction, PlainAction>> = {
+  "left 90": "delayed left 90",
+  "right 90": "delayed right 90",
+};
+
+/**
+ * The bump of a robot that turned too early: a turn on the spot at the edge of an opening, and then
+ * straight into its corner. The line that drove into it is not the one to blame.
+ * @param turn the decision before the one that led into the wall
+ * @returns the turn as a delayed one, where that gets past the place; null where it is not at fault
+ */
+export function mendOfEarlierTurn(
+  turn: Pick<BumpScene, "program" | "line" | "atDecision" | "ticks">,
+): Mend | null {
+  const { program, line } = turn;
+  if (typeof line !== "number") return null;
+  const action = delayed[program.rules[line]?.do ?? "stop"];
+  if (action === undefined) return null;
+  const mend: Mend = { kind: "action", line, action };
+  return works(turn, applyMend(program, mend)) ? mend : null;
+}
+
 function candidates(scene: BumpScene): Mend[] {
   const { program, line, story } = scene;
   const rule = typeof line === "number" ? program.rules[line] : undefined;
@@ -108,7 +130,10 @@ function numbersAbove({ when }: Rule, numbers: readonly number[]): number[] {
 }
 
 /** Whether the program gets past the place and on from there without a bump. */
-function works({ atDecision, ticks }: BumpScene, program: ProgramDocument): boolean {
+function works(
+  { atDecision, ticks }: Pick<BumpScene, "atDecision" | "ticks">,
+  program: ProgramDocument,
+): boolean {
   const simulation = atDecision();
   const { bumps } = simulation;
   // What runs was chosen by the program that bumped.

@@ -9,6 +9,6 @@ export type {
   NeverTrueHere,
   Side,
 } from "./advice.ts";
-export { mendsForBump, type BumpScene } from "./bump-mends.ts";
+export { mendOfEarlierTurn, mendsForBump, type BumpScene } from "./bump-mends.ts";
 export { storyOfBump, type BumpFacts, type BumpStory } from "./bump-story.ts";
 export { LoopWatch, type LoopNotice } from "./loop-watch.ts";

@@ -103,19 +103,18 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
         const { snapshot, progress, view, nowTick, nowDriver } = message.frame;
         shownRun.add(message.frame);
         run.setState({ snapshot, progress, view, nowTick, nowDriver });
-        // What happened stays told while an earlier moment is shown; a run that forgets it does not tell it.
-        if (message.frame.trailReset && (run.getState().moment?.tick ?? Infinity) > nowTick) {
-          moments.clear();
-        }
-        if (message.frame.trailReset) forgetAfter(cards, nowTick);
         return;
       }
+      case "forgotten":
+        moments.forgetAfter(message.after);
+        forgetAfter(cards, message.after);
+        return;
       case "moment":
         moments.tell(message.moment);
         explain(cards, message.moment, workspace.getState().program);
         return;
       case "notice":
-        tellNotice({ screen, workspace, words }, message.notice);
+        tellNotice({ screen, workspace, run, words }, message.notice);
         return;
       case "remote":
         remote.setState(message.remote);

@@ -44,6 +44,17 @@ describe("a bump of the program", () => {
     expect(loop.snapshot().tick).toBe(moment?.tick);
   });
 
+  it("offers the delayed turn where the line before turned at the edge of an opening", () => {
+    const way = Array.from({ length: 8 }, () => "##.##");
+    const opening = mazeOf(["#####", ".....", ...way], 1);
+    const tooEarly = programOf([{ when: { sensor: "right", is: ">", than: 60 }, do: "right 90" }]);
+    const loop = new RunLoop(opening, tooEarly, () => time, silent);
+    loop.run();
+    const [moment] = pass(loop, 8);
+    expect(moment).toMatchObject({ kind: "bump", line: "default" });
+    expect(moment?.mends?.[0]).toEqual({ kind: "action", line: 0, action: "delayed right 90" });
+  });
+
   it("is explained once a line: the reader who runs on is not stopped again", () => {
     const loop = new RunLoop(corner, programOf([]), () => time, silent);
     loop.run();

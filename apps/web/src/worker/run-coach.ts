@@ -2,17 +2,26 @@
  * What the coach has to say of a program that drives: how a bump could have been kept off, and that the
  * robot gets nowhere. Everything is said once; another program or another maze begins anew.
  */
-import { LoopWatch, mendsForBump, storyOfBump, type LoopNotice, type Mend } from "@corridor/coach";
+import {
+  LoopWatch,
+  mendOfEarlierTurn,
+  mendsForBump,
+  storyOfBump,
+  type LoopNotice,
+  type Mend,
+} from "@corridor/coach";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
-import type { Recording, Run } from "@corridor/recording";
+import type { Playback, Recording, Run } from "@corridor/recording";
 import { Simulation } from "@corridor/simulation";
 
 /** Mends that a card has room for. */
 const MOST_MENDS = 2;
 /** A long way to a wall is tried from so many ticks before it. */
 const MOST_TICKS = 600;
+/** A robot that turned too early may turn again at once, as its side is still open. */
+const MOST_TURNS = 3;
 
 export class RunCoach {
   readonly #explained = new Set<LineRef>();
@@ -45,20 +54,43 @@ export class RunCoach {
     const { cause, maze, program, tick } = run;
     if (cause === null) return [];
     const playback = recording.playback();
-    const from = Math.max(cause.decidedAt, tick - MOST_TICKS);
-    playback.goTo(from);
-    const state = playback.run.save().simulation;
-    const atDecision = (): Simulation => {
-      const simulation = new Simulation(maze);
-      simulation.restore(state);
-      return simulation;
+    const sceneFrom = (from: number) => {
+      playback.goTo(from);
+      const state = playback.run.save().simulation;
+      const atDecision = (): Simulation => {
+        const simulation = new Simulation(maze);
+        simulation.restore(state);
+        return simulation;
+      };
+      return { program, atDecision, ticks: tick - from };
     };
     const readings = run.report().sensors;
     const story = storyOfBump(cause);
-    return mendsForBump(
-      { program, line, story, readings, atDecision, ticks: tick - from },
-      MOST_MENDS,
-    );
+    const from = Math.max(cause.decidedAt, tick - MOST_TICKS);
+    const mends = mendsForBump({ ...sceneFrom(from), line, story, readings }, MOST_MENDS);
+    const earlier =
+      story.kind === "steady" ? this.#earlierTurn(recording, sceneFrom, playback) : null;
+    return earlier === null ? mends : [earlier, ...mends].slice(0, MOST_MENDS);
+  }
+
+  /** The turn before the bump as a delayed one, where that keeps it off; or the turn before that one. */
+  #earlierTurn(
+    recording: Recording,
+    sceneFrom: (tick: number) => Pick<BumpScene, "program" | "atDecision" | "ticks">,
+    playback: Playback,
+  ): Mend | null {
+    const { cause, tick } = recording.run;
+    let at = cause?.decidedAt ?? 0;
+    for (let back = 0; back < MOST_TURNS && at > 0; back++) {
+      at = recording.decisionBefore(at, playback);
+      if (tick - at > MOST_TICKS) return null;
+      const scene = sceneFrom(at);
+      const { line, isManoeuvring } = playback.run;
+      if (line === null || !isManoeuvring) return null;
+      const mend = mendOfEarlierTurn({ ...scene, line });
+      if (mend !== null) return mend;
+    }
+    return null;
   }
 
   #follow({ maze, program }: Run): void {

@@ -1,5 +1,8 @@
 /** Why the program bumped: which line, the room that it needed, the room that it had, and the mends. */
 import { applyMend, storyOfBump, type Mend } from "@corridor/coach";
+import type { ProgramDocument } from "@corridor/program";
+import type { LineRef } from "@corridor/protocol";
+import { DELAY_DISTANCE } from "@corridor/simulation";
 import { History } from "lucide-react";
 import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
@@ -10,6 +13,7 @@ import { tell } from "../../stores/screen-store.ts";
 import { Badge } from "../../ui/Badge.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { useRights } from "../lessons/use-rights.ts";
+import { conditionText } from "../program/condition-text.ts";
 import { allowsMend } from "../program/mend-rights.ts";
 import { takeMend } from "../program/take-mend.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
@@ -71,6 +75,7 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
         {isNumbered && <Badge tone="bad">{badge}</Badge>}
         <span>{bumpReason(t, story, program, line)}</span>
       </p>
+      <EarlierTurn program={program} mend={offered[0]} bumped={line} />
       {story.needs !== null && (
         <RoomBars
           needsLabel={
@@ -99,5 +104,29 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
         </Button>
       </div>
     </FloatingCard>
+  );
+}
+
+/** The line that turned too early, where that is what led another one into the wall. */
+function EarlierTurn(props: {
+  program: ProgramDocument;
+  mend: Mend | undefined;
+  bumped: LineRef | null;
+}) {
+  const { program, mend, bumped } = props;
+  const { t } = useTranslation();
+  if (mend?.kind !== "action" || mend.line === bumped) return null;
+  const when = program.rules[mend.line]?.when ?? null;
+  if (when === null) return null;
+  return (
+    <p className={styles["sentence"]}>
+      <Badge>{mend.line + 1}</Badge>
+      <span>
+        {t("program.advice.intoOpening", {
+          condition: conditionText(t, when),
+          drivesOn: DELAY_DISTANCE,
+        })}
+      </span>
+    </p>
   );
 }

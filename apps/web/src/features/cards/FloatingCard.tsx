@@ -70,20 +70,13 @@ export function FloatingCard(props: FloatingCardProps) {
   }, [layout, isPhone, pose, keepClear]);
 
   const at = isPhone ? null : place;
-  // Escape closes the card from whichever of its buttons has the focus.
   return (
-    // oxlint-disable-next-line jsx-a11y/no-noninteractive-element-interactions
     <section
       ref={card}
       aria-labelledby={titleId}
       data-card=""
       className={classNames(styles["card"], styles[tone], isPhone && styles["onPhone"])}
       style={isPhone ? undefined : at === null ? HIDDEN : { left: at.x, top: at.y }}
-      onKeyDown={(event) => {
-        if (event.key !== "Escape") return;
-        event.stopPropagation();
-        onClose();
-      }}
     >
       {at !== null && <Tail place={at} />}
       <header className={styles["header"]}>

@@ -27,7 +27,7 @@ export function RoomBars({ needsLabel, freeLabel, needs, free }: RoomBarsProps) 
         ))}
       </div>
       <dt>{freeLabel}</dt>
-      <dd className={styles["lacking"]}>{t("cards.bump.cm", { number: Math.floor(free) })}</dd>
+      <dd className={styles["lacking"]}>{t("cards.bump.cm", { number: Math.round(free) })}</dd>
       <div className={styles["free"]} aria-hidden="true">
         <span style={{ inlineSize: `${Math.min(100, (free * 100) / needs)}%` }} />
         <i />

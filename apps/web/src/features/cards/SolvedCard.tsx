@@ -6,7 +6,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import type { Explanation } from "../../stores/card-store.ts";
-import { formatSeconds } from "../../text/numbers.ts";
+import { formatClock, formatSeconds } from "../../text/numbers.ts";
 import { Button } from "../../ui/Button.tsx";
 import { chooseMaze } from "../presets/choose-preset.ts";
 import { ShareDialog } from "../share/lazy-share-dialog.ts";
@@ -14,6 +14,9 @@ import type { StageViewStore } from "../stage/stage-view.ts";
 import styles from "./cards.module.css";
 import { FloatingCard } from "./FloatingCard.tsx";
 import { watchAgain } from "./watch-again.ts";
+
+/** From 100 s on minutes are easier to read, as on the clock of the run. */
+const CLOCK_FROM_TICKS = 6000;
 
 interface SolvedCardProps {
   view: StageViewStore;
@@ -51,7 +54,11 @@ export function SolvedCard({ view, explanation, onClose }: SolvedCardProps) {
       <dl className={styles["figures"]}>
         <div>
           <dt>{t("cards.solved.time")}</dt>
-          <dd>{t("cards.solved.seconds", { seconds: formatSeconds(tick, i18n.language) })}</dd>
+          <dd>
+            {tick < CLOCK_FROM_TICKS
+              ? t("cards.solved.seconds", { seconds: formatSeconds(tick, i18n.language) })
+              : formatClock(tick, i18n.language)}
+          </dd>
         </div>
         {isProgram && (
           <div>

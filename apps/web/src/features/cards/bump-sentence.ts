@@ -22,7 +22,7 @@ export function bumpReason(
   const numbers = {
     action: t(`program.action.${action}`),
     needs: Math.round(needs ?? 0),
-    free: Math.floor(free),
+    free: Math.round(free),
   };
   if (kind === "delay") return t("cards.bump.delay", numbers);
   if (kind === "way-out") return t("cards.bump.wayOut", numbers);

@@ -1,4 +1,7 @@
-/** Adds a line at the end; where a challenge allows no more, it is off and says why. */
+/**
+ * Adds a line at the end. Where a challenge allows no more it is off and says why; where its lines are
+ * given it is not there, since the lines need the room.
+ */
 import { Plus } from "lucide-react";
 import { useId } from "react";
 import { useTranslation } from "react-i18next";
@@ -15,9 +18,10 @@ export function AddLine({ onAdd }: { onAdd: () => void }) {
   const count = useStore(workspace, ({ program }) => program.rules.length);
   const rights = useRights();
   const reasonId = useId();
-  const isFixed = rights?.edits.has("lines") === false;
-  const isFull = rights !== null && count >= rights.maxLines;
-  const isOff = isFixed || isFull;
+  const isOff = rights !== null && count >= rights.maxLines;
+  if (rights?.edits.has("lines") === false) {
+    return <p className={ownStyles["reason"]}>{t("lessons.linesFixed")}</p>;
+  }
   return (
     <>
       <button
@@ -32,7 +36,7 @@ export function AddLine({ onAdd }: { onAdd: () => void }) {
       </button>
       {isOff && (
         <p id={reasonId} className={ownStyles["reason"]}>
-          {isFixed ? t("lessons.linesFixed") : t("lessons.linesFull", { count: rights?.maxLines })}
+          {t("lessons.linesFull", { count: rights.maxLines })}
         </p>
       )}
     </>

@@ -1,7 +1,8 @@
 /** An advice in words: what is the matter with its numbers, and what the one button does about it. */
 import type { Advice, Mend } from "@corridor/coach";
-import { numberOf, type Condition } from "@corridor/program";
+import type { Condition } from "@corridor/program";
 import { useTranslation } from "react-i18next";
+import { conditionText } from "./condition-text.ts";
 import { localNumber } from "../../text/numbers.ts";
 
 export interface AdviceText {
@@ -15,21 +16,13 @@ export function useAdviceText(advice: Advice | null, when: Condition | null): Ad
   const { t, i18n } = useTranslation();
   if (advice === null) return null;
 
-  /** As the menus show it: "left > right + 1". */
-  function conditionText(condition: Condition): string {
-    const sensor = t(`program.sensor.${condition.sensor}`);
-    const other = condition.than === "right" ? `${t("program.sensor.right")} + ` : "";
-    const number = localNumber(String(numberOf(condition)), i18n.language);
-    return `${sensor} ${condition.is} ${other}${number}`;
-  }
-
   function lineList(lines: readonly number[]): string {
     const list = new Intl.ListFormat(i18n.language, { type: "conjunction" });
     return list.format(lines.map((line) => String(line + 1)));
   }
 
   function reasonText(given: Advice): string {
-    const condition = when === null ? "" : conditionText(when);
+    const condition = when === null ? "" : conditionText(t, when);
     switch (given.kind) {
       case "never-decides": {
         const lines = lineList(given.above);
@@ -64,7 +57,7 @@ export function useAdviceText(advice: Advice | null, when: Condition | null): Ad
       case "number":
         return t("program.mend.number", { number: mend.number });
       case "condition":
-        return t("program.mend.condition", { condition: conditionText(mend.when) });
+        return t("program.mend.condition", { condition: conditionText(t, mend.when) });
       case "move":
         return t(mend.to < mend.line ? "program.mend.moveUp" : "program.mend.moveDown", {
           line: mend.to + 1,

@@ -1,0 +1,9 @@
+/** A condition as the menus show it: "left > right + 1". */
+import { numberOf, type Condition } from "@corridor/program";
+import type { TFunction } from "i18next";
+
+export function conditionText(t: TFunction, condition: Condition): string {
+  const sensor = t(`program.sensor.${condition.sensor}`);
+  const other = condition.than === "right" ? `${t("program.sensor.right")} + ` : "";
+  return `${sensor} ${condition.is} ${other}${numberOf(condition)}`;
+}
