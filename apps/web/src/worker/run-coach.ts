@@ -7,6 +7,7 @@ import {
   mendOfEarlierTurn,
   mendsForBump,
   storyOfBump,
+  type BumpScene,
   type LoopNotice,
   type Mend,
 } from "@corridor/coach";

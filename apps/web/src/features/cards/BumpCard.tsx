@@ -114,7 +114,7 @@ function EarlierTurn(props: {
   bumped: LineRef | null;
 }) {
   const { program, mend, bumped } = props;
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
   if (mend?.kind !== "action" || mend.line === bumped) return null;
   const when = program.rules[mend.line]?.when ?? null;
   if (when === null) return null;
@@ -123,7 +123,7 @@ function EarlierTurn(props: {
       <Badge>{mend.line + 1}</Badge>
       <span>
         {t("program.advice.intoOpening", {
-          condition: conditionText(t, when),
+          condition: conditionText(t, when, i18n.language),
           drivesOn: DELAY_DISTANCE,
         })}
       </span>

@@ -3,7 +3,6 @@ import type { Advice, Mend } from "@corridor/coach";
 import type { Condition } from "@corridor/program";
 import { useTranslation } from "react-i18next";
 import { conditionText } from "./condition-text.ts";
-import { localNumber } from "../../text/numbers.ts";
 
 export interface AdviceText {
   reason: string;
@@ -22,7 +21,7 @@ export function useAdviceText(advice: Advice | null, when: Condition | null): Ad
   }
 
   function reasonText(given: Advice): string {
-    const condition = when === null ? "" : conditionText(t, when);
+    const condition = when === null ? "" : conditionText(t, when, i18n.language);
     switch (given.kind) {
       case "never-decides": {
         const lines = lineList(given.above);
@@ -57,7 +56,9 @@ export function useAdviceText(advice: Advice | null, when: Condition | null): Ad
       case "number":
         return t("program.mend.number", { number: mend.number });
       case "condition":
-        return t("program.mend.condition", { condition: conditionText(t, mend.when) });
+        return t("program.mend.condition", {
+          condition: conditionText(t, mend.when, i18n.language),
+        });
       case "move":
         return t(mend.to < mend.line ? "program.mend.moveUp" : "program.mend.moveDown", {
           line: mend.to + 1,
