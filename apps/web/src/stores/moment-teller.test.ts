@@ -74,12 +74,24 @@ describe("the story of a run", () => {
     expect(moments()).toEqual([first, goal]);
   });
 
+  it("keeps what came before the moment from which the run goes on in another way", () => {
+    const { tell, forgetAfter, pass, moments } = tellerInTime();
+    const [first, later] = [moment("bump"), moment("bump")];
+    tell(first);
+    tell(later);
+    forgetAfter(first.tick);
+    pass(2000);
+    expect(moments()).toEqual([first]);
+    forgetAfter(first.tick - 1);
+    expect(moments()).toEqual([first, null]);
+  });
+
   it("tells nothing of the run before when the robot is back at its start", () => {
-    const { tell, clear, pass, moments } = tellerInTime();
+    const { tell, forgetAfter, pass, moments } = tellerInTime();
     const [first, waiting, afterwards] = [moment("bump"), moment("bump"), moment("bump")];
     tell(first);
     tell(waiting);
-    clear();
+    forgetAfter(-1);
     pass(100);
     tell(afterwards);
     pass(2000);
@@ -93,17 +105,17 @@ describe("the story of a run", () => {
     });
     fc.assert(
       fc.property(fc.array(happening, { minLength: 1 }), (happenings) => {
-        const { tell, clear, pass, shown, timers } = tellerInTime();
+        const { tell, forgetAfter, pass, shown, timers } = tellerInTime();
         let newest: Moment | null = null;
         for (const { what, wait } of happenings) {
           newest = what === "clear" ? null : moment(what);
-          if (newest === null) clear();
+          if (newest === null) forgetAfter(-1);
           else tell(newest);
           expect(timers.length).toBeLessThanOrEqual(1);
           pass(wait);
         }
         pass(500);
-        expect(shown.at(-1)?.moment).toBe(newest);
+        expect(shown.at(-1)?.moment ?? null).toBe(newest);
         for (const [index, { at, moment: told }] of shown.entries()) {
           const before = shown[index - 1];
           if (told?.kind !== "bump" || (before?.moment ?? null) === null) continue;

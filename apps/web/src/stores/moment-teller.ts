@@ -19,18 +19,20 @@ export interface MomentPorts {
 export interface MomentTeller {
   /** tells a goal at once, and a bump when its turn comes unless something newer is told instead */
   tell: (moment: Moment) => void;
-  /** the robot is back at its start: nothing happened yet, and the next moment is told at once */
-  clear: () => void;
+  /** what came after the end of a tick has not happened (-1: nothing has), and the next is told at once */
+  forgetAfter: (tick: number) => void;
 }
 
 /** Makes a teller; the newest moment is always the one that stays. */
 export function createMomentTeller({ show, now, later }: MomentPorts): MomentTeller {
   let waiting: Moment | null = null;
+  let told: Moment | null = null;
   let toldAt = Number.NEGATIVE_INFINITY;
   let isTimed = false;
 
   function tellNow(moment: Moment): void {
     waiting = null;
+    told = moment;
     toldAt = now();
     show(moment);
   }
@@ -60,8 +62,10 @@ export function createMomentTeller({ show, now, later }: MomentPorts): MomentTel
       waiting = moment;
       tellWhenDue();
     },
-    clear: () => {
-      waiting = null;
+    forgetAfter: (tick) => {
+      if (waiting !== null && waiting.tick > tick) waiting = null;
+      if (told === null || told.tick <= tick) return;
+      told = null;
       toldAt = Number.NEGATIVE_INFINITY;
       show(null);
     },

@@ -22,6 +22,11 @@ export class Moments {
     this.#waiting.push({ kind, tick, pose, line, driver, bumps, cause, mends });
   }
 
+  /** What came after the end of `tick` has not happened. */
+  forgetAfter(tick: number): void {
+    this.#waiting = this.#waiting.filter((each) => each.tick <= tick);
+  }
+
   take(): Moment[] {
     const taken = this.#waiting;
     this.#waiting = [];

@@ -220,7 +220,7 @@ export class RunLoop {
   }
 
   /** What there is to draw and to tell since the last call; null when nothing changed. */
-  takeNews(): { frame: Frame; moments: Moment[] } | null {
+  takeNews(): { frame: Frame; moments: Moment[]; forgottenAfter: number | null } | null {
     if (!this.#isDirty) return null;
     this.#isDirty = false;
     const run = this.#shown;
@@ -233,7 +233,9 @@ export class RunLoop {
       revision: this.#revisions + this.#recording.revision,
       ...this.#trail.take(this.#recording, run.tick),
     };
-    return { frame, moments: this.#moments.take() };
+    const forgottenAfter = this.#forgottenAfter;
+    this.#forgottenAfter = null;
+    return { frame, moments: this.#moments.take(), forgottenAfter };
   }
 
   /** That the program's robot gets nowhere; null when there is nothing to say since the last call. */
@@ -329,6 +331,14 @@ export class RunLoop {
     this.#recording.input({ do: "program", program: document });
     // The run has one that is equal, and is compared by identity from here on.
     this.#program = { document: run.program, compiled };
+  }
+
+  /** What happened later is no part of the run: nobody tells it, and what was said of it may be said again. */
+  #forgetAfter(tick: number): void {
+    this.#forgottenAfter = Math.min(this.#forgottenAfter ?? tick, tick);
+    this.#moments.forgetAfter(tick);
+    this.#coach.begin();
+    this.#notice = null;
   }
 
   #start(): void {

@@ -183,8 +183,10 @@ function tellNews(): void {
   const news = loop?.takeNews();
   if (loop === null || news === undefined) return;
   if (news !== null) {
-    painter.add(news.frame);
-    pace.add(news.frame);
+    const { frame, forgottenAfter } = news;
+    if (forgottenAfter !== null) post({ type: "forgotten", after: forgottenAfter });
+    painter.add(frame);
+    pace.add(frame);
   }
   const frame = pace.take();
   if (frame !== null) {

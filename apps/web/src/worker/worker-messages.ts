@@ -183,6 +183,11 @@ export type FromWorker =
   | { type: "picture"; frame: Frame }
   /** the camera follows the robot: scroll the stage there */
   | { type: "stage-scroll-to"; scroll: Scroll }
+  /**
+   * what happened after the end of this tick is no part of the run any more, which goes on from there in
+   * another way; -1: it is another run. Comes before the frames and moments of the new way.
+   */
+  | { type: "forgotten"; after: number }
   | { type: "moment"; moment: Moment }
   /** the program's robot gets nowhere; said once */
   | { type: "notice"; notice: LoopNotice }

@@ -1,0 +1,24 @@
+import { describe, expect, it } from "vitest";
+import { firstProgram } from "../app/first-visit.ts";
+import type { Moment } from "../worker/worker-messages.ts";
+import { createCardStore, explain, forgetAfter } from "./card-store.ts";
+
+function moment(kind: Moment["kind"], tick: number): Moment {
+  const pose = { x: 150, y: 150, heading: 0 };
+  return { kind, tick, pose, line: 0, driver: "program", bumps: 1, cause: null, mends: [] };
+}
+
+describe("what was explained of a run", () => {
+  it.each([
+    { name: "is kept where the run goes on after it", after: 400, left: [316, 400] },
+    { name: "is forgotten from where the run goes on in another way", after: 350, left: [316] },
+    { name: "is forgotten altogether in another run", after: -1, left: [] },
+  ])("$name", ({ after, left }) => {
+    const cards = createCardStore();
+    explain(cards, moment("bump", 316), firstProgram);
+    explain(cards, moment("goal", 400), firstProgram);
+    forgetAfter(cards, after);
+    const { bump, goal } = cards.getState();
+    expect([bump, goal].flatMap((each) => each?.moment.tick ?? [])).toEqual(left);
+  });
+});
