@@ -44,6 +44,8 @@ export class RunLoop {
   /** changes of the inputs of all runs before this one */
   #revisions = 0;
   #notice: LoopNotice | null = null;
+  /** the last tick that stays of what was told before; null while all of it does */
+  #forgottenAfter: number | null = null;
 
   /** @param now monotonic milliseconds */
   constructor(
@@ -305,6 +307,7 @@ export class RunLoop {
     this.#isDirty = true;
     this.#remote.cancel(this.#recording, "movedInTime");
     this.#recording.truncate(past.tick);
+    this.#forgetAfter(past.tick);
     const { run } = this.#recording;
     if (!this.#bringMaze()) {
       this.#beginRun();
@@ -403,9 +406,7 @@ export class RunLoop {
     this.#revisions += this.#recording.revision + 1;
     this.#recording = recording;
     this.#past = null;
-    this.#moments.take();
-    this.#coach.begin();
-    this.#notice = null;
+    this.#forgetAfter(-1);
     this.#trail.begin();
     this.pause();
   }
