@@ -4,6 +4,7 @@ import { defineConfig } from "vite";
 import { VitePWA } from "vite-plugin-pwa";
 import { englishWords } from "./build/english-words.ts";
 import { firstScript } from "./build/first-script.ts";
+import { leanIcons } from "./build/lean-icons.ts";
 import { precompress } from "./build/precompress.ts";
 
 /** Addresses at which the page shows itself; all others belong to the relay. */
@@ -82,6 +83,7 @@ export default defineConfig({
         ],
       },
     }),
+    leanIcons(),
     englishWords(),
     firstScript(),
     precompress(),

@@ -3,7 +3,7 @@ import { LayoutGrid, List, User } from "lucide-react";
 import { useEffect, useLayoutEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { DriveTab } from "../features/drive/DriveTab.tsx";
+import { LazyDriveTab } from "../features/drive/lazy-drive-tab.ts";
 import type { HoldStore } from "../features/drive/hold-store.ts";
 import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
 import { LazyPresetsPanel } from "../features/presets/lazy-presets-panel.ts";
@@ -68,7 +68,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
           {tab === "drive" && (
             <>
               {isMission && <MissionPlace look="slim" />}
-              <DriveTab hold={hold} />
+              <LazyDriveTab hold={hold} />
             </>
           )}
           {tab === "program" && (
