@@ -1,25 +1,59 @@
+import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
 import { createWorkspaceStore, openWork, setMaze, undo } from "../stores/workspace-store.ts";
-import type { FromWorker, ToWorker } from "../worker/worker-messages.ts";
+import { RunLoop } from "../worker/run-loop.ts";
+import { loadRun } from "../worker/testing/load-run.ts";
+import type { ToWorker } from "../worker/worker-messages.ts";
 import { firstMaze, firstProgram } from "./first-visit.ts";
 import { sendEdits } from "./send-edits.ts";
 
+const silent = { started: () => {}, ended: () => {} };
 const maze = { ...firstMaze, name: "Recorded" };
 const program = { ...firstProgram, name: "Recorded" };
+const edited = { ...firstMaze, name: "Edited meanwhile" };
 
+/** A second of a run of other documents. */
+function recorded(): RunDocument {
+  let time = 0;
+  const loop = new RunLoop(maze, program, () => time, silent);
+  loop.run();
+  for (; time < 1000; time += 100) loop.advance();
+  const written = loop.saveRun();
+  if (!written.ok) throw new Error(written.reason);
+  return written.run;
+}
+
+/** A page whose messages reach the real run when the test says so. */
 function newPage() {
   const workspace = createWorkspaceStore(firstMaze, firstProgram);
+  const loop = new RunLoop(firstMaze, firstProgram, () => 0, silent);
+  const waiting: ToWorker[] = [];
   const sent: ToWorker["type"][] = [];
-  let hear: (message: FromWorker) => void = () => undefined;
   sendEdits(workspace, {
-    send: ({ type }) => sent.push(type),
-    listen: (listener) => {
-      hear = listener;
-      return () => undefined;
+    send: (message) => {
+      waiting.push(message);
+      sent.push(message.type);
     },
   });
-  const loadRun = () => hear({ type: "run-loaded", id: 1, loaded: { ok: true, maze, program } });
-  return { workspace, sent, loadRun };
+  const deliver = () => {
+    for (const message of waiting.splice(0)) {
+      if (message.type === "edit-maze") loop.editMaze(message.maze);
+      if (message.type === "edit-program") loop.editProgram(message.program);
+    }
+  };
+  const inputs = () => {
+    const written = loop.saveRun();
+    return written.ok ? written.run.inputs : null;
+  };
+  /** what the worker's run is in now */
+  const known = () => {
+    loop.now();
+    const written = loop.saveRun();
+    if (!written.ok) throw new Error(written.reason);
+    const last = written.run.inputs.findLast((input) => input.do === "maze");
+    return last?.maze.name ?? written.run.maze.name;
+  };
+  return { workspace, loop, sent, deliver, inputs, known };
 }
 
 describe("what is edited", () => {
@@ -31,13 +65,40 @@ describe("what is edited", () => {
     expect(sent).toEqual(["edit-maze", "edit-maze", "edit-program"]);
   });
 
-  it("does not go back to where it came from: a run keeps the inputs that it was opened with", () => {
-    const { workspace, sent, loadRun } = newPage();
-    loadRun();
-    openWork(workspace, structuredClone(maze), program);
-    expect(sent).toEqual([]);
+  it("is no edit of a run that was just opened with it: the run keeps its inputs", () => {
+    const { workspace, loop, deliver, inputs } = newPage();
+    const run = recorded();
+    loadRun(loop, run);
+    openWork(workspace, structuredClone(maze), structuredClone(program));
+    deliver();
+    expect(inputs()).toEqual(run.inputs);
     setMaze(workspace, firstMaze);
     undo(workspace);
-    expect(sent).toEqual(["edit-maze", "edit-maze"]);
+    deliver();
+    expect(inputs()?.filter((input) => input.do === "maze")).toHaveLength(1);
+  });
+
+  it.each([
+    { name: "before the run was there", isEarly: true },
+    { name: "before the page heard of the run", isEarly: false },
+  ])("while a run was opened, $name, leaves page and worker with one maze", ({ isEarly }) => {
+    const { workspace, loop, deliver, known } = newPage();
+    setMaze(workspace, edited);
+    if (isEarly) deliver();
+    const loaded = loadRun(loop, recorded());
+    deliver();
+    if (loaded.ok) openWork(workspace, loaded.maze, loaded.program);
+    deliver();
+    expect(known()).toBe(workspace.getState().maze.name);
+    expect(known()).toBe("Recorded");
+  });
+
+  it("equal to a run's document that was never shown reaches the worker all the same", () => {
+    const { workspace, loop, deliver, known } = newPage();
+    loadRun(loop, recorded());
+    setMaze(workspace, edited);
+    setMaze(workspace, maze);
+    deliver();
+    expect(known()).toBe("Recorded");
   });
 });

@@ -32,6 +32,9 @@ const delayedAtTheWall = programOf([
   { when: { sensor: "front", is: "<", than: 60 }, do: "delayed left 90" },
 ]);
 
+/** Drives alike, and is another program all the same. */
+const other = { ...programOf([]), name: "other" };
+
 describe("a bump of the program", () => {
   it("pauses the run, with an edit that would have kept it off", () => {
     const loop = new RunLoop(corner, delayedAtTheWall, () => time, silent);
@@ -66,7 +69,7 @@ describe("a bump of the program", () => {
   });
 
   it.each([
-    { name: "another program", change: (loop: RunLoop) => loop.editProgram(programOf([])) },
+    { name: "another program", change: (loop: RunLoop) => loop.editProgram(other) },
     { name: "a new run", change: (loop: RunLoop) => loop.reset() },
   ])("is explained again to $name", ({ change }) => {
     const loop = new RunLoop(corner, programOf([]), () => time, silent);
@@ -100,7 +103,7 @@ describe("a robot that gets nowhere", () => {
     expect(loop.takeNotice()).toMatchObject({ kind: "pushing", line: "default" });
     pass(loop, 5);
     expect(loop.takeNotice()).toBeNull();
-    loop.editProgram(programOf([]));
+    loop.editProgram(other);
     pass(loop, 3);
     expect(loop.takeNotice()).toMatchObject({ kind: "pushing" });
   });

@@ -71,8 +71,12 @@ export class RunLoop {
     return this.#recording.run.driver;
   }
 
-  /** The robot stays where it is; one that has no room any more goes to its start, and a new run begins. */
+  /**
+   * The robot stays where it is; one that has no room any more goes to its start, and a new run begins.
+   * A maze that says the same is no edit: the page sends back what a run ended with that it opened.
+   */
   editMaze(maze: MazeDocument): void {
+    if (isSame(maze, this.#maze)) return;
     this.now();
     this.#maze = maze;
     this.#isDirty = true;
@@ -81,9 +85,14 @@ export class RunLoop {
     this.#beginRun();
   }
 
-  /** While the past is shown, the run gets the new program only when it goes on. */
+  /**
+   * While the past is shown, the run gets the new program only when it goes on. A program that says the
+   * same is no edit, nor is one that is taken back until then.
+   */
   editProgram(program: ProgramDocument): void {
-    this.#program = newest(program);
+    if (isSame(program, this.#program.document)) return;
+    const inRun = this.#recording.run.program;
+    this.#program = newest(isSame(program, inRun) ? inRun : program);
     if (this.#past === null) this.#bringProgram();
     this.#isDirty = true;
   }
@@ -410,6 +419,11 @@ export class RunLoop {
     this.#trail.begin();
     this.pause();
   }
+}
+
+/** Parsed documents have their fields in one order. */
+function isSame<Document extends MazeDocument | ProgramDocument>(one: Document, other: Document) {
+  return one === other || JSON.stringify(one) === JSON.stringify(other);
 }
 
 function newest(document: ProgramDocument): NewestProgram {

@@ -426,6 +426,24 @@ describe("a bump", () => {
   });
 });
 
+describe("an edit that is taken back while the past is shown", () => {
+  it.each([
+    { name: "back to now", goOn: ({ loop }: Bench) => loop.now() },
+    { name: "on from there", goOn: ({ loop }: Bench) => loop.run() },
+  ])("changes nothing of the run that goes $name", ({ goOn }) => {
+    const bench = tenSeconds();
+    bench.loop.pause();
+    bench.loop.seek(300);
+    const shown = bench.frame().snapshot.line;
+    bench.loop.editProgram({ ...firstProgram, default: "reverse", rules: [] });
+    bench.loop.editProgram(structuredClone(firstProgram));
+    expect(bench.frame().snapshot.line).toBe(shown);
+    goOn(bench);
+    const saved = bench.loop.saveRun();
+    expect(saved).toMatchObject({ ok: true, run: { program: firstProgram, inputs: [] } });
+  });
+});
+
 describe("a file", () => {
   it("opened later goes on as the run itself would have", () => {
     const bench = tenSeconds();
