@@ -26,7 +26,9 @@ function noticeOf(
   for (let tick = 1; tick <= seconds * 60; tick++) {
     run.step();
     const { cell, isStopped, isManoeuvring } = simulation;
-    const notice = watch.look(cell, isStopped, isManoeuvring, run.line);
+    const { line } = run;
+    const action = line === "default" ? program.default : program.rules[line]?.do;
+    const notice = watch.look(cell, isStopped, isManoeuvring, line, action === "stop");
     if (notice !== null) return { ...notice, tick };
   }
   return null;
@@ -68,9 +70,20 @@ describe("LoopWatch", () => {
     expect(notice).toMatchObject({ kind: "staying", line: "default", cell: 0 });
   });
 
+  it("says nothing of a robot that stands because it was told to stop", () => {
+    expect(noticeOf(mazeOf([".."], "east"), programOf([], "stop"), 60)).toBeNull();
+    const atWalls = programOf(
+      [{ when: { sensor: "front", is: "<", than: 60 }, do: "stop" }],
+      "forward",
+    );
+    expect(noticeOf(mazeOf(["...."], "east"), atWalls, 60)).toBeNull();
+  });
+
   it("is told once", () => {
     const watch = new LoopWatch(mazeOf([".."], "east"));
-    const told = Array.from({ length: 1000 }, () => watch.look(1, true, false, 0)).filter(Boolean);
+    const told = Array.from({ length: 1000 }, () => watch.look(1, true, false, 0, false)).filter(
+      Boolean,
+    );
     expect(told).toHaveLength(1);
   });
 

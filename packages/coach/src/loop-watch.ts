@@ -52,15 +52,22 @@ export class LoopWatch {
    * @param isStopped whether a wall stopped the robot in this tick
    * @param isTurning whether a manoeuvre runs, so that its line is what leads the robot round
    * @param line the line that decides or began the manoeuvre that runs
+   * @param isWaiting whether the line says `stop`: who stands where it was told to has arrived
    * @returns what there is to say, at most once
    */
-  look(cell: number, isStopped: boolean, isTurning: boolean, line: LineRef): LoopNotice | null {
+  look(
+    cell: number,
+    isStopped: boolean,
+    isTurning: boolean,
+    line: LineRef,
+    isWaiting: boolean,
+  ): LoopNotice | null {
     if (this.#hasTold) return null;
     if (isTurning) this.#turner = line;
     this.#pushed = isStopped ? this.#pushed + 1 : 0;
     if (this.#pushed >= PUSHING_TICKS) return this.#tell("pushing", line, cell, 0);
     const before = this.#cell;
-    this.#stayed = cell === before ? this.#stayed + 1 : 0;
+    this.#stayed = cell === before && !isWaiting ? this.#stayed + 1 : 0;
     if (this.#stayed >= STAYING_TICKS) return this.#tell("staying", line, cell, 0);
     if (cell === before) return null;
     this.#cell = cell;

@@ -40,7 +40,8 @@ export class RunCoach {
   look(run: Run, line: LineRef): LoopNotice | null {
     this.#follow(run);
     this.#watch ??= new LoopWatch(run.maze);
-    return this.#watch.look(run.cell, run.isStopped, run.isManoeuvring, line);
+    const isWaiting = run.decision.action === "stop";
+    return this.#watch.look(run.cell, run.isStopped, run.isManoeuvring, line, isWaiting);
   }
 
   /**
