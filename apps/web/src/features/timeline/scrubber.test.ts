@@ -43,6 +43,25 @@ describe("drawing along the timeline", () => {
     expect(sent).toEqual(seeks(10));
   });
 
+  it.each([
+    {
+      name: "the drawing ends",
+      end: ({ scrubber }: ReturnType<typeof newScrubber>) => scrubber.stop(),
+    },
+    {
+      name: "the simulator breaks",
+      end: ({ hear }: ReturnType<typeof newScrubber>) => hear({ type: "fault", reason: "broken" }),
+    },
+  ])("does not wait for a frame that never came once $name", ({ end }) => {
+    const bench = newScrubber();
+    bench.scrubber.show(10);
+    bench.scrubber.show(20);
+    end(bench);
+    bench.scrubber.show(30);
+    expect(bench.sent).toEqual(seeks(10, 30));
+    expect(bench.listeners.size).toBe(1);
+  });
+
   it("forgets its wish when something else is asked for", () => {
     const { scrubber, sent, shown, listeners } = newScrubber();
     scrubber.show(10);

@@ -27,12 +27,16 @@ export class Scrubber {
     this.#simulator.send({ type: "seek", tick });
     this.#endWait = this.#simulator.listen(({ type }) => {
       if (type === "frame") this.#shown();
+      // What broke shows nothing any more: who goes on drawing asks anew.
+      if (type === "fault") this.stop();
     });
   }
 
-  /** Forgets what is wished and not yet asked for. */
+  /** Forgets what is wished and not yet asked for, and waits for nothing any more. */
   stop(): void {
     this.#wish = null;
+    this.#endWait?.();
+    this.#endWait = null;
   }
 
   #shown(): void {
