@@ -174,3 +174,42 @@ describe("steps over a long straight drive", () => {
     expect(recording.decisionBefore(turn ?? 0, playback)).toBe(0);
   });
 });
+
+describe("a run as a file", () => {
+  const open = {
+    format: "corridor/maze" as const,
+    version: 1 as const,
+    name: "Hall",
+    blocks: Array.from({ length: 101 }, () => ".".repeat(101)),
+    start: { column: 0, row: 0, heading: "east" as const },
+    goals: [],
+  };
+  const still = {
+    format: "corridor/program" as const,
+    version: 1 as const,
+    name: "Still",
+    default: "stop" as const,
+    rules: [],
+  };
+
+  it("is written only where it can be read again", () => {
+    const recording = new Recording(open, still);
+    let longest = "";
+    for (let edits = 1; edits <= 900; edits++) {
+      recording.step();
+      const blocks = open.blocks.with(100, `${".".repeat(edits % 101)}#`.padEnd(101, "."));
+      recording.input({ do: "maze", maze: { ...open, blocks } });
+      if (edits % 100 !== 0 && edits < 750) continue;
+      const written = recording.toDocument("Hall");
+      if (!written.ok) {
+        expect(written.reason).toBe("too-long");
+        break;
+      }
+      longest = written.text;
+      expect(JSON.parse(longest)).toEqual(written.run);
+    }
+    expect(longest.length).toBeGreaterThan(8_300_000);
+    expect(readRun(longest).ok).toBe(true);
+    expect(recording.toDocument("Hall")).toEqual({ ok: false, reason: "too-long" });
+  });
+});

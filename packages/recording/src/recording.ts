@@ -13,15 +13,15 @@ import { Keyframes } from "./keyframes.ts";
 import { PlaceLog } from "./place-log.ts";
 import { Playback } from "./playback.ts";
 import type { RunDocument } from "./run-document.ts";
-import type { RunInput } from "./run-input.ts";
-import { MAX_RUN_INPUTS, MAX_RUN_TICKS } from "./run-limits.ts";
+import type { RunInput, TimedInput } from "./run-input.ts";
+import { MAX_RUN_INPUTS, MAX_RUN_TEXT_LENGTH, MAX_RUN_TICKS } from "./run-limits.ts";
 import { Run, type RunState } from "./run.ts";
 import { Timeline, type TurnName } from "./timeline.ts";
 import { TrailPen } from "./trail-pen.ts";
 
-/** A run as a document, or why it cannot be one. */
+/** A run as a document and as the text of its file, or why it cannot be one. */
 export type WrittenRun =
-  | { ok: true; run: RunDocument }
+  | { ok: true; run: RunDocument; text: string }
   | { ok: false; reason: "too-long" | "too-many-inputs" };
 
 /** Edits of one tick: the index of the first, and the run before it. */
@@ -203,18 +203,36 @@ export class Recording {
     const { tick } = this.#run;
     if (tick > MAX_RUN_TICKS) return { ok: false, reason: "too-long" };
     if (this.#inputs.length > MAX_RUN_INPUTS) return { ok: false, reason: "too-many-inputs" };
-    const run: RunDocument = {
+    const head = {
       format: "corridor/run",
       version: 1,
       name,
       ...this.#first,
       seed: 0,
       ticks: tick,
-      inputs: this.#inputs.list(),
-      digest: this.#run.digest(),
-    };
-    return { ok: true, run };
+    } as const;
+    const inputs = this.#inputs.list();
+    const digest = this.#run.digest();
+    const text = textOf(head, inputs, digest);
+    if (text === null) return { ok: false, reason: "too-long" };
+    return { ok: true, run: { ...head, inputs, digest }, text };
   }
+}
+
+/** The JSON of a run, without blanks; null where it is longer than any reader takes. */
+function textOf(head: object, inputs: readonly TimedInput[], digest: string): string | null {
+  const begin = `${JSON.stringify(head).slice(0, -1)},"inputs":[`;
+  const end = `],"digest":"${digest}"}`;
+  let length = begin.length + end.length;
+  const texts: string[] = [];
+  // One after the other: thousands of large mazes are more than a text can hold at all.
+  for (const input of inputs) {
+    const text = JSON.stringify(input);
+    length += text.length + 1;
+    if (length > MAX_RUN_TEXT_LENGTH) return null;
+    texts.push(text);
+  }
+  return begin + texts.join(",") + end;
 }
 
 /** The turn that a command makes; null where it makes none. */

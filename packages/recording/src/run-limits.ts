@@ -4,5 +4,5 @@
 export const MAX_RUN_TICKS = 24 * 60 * 60 * 60;
 export const MAX_RUN_INPUTS = 100_000;
 export const MAX_RUN_NAME_LENGTH = 100;
-/** In UTF-16 code units, indentation included. */
+/** In UTF-16 code units, blanks included. */
 export const MAX_RUN_TEXT_LENGTH = 8 * 1024 * 1024;

@@ -37,7 +37,7 @@ function openPage(tab = new MemoryStorage(), maze = firstMaze) {
     if (message.type === "save-run") {
       const written = loop.saveRun();
       const saved = written.ok
-        ? { ok: true as const, text: JSON.stringify(written.run), ticks: written.run.ticks }
+        ? { ok: true as const, text: written.text, ticks: written.run.ticks }
         : written;
       post({ type: "run-saved", id: message.id, saved });
     }

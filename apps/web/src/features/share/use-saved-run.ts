@@ -14,7 +14,7 @@ export function useSavedRun(isWanted: boolean): WrittenRun | null {
   useEffect(() => {
     if (!isWanted) return;
     const end = saveRun(simulator, (answer) =>
-      setSaved(answer.ok ? { ok: true, run: JSON.parse(answer.text) as RunDocument } : answer),
+      setSaved(answer.ok ? { ...answer, run: JSON.parse(answer.text) as RunDocument } : answer),
     );
     return () => {
       end();
