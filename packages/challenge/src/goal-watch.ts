@@ -1,14 +1,8 @@
-/**
- * Watches for the goal of a challenge while the robot drives, tick by tick in a check or frame by
- * frame in the page.
- */
+/** Watches for the goal of a challenge while the robot drives, tick by tick. */
 import { CELL, countOpenCells, isBlock, sizeOf, type MazeDocument } from "@corridor/maze";
 import type { SensorReadings } from "@corridor/protocol";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
 import type { Goal } from "./challenge-document.ts";
-
-/** A way between two moments is looked at in steps of so many units: none leaps over a cell. */
-const STEP = 10;
 
 /** What a goal may depend on at the end of a tick. */
 export interface GoalMoment {
@@ -23,15 +17,16 @@ export class GoalWatch {
   readonly #goal: Goal;
   readonly #visited: Uint8Array;
   readonly #columns: number;
+  readonly #rows: number;
   readonly open: number;
   #visitedCount = 0;
-  #distance = 0;
 
   /** The robot stands at the maze's start. */
   constructor(goal: Goal, maze: MazeDocument) {
     const { columns, rows } = sizeOf(maze);
     this.#goal = goal;
     this.#columns = columns;
+    this.#rows = rows;
     this.#visited = new Uint8Array(columns * rows);
     this.open = countOpenCells(maze);
     const { column, row } = maze.start;
@@ -43,11 +38,6 @@ export class GoalWatch {
     return this.#visitedCount;
   }
 
-  /** Units driven, as far as they were passed here. */
-  get distance(): number {
-    return this.#distance;
-  }
-
   /** The robot's centre is in this cell, counted as `row * columns + column`. */
   visit(cell: number): void {
     if (this.#visited[cell] !== 0) return;
@@ -55,25 +45,16 @@ export class GoalWatch {
     this.#visitedCount++;
   }
 
-  /** The robot's centre went straight from one place to another, in units. */
-  pass(fromX: number, fromY: number, toX: number, toY: number): void {
-    const dx = toX - fromX;
-    const dy = toY - fromY;
-    const length = Math.sqrt(dx * dx + dy * dy);
-    this.#distance += length;
-    const steps = Math.max(1, Math.ceil(length / STEP));
-    for (let step = 1; step <= steps; step++) {
-      const column = Math.floor((fromX + (dx * step) / steps) / CELL);
-      const row = Math.floor((fromY + (dy * step) / steps) / CELL);
-      this.visit(row * this.#columns + column);
-    }
+  /** The robot's centre is here, in units; outside of the maze nothing is visited. */
+  visitAt(x: number, y: number): void {
+    const column = Math.floor(x / CELL);
+    const row = Math.floor(y / CELL);
+    const isInside = column >= 0 && row >= 0 && column < this.#columns && row < this.#rows;
+    if (isInside) this.visit(row * this.#columns + column);
   }
 
-  /**
-   * Whether the goal is met at the end of this tick.
-   * @param distance units driven so far, where they were not passed here
-   */
-  isMet(moment: GoalMoment, distance: number = this.#distance): boolean {
+  /** Whether the goal is met at the end of this tick. @param distance units driven so far */
+  isMet(moment: GoalMoment, distance: number): boolean {
     const goal = this.#goal;
     switch (goal.kind) {
       case "reach":

@@ -1,5 +1,12 @@
 export { startingProgram } from "./allowed-program.ts";
 export {
+  AttemptJudge,
+  termsOf,
+  type AttemptTerms,
+  type JudgedRobot,
+  type Judgement,
+} from "./attempt-judge.ts";
+export {
   parseChallenge,
   readChallenge,
   type ChallengeDocument,
@@ -21,6 +28,5 @@ export {
   type EditKind,
 } from "./challenge-limits.ts";
 export { checkChallenge, type Attempt } from "./check-challenge.ts";
-export { GoalWatch, type GoalMoment } from "./goal-watch.ts";
 export { rightsOf, type Rights } from "./rights.ts";
 export type { Decision, Failure, FailureCode, MazeOutcome, Verdict } from "./verdict.ts";

@@ -129,6 +129,7 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
         run.setState({ fault: message.reason });
         return;
       case "digest":
+      case "judgement":
       case "picture":
       case "stage-scroll-to":
       case "run-saved":
@@ -164,7 +165,6 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
   const lessons = new LessonsGate({
     simulator,
     workspace,
-    run,
     screen,
     works,
     challenge,

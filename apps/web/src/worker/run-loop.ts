@@ -6,6 +6,7 @@
  * passes and hands messages in. Speed changes how many ticks run, never what happens in one. What
  * happens is the recording's; while an earlier moment is shown, the live run waits.
  */
+import type { Judgement } from "@corridor/challenge";
 import type { LoopNotice } from "@corridor/coach";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { DriverName, LineRef, Snapshot } from "@corridor/protocol";
@@ -17,6 +18,7 @@ import { RemoteDriver, type Delivery, type RemoteDriverEvents } from "../drivers
 import { Moments } from "./moments.ts";
 import { RunClock } from "./run-clock.ts";
 import { RunCoach } from "./run-coach.ts";
+import type { RunJudge } from "./run-judge.ts";
 import { ShownPast } from "./shown-past.ts";
 import { isDecidedAnew, shownLine, type NewestProgram } from "./shown-line.ts";
 import { TrailFeed } from "./trail-feed.ts";
@@ -46,6 +48,8 @@ export class RunLoop {
   #notice: LoopNotice | null = null;
   /** the last tick that stays of what was told before; null while all of it does */
   #forgottenAfter: number | null = null;
+  /** null while no challenge is open */
+  #judge: RunJudge | null = null;
 
   /** @param now monotonic milliseconds */
   constructor(
@@ -256,6 +260,18 @@ export class RunLoop {
     return notice;
   }
 
+  /** Judges the run by a challenge from its first tick on; null: by none. */
+  judgeBy(judge: RunJudge | null): void {
+    this.#judge = judge;
+    judge?.begin(this.#recording);
+  }
+
+  /** How the attempt at the challenge stands; null where that did not change since the last call. */
+  takeJudgement(): Judgement | null {
+    const isResting = this.#past === null && !this.#isRunning;
+    return this.#judge?.take(this.#recording.run, isResting) ?? null;
+  }
+
   /** What the timeline gained or lost since the last call; null when nothing changed. */
   takeTimeline(): TimelineNews | null {
     return this.#recording.timeline.take();
@@ -317,6 +333,7 @@ export class RunLoop {
     this.#remote.cancel(this.#recording, "movedInTime");
     this.#recording.truncate(past.tick);
     this.#forgetAfter(past.tick);
+    this.#judge?.cut(this.#recording);
     const { run } = this.#recording;
     if (!this.#bringMaze()) {
       this.#beginRun();
@@ -381,7 +398,9 @@ export class RunLoop {
     const { bumps, goalTick, driver } = run;
     if (driver === "remote") this.#remote.begin(recording);
     const { line } = run;
+    this.#judge?.before(run);
     recording.step();
+    this.#judge?.after(run);
     if (driver === "remote") this.#remote.finish(recording);
     if (driver === "program" && line !== null) this.#notice ??= this.#coach.look(run, line);
     if (run.bumps > bumps) this.#bumped(line, driver);
@@ -416,6 +435,7 @@ export class RunLoop {
     this.#recording = recording;
     this.#past = null;
     this.#forgetAfter(-1);
+    this.#judge?.begin(recording);
     this.#trail.begin();
     this.pause();
   }

@@ -3,6 +3,7 @@
  * they keep going while the page is hidden. A thin shell; the logic is in `run-loop.ts` and
  * `remote-host.ts`.
  */
+import type { AttemptTerms } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 import { CompiledProgram } from "@corridor/program";
 import { replayDigest } from "@corridor/simulation";
@@ -31,6 +32,8 @@ let releaseLock: (() => void) | null = null;
 let sentToRelayAt = Number.NEGATIVE_INFINITY;
 let hasUnsentNews = false;
 let shownMaze: MazeDocument | null = null;
+/** of the newest challenge that the page asked to judge by */
+let judgeId = 0;
 
 const remote = new RemoteHost({
   origin: worker.location.origin,
@@ -144,6 +147,8 @@ function handle(message: ToWorker): void {
     case "reset":
       loader.cancel();
       return loop.reset();
+    case "judge":
+      return judge(message.id, message.terms);
     case "speed":
       return loop.setSpeed(message.speed);
     case "driver":
@@ -179,6 +184,25 @@ function handle(message: ToWorker): void {
   }
 }
 
+function saveRun(run: RunLoop, id: number): void {
+  const written = run.saveRun();
+  const saved: SavedRun = written.ok
+    ? { ok: true, text: written.text, ticks: written.run.ticks }
+    : written;
+  post({ type: "run-saved", id, saved });
+}
+
+/** The ticks that run until the judge is there are judged when it is. */
+function judge(id: number, terms: AttemptTerms | null): void {
+  judgeId = id;
+  loop?.judgeBy(null);
+  if (terms === null) return;
+  void import("./run-judge.ts").then(
+    ({ RunJudge }) => guarded(() => id === judgeId && loop?.judgeBy(new RunJudge(terms))),
+    (error: unknown) => post({ type: "fault", reason: describeFault(error) }),
+  );
+}
+
 function tellNews(): void {
   const news = loop?.takeNews();
   if (loop === null || news === undefined) return;
@@ -203,6 +227,8 @@ function tellNews(): void {
     const notice = loop.takeNotice();
     if (notice !== null) post({ type: "notice", notice });
   }
+  const judgement = loop.takeJudgement();
+  if (judgement !== null) post({ type: "judgement", id: judgeId, judgement });
   hasUnsentNews ||= news !== null;
   const wait = hasUnsentNews ? RELAY_INTERVAL_MS : RELAY_HEARTBEAT_MS;
   if (remote.isOpen && now() - sentToRelayAt >= wait) {

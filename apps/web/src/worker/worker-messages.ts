@@ -2,6 +2,7 @@
  * Everything that crosses between the page's main thread and the simulator worker, and nothing else.
  * Documents were parsed and checked before they are sent; both ends are our own code.
  */
+import type { AttemptTerms, Judgement } from "@corridor/challenge";
 import type { LoopNotice, Mend } from "@corridor/coach";
 import type { RegistrationError } from "@corridor/client/host";
 import type {
@@ -78,7 +79,9 @@ export type ToWorker =
   /** gives up opening a run, which is then answered as cancelled */
   | { type: "cancel-load"; id: number }
   /** asks for the run so far, answered by `run-saved`; one longer than a document may be is not written */
-  | { type: "save-run" }
+  | { type: "save-run"; id: number }
+  /** judges the run by a challenge, answered by `judgement` with the same id; null: by none */
+  | { type: "judge"; id: number; terms: AttemptTerms | null }
   | { type: "speed"; speed: Speed }
   | { type: "driver"; driver: DriverName }
   | { type: "hold"; key: DriveKey }
@@ -191,6 +194,8 @@ export type FromWorker =
   | { type: "moment"; moment: Moment }
   /** the program's robot gets nowhere; said once */
   | { type: "notice"; notice: LoopNotice }
+  /** how the attempt stands by the newest `judge`, each time that this changes; open to begin with */
+  | { type: "judgement"; id: number; judgement: Judgement }
   | { type: "timeline"; news: TimelineNews }
   /** the maze of the shown moment where it is not the newest one; null when it is */
   | { type: "shown-maze"; maze: MazeDocument | null }

@@ -2,16 +2,14 @@
 import type { i18n } from "i18next";
 import type { WorksService } from "../../app/works-service.ts";
 import type { ChallengeStore } from "../../stores/challenge-store.ts";
-import type { RunStore } from "../../stores/run-store.ts";
 import type { ScreenStore } from "../../stores/screen-store.ts";
 import type { WorkspaceStore } from "../../stores/workspace-store.ts";
 import type { SimulatorClient } from "../../worker/simulator-client.ts";
 import type { LessonsStorage } from "./lessons-storage.ts";
 
 export interface LessonsPorts {
-  simulator: Pick<SimulatorClient, "send">;
+  simulator: Pick<SimulatorClient, "send" | "listen">;
   workspace: WorkspaceStore;
-  run: RunStore;
   screen: ScreenStore;
   works: Pick<WorksService, "begin" | "beginNew" | "open" | "list" | "currentId">;
   challenge: ChallengeStore;

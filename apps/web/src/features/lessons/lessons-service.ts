@@ -5,7 +5,9 @@
 import {
   rightsOf,
   startingProgram,
+  termsOf,
   type ChallengeDocument,
+  type Judgement,
   type Verdict,
 } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
@@ -15,7 +17,6 @@ import { firstWork } from "../../app/first-visit.ts";
 import { noChallenge } from "../../stores/challenge-store.ts";
 import { dismiss, tell } from "../../stores/screen-store.ts";
 import { newLineIds, setMaze, setProgram, undo } from "../../stores/workspace-store.ts";
-import { AttemptJudge, type Judgement } from "./attempt-judge.ts";
 import { readChallengeText, writeChallengeText } from "./challenge-text.ts";
 import { startChecker, type ChallengeChecker } from "./challenge-checker.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
@@ -30,7 +31,8 @@ export class LessonsService {
   readonly #checker: ChallengeChecker;
   /** what is done, for the path; changes with every mission */
   readonly progress = createStore<Pick<LessonsRecord, "done">>(() => ({ done: {} }));
-  #judge: AttemptJudge | null = null;
+  /** rises with each challenge and maze that the run is judged by: what is said of another is not heard */
+  #judgeId = 0;
   /** id of the work that the open challenge is tried in */
   #work: string | null = null;
   #judged: Judgement = { kind: "open" };
@@ -41,7 +43,15 @@ export class LessonsService {
     this.#ports = ports;
     this.#checker = checker;
     this.showProgress();
-    ports.run.subscribe(() => this.#look());
+    ports.simulator.listen((message) => {
+      if (message.type !== "judgement" || message.id !== this.#judgeId) return;
+      this.#judged = message.judgement;
+      this.#hear(message.judgement);
+    });
+    ports.challenge.subscribe((next, before) => {
+      if (next.challenge !== null || before.challenge === null) return;
+      ports.simulator.send({ type: "judge", id: ++this.#judgeId, terms: null });
+    });
     ports.workspace.subscribe((next, before) => {
       if (ports.challenge.getState().challenge === null) return;
       if (next.maze !== before.maze) this.#followMaze(next.maze);
@@ -255,24 +265,20 @@ export class LessonsService {
     const work = works.currentId();
     this.#tellUnlessKept(storage.dropWork(work));
     storage.dropChallenge(work);
-    this.#judge = null;
     challenge.setState(noChallenge);
   }
 
   #begin(challenge: ChallengeDocument, maze: number): void {
-    this.#judge = new AttemptJudge(challenge, maze);
     this.#judged = { kind: "open" };
+    const terms = termsOf(challenge, maze);
+    this.#ports.simulator.send({ type: "judge", id: ++this.#judgeId, terms });
   }
 
-  /** A snapshot came. */
-  #look(): void {
-    const { run, challenge: store } = this.#ports;
-    const { snapshot, view } = run.getState();
+  /** The attempt on the screen stands another way. */
+  #hear(judged: Judgement): void {
+    const { challenge: store } = this.#ports;
     const { challenge } = store.getState();
-    if (snapshot === null || view !== "now" || challenge === null || this.#judge === null) return;
-    const judged = this.#judge.see(snapshot);
-    if (judged === this.#judged) return;
-    this.#judged = judged;
+    if (challenge === null) return;
     if (judged.kind === "open") store.setState({ result: { state: "open" } });
     else if (judged.kind === "failed") {
       store.setState({ result: { state: "failed", code: judged.code, tick: judged.tick } });

@@ -1,0 +1,278 @@
+import {
+  checkChallenge,
+  termsOf,
+  type Attempt,
+  type ChallengeDocument,
+  type Judgement,
+  type MazeOutcome,
+} from "@corridor/challenge";
+import type { ProgramDocument } from "@corridor/program";
+import { Recording } from "@corridor/recording";
+import { describe, expect, it } from "vitest";
+import { challengeOf } from "../features/lessons/missions/mission.ts";
+import { missions } from "../features/lessons/missions/missions.ts";
+import { answers } from "../features/lessons/missions/testing/answers.ts";
+import { RunJudge } from "./run-judge.ts";
+import { RunLoop } from "./run-loop.ts";
+import type { Speed } from "./worker-messages.ts";
+
+type Outcome = Exclude<Judgement, { kind: "open" }>;
+
+function challengeOfMission(id: string): ChallengeDocument {
+  const mission = missions.find((each) => each.id === id);
+  if (mission === undefined) throw new Error(`no mission ${id}`);
+  return challengeOf(mission, id, { task: "", short: "", hints: [] });
+}
+
+const nothing: ProgramDocument = {
+  format: "corridor/program",
+  version: 1,
+  name: "",
+  default: "forward",
+  rules: [],
+};
+
+/** What the judge says in the end of an attempt at one maze; null where it is open to the end. */
+function judged(challenge: ChallengeDocument, maze: number, attempt: Attempt): Outcome | null {
+  const document = challenge.mazes[maze];
+  if (document === undefined) throw new Error("no such maze");
+  const isHand = !("rules" in attempt);
+  const recording = new Recording(document, isHand ? nothing : attempt);
+  const judge = new RunJudge(termsOf(challenge, maze));
+  judge.begin(recording);
+  const { run } = recording;
+  if (isHand) recording.input({ do: "driver", driver: "me" });
+  const commands = isHand ? [...attempt] : [];
+  let outcome: Outcome | null = null;
+  while (run.tick <= challenge.checks.seconds * 60 && outcome === null) {
+    while (commands[0]?.tick === run.tick) {
+      const [next] = commands.splice(0, 1);
+      if (next !== undefined) recording.input({ do: "command", command: next.command });
+    }
+    judge.before(run);
+    recording.step();
+    judge.after(run);
+    const judgement = judge.take(run, false);
+    if (judgement !== null && judgement.kind !== "open") outcome = judgement;
+  }
+  return outcome;
+}
+
+/** What the judge has to say where a check of the same maze says this, but for who drove. */
+function expectedOf({ failure, ticks, bumps }: MazeOutcome): object {
+  if (failure === null) return { kind: "met", tick: ticks, bumps };
+  const isBump = failure.code === "bump";
+  return { kind: "failed", code: isBump ? "bump" : "late", tick: isBump ? ticks : ticks + 1 };
+}
+
+/** Of a robot that stands still the first tick of standing may be another by one. */
+function withinATick(judgement: Outcome | null, tick: number): object | null {
+  if (judgement?.kind !== "met") return judgement;
+  const { driver: _, ...met } = judgement;
+  return Math.abs(met.tick - tick) <= 1 ? { ...met, tick } : met;
+}
+
+/** A loop on the screen with a judge; real time passes in steps as large as frames are apart. */
+class Bench {
+  time = 0;
+  readonly loop: RunLoop;
+  judgement: Judgement = { kind: "open" };
+
+  constructor(
+    challenge: ChallengeDocument,
+    program: ProgramDocument = challenge.program ?? nothing,
+    maze = 0,
+  ) {
+    const document = challenge.mazes[maze];
+    if (document === undefined) throw new Error("no such maze");
+    const ignore = () => undefined;
+    this.loop = new RunLoop(document, program, () => (this.time += 0.5), {
+      started: ignore,
+      ended: ignore,
+    });
+    this.loop.judgeBy(new RunJudge(termsOf(challenge, maze)));
+  }
+
+  pass(milliseconds: number, each = 100): Judgement {
+    for (const end = this.time + milliseconds; this.time < end;) {
+      this.time += each;
+      this.loop.advance();
+      this.look();
+    }
+    return this.judgement;
+  }
+
+  /** Presses Run until the robot's attempt is decided: a card of a bump waits for that. */
+  runThrough(speed: Speed): Judgement {
+    this.loop.setSpeed(speed);
+    for (let n = 0; n < 2000 && this.judgement.kind === "open"; n++) {
+      if (!this.loop.isRunning) this.loop.run();
+      this.pass(100);
+    }
+    return this.judgement;
+  }
+
+  look(): Judgement {
+    this.judgement = this.loop.takeJudgement() ?? this.judgement;
+    return this.judgement;
+  }
+}
+
+describe("the judge of the run", () => {
+  const attempts = missions.flatMap(({ id }) => {
+    const challenge = challengeOfMission(id);
+    const { solution, wrong } = answers[id];
+    return challenge.mazes.flatMap((_, maze) => [
+      { id, challenge, maze, what: "solution", attempt: solution },
+      { id, challenge, maze, what: "typical wrong answer", attempt: wrong.attempt },
+    ]);
+  });
+
+  it.each(attempts)(
+    "says what the check says: $id, maze $maze, $what",
+    ({ challenge, maze, attempt }) => {
+      const verdict = checkChallenge(challenge, attempt);
+      const outcome = verdict.mazes[maze];
+      // A program that is not allowed does not run in a check.
+      if (outcome === undefined) return;
+      expect(withinATick(judged(challenge, maze, attempt), outcome.ticks)).toEqual(
+        expectedOf(outcome),
+      );
+    },
+  );
+
+  const lap: ChallengeDocument = {
+    ...challengeOfMission("right-wall"),
+    checks: { bumps: null, seconds: 600 },
+  };
+
+  it.each<Speed>([1, 16, "max"])("meets the goal at the same tick at speed %s", (speed) => {
+    const { solution } = answers["right-wall"];
+    const [outcome] = checkChallenge(lap, solution).mazes;
+    const bench = new Bench(lap, solution as ProgramDocument);
+    expect(bench.runThrough(speed)).toMatchObject({ kind: "met", tick: outcome?.ticks });
+  });
+
+  it.each<Speed>([1, 16, "max"])("is not late at speed %s where the check is not", (speed) => {
+    const { solution } = answers["right-wall"];
+    const [outcome] = checkChallenge(lap, solution).mazes;
+    // As many whole seconds as the lap takes, and not one more.
+    const seconds = Math.ceil((outcome?.ticks ?? 0) / 60);
+    const tight = { ...lap, checks: { bumps: null, seconds } };
+    const bench = new Bench(tight, solution as ProgramDocument);
+    expect(bench.runThrough(speed)).toMatchObject({ kind: "met" });
+  });
+
+  it.each<Speed>([1, 16, "max"])(
+    "counts visited squares at speed %s as the check does",
+    (speed) => {
+      const visit: ChallengeDocument = {
+        ...lap,
+        goal: { kind: "visit" },
+        checks: { bumps: null, seconds: 60 },
+      };
+      const { solution } = answers["right-wall"];
+      const [outcome] = checkChallenge(visit, solution).mazes;
+      const bench = new Bench(visit, solution as ProgramDocument);
+      const found = bench.runThrough(speed);
+      const expected = outcome?.failure === null ? "met" : "failed";
+      expect(found).toMatchObject({
+        kind: expected,
+        tick: (outcome?.ticks ?? 0) + (expected === "met" ? 0 : 1),
+      });
+    },
+  );
+
+  it("goes on from an earlier moment as if the later ones had never been", () => {
+    const { solution } = answers["right-wall"];
+    const [outcome] = checkChallenge(lap, solution).mazes;
+    const bench = new Bench(lap, solution as ProgramDocument);
+    expect(bench.runThrough("max").kind).toBe("met");
+    bench.loop.seek(200);
+    // The shown past is no attempt: what was met stays so until it is forgotten.
+    expect(bench.look().kind).toBe("met");
+    bench.loop.run();
+    expect(bench.look()).toEqual({ kind: "open" });
+    expect(bench.runThrough(1)).toMatchObject({ kind: "met", tick: outcome?.ticks });
+  });
+
+  it("still knows after a cut who drove before it", () => {
+    const bench = new Bench(
+      challengeOfMission("right-wall"),
+      answers["right-wall"].solution as ProgramDocument,
+    );
+    bench.loop.hold("forward");
+    bench.pass(500);
+    bench.loop.hold("stop");
+    const { tick } = bench.loop.snapshot();
+    bench.loop.run();
+    bench.pass(500);
+    bench.loop.seek(tick + 5);
+    expect(bench.runThrough("max")).toMatchObject({ kind: "failed", code: "driver" });
+  });
+
+  it("judges what there is of a run when the challenge opens in the middle of it", () => {
+    const { solution } = answers["right-wall"];
+    const [outcome] = checkChallenge(lap, solution).mazes;
+    const bench = new Bench(lap, solution as ProgramDocument);
+    bench.loop.judgeBy(null);
+    bench.loop.run();
+    bench.pass(3000);
+    bench.loop.judgeBy(new RunJudge(termsOf(lap, 0)));
+    expect(bench.runThrough("max")).toMatchObject({ kind: "met", tick: outcome?.ticks });
+  });
+
+  it("takes a stop only when the robot stays where the sensor says", () => {
+    const bench = new Bench(challengeOfMission("how-far"));
+    bench.loop.hold("forward");
+    while (bench.loop.snapshot().sensors.front > 160) bench.pass(16, 16);
+    expect(bench.look()).toEqual({ kind: "open" });
+    bench.loop.hold("stop");
+    const { tick } = bench.loop.snapshot();
+    const met = { kind: "met", driver: "me", tick, bumps: 0 };
+    expect(bench.look()).toEqual(met);
+    // What comes after takes nothing back, nor does a cut after it; a cut before it and a new start do.
+    bench.loop.hold("forward");
+    bench.pass(3000);
+    bench.loop.seek(tick + 30);
+    bench.loop.hold("reverse");
+    expect(bench.look()).toEqual(met);
+    bench.loop.seek(tick - 30);
+    bench.loop.hold("reverse");
+    expect(bench.look()).toEqual({ kind: "open" });
+    bench.loop.reset();
+    expect(bench.look()).toEqual({ kind: "open" });
+  });
+
+  it("fails at the first bump too many and stays so until the robot starts again", () => {
+    const program = answers["no-room"].wrong.attempt as ProgramDocument;
+    const bench = new Bench(challengeOfMission("no-room"), program);
+    const failed = bench.runThrough(1);
+    expect(failed).toMatchObject({ kind: "failed", code: "bump" });
+    bench.loop.run();
+    bench.pass(10_000);
+    expect(bench.judgement).toEqual(failed);
+    bench.loop.reset();
+    expect(bench.look()).toEqual({ kind: "open" });
+  });
+
+  it("does not count a goal that somebody else drove to", () => {
+    const challenge = challengeOfMission("one-line");
+    const bench = new Bench(challenge, answers["one-line"].solution as ProgramDocument);
+    bench.loop.hold("forward");
+    bench.pass(200);
+    bench.loop.hold("stop");
+    expect(bench.runThrough(1)).toMatchObject({ kind: "failed", code: "driver" });
+  });
+
+  it("says when the time is over", () => {
+    const challenge = challengeOfMission("one-line");
+    const { seconds } = challenge.checks;
+    const bench = new Bench({ ...challenge, checks: { bumps: null, seconds } });
+    expect(bench.runThrough("max")).toEqual({
+      kind: "failed",
+      code: "late",
+      tick: seconds * 60 + 1,
+    });
+  });
+});
