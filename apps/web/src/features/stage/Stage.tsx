@@ -4,12 +4,15 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { MomentCards } from "../cards/MomentCards.tsx";
-import { CameraView } from "./CameraView.tsx";
+import { lazyPart } from "../../ui/lazy-part.tsx";
 import { MazeGrid } from "./MazeGrid.tsx";
 import { StageController } from "./stage-controller.ts";
 import { StageLegend } from "./StageLegend.tsx";
 import { ToolStrip } from "./ToolStrip.tsx";
 import styles from "./stage.module.css";
+
+/** A phone's, while its Drive tab is open. */
+const CameraView = lazyPart(async () => (await import("./CameraView.tsx")).CameraView);
 
 /** Fills its grid area. It keeps the trail, so it stays mounted while the page's layout changes. */
 export function Stage() {
