@@ -8,7 +8,8 @@
   if (simulator) {
     const worker = new Worker(simulator, { type: "module" });
     window.corridorSimulator = { worker, failure: null };
-    worker.onerror = ({ message }) => (window.corridorSimulator.failure = message);
+    // A file that does not come has no message.
+    worker.onerror = ({ message = "" }) => (window.corridorSimulator.failure = message);
   }
   let theme = null;
   let contrast = null;
