@@ -26,9 +26,11 @@ interface MazeGridProps {
 
 export function MazeGrid({ controller, element }: MazeGridProps) {
   "use memo";
-  const { workspace, screen, speech } = useServices();
+  const { workspace, screen, speech, run } = useServices();
   const { t, i18n } = useTranslation();
-  const maze = useStore(workspace, (state) => state.maze);
+  const newestMaze = useStore(workspace, (state) => state.maze);
+  // The robot of an earlier moment stands in the maze of then.
+  const maze = useStore(run, (state) => state.shownMaze) ?? newestMaze;
   const layout = useStore(controller.view, (view) => view.layout);
   const chosen = useStore(controller.view, (view) => view.cursor);
   const robot = useRobotSquare();

@@ -2,7 +2,7 @@
  * Everything of the stage that is not React: connects the stores, the pointer and the renderer.
  * Components hand their elements over in `mount` and read the view store.
  */
-import { MAX_GOALS, MAX_SIDE, sizeOf, type Cell } from "@corridor/maze";
+import { MAX_GOALS, MAX_SIDE, sizeOf, type Cell, type MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
@@ -129,7 +129,7 @@ export class StageController {
         this.#divide();
       }),
       run.subscribe(({ shownMaze, snapshot }, before) => {
-        if (shownMaze !== before.shownMaze) this.#show();
+        if (shownMaze !== before.shownMaze) this.#divide();
         if (snapshot?.pose !== before.snapshot?.pose) this.#panGrid();
       }),
       this.view.subscribe(() => this.#show()),
@@ -236,7 +236,7 @@ export class StageController {
     const { scroller } = this.#elements;
     const view = { width: scroller.clientWidth, height: scroller.clientHeight };
     if (view.width === 0 || view.height === 0) return;
-    const size = sizeOf(this.#services.workspace.getState().maze);
+    const size = sizeOf(this.#shownMaze());
     const { showRulers } = this.#services.screen.getState();
     const { isDriving, isWhole } = this.#services.camera.getState();
     const layout =
@@ -249,6 +249,12 @@ export class StageController {
     this.#pointer.setTouchScroll(layout.overflows);
     this.view.setState({ layout });
     this.#panGrid();
+  }
+
+  /** The maze of the shown moment, which had another one where it was resized since. */
+  #shownMaze(): MazeDocument {
+    const { run, workspace } = this.#services;
+    return run.getState().shownMaze ?? workspace.getState().maze;
   }
 
   /** The squares for screen readers lie where the camera shows them. */
@@ -266,14 +272,13 @@ export class StageController {
   #show(): void {
     const { layout, hover, tape } = this.view.getState();
     if (layout === null || this.#palette === null) return;
-    const { maze, program } = this.#services.workspace.getState();
+    const { program } = this.#services.workspace.getState();
     const { showBeams, showTrail, showRulers } = this.#services.screen.getState();
-    const { shownMaze } = this.#services.run.getState();
     this.#drawing?.show({
       layout,
       pixelRatio: this.#pixelRatio,
       palette: this.#palette,
-      maze: shownMaze ?? maze,
+      maze: this.#shownMaze(),
       program,
       startWord: this.#words.t("stage.startWord"),
       goalWord: this.#words.t("stage.goalWord"),
