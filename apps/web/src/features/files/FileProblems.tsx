@@ -1,7 +1,9 @@
 /** Says why files were not opened: in each, where, what stands there, and what would be right. */
+import type { FieldProblem } from "@corridor/protocol";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
+import { withKeys } from "./with-keys.ts";
 import { useFileActions } from "./file-actions.ts";
 import type { FileReport } from "./open-files.ts";
 import styles from "./files.module.css";
@@ -25,12 +27,12 @@ export function FileProblems({ isOpen, reports, onClose }: FileProblemsProps) {
       footer={t("files.problems.mend")}
     >
       <div className={styles["reports"]}>
-        {reports.map(({ file, problems }) => (
-          <section key={file} className={styles["report"]} aria-label={file}>
+        {withKeys(reports, ({ file }) => file).map(({ key, value: { file, problems } }) => (
+          <section key={key} className={styles["report"]} aria-label={file}>
             <h3 className={styles["file"]}>{file}</h3>
             <ul className={styles["problems"]}>
-              {problems.map(({ path, found, expected }) => (
-                <li key={`${path} ${found} ${expected}`} className={styles["problem"]}>
+              {withKeys(problems, lineOf).map(({ key: line, value: { path, found, expected } }) => (
+                <li key={line} className={styles["problem"]}>
                   <span className={styles["where"]}>
                     {path === "" ? t("files.problems.whole") : path}
                   </span>
@@ -53,4 +55,8 @@ export function FileProblems({ isOpen, reports, onClose }: FileProblemsProps) {
       </div>
     </Dialog>
   );
+}
+
+function lineOf({ path, found, expected }: FieldProblem): string {
+  return `${path} ${found} ${expected}`;
 }

@@ -2,6 +2,9 @@
 import { writeTextMaze, type MazeDocument } from "@corridor/maze";
 import { fileName } from "./file-name.ts";
 
+/** Some browsers read the data only after they asked the reader where to put it. */
+const READ_WITHIN_MS = 60_000;
+
 /** @param name with its ending */
 export function saveFile(content: Blob, name: string): void {
   const url = URL.createObjectURL(content);
@@ -9,8 +12,7 @@ export function saveFile(content: Blob, name: string): void {
   link.href = url;
   link.download = name;
   link.click();
-  // The download has the data by the time the next task runs.
-  setTimeout(() => URL.revokeObjectURL(url), 0);
+  setTimeout(() => URL.revokeObjectURL(url), READ_WITHIN_MS);
 }
 
 /**
