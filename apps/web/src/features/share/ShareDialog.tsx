@@ -2,7 +2,7 @@
 import { encodeLink, MAX_LINK_LENGTH } from "@corridor/link";
 import { sizeOf } from "@corridor/maze";
 import { Info } from "lucide-react";
-import { useState } from "react";
+import { useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
@@ -52,9 +52,13 @@ function ShareForm() {
   const saved = useSavedRun(withRun);
   const run = saved?.ok === true ? saved.run : null;
   // A challenge brings its mazes along.
-  const task = challenge !== null && withChallenge ? { challenge } : { maze };
-  const content = run !== null ? { run } : withProgram ? { ...task, program } : task;
-  const result = encodeLink(content);
+  const task = withChallenge ? challenge : null;
+  // A long run takes seconds to encode: once is enough.
+  const result = useMemo(() => {
+    if (run !== null) return encodeLink({ run });
+    const content = task === null ? { maze } : { challenge: task };
+    return encodeLink(withProgram ? { ...content, program } : content);
+  }, [run, task, maze, withProgram, program]);
   const isTooLong = withRun && (run === null ? saved !== null : !result.ok);
   const { origin, pathname, search } = location;
   const link = result.ok ? `${origin}${pathname}${sharedSearch(search)}#${result.text}` : null;
