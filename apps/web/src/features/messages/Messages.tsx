@@ -41,10 +41,11 @@ export function Messages() {
 
 function MessageCard({ message }: { message: Message }) {
   const { t } = useTranslation();
-  const { screen } = useServices();
+  const { screen, speech } = useServices();
   const [isHeld, setIsHeld] = useState(false);
   const { id, tone, text, part, action, stays = tone === "bad" } = message;
   useSay(tone === "bad" ? null : [text, action?.label ?? ""].join(" ").trim(), `message ${id}`);
+  useEffect(() => () => speech.tellState(`message ${id}`, null), [speech, id]);
 
   useEffect(() => {
     if (stays || isHeld) return;
