@@ -8,32 +8,28 @@
  */
 import type { Judgement } from "@corridor/challenge";
 import type { LoopNotice } from "@corridor/coach";
-import { CompiledProgram, type ProgramDocument } from "@corridor/program";
-import type { DriverName, LineRef, Snapshot } from "@corridor/protocol";
+import type { ProgramDocument } from "@corridor/program";
+import type { DriverName, Snapshot } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
-import { Recording, type Run, type TimelineNews, type WrittenRun } from "@corridor/recording";
+import type { Recording, Run, TimelineNews, WrittenRun } from "@corridor/recording";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
 import { commandOfKey } from "../drivers/hand-driver.ts";
 import { RemoteDriver, type Delivery, type RemoteDriverEvents } from "../drivers/remote-driver.ts";
-import { Moments } from "./moments.ts";
+import { LiveRun } from "./live-run.ts";
 import { RunClock } from "./run-clock.ts";
-import { RunCoach } from "./run-coach.ts";
 import type { RunJudge } from "./run-judge.ts";
+import { RunWatch } from "./run-watch.ts";
 import { ShownPast } from "./shown-past.ts";
-import { isDecidedAnew, shownLine, type NewestProgram } from "./shown-line.ts";
+import { isDecidedAnew, shownLine } from "./shown-line.ts";
 import { TrailFeed } from "./trail-feed.ts";
 import type { DriveKey, Frame, Moment, RunView, Speed } from "./worker-messages.ts";
 
 export class RunLoop {
   readonly #clock: RunClock;
   readonly #trail = new TrailFeed();
-  readonly #moments = new Moments();
-  readonly #coach = new RunCoach();
+  readonly #watch = new RunWatch();
   readonly #remote: RemoteDriver;
-  /** the newest documents; the run has them too, except while the past is shown */
-  #maze: MazeDocument;
-  #program: NewestProgram;
-  #recording: Recording;
+  readonly #live: LiveRun;
   /** null while the newest moment is shown */
   #past: ShownPast | null = null;
   /** a script's robot goes on as soon as the newest moment is shown again */
@@ -43,13 +39,6 @@ export class RunLoop {
   #isStepping = false;
   #seq = 0;
   #isDirty = true;
-  /** changes of the inputs of all runs before this one */
-  #revisions = 0;
-  #notice: LoopNotice | null = null;
-  /** the last tick that stays of what was told before; null while all of it does */
-  #forgottenAfter: number | null = null;
-  /** null while no challenge is open */
-  #judge: RunJudge | null = null;
 
   /** @param now monotonic milliseconds */
   constructor(
@@ -60,9 +49,7 @@ export class RunLoop {
   ) {
     this.#clock = new RunClock(now);
     this.#remote = new RemoteDriver(remoteEvents);
-    this.#maze = maze;
-    this.#program = newest(program);
-    this.#recording = new Recording(maze, program);
+    this.#live = new LiveRun(maze, program);
   }
 
   /** Whether simulated time flows, live or played again. */
@@ -72,32 +59,23 @@ export class RunLoop {
 
   /** Who drives the newest moment. */
   get driver(): DriverName {
-    return this.#recording.run.driver;
+    return this.#live.driver;
   }
 
-  /**
-   * The robot stays where it is; one that has no room any more goes to its start, and a new run begins.
-   * A maze that says the same is no edit: the page sends back what a run ended with that it opened.
-   */
+  /** The robot stays where it is; one that has no room any more goes to its start, and a new run begins. */
   editMaze(maze: MazeDocument): void {
-    if (isSame(maze, this.#maze)) return;
+    if (!this.#live.editMaze(maze)) return;
     this.now();
-    this.#maze = maze;
     this.#isDirty = true;
-    if (this.#recording.run.tick > 0 && this.#bringMaze()) return;
+    if (this.#live.run.tick > 0 && this.#live.bringMaze()) return;
     this.#remote.cancel(this.#recording, "mazeChanged");
     this.#beginRun();
   }
 
-  /**
-   * While the past is shown, the run gets the new program only when it goes on. A program that says the
-   * same is no edit, nor is one that is taken back until then.
-   */
+  /** While the past is shown, the run gets the new program only when it goes on. */
   editProgram(program: ProgramDocument): void {
-    if (isSame(program, this.#program.document)) return;
-    const inRun = this.#recording.run.program;
-    this.#program = newest(isSame(program, inRun) ? inRun : program);
-    if (this.#past === null) this.#bringProgram();
+    this.#live.editProgram(program);
+    if (this.#past === null) this.#live.bringProgram();
     this.#isDirty = true;
   }
 
@@ -208,25 +186,24 @@ export class RunLoop {
     if (this.#past === null) return;
     this.#past = null;
     this.#isDirty = true;
-    this.#bringProgram();
+    this.#live.bringProgram();
     if (this.#resumesNow) this.#start();
   }
 
   /** The run so far as a document. */
   saveRun(): WrittenRun {
-    return this.#recording.toDocument(this.#maze.name);
+    return this.#recording.toDocument(this.#live.maze.name);
   }
 
   /** Shows another run where it ended, paused. @returns the documents that it ended with */
   open(recording: Recording): { ok: true; maze: MazeDocument; program: ProgramDocument } {
     this.#remote.cancel(this.#recording, "movedInTime");
-    this.#show(recording);
-    const { maze, program } = recording.run;
-    this.#maze = maze;
-    this.#program = newest(program);
+    this.#live.open(recording);
+    this.#begun();
+    const { maze, program } = this.#live;
     // A script's commands have ended long ago: Remote is chosen anew.
     if (this.driver === "remote") this.setDriver("program");
-    return { ok: true, maze, program };
+    return { ok: true, maze, program: program.document };
   }
 
   /** Runs the ticks that real time asks for since the last call. */
@@ -241,35 +218,31 @@ export class RunLoop {
     const run = this.#shown;
     const frame: Frame = {
       snapshot: this.#snapshotOf(run),
-      progress: isDecidedAnew(run, this.#program) ? null : run.progress,
+      progress: isDecidedAnew(run, this.#live.program) ? null : run.progress,
       view: this.#view,
       nowTick: this.#recording.run.tick,
       nowDriver: this.driver,
-      revision: this.#revisions + this.#recording.revision,
+      revision: this.#live.revision,
       ...this.#trail.take(this.#recording, run.tick),
     };
-    const forgottenAfter = this.#forgottenAfter;
-    this.#forgottenAfter = null;
-    return { frame, moments: this.#moments.take(), forgottenAfter };
+    const forgottenAfter = this.#watch.takeForgottenAfter();
+    return { frame, moments: this.#watch.takeMoments(), forgottenAfter };
   }
 
   /** That the program's robot gets nowhere; null when there is nothing to say since the last call. */
   takeNotice(): LoopNotice | null {
-    const notice = this.#notice;
-    this.#notice = null;
-    return notice;
+    return this.#watch.takeNotice();
   }
 
   /** Judges the run by a challenge from its first tick on; null: by none. */
   judgeBy(judge: RunJudge | null): void {
-    this.#judge = judge;
-    judge?.begin(this.#recording);
+    this.#watch.judgeBy(judge, this.#recording);
   }
 
   /** How the attempt at the challenge stands; null where that did not change since the last call. */
   takeJudgement(): Judgement | null {
     const isResting = this.#past === null && !this.#isRunning;
-    return this.#judge?.take(this.#recording.run, isResting) ?? null;
+    return this.#watch.takeJudgement(this.#live.run, isResting);
   }
 
   /** What the timeline gained or lost since the last call; null when nothing changed. */
@@ -280,12 +253,16 @@ export class RunLoop {
   /** The maze of the shown moment where it is not the newest one. */
   get shownMaze(): MazeDocument | null {
     const { maze } = this.#shown;
-    return maze === this.#maze ? null : maze;
+    return maze === this.#live.maze ? null : maze;
   }
 
   /** The newest moment, for scripts; every call has its own seq. */
   snapshot(): Snapshot {
     return this.#snapshotOf(this.#recording.run);
+  }
+
+  get #recording(): Recording {
+    return this.#live.recording;
   }
 
   get #shown(): Run {
@@ -305,7 +282,7 @@ export class RunLoop {
       seq: ++this.#seq,
       state: flows ? "running" : "paused",
       driver: run.driver,
-      line: shownLine(run, this.#program),
+      line: shownLine(run, this.#live.program),
       command: run.command,
     };
   }
@@ -332,42 +309,14 @@ export class RunLoop {
     this.#isDirty = true;
     this.#remote.cancel(this.#recording, "movedInTime");
     this.#recording.truncate(past.tick);
-    this.#forgetAfter(past.tick);
-    this.#judge?.cut(this.#recording);
-    const { run } = this.#recording;
-    if (!this.#bringMaze()) {
+    this.#watch.cut(this.#recording);
+    if (!this.#live.bringMaze()) {
       this.#beginRun();
       return;
     }
-    this.#bringProgram();
-    if (run.driver !== "remote") return;
+    this.#live.bringProgram();
+    if (this.driver !== "remote") return;
     this.#recording.input(wasRemote ? { do: "cancel" } : { do: "driver", driver: "program" });
-  }
-
-  /** @returns false where the newest maze leaves the robot no place */
-  #bringMaze(): boolean {
-    const { run } = this.#recording;
-    if (run.maze === this.#maze) return true;
-    if (!this.#recording.input({ do: "maze", maze: this.#maze })) return false;
-    this.#maze = run.maze;
-    return true;
-  }
-
-  #bringProgram(): void {
-    const { run } = this.#recording;
-    const { document, compiled } = this.#program;
-    if (run.program === document) return;
-    this.#recording.input({ do: "program", program: document });
-    // The run has one that is equal, and is compared by identity from here on.
-    this.#program = { document: run.program, compiled };
-  }
-
-  /** What happened later is no part of the run: nobody tells it, and what was said of it may be said again. */
-  #forgetAfter(tick: number): void {
-    this.#forgottenAfter = Math.min(this.#forgottenAfter ?? tick, tick);
-    this.#moments.forgetAfter(tick);
-    this.#coach.begin();
-    this.#notice = null;
   }
 
   #start(): void {
@@ -395,57 +344,32 @@ export class RunLoop {
   #tick(): void {
     const recording = this.#recording;
     const { run } = recording;
-    const { bumps, goalTick, driver } = run;
-    if (driver === "remote") this.#remote.begin(recording);
-    const { line } = run;
-    this.#judge?.before(run);
+    const isRemote = run.driver === "remote";
+    if (isRemote) this.#remote.begin(recording);
+    this.#watch.before(run);
     recording.step();
-    this.#judge?.after(run);
-    if (driver === "remote") this.#remote.finish(recording);
-    if (driver === "program" && line !== null) this.#notice ??= this.#coach.look(run, line);
-    if (run.bumps > bumps) this.#bumped(line, driver);
-    if (run.goalTick !== goalTick) {
-      this.#moments.add("goal", run, line, driver);
-      // A script decides for itself what comes after the goal.
-      if (driver === "program") this.pause();
-    }
+    const isToWait = this.#watch.after(recording);
+    if (isRemote) this.#remote.finish(recording);
+    if (isToWait) this.pause();
     const isDecisionDone = !run.isManoeuvring || run.decidedAt === run.tick;
     if (this.#isStepping && isDecisionDone) this.pause();
-  }
-
-  /** A program's bump is explained, and the robot waits meanwhile; once a line, or nobody could run on. */
-  #bumped(line: LineRef | null, driver: DriverName): void {
-    const isProgram = driver === "program" && line !== null;
-    const mends = isProgram ? this.#coach.explain(this.#recording, line) : null;
-    this.#moments.add("bump", this.#recording.run, line, driver, mends);
-    if (mends !== null) this.pause();
   }
 
   /** A new run of the newest documents; the driver stays, and a script's robot is live at once. */
   #beginRun(): void {
     const { driver } = this;
-    this.#show(new Recording(this.#maze, this.#program.document));
+    this.#live.begin();
+    this.#begun();
     if (driver === "program") return;
     this.#recording.input({ do: "driver", driver });
     if (driver === "remote") this.#start();
   }
 
-  #show(recording: Recording): void {
-    this.#revisions += this.#recording.revision + 1;
-    this.#recording = recording;
+  /** Another run is the live one now. */
+  #begun(): void {
     this.#past = null;
-    this.#forgetAfter(-1);
-    this.#judge?.begin(recording);
+    this.#watch.begin(this.#recording);
     this.#trail.begin();
     this.pause();
   }
-}
-
-/** Parsed documents have their fields in one order. */
-function isSame<Document extends MazeDocument | ProgramDocument>(one: Document, other: Document) {
-  return one === other || JSON.stringify(one) === JSON.stringify(other);
-}
-
-function newest(document: ProgramDocument): NewestProgram {
-  return { document, compiled: new CompiledProgram(document) };
 }
