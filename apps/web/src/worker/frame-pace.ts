@@ -5,10 +5,10 @@
 import { FrameBuffer } from "./frame-buffer.ts";
 import type { Frame } from "./worker-messages.ts";
 
-/** Milliseconds between two frames in which nothing was decided; twenty frames a second on average. */
-const INTERVAL_MS = 50;
+/** Milliseconds between two frames in which nothing was decided; ten frames a second on average. */
+const INTERVAL_MS = 100;
 /** Frames that may come sooner, one after the other, before the average has to be kept. */
-const SPARE = 3;
+const SPARE = 5;
 
 export class FramePace {
   readonly #now: () => number;

@@ -1,25 +1,23 @@
 /** The four readings around the robot, in cm, where the sensors are. */
-import { sensorNames } from "@corridor/protocol";
+import { sensorNames, type SensorName } from "@corridor/protocol";
+import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import type { RunState } from "../../stores/run-store.ts";
 import { decimalSign, formatReading } from "../../text/numbers.ts";
 import { classNames } from "../../ui/class-names.ts";
+import { LiveText } from "../../ui/LiveText.tsx";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import styles from "./drive.module.css";
 import { readSensors, touchingSensor } from "./sensor-roles.ts";
 
 /** @param look cross: around the robot; row: one line of words, for phones, in whole cm as on the beams */
 export function SensorCross({ look }: { look: "cross" | "row" }) {
-  const { t, i18n } = useTranslation();
-  const { run, workspace } = useServices();
-  const snapshot = useStore(run, (state) => state.snapshot);
-  const program = useStore(workspace, (state) => state.program);
-  const read = readSensors(program, snapshot);
-  const touching = touchingSensor(snapshot);
+  const { t } = useTranslation();
+  const { run } = useServices();
+  const touching = useStore(run, ({ snapshot }) => touchingSensor(snapshot));
   const isCross = look === "cross";
-  const textOf = (centimetres: number): string =>
-    isCross ? formatReading(centimetres, i18n.language) : String(Math.round(centimetres));
   return (
     <dl
       className={isCross ? styles["cross"] : styles["row"]}
@@ -27,21 +25,7 @@ export function SensorCross({ look }: { look: "cross" | "row" }) {
       data-mood={touching === null ? undefined : "bumped"}
     >
       {sensorNames.map((sensor) => (
-        <div
-          key={sensor}
-          className={classNames(
-            styles["sensor"],
-            styles[sensor],
-            read.includes(sensor) && styles["read"],
-            touching === sensor && styles["touching"],
-          )}
-        >
-          <dt>{t(`drive.sensor.${sensor}`)}</dt>
-          <Reading
-            text={snapshot === null ? "–" : textOf(snapshot.sensors[sensor])}
-            sign={decimalSign(i18n.language)}
-          />
-        </div>
+        <Sensor key={sensor} sensor={sensor} look={look} isTouching={touching === sensor} />
       ))}
       {isCross && (
         <div className={styles["robot"]} aria-hidden="true">
@@ -52,13 +36,50 @@ export function SensorCross({ look }: { look: "cross" | "row" }) {
   );
 }
 
+interface SensorProps {
+  sensor: SensorName;
+  look: "cross" | "row";
+  isTouching: boolean;
+}
+
 /** A reading on its decimal sign, which stays in its place while digits come and go. */
-function Reading({ text, sign }: { text: string; sign: string }) {
-  const [whole = "", tenths] = text.split(sign);
+function Sensor({ sensor, look, isTouching }: SensorProps) {
+  const { t, i18n } = useTranslation();
+  const { run, workspace } = useServices();
+  const program = useStore(workspace, (state) => state.program);
+  const isRead = useStore(run, ({ snapshot }) => readSensors(program, snapshot).includes(sensor));
+  const { language } = i18n;
+  const [whole, tenths] = useMemo(() => {
+    const textOf = ({ snapshot }: RunState): string => {
+      if (snapshot === null) return "–";
+      const centimetres = snapshot.sensors[sensor];
+      return look === "cross"
+        ? formatReading(centimetres, language)
+        : String(Math.round(centimetres));
+    };
+    const sign = decimalSign(language);
+    return [
+      (state: RunState): string => textOf(state).split(sign)[0] ?? "",
+      (state: RunState): string => {
+        const digits = textOf(state).split(sign)[1];
+        return digits === undefined ? "" : sign + digits;
+      },
+    ];
+  }, [sensor, look, language]);
   return (
-    <dd>
-      <span>{whole}</span>
-      <span>{tenths === undefined ? "" : sign + tenths}</span>
-    </dd>
+    <div
+      className={classNames(
+        styles["sensor"],
+        styles[sensor],
+        isRead && styles["read"],
+        isTouching && styles["touching"],
+      )}
+    >
+      <dt>{t(`drive.sensor.${sensor}`)}</dt>
+      <dd>
+        <LiveText of={run} text={whole} />
+        <LiveText of={run} text={tenths} />
+      </dd>
+    </div>
   );
 }

@@ -9,20 +9,18 @@ import { RobotFace } from "../../ui/RobotFace.tsx";
 import { ActionMenu } from "./ActionMenu.tsx";
 import { adviceOn } from "./advice-store.ts";
 import { AdviceNote } from "./AdviceNote.tsx";
-import { LineBump, LineProgress } from "./LineNotes.tsx";
-import { shownBump, shownProgress } from "./line-state.ts";
+import { LineNote } from "./LineNotes.tsx";
+import { decidingLine, shownBump } from "./line-state.ts";
 import { applyEdit } from "./program-actions.ts";
 import styles from "./program.module.css";
 import { useAdviceText } from "./use-advice-text.ts";
 
-export function Otherwise({ isDeciding }: { isDeciding: boolean }) {
+export function Otherwise() {
+  "use memo";
   const { t } = useTranslation();
   const { workspace, run, advice } = useServices();
   const action = useStore(workspace, (state) => state.program.default);
-  const progress = useStore(
-    run,
-    useShallow((state) => shownProgress("default", state)),
-  );
+  const isDeciding = useStore(run, ({ snapshot }) => decidingLine(snapshot) === "default");
   const bump = useStore(
     run,
     useShallow((state) => shownBump("default", state)),
@@ -60,15 +58,7 @@ export function Otherwise({ isDeciding }: { isDeciding: boolean }) {
           className={styles["robot"]}
         />
       )}
-      {(bump !== null || progress !== null) && (
-        <div className={styles["otherwiseNote"]}>
-          {bump !== null ? (
-            <LineBump bump={bump} />
-          ) : (
-            progress !== null && <LineProgress progress={progress} />
-          )}
-        </div>
-      )}
+      <LineNote line="default" bump={bump} className={styles["otherwiseNote"]} />
       {given !== null && text !== null && (
         <div className={styles["otherwiseAdvice"]}>
           <AdviceNote text={text} onMend={null} onHide={() => advice.hide(given)} />

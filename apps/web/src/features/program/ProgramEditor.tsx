@@ -1,6 +1,6 @@
 /** The dropdown editor: the lines from the top, otherwise, and a new line. */
 import { MAX_RULES } from "@corridor/program";
-import { Fragment, useState } from "react";
+import { Fragment, useRef, useState, type RefObject } from "react";
 import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -8,7 +8,7 @@ import { useServices } from "../../app/services.ts";
 import { tell } from "../../stores/screen-store.ts";
 import { AddLine } from "./AddLine.tsx";
 import { AdviceNews } from "./AdviceNews.tsx";
-import { decidingLine, isPassedOver } from "./line-state.ts";
+import { decidingLine } from "./line-state.ts";
 import { Otherwise } from "./Otherwise.tsx";
 import { addLine } from "./program-actions.ts";
 import styles from "./program.module.css";
@@ -26,13 +26,13 @@ export function ProgramEditor() {
   );
 }
 
+/** Not drawn again while the robot drives: each line follows the run itself. */
 function ProgramLines() {
   const { t } = useTranslation();
-  const { workspace, run, screen } = useServices();
+  const { workspace, screen } = useServices();
   const program = useStore(workspace, (state) => state.program);
   const lineIds = useStore(workspace, (state) => state.lineIds);
-  const deciding = useStore(run, ({ snapshot }) => decidingLine(snapshot));
-  const list = useFollowedLine(deciding);
+  const list = useRef<HTMLOListElement>(null);
   const [remembered] = useState(() => new Map<number, number>());
 
   function add() {
@@ -52,27 +52,41 @@ function ProgramLines() {
           if (id === undefined) return null;
           return (
             <Fragment key={id}>
-              {index > 0 && deciding === index - 1 && (
-                <li className={styles["rule"]} aria-hidden="true">
-                  {t("program.notRead")}
-                </li>
-              )}
+              {index > 0 && <NotRead after={index - 1} />}
               <ProgramLine
                 id={id}
                 index={index}
                 count={program.rules.length}
                 rule={rule}
-                isDeciding={deciding === index}
-                isPassedOver={isPassedOver(index, deciding)}
                 remembered={remembered}
               />
             </Fragment>
           );
         })}
       </ol>
-      <Otherwise isDeciding={deciding === "default"} />
+      <RunningLine list={list} />
+      <Otherwise />
       <AddLine onAdd={add} />
       <AdviceNews />
     </div>
   );
+}
+
+/** Below the line that decided: those that follow were not read. */
+function NotRead({ after }: { after: number }) {
+  const { t } = useTranslation();
+  const { run } = useServices();
+  const isHere = useStore(run, ({ snapshot }) => decidingLine(snapshot) === after);
+  if (!isHere) return null;
+  return (
+    <li className={styles["rule"]} aria-hidden="true">
+      {t("program.notRead")}
+    </li>
+  );
+}
+
+/** Keeps the running line in sight; a part of its own, so that the list is not drawn again for it. */
+function RunningLine({ list }: { list: RefObject<HTMLOListElement | null> }) {
+  useFollowedLine(list);
+  return null;
 }

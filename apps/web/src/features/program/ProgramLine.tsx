@@ -1,7 +1,7 @@
 /** One line of the program as a sentence: if …, then …, and whether it is true now. */
 import type { Rule } from "@corridor/program";
 import { setAction } from "@corridor/program";
-import { memo } from "react";
+import { memo, useMemo, useRef } from "react";
 import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -16,10 +16,9 @@ import { useRights } from "../lessons/use-rights.ts";
 import { adviceOn } from "./advice-store.ts";
 import { AdviceNote } from "./AdviceNote.tsx";
 import { ConditionMenu, ConditionNumber } from "./ConditionField.tsx";
-import { LineBump, LineProgress } from "./LineNotes.tsx";
-import { shownBump, shownProgress, shownTruth } from "./line-state.ts";
+import { LineNote } from "./LineNotes.tsx";
+import { decidingLine, isPassedOver, shownBump, truthAt } from "./line-state.ts";
 import { lineElementId } from "./focus-line.ts";
-import { lineName } from "./line-name.ts";
 import { LineTools } from "./LineTools.tsx";
 import { LineTruth } from "./LineTruth.tsx";
 import { allowsMend } from "./mend-rights.ts";
@@ -27,31 +26,26 @@ import { applyEdit, deleteLine, moveLine, type RememberedNumbers } from "./progr
 import styles from "./program.module.css";
 import { takeMend } from "./take-mend.ts";
 import { useAdviceText } from "./use-advice-text.ts";
+import { useLineLabel } from "./use-line-label.ts";
 
 interface ProgramLineProps {
   id: number;
   index: number;
   count: number;
   rule: Rule;
-  isDeciding: boolean;
-  /** a line above decided, so that this one was not read */
-  isPassedOver: boolean;
   remembered: RememberedNumbers;
 }
 
 /** Drawn again only when something that it shows has changed: programs can have 200 lines. */
 export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
-  const { id, index, count, rule, isDeciding, isPassedOver, remembered } = props;
+  "use memo";
+  const { id, index, count, rule, remembered } = props;
   const { t } = useTranslation();
   const { workspace, screen, run, advice, challenge } = useServices();
-  const truth = useStore(
-    run,
-    useShallow(({ snapshot }) => shownTruth(rule.when, snapshot)),
-  );
-  const progress = useStore(
-    run,
-    useShallow((state) => shownProgress(index, state)),
-  );
+  const element = useRef<HTMLLIElement>(null);
+  const truth = useMemo(() => truthAt(rule.when), [rule.when]);
+  const isDeciding = useStore(run, ({ snapshot }) => decidingLine(snapshot) === index);
+  const isBelow = useStore(run, ({ snapshot }) => isPassedOver(index, decidingLine(snapshot)));
   const bump = useStore(
     run,
     useShallow((state) => shownBump(index, state)),
@@ -62,13 +56,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   const by = given?.mend ?? null;
   const canMend = by !== null && allowsMend(by, count, rights);
   const isBumped = bump !== null;
-  const name = lineName(t, {
-    index,
-    rule,
-    state: isBumped ? "bumped" : isDeciding ? "running" : isPassedOver ? "notRead" : "resting",
-    truth,
-    advice: adviceText?.reason ?? null,
-  });
+  useLineLabel(element, { index, rule, advice: adviceText?.reason ?? null, truth });
   const line = index + 1;
 
   function move(by: -1 | 1) {
@@ -125,8 +113,8 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   return (
     // oxlint-disable-next-line jsx-a11y/no-noninteractive-element-interactions
     <li
+      ref={element}
       id={lineElementId(id)}
-      aria-label={name}
       aria-current={isDeciding ? "step" : undefined}
       // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex
       tabIndex={0}
@@ -134,7 +122,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       className={classNames(
         styles["line"],
         isDeciding && styles["deciding"],
-        isPassedOver && styles["passedOver"],
+        isBelow && styles["passedOver"],
         isBumped && styles["bumped"],
       )}
     >
@@ -150,7 +138,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       <div className={classNames(styles["ask"], rule.when?.than === "right" && styles["compares"])}>
         <ConditionMenu index={index} condition={rule.when} remembered={remembered} />
         {rule.when !== null && <ConditionNumber index={index} condition={rule.when} />}
-        <LineTruth hasCondition={rule.when !== null} truth={truth} />
+        <LineTruth condition={rule.when} truth={truth} />
       </div>
       <span className={classNames(styles["word"], styles["then"])}>{t("program.then")}</span>
       <div className={styles["do"]}>
@@ -169,17 +157,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
           onDelete={remove}
         />
       </div>
-      {isBumped ? (
-        <div className={styles["note"]}>
-          <LineBump bump={bump} />
-        </div>
-      ) : (
-        progress !== null && (
-          <div className={styles["note"]}>
-            <LineProgress progress={progress} />
-          </div>
-        )
-      )}
+      <LineNote line={index} bump={bump} className={styles["note"]} />
       {adviceText !== null && (
         <div className={styles["advice"]}>
           <AdviceNote text={adviceText} onMend={canMend ? mend : null} onHide={hide} />

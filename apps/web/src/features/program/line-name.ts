@@ -1,13 +1,14 @@
 /** A line's name for those who hear it: its sentence, whether it runs, and its truth with the numbers. */
 import type { Rule } from "@corridor/program";
 import type { TFunction } from "i18next";
-import type { ShownTruth } from "./line-state.ts";
+import { localNumber } from "../../text/numbers.ts";
+import { preparePhrase } from "../../text/phrase.ts";
+import type { LineStanding, ShownTruth } from "./line-state.ts";
 
 export interface LineNameParts {
   index: number;
   rule: Rule;
-  /** notRead: a line above won */
-  state: "resting" | "running" | "bumped" | "notRead";
+  state: LineStanding;
   truth: ShownTruth | null;
   /** the reason of its advice, a whole sentence; null when there is none */
   advice: string | null;
@@ -53,4 +54,24 @@ export function lineName(
   }
   if (advice !== null) sentences.push(t("program.name.advice", { advice }));
   return [head, ...sentences].join(" ");
+}
+
+/** The same name for a line whose standing and truth change often: each sentence is looked up once. */
+export function lineNamer(
+  t: TFunction,
+  language: string,
+  line: Pick<LineNameParts, "index" | "rule" | "advice">,
+): (state: LineStanding, truth: ShownTruth | null) => string {
+  const prepared = new Map<string, (values: { left: string }) => string>();
+  return (state, truth) => {
+    const key = `${state} ${truth?.isTrue}`;
+    let phrase = prepared.get(key);
+    if (phrase === undefined) {
+      phrase = preparePhrase(["left"], ({ left }) =>
+        lineName(t, { ...line, state, truth: truth === null ? null : { ...truth, left } }),
+      );
+      prepared.set(key, phrase);
+    }
+    return phrase({ left: truth === null ? "" : localNumber(truth.left, language) });
+  };
 }

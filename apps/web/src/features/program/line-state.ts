@@ -34,6 +34,34 @@ export function shownTruth(
   return truth === null ? null : { isTrue: truth.isTrue, ...truthText(truth) };
 }
 
+/** A line's truth by the moment; asked for the same moment again, it is not worked out again. */
+export type TruthAt = (snapshot: Snapshot | null) => ShownTruth | null;
+
+export function truthAt(condition: Condition | null): TruthAt {
+  let newest: Snapshot | null = null;
+  let truth: ShownTruth | null = null;
+  return (snapshot) => {
+    if (snapshot !== newest) {
+      newest = snapshot;
+      truth = shownTruth(condition, snapshot);
+    }
+    return truth;
+  };
+}
+
+/** How a line stands to the one that drives; notRead: a line above won. */
+export type LineStanding = "resting" | "running" | "bumped" | "notRead";
+
+export function lineStanding(
+  index: number,
+  state: Pick<RunState, "snapshot"> & { moment: BumpMoment | null },
+): LineStanding {
+  if (shownBump(index, state) !== null) return "bumped";
+  const deciding = decidingLine(state.snapshot);
+  if (deciding === index) return "running";
+  return isPassedOver(index, deciding) ? "notRead" : "resting";
+}
+
 /** How far the line's manoeuvre is, in whole units for eyes; flat like the truth. */
 export interface ShownProgress {
   /** what the part that runs leads to: the turn of a delayed turn, the end of a turn, the way out */

@@ -1,15 +1,15 @@
 /** Ties the list of lines to the follower that keeps the running one in sight. */
-import type { LineRef } from "@corridor/protocol";
 import { useEffect, useRef, type RefObject } from "react";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { LineFollower } from "./line-follower.ts";
+import { decidingLine } from "./line-state.ts";
 
-/** @returns the ref of the list; its running line is the one with `aria-current` */
-export function useFollowedLine(deciding: LineRef | null): RefObject<HTMLOListElement | null> {
+/** @param list its running line is the one with `aria-current` */
+export function useFollowedLine(list: RefObject<HTMLOListElement | null>): void {
   const { run } = useServices();
   const isRunning = useStore(run, ({ snapshot }) => snapshot?.state === "running");
-  const list = useRef<HTMLOListElement>(null);
+  const deciding = useStore(run, ({ snapshot }) => decidingLine(snapshot));
   const follower = useRef<LineFollower>(null);
 
   useEffect(() => {
@@ -17,7 +17,7 @@ export function useFollowedLine(deciding: LineRef | null): RefObject<HTMLOListEl
     const made = new LineFollower(list.current);
     follower.current = made;
     return () => made.end();
-  }, []);
+  }, [list]);
 
   useEffect(() => {
     if (isRunning) follower.current?.begin();
@@ -26,7 +26,5 @@ export function useFollowedLine(deciding: LineRef | null): RefObject<HTMLOListEl
   useEffect(() => {
     const line = list.current?.querySelector<HTMLElement>(":scope > [aria-current]") ?? null;
     follower.current?.show(typeof deciding === "number" ? line : null);
-  }, [deciding]);
-
-  return list;
+  }, [list, deciding]);
 }

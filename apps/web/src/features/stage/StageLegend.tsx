@@ -1,9 +1,14 @@
 /** Below the maze: the scale, and where the robot is. */
+import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import type { RunState } from "../../stores/run-store.ts";
+import { preparePhrase } from "../../text/phrase.ts";
+import { LiveText } from "../../ui/LiveText.tsx";
+import { remember } from "../../ui/remember.ts";
 import { DescribeButton } from "../speech/DescribeButton.tsx";
-import { facingOf } from "./robot-place.ts";
+import { facingOf, type Facing } from "./robot-place.ts";
 import type { StageViewStore } from "./stage-view.ts";
 import { scaleBar } from "./scale-bar.ts";
 import styles from "./stage.module.css";
@@ -27,14 +32,21 @@ export function StageLegend({ view }: { view: StageViewStore }) {
 function RobotPlace() {
   const { run } = useServices();
   const { t } = useTranslation();
-  const x = useStore(run, ({ snapshot }) => Math.round(snapshot?.pose.x ?? 0));
-  const y = useStore(run, ({ snapshot }) => Math.round(snapshot?.pose.y ?? 0));
-  const facing = useStore(run, ({ snapshot }) => facingOf(snapshot?.pose.heading ?? 0));
+  const text = useMemo(() => {
+    const phrase = preparePhrase(["x", "y", "facing"], (marks) => t("stage.robotAt", marks));
+    const facingText = remember((facing: Facing) => t(`stage.facing.${facing}`));
+    return ({ snapshot }: RunState): string => {
+      if (snapshot === null) return "";
+      const { x, y, heading } = snapshot.pose;
+      const facing = facingText(facingOf(heading));
+      return phrase({ x: Math.round(x), y: Math.round(y), facing });
+    };
+  }, [t]);
   const isKnown = useStore(run, ({ snapshot }) => snapshot !== null);
   if (!isKnown) return null;
   return (
     <span className={styles["place"]}>
-      {t("stage.robotAt", { x, y, facing: t(`stage.facing.${facing}`) })}
+      <LiveText of={run} text={text} />
     </span>
   );
 }

@@ -2,6 +2,7 @@
 import type { TimelineEvent, TurnName } from "@corridor/recording";
 import type { PlainAction } from "@corridor/protocol";
 import { Flag, Pencil } from "lucide-react";
+import { memo } from "react";
 import { ActionIcon } from "../program/ProgramIcons.tsx";
 import { BurstIcon } from "./BurstIcon.tsx";
 import type { EventMark } from "./event-marks.ts";
@@ -18,23 +19,36 @@ const turnIcons: Readonly<Record<TurnName, PlainAction>> = {
   "turn 180": "turn 180",
 };
 
-export function EventMarks({ marks }: { marks: readonly EventMark[] }) {
+export const EventMarks = memo(function EventMarks({ marks }: { marks: readonly EventMark[] }) {
   return marks.map(({ event, x }) => (
-    <span
+    <Mark
       key={event.tick}
-      className={styles["mark"]}
-      data-kind={event.kind}
-      style={{ transform: `translateX(${x}px)` }}
-    >
-      <EventIcon event={event} />
-    </span>
+      kind={event.kind}
+      turn={event.kind === "turn" ? event.turn : null}
+      x={x}
+    />
   ));
+});
+
+interface MarkProps {
+  kind: TimelineEvent["kind"];
+  turn: TurnName | null;
+  x: number;
 }
 
-function EventIcon({ event }: { event: TimelineEvent }) {
-  switch (event.kind) {
+/** Events stay where they are while the run goes on: only new ones are drawn. */
+const Mark = memo(function Mark({ kind, turn, x }: MarkProps) {
+  return (
+    <span className={styles["mark"]} data-kind={kind} style={{ insetInlineStart: x }}>
+      <EventIcon kind={kind} turn={turn} />
+    </span>
+  );
+});
+
+function EventIcon({ kind, turn }: Pick<MarkProps, "kind" | "turn">) {
+  switch (kind) {
     case "turn":
-      return <ActionIcon action={turnIcons[event.turn]} />;
+      return turn === null ? null : <ActionIcon action={turnIcons[turn]} />;
     case "bump":
       return <BurstIcon size={14} />;
     case "goal":

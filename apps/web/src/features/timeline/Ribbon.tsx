@@ -1,8 +1,10 @@
 /** The ribbon of who drove, and the axis below it. */
 import type { Who } from "@corridor/recording";
 import type { TFunction } from "i18next";
+import { memo, useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { classNames } from "../../ui/class-names.ts";
+import { remember } from "../../ui/remember.ts";
 import type { TimelinePicture } from "./picture.ts";
 import type { Segment } from "./ribbon.ts";
 import styles from "./timeline.module.css";
@@ -21,8 +23,9 @@ interface RibbonProps {
   isNow: boolean;
 }
 
-export function Ribbon({ picture, isNow }: RibbonProps) {
+export const Ribbon = memo(function Ribbon({ picture, isNow }: RibbonProps) {
   const { t } = useTranslation();
+  const names = useMemo(() => remember((who: Who) => namesOf(t, who)), [t]);
   return (
     <svg className={styles["picture"]} aria-hidden="true">
       <rect className={styles["track"]} width="100%" height="20" rx="4" />
@@ -31,7 +34,7 @@ export function Ribbon({ picture, isNow }: RibbonProps) {
           key={segment.x}
           {...segment}
           isNewest={isNow && segment.isNewest}
-          names={namesOf(t, segment.who)}
+          names={names(segment.who)}
         />
       ))}
       <g className={styles["axis"]}>
@@ -46,9 +49,21 @@ export function Ribbon({ picture, isNow }: RibbonProps) {
       </g>
     </svg>
   );
+});
+
+interface RibbonSegmentProps extends Segment {
+  /** the longest first */
+  names: readonly string[];
 }
 
-function RibbonSegment({ who, x, width, isNewest, names }: Segment & { names: readonly string[] }) {
+/** Only the newest one grows while the run goes on. */
+const RibbonSegment = memo(function RibbonSegment({
+  who,
+  x,
+  width,
+  isNewest,
+  names,
+}: RibbonSegmentProps) {
   const name = names.find((each) => fits(each, width));
   const kind = typeof who === "number" || who === "default" || who === "remote" ? "line" : who;
   return (
@@ -61,7 +76,7 @@ function RibbonSegment({ who, x, width, isNewest, names }: Segment & { names: re
       )}
     </g>
   );
-}
+});
 
 /** The first and the last name of the axis stay within its ends. */
 function anchorOf(at: number, count: number): "start" | "middle" | "end" {

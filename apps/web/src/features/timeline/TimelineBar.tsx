@@ -30,7 +30,7 @@ export function TimelineBar() {
   const { run, simulator, timeline } = useServices();
   const track = useRef<HTMLDivElement>(null);
   const slider = useRef<HTMLInputElement>(null);
-  const picture = usePicture(timeline, track);
+  const picture = usePicture(track);
   const moment = useShownMoment();
   const isNow = useStore(run, ({ view }) => view === "now");
   const [pointed, setPointed] = useState<Tip | null>(null);

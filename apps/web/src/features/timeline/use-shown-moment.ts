@@ -12,17 +12,16 @@ export function useShownMoment(): ShownMoment {
   const { run, timeline } = useServices();
   const [moment, setMoment] = useState<ShownMoment>({ tick: 0, who: null, event: null });
   useEffect(() => {
+    let shown: ShownMoment | null = null;
     const look = () => {
       const { snapshot } = run.getState();
       const tick = snapshot?.tick ?? 0;
       const isRunning = snapshot?.state === "running";
-      setMoment((shown) => {
-        if (isRunning && Math.floor(tick / SECOND) === Math.floor(shown.tick / SECOND)) {
-          return shown;
-        }
-        const next = momentAt(timeline.timeline, tick);
-        return isSame(shown, next) ? shown : next;
-      });
+      if (shown !== null && isRunning && isSameSecond(tick, shown.tick)) return;
+      const next = momentAt(timeline.timeline, tick);
+      if (shown !== null && isSame(shown, next)) return;
+      shown = next;
+      setMoment(next);
     };
     look();
     const ends = [run.subscribe(look), timeline.listen(look)];
@@ -31,6 +30,10 @@ export function useShownMoment(): ShownMoment {
     };
   }, [run, timeline]);
   return moment;
+}
+
+function isSameSecond(one: number, other: number): boolean {
+  return Math.floor(one / SECOND) === Math.floor(other / SECOND);
 }
 
 function isSame(one: ShownMoment, other: ShownMoment): boolean {

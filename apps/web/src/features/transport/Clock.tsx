@@ -1,22 +1,31 @@
 /** The time and the bumps of the shown moment; in words, too, when that is not now. */
 import { History } from "lucide-react";
+import { useCallback } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import type { RunState } from "../../stores/run-store.ts";
 import { formatClock } from "../../text/numbers.ts";
+import { LiveText } from "../../ui/LiveText.tsx";
 import styles from "./transport.module.css";
 
 export function Clock() {
   const { t, i18n } = useTranslation();
   const { run } = useServices();
-  const time = useStore(run, ({ snapshot }) => formatClock(snapshot?.tick ?? 0, i18n.language));
+  const { language } = i18n;
+  const time = useCallback(
+    ({ snapshot }: RunState) => formatClock(snapshot?.tick ?? 0, language),
+    [language],
+  );
   const bumps = useStore(run, ({ snapshot }) => snapshot?.bumps ?? 0);
   const view = useStore(run, (state) => state.view);
   return (
     <p className={styles["clock"]}>
       <span className={styles["time"]}>
-        <span className="visually-hidden">{t("shell.run.time")} </span>
-        {time}
+        <span>
+          <span className="visually-hidden">{t("shell.run.time")} </span>
+          <LiveText of={run} text={time} />
+        </span>
       </span>
       {view !== "now" && (
         <span className={styles["past"]}>

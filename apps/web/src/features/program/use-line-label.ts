@@ -1,0 +1,44 @@
+/** The name of a line for those who hear it: what it asks and does, how it stands, and its numbers at a calm rate. */
+import type { Rule } from "@corridor/program";
+import { useLayoutEffect, type RefObject } from "react";
+import { useTranslation } from "react-i18next";
+import { useServices } from "../../app/services.ts";
+import type { RunState } from "../../stores/run-store.ts";
+import { CalmPace } from "../../ui/calm-pace.ts";
+import { lineNamer } from "./line-name.ts";
+import { lineStanding, type TruthAt } from "./line-state.ts";
+
+interface LabelledLine {
+  index: number;
+  rule: Rule;
+  /** the reason of its advice; null when there is none */
+  advice: string | null;
+  truth: TruthAt;
+}
+
+/** Writes the name straight to the line: React would draw a line again for each number in it. */
+export function useLineLabel(
+  element: RefObject<HTMLElement | null>,
+  { index, rule, advice, truth }: LabelledLine,
+): void {
+  const { t, i18n } = useTranslation();
+  const { run } = useServices();
+  const { language } = i18n;
+  useLayoutEffect(() => {
+    const nameOf = lineNamer(t, language, { index, rule, advice });
+    const pace = new CalmPace<string>(() => performance.now());
+    let written = "";
+    const look = (state: RunState): void => {
+      const standing = lineStanding(index, state);
+      const shown = truth(state.snapshot);
+      const isMoving = state.snapshot?.state === "running";
+      if (!pace.isDue(isMoving, `${standing} ${shown?.isTrue}`)) return;
+      const name = nameOf(standing, shown);
+      if (name === written) return;
+      written = name;
+      element.current?.setAttribute("aria-label", name);
+    };
+    look(run.getState());
+    return run.subscribe(look);
+  }, [element, t, language, run, index, rule, advice, truth]);
+}
