@@ -1,4 +1,5 @@
 /** What the page says when something has happened: the bump card, the solved card, going in circles. */
+import { encodeLink } from "@corridor/link";
 import type { Locator } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
@@ -37,9 +38,26 @@ test("is told why line 2 bumped, takes the mend and gets past the place", async 
 test("is told that a turn came too early, though another line met the wall", async ({
   corridor,
 }) => {
-  await corridor.program.action(1).selectOption("right 90");
+  const link = encodeLink({
+    maze: {
+      format: "corridor/maze",
+      version: 1,
+      name: "Side way",
+      blocks: ["#####", ".....", ...Array.from({ length: 8 }, () => "##.##")],
+      start: { column: 0, row: 1, heading: "east" },
+      goals: [],
+    },
+    program: {
+      format: "corridor/program",
+      version: 1,
+      name: "Too early",
+      default: "forward",
+      rules: [{ when: { sensor: "right", is: ">", than: 60 }, do: "right 90" }],
+    },
+  });
+  await corridor.open(`/#${link.ok ? link.text : ""}`);
   await corridor.run.click();
-  const card = corridor.page.getByRole("region", { name: /^Bump: / });
+  const card = corridor.page.getByRole("region", { name: /^Bump: “otherwise”/ });
   await expect(card).toContainText("right > 60 begins at the edge of an opening");
   await card.getByRole("button", { name: "Change to delayed right 90" }).click();
   await expect(corridor.program.action(1)).toHaveValue("delayed right 90");
