@@ -11,7 +11,7 @@ import type { LoopNotice } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import type { DriverName, Snapshot } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
-import type { Recording, Run, TimelineNews, WrittenRun } from "@corridor/recording";
+import type { Recording, TimelineNews, WrittenRun } from "@corridor/recording";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
 import { commandOfKey } from "../drivers/hand-driver.ts";
 import { RemoteDriver, type Delivery, type RemoteDriverEvents } from "../drivers/remote-driver.ts";
@@ -19,25 +19,20 @@ import { LiveRun } from "./live-run.ts";
 import { RunClock } from "./run-clock.ts";
 import type { RunJudge } from "./run-judge.ts";
 import { RunWatch } from "./run-watch.ts";
-import { ShownPast } from "./shown-past.ts";
-import { isDecidedAnew, shownLine } from "./shown-line.ts";
-import { TrailFeed } from "./trail-feed.ts";
-import type { DriveKey, Frame, Moment, RunView, Speed } from "./worker-messages.ts";
+import { ScreenMoment } from "./screen-moment.ts";
+import type { DriveKey, Frame, Moment, Speed } from "./worker-messages.ts";
 
 export class RunLoop {
   readonly #clock: RunClock;
-  readonly #trail = new TrailFeed();
   readonly #watch = new RunWatch();
   readonly #remote: RemoteDriver;
   readonly #live: LiveRun;
-  /** null while the newest moment is shown */
-  #past: ShownPast | null = null;
+  readonly #screen: ScreenMoment;
   /** a script's robot goes on as soon as the newest moment is shown again */
   #resumesNow = false;
   #isRunning = false;
   /** pause as soon as the decision that is being taken is done */
   #isStepping = false;
-  #seq = 0;
   #isDirty = true;
 
   /** @param now monotonic milliseconds */
@@ -50,11 +45,12 @@ export class RunLoop {
     this.#clock = new RunClock(now);
     this.#remote = new RemoteDriver(remoteEvents);
     this.#live = new LiveRun(maze, program);
+    this.#screen = new ScreenMoment(this.#live);
   }
 
   /** Whether simulated time flows, live or played again. */
   get isRunning(): boolean {
-    return this.#isRunning || this.#past?.isPlaying === true;
+    return this.#isRunning || this.#screen.isPlaying;
   }
 
   /** Who drives the newest moment. */
@@ -75,20 +71,20 @@ export class RunLoop {
   /** While the past is shown, the run gets the new program only when it goes on. */
   editProgram(program: ProgramDocument): void {
     this.#live.editProgram(program);
-    if (this.#past === null) this.#live.bringProgram();
+    if (!this.#screen.isPast) this.#live.bringProgram();
     this.#isDirty = true;
   }
 
   /** Lets time flow, from the shown moment on; where nobody but a hand drives, the program takes over. */
   run(): void {
-    if (this.#past !== null) this.#cutHere();
+    this.#cutHere();
     if (this.driver === "me") this.setDriver("program");
     this.#isStepping = false;
     this.#start();
   }
 
   pause(): void {
-    if (this.#past !== null) this.#past.isPlaying = false;
+    this.#screen.pause();
     this.#isRunning = false;
     this.#isStepping = false;
     this.#resumesNow = false;
@@ -97,7 +93,7 @@ export class RunLoop {
 
   /** Takes one decision (one tick, or one whole manoeuvre) and pauses; in the past, shows the next one. */
   step(): void {
-    if (this.#past !== null) {
+    if (this.#screen.isPast) {
       this.seekStep(1);
       return;
     }
@@ -128,8 +124,8 @@ export class RunLoop {
   /** A drive key goes down or up; whoever drove before, the hand drives now, from the shown moment on. */
   hold(key: DriveKey): void {
     const isLettingGo = key === "stop";
-    if (isLettingGo && (this.driver !== "me" || this.#past !== null)) return;
-    if (this.#past !== null) this.#cutHere();
+    if (isLettingGo && (this.driver !== "me" || this.#screen.isPast)) return;
+    this.#cutHere();
     this.setDriver("me");
     this.#recording.input({ do: "command", command: commandOfKey(key) });
     if (isLettingGo) this.pause();
@@ -157,34 +153,33 @@ export class RunLoop {
 
   /** Shows the moment at the end of a tick; the live run waits. */
   seek(tick: number): void {
-    const past = this.#enterPast();
-    past.goTo(tick);
-    if (past.isAtEnd) this.now();
+    this.#waitForPast();
+    this.#screen.seek(tick);
+    if (this.#screen.isAtEnd) this.now();
   }
 
   /** Shows the decision before or after the shown moment; after the newest, takes the next one. */
   seekStep(by: 1 | -1): void {
-    if (by === 1 && this.#past === null) {
+    if (by === 1 && !this.#screen.isPast) {
       this.step();
       return;
     }
-    const past = this.#enterPast();
-    if (by === 1) past.goToDecisionAfter();
-    else past.goToDecisionBefore();
-    if (past.isAtEnd) this.now();
+    this.#waitForPast();
+    this.#screen.seekStep(by);
+    if (this.#screen.isAtEnd) this.now();
   }
 
   /** Plays the recording on from the shown moment up to the newest. */
   play(): void {
-    if (this.#past === null) return;
-    this.#past.isPlaying = true;
+    if (!this.#screen.isPast) return;
+    this.#screen.play();
     this.#startClock();
   }
 
   /** Shows the newest moment again; the run gets the program that was edited meanwhile. */
   now(): void {
-    if (this.#past === null) return;
-    this.#past = null;
+    if (!this.#screen.isPast) return;
+    this.#screen.leavePast();
     this.#isDirty = true;
     this.#live.bringProgram();
     if (this.#resumesNow) this.#start();
@@ -215,16 +210,7 @@ export class RunLoop {
   takeNews(): { frame: Frame; moments: Moment[]; forgottenAfter: number | null } | null {
     if (!this.#isDirty) return null;
     this.#isDirty = false;
-    const run = this.#shown;
-    const frame: Frame = {
-      snapshot: this.#snapshotOf(run),
-      progress: isDecidedAnew(run, this.#live.program) ? null : run.progress,
-      view: this.#view,
-      nowTick: this.#recording.run.tick,
-      nowDriver: this.driver,
-      revision: this.#live.revision,
-      ...this.#trail.take(this.#recording, run.tick),
-    };
+    const frame = this.#screen.frame(this.#isRunning);
     const forgottenAfter = this.#watch.takeForgottenAfter();
     return { frame, moments: this.#watch.takeMoments(), forgottenAfter };
   }
@@ -241,7 +227,7 @@ export class RunLoop {
 
   /** How the attempt at the challenge stands; null where that did not change since the last call. */
   takeJudgement(): Judgement | null {
-    const isResting = this.#past === null && !this.#isRunning;
+    const isResting = !this.#screen.isPast && !this.#isRunning;
     return this.#watch.takeJudgement(this.#live.run, isResting);
   }
 
@@ -252,63 +238,36 @@ export class RunLoop {
 
   /** The maze of the shown moment where it is not the newest one. */
   get shownMaze(): MazeDocument | null {
-    const { maze } = this.#shown;
-    return maze === this.#live.maze ? null : maze;
+    return this.#screen.maze;
   }
 
   /** The newest moment, for scripts; every call has its own seq. */
   snapshot(): Snapshot {
-    return this.#snapshotOf(this.#recording.run);
+    return this.#screen.newest(this.#isRunning);
   }
 
   get #recording(): Recording {
     return this.#live.recording;
   }
 
-  get #shown(): Run {
-    return (this.#past ?? this.#recording).run;
-  }
-
-  get #view(): RunView {
-    if (this.#past === null) return "now";
-    return this.#past.isPlaying ? "playing" : "past";
-  }
-
-  #snapshotOf(run: Run): Snapshot {
-    const isLive = run === this.#recording.run;
-    const flows = isLive ? this.#isRunning : this.isRunning;
-    return {
-      ...run.report(),
-      seq: ++this.#seq,
-      state: flows ? "running" : "paused",
-      driver: run.driver,
-      line: shownLine(run, this.#live.program),
-      command: run.command,
-    };
-  }
-
-  #enterPast(): ShownPast {
-    if (this.#past === null) {
-      this.#resumesNow = this.#isRunning && this.driver === "remote";
-      this.#past = new ShownPast(this.#recording);
-    }
-    this.#past.isPlaying = false;
+  /** The live run waits while an earlier moment is shown. */
+  #waitForPast(): void {
+    if (!this.#screen.isPast) this.#resumesNow = this.#isRunning && this.driver === "remote";
     this.#isRunning = false;
     this.#isStepping = false;
     this.#isDirty = true;
-    return this.#past;
   }
 
   /** Forgets what came after the shown moment; what is there now, maze and program, meets the robot. */
   #cutHere(): void {
-    const past = this.#past;
-    if (past === null) return;
+    if (!this.#screen.isPast) return;
     const wasRemote = this.driver === "remote";
-    this.#past = null;
+    const { tick } = this.#screen;
+    this.#screen.leavePast();
     this.#resumesNow = false;
     this.#isDirty = true;
     this.#remote.cancel(this.#recording, "movedInTime");
-    this.#recording.truncate(past.tick);
+    this.#recording.truncate(tick);
     this.#watch.cut(this.#recording);
     if (!this.#live.bringMaze()) {
       this.#beginRun();
@@ -332,11 +291,11 @@ export class RunLoop {
   /** @returns whether time still flows */
   #runTicks(count: number): boolean {
     if (count > 0) this.#isDirty = true;
-    if (this.#past === null) {
+    if (!this.#screen.isPast) {
       for (let i = 0; i < count && this.#isRunning; i++) this.#tick();
     } else {
-      this.#past.playOn(count);
-      if (this.#past.isAtEnd) this.now();
+      this.#screen.playOn(count);
+      if (this.#screen.isAtEnd) this.now();
     }
     return this.isRunning;
   }
@@ -367,9 +326,8 @@ export class RunLoop {
 
   /** Another run is the live one now. */
   #begun(): void {
-    this.#past = null;
+    this.#screen.begin();
     this.#watch.begin(this.#recording);
-    this.#trail.begin();
     this.pause();
   }
 }
