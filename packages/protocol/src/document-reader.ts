@@ -20,7 +20,7 @@ export interface FieldProblem {
 export type ReadResult<T> = { ok: true; value: T } | { ok: false; problems: FieldProblem[] };
 
 /** No more problems than this are listed; a reader mends the first few and tries again. */
-const MAX_PROBLEMS = 20;
+export const MAX_PROBLEMS = 20;
 const MAX_FOUND_LENGTH = 60;
 
 /**
@@ -30,7 +30,9 @@ const MAX_FOUND_LENGTH = 60;
 export function readValue<T>(schema: z.ZodType<T>, input: unknown): ReadResult<T> {
   const result = schema.safeParse(input);
   if (result.success) return { ok: true, value: result.data };
-  const problems = result.error.issues.flatMap((issue) => problemsOf(issue, input));
+  const problems = result.error.issues
+    .slice(0, MAX_PROBLEMS)
+    .flatMap((issue) => problemsOf(issue, input));
   return { ok: false, problems: problems.slice(0, MAX_PROBLEMS) };
 }
 

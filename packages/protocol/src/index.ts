@@ -10,6 +10,7 @@ export {
   type EndingState,
 } from "./command-record.ts";
 export {
+  MAX_PROBLEMS,
   describeProblem,
   problem,
   readJson,

@@ -3,7 +3,7 @@ import { openRun } from "./open-run.ts";
 import { Recording } from "./recording.ts";
 import type { RunDocument } from "./run-document.ts";
 import { MAX_RUN_INPUTS, MAX_RUN_TEXT_LENGTH, MAX_RUN_TICKS } from "./run-limits.ts";
-import { readRun } from "./run-schema.ts";
+import { parseRun, readRun } from "./run-schema.ts";
 
 const maze = {
   format: "corridor/maze" as const,
@@ -94,6 +94,21 @@ describe("a run document", () => {
     const read = readRun(" ".repeat(MAX_RUN_TEXT_LENGTH + 1));
     expect(read).toMatchObject({ ok: false, problems: [{ path: "" }] });
   });
+});
+
+it("looks no further than the problems that are listed", () => {
+  let looked = 0;
+  const bad = {
+    tick: 0,
+    get do() {
+      looked++;
+      return "fly";
+    },
+  };
+  const read = parseRun({ ...run, inputs: Array.from({ length: 100_000 }, () => bad) });
+  expect(read.ok ? 0 : read.problems.length).toBe(20);
+  expect(read.ok ? null : read.problems[19]?.path).toBe("inputs[19].do");
+  expect(looked).toBeLessThan(1000);
 });
 
 describe("a document that passed its schema", () => {

@@ -44,6 +44,9 @@ export function readDocument(text: string, name: string): ReadResult<OpenedDocum
     const read = readTextMaze(content, name);
     return read.ok ? { ok: true, value: { kind: "maze", maze: read.value } } : read;
   }
+  // Where a document says first what it is, as all that Corridor writes do, it is parsed once.
+  const named = readers.get(/^\s*\{\s*"format"\s*:\s*"([a-z/]+)"/.exec(content)?.[1] ?? "");
+  if (named !== undefined) return named(content);
   let input: unknown;
   try {
     input = JSON.parse(content);
