@@ -11,6 +11,11 @@ export interface Documents {
   program: ProgramDocument;
 }
 
+/** Bytes of an input beside lines and rows, of one of an edit's places for these, and of a line, roughly. */
+const INPUT_BYTES = 400;
+const PLACE_BYTES = 8;
+const RULE_BYTES = 160;
+
 export class Inputs {
   readonly #inputs: TimedInput[] = [];
   #revision = 0;
@@ -66,6 +71,23 @@ export class Inputs {
     this.#inputs.length = this.indexAt(tick + 1);
   }
 
+  /** Bytes held, roughly. @param first the documents before the first input */
+  byteLength({ maze, program }: Documents): number {
+    let bytes = 0;
+    for (const input of this.#inputs) {
+      bytes += INPUT_BYTES;
+      if (input.do === "maze") {
+        bytes += ownBytes(input.maze.blocks, maze.blocks, (row) => row.length);
+        maze = input.maze;
+      }
+      if (input.do === "program") {
+        bytes += ownBytes(input.program.rules, program.rules, () => RULE_BYTES);
+        program = input.program;
+      }
+    }
+    return bytes;
+  }
+
   list(): TimedInput[] {
     return [...this.#inputs];
   }
@@ -92,6 +114,17 @@ export function sharing(input: RunInput, before: Documents): RunInput {
     return { do: "maze", maze: { ...input.maze, blocks } };
   }
   return input;
+}
+
+/** Bytes of the parts of a document that it does not share with the one before. */
+function ownBytes<Part>(
+  parts: readonly Part[],
+  before: readonly Part[],
+  bytesOf: (part: Part) => number,
+): number {
+  let bytes = parts.length * PLACE_BYTES;
+  for (const [index, part] of parts.entries()) if (part !== before[index]) bytes += bytesOf(part);
+  return bytes;
 }
 
 function isSameRule(one: Rule, other: Rule): boolean {

@@ -81,3 +81,23 @@ describe("an hour of running", () => {
     expect(playback.run.tick).toBe(5 * HOUR + 1234);
   });
 });
+
+describe("edits", () => {
+  const large = { ...hall, blocks: Array.from({ length: 101 }, () => ".".repeat(101)) };
+  /** Bytes of a recording whose maze is edited so often. */
+  function bytesOf(blocksAt: (edit: number) => string[]): number {
+    const recording = new Recording(large, program([], "stop"));
+    for (let edit = 1; edit <= 50; edit++) {
+      recording.step();
+      recording.input({ do: "maze", maze: { ...large, blocks: blocksAt(edit) } });
+    }
+    return recording.byteLength;
+  }
+
+  it("count with what they do not share with the documents before them", () => {
+    const row = (edit: number) => `${".".repeat(edit)}#`.padEnd(101, ".");
+    const oneRow = bytesOf((edit) => large.blocks.with(100, row(edit)));
+    const allRows = bytesOf((edit) => large.blocks.map((_, at) => (at > 50 ? row(edit) : row(1))));
+    expect(allRows - oneRow).toBeGreaterThan(50 * 45 * 101);
+  });
+});

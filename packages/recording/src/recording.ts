@@ -30,9 +30,6 @@ interface EditsOfTick {
   before: RunState;
 }
 
-/** Bytes of an input beside the documents that it shares with others, roughly. */
-const INPUT_BYTES = 400;
-
 export class Recording {
   readonly timeline = new Timeline();
   /** corners of the trail */
@@ -73,7 +70,7 @@ export class Recording {
       corners.byteLength +
       bumps.byteLength +
       this.#keyframes.byteLength +
-      this.#inputs.length * INPUT_BYTES
+      this.#inputs.byteLength(this.#first)
     );
   }
 
