@@ -274,6 +274,8 @@ test("goes through everything with Tab in the order of the screen", async ({ cor
     "Tool",
     "Maze",
     "maze",
+    // Describe, below the maze
+    "Maze",
     "Who drives?",
     // the invitation to the first mission
     "Lessons",

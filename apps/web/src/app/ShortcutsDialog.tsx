@@ -39,6 +39,7 @@ export function ShortcutsDialog({ isOpen, onClose }: { isOpen: boolean; onClose:
       onClose={onClose}
       title={t("shell.keys.title")}
       width="narrow"
+      isText
       footer={
         <div className={styles["keySwitches"]}>
           <Checkbox

@@ -19,6 +19,8 @@ interface DialogProps {
   width?: "wide" | "narrow";
   /** a quiet band at the bottom */
   footer?: ReactNode;
+  /** its content has nothing to press: it is a stop of the Tab key itself, so that keys scroll it */
+  isText?: boolean;
   children: ReactNode;
 }
 
@@ -30,6 +32,7 @@ export function Dialog({
   subtitle,
   width = "wide",
   footer,
+  isText = false,
   children,
 }: DialogProps) {
   const { t } = useTranslation();
@@ -64,7 +67,14 @@ export function Dialog({
               <X aria-hidden="true" />
             </IconButton>
           </div>
-          <div className={styles["content"]}>{children}</div>
+          {isText ? (
+            // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex
+            <section className={styles["content"]} tabIndex={0} aria-labelledby={titleId}>
+              {children}
+            </section>
+          ) : (
+            <div className={styles["content"]}>{children}</div>
+          )}
           {footer !== undefined && <div className={styles["footer"]}>{footer}</div>}
         </div>
       )}
