@@ -115,6 +115,17 @@ test("pastes a micromouse maze and a program as JSON", async ({ corridor, page }
   await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "5");
 });
 
+test("is told in a message, not in the way, that a stray text opens nothing", async ({
+  corridor,
+  page,
+}) => {
+  await corridor.run.focus();
+  await paste(page, "Dear Anna, see you at eight.");
+  await expect(corridor.message("The clipboard holds no maze, program or run")).toBeVisible();
+  await expect(page.getByRole("dialog")).toBeHidden();
+  await expect(corridor.run).toBeFocused();
+});
+
 test("pastes into a field what belongs there", async ({ corridor, page }) => {
   await corridor.program.name.fill("");
   await paste(page, "#S.G#");

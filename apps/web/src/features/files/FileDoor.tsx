@@ -40,9 +40,10 @@ export function FileDoor({ children }: { children: ReactNode }) {
       listenForFiles({
         over: setIsOver,
         take: (files) => void take(files),
+        strayText: () => tell(services.screen, { tone: "info", text: t("files.strayText") }),
         clipboardName: () => t("files.pasted"),
       }),
-    [take, t],
+    [take, services, t],
   );
 
   return (

@@ -2,18 +2,26 @@
  * Files on their way into the page: dragged over it, dropped, pasted, or chosen in the browser's own
  * dialog. Small, because it listens from the first moment; reading them comes in a file of its own.
  */
+import { looksLikeFile } from "./looks-like-file.ts";
 import type { TextFile } from "./open-files.ts";
 
 interface IncomingPorts {
   /** called when files begin or cease to hang over the page */
   over: (isOver: boolean) => void;
   take: (files: readonly TextFile[]) => void;
+  /** a text was pasted that is neither a document nor a drawn maze */
+  strayText: () => void;
   /** what a text from the clipboard is called; the maze in it too */
   clipboardName: () => string;
 }
 
 /** Listens on the window. @returns a function that ends it */
-export function listenForFiles({ over, take, clipboardName }: IncomingPorts): () => void {
+export function listenForFiles({
+  over,
+  take,
+  strayText,
+  clipboardName,
+}: IncomingPorts): () => void {
   const end = new AbortController();
   const { signal } = end;
   // A drag enters each element before it leaves the one around it.
@@ -68,6 +76,10 @@ export function listenForFiles({ over, take, clipboardName }: IncomingPorts): ()
       const text = event.clipboardData.getData("text/plain");
       if (files.length === 0 && text.trim() === "") return;
       event.preventDefault();
+      if (files.length === 0 && !looksLikeFile(text)) {
+        strayText();
+        return;
+      }
       const pasted = {
         name: clipboardName(),
         size: text.length,
