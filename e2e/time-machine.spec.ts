@@ -46,6 +46,24 @@ test("scrubs back to the bump and sees the robot, sensors, truths and line of th
   await expect(corridor.clock).toHaveText(/^Time 0:01\./);
 });
 
+test("lays an earlier moment out by the maze that it had", async ({ corridor }) => {
+  const { maze, timeline } = corridor;
+  await turnSomeTimes(corridor);
+  const columns = Number(await maze.grid.getAttribute("aria-colcount"));
+  await maze.button("Resize").click();
+  const dialog = corridor.dialog("Resize the maze");
+  await dialog.getByRole("textbox", { name: "Columns" }).fill(String(columns + 30));
+  await dialog.getByRole("button", { name: "Resize maze" }).click();
+  await expect(maze.grid).toHaveAttribute("aria-colcount", String(columns + 30));
+  await corridor.run.click();
+  await corridor.pause.click();
+  await timeline.drag(0.3, 0.1);
+  await expect(timeline.inThePast).toBeVisible();
+  await expect(maze.grid).toHaveAttribute("aria-colcount", String(columns));
+  await timeline.backToNow.click();
+  await expect(maze.grid).toHaveAttribute("aria-colcount", String(columns + 30));
+});
+
 test("steps back one decision by keyboard", async ({ corridor, page }) => {
   const { timeline } = corridor;
   await turnSomeTimes(corridor);
