@@ -2,13 +2,13 @@
  * Which ready-made mazes were solved on this device, by hand or by a program. A maze counts as it was
  * given: with a block taken out or the start moved it is another one.
  */
-import { mazePresets, type MazeDocument, type MazePresetId } from "@corridor/maze";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { KeyValueStorage } from "../../app/works.ts";
 import type { RunStore } from "../../stores/run-store.ts";
 import type { WorkspaceStore } from "../../stores/workspace-store.ts";
 
-export type SolvedStore = StoreApi<{ ids: readonly MazePresetId[] }>;
+/** ids as they are stored; those of a later Corridor are kept as they are */
+export type SolvedStore = StoreApi<{ ids: readonly string[] }>;
 
 const KEY = "corridor.solved";
 
@@ -25,22 +25,32 @@ export function createSolvedStore({ run, workspace, device }: SolvedPorts): Solv
   run.subscribe(({ moment }, before) => {
     if (moment === before.moment || moment?.kind !== "goal" || moment.driver === "remote") return;
     const { maze } = workspace.getState();
-    const preset = mazePresets.find((each) => isSame(each.maze, maze));
-    if (preset === undefined || solved.getState().ids.includes(preset.id)) return;
+    // The ready-made mazes are no part of the first screen.
+    void import("./preset-of.ts").then(
+      ({ presetOf }) => {
+        const id = presetOf(maze);
+        if (id !== null) add(id);
+      },
+      () => undefined,
+    );
+  });
+
+  function add(id: string): void {
+    if (solved.getState().ids.includes(id)) return;
     // Another tab may have added one since.
-    const ids = [...new Set([...solved.getState().ids, ...read(device), preset.id])];
+    const ids = [...new Set([...solved.getState().ids, ...read(device), id])];
     solved.setState({ ids });
     try {
       device.setItem(KEY, JSON.stringify(ids));
     } catch {
       // A full or forbidden storage is told by the autosave; the mark lasts as long as the page.
     }
-  });
+  }
   return solved;
 }
 
-/** A name that this Corridor does not know is of no use here, and is not worth a message. */
-function read(device: KeyValueStorage): MazePresetId[] {
+/** What cannot be read is of no use here, and is not worth a message. */
+function read(device: KeyValueStorage): string[] {
   let stored: unknown;
   try {
     stored = JSON.parse(device.getItem(KEY) ?? "[]");
@@ -48,15 +58,5 @@ function read(device: KeyValueStorage): MazePresetId[] {
     return [];
   }
   const names: unknown[] = Array.isArray(stored) ? stored : [];
-  return mazePresets.map(({ id }) => id).filter((id) => names.includes(id));
-}
-
-/** Names may be in another language. */
-function isSame(preset: MazeDocument, maze: MazeDocument): boolean {
-  return (
-    preset.blocks.join() === maze.blocks.join() &&
-    preset.start.column === maze.start.column &&
-    preset.start.row === maze.start.row &&
-    JSON.stringify(preset.goals) === JSON.stringify(maze.goals)
-  );
+  return names.filter((name) => typeof name === "string");
 }
