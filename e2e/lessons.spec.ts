@@ -154,10 +154,9 @@ test("menus offer only what the mission allows", async ({ corridor, page }) => {
   ]);
   await expect(corridor.program.condition(1)).toBeDisabled();
   await expect(corridor.program.number(1)).toBeDisabled();
-  await expect(corridor.program.button("Add line")).toBeDisabled();
-  await expect(corridor.program.button("Add line")).toHaveAccessibleDescription(
-    "The lines of this mission are given.",
-  );
+  // Given lines take the room that a button without use would.
+  await expect(corridor.program.button("Add line")).toHaveCount(0);
+  await expect(corridor.program.region).toContainText("The lines of this mission are given.");
   // Only the number can be changed.
   await lessons.openMission(5);
   await expect(corridor.program.action(1)).toBeDisabled();

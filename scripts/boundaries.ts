@@ -83,6 +83,7 @@ const allowed: Record<string, readonly string[]> = {
     "react-dom",
     "react-i18next",
     "uqr",
+    "virtual:",
     "zundo",
     "zustand",
   ],

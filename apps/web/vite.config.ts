@@ -1,4 +1,3 @@
-import { basename } from "node:path";
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vite";
 import { VitePWA } from "vite-plugin-pwa";
@@ -10,17 +9,14 @@ import { precompress } from "./build/precompress.ts";
 /** Addresses at which the page shows itself; all others belong to the relay. */
 const PAGE = /^\/(\?.*)?$/;
 
-const styleFiles = new Map<string, string>();
+const classNumbers = new Map<string, number>();
 
-/** "program-line": readable, and shorter than a hash once it is compressed. */
+/** Two or three letters a class, given by turns: what is read by nobody should cost nobody. */
 function scopedName(name: string, path: string): string {
-  const file = basename(path).split(".")[0] ?? "";
-  const owner = styleFiles.get(file);
-  if (owner !== undefined && owner !== path) {
-    throw new Error(`${path} and ${owner} need different names: their classes would be the same`);
-  }
-  styleFiles.set(file, path);
-  return `${file}-${name}`;
+  const key = `${path} ${name}`;
+  const at = classNumbers.get(key) ?? classNumbers.size;
+  classNumbers.set(key, at);
+  return `c${at.toString(36)}`;
 }
 
 export default defineConfig({

@@ -9,7 +9,7 @@
     const worker = new Worker(simulator, { type: "module" });
     window.corridorSimulator = { worker, failure: null };
     // A file that does not come has no message.
-    worker.onerror = ({ message = "" }) => (window.corridorSimulator.failure = message);
+    worker.onerror = (event) => (window.corridorSimulator.failure = String(event.message ?? ""));
   }
   let theme = null;
   let contrast = null;

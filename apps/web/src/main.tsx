@@ -14,11 +14,10 @@ import { createServices, ServicesProvider } from "./app/services.ts";
 import { whenSettled } from "./app/settled.ts";
 import { onSimulatorFailure, startSimulator } from "./app/simulator-start.ts";
 import { startTheme } from "./app/theme.ts";
-import { followAddress } from "./app/url-sync.ts";
 import { WorkReader } from "./app/work-reader.ts";
 import { storageOrNone, WorkShelf } from "./app/works.ts";
 import { openEmptyMaze } from "./features/works/empty-maze.ts";
-import { createScreenStore } from "./stores/screen-store.ts";
+import { createScreenStore, tell } from "./stores/screen-store.ts";
 import { englishWords } from "./text/english-words.ts";
 import { createI18n } from "./text/i18n.ts";
 import { preloadParts } from "./ui/lazy-part.tsx";
@@ -91,8 +90,11 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   flushWhenHidden({ flush }, life);
   guardLeaving(screen, window);
 
-  const follow = () =>
-    followAddress({
+  const follow = async (): Promise<void> => {
+    const isAsked = location.hash.length > 1 || location.pathname.startsWith("/r/");
+    if (!isAsked) return;
+    const { followAddress } = await import("./app/url-sync.ts");
+    await followAddress({
       ...services,
       words,
       loadLinks: () => import("@corridor/link"),
@@ -106,8 +108,13 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
       },
       openChallenge: (challenge, program) => services.lessons.openShared(challenge, program),
     });
+  };
+  const followOrTell = () =>
+    follow().catch(() => {
+      tell(screen, { tone: "bad", text: words.t("offline.linkFailed") });
+    });
   window.addEventListener("online", () => services.connection.networkIsBack());
-  window.addEventListener("hashchange", () => void follow());
+  window.addEventListener("hashchange", () => void followOrTell());
 
   root.render(
     <I18nextProvider i18n={words}>
@@ -120,7 +127,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   );
 
   // The page stands before what its address asks for: a link may take long, or never come to an end.
-  void follow().finally(() => void services.runKeeper.resume());
+  void followOrTell().finally(() => void services.runKeeper.resume());
 
   await whenSettled(services.run);
   await Promise.allSettled([reader.load(), preloadParts()]);

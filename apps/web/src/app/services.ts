@@ -6,7 +6,6 @@ import type { i18n } from "i18next";
 import { createContext, useContext } from "react";
 import { createAdviceStore, type AdviceStore } from "../features/program/advice-store.ts";
 import { createSolvedStore, type SolvedStore } from "../features/presets/solved-presets.ts";
-import { tellNotice } from "../features/cards/tell-notice.ts";
 import { Speech } from "../features/speech/speech.ts";
 import { LessonsGate } from "../features/lessons/lessons-gate.ts";
 import { LessonsStorage } from "../features/lessons/lessons-storage.ts";
@@ -114,7 +113,10 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
         explain(cards, message.moment, workspace.getState().program);
         return;
       case "notice":
-        tellNotice({ screen, workspace, run, words }, message.notice);
+        void import("../features/cards/tell-notice.ts").then(
+          ({ tellNotice }) => tellNotice({ screen, workspace, run, words }, message.notice),
+          () => undefined,
+        );
         return;
       case "remote":
         remote.setState(message.remote);

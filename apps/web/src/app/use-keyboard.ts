@@ -6,7 +6,7 @@ import type { i18n } from "i18next";
 import { useEffect, useEffectEvent, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { createHoldStore, type HoldStore } from "../features/drive/hold-store.ts";
-import { describeRobot } from "../features/speech/describe-robot.ts";
+import { describeRobot } from "../features/speech/describe-later.ts";
 import { runOrPause, stepOn } from "../features/transport/run-button.ts";
 import { redo, undo } from "../stores/workspace-store.ts";
 import { useServices, type Services } from "./services.ts";

@@ -5,12 +5,11 @@
  */
 import type { AttemptTerms } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
-import { CompiledProgram } from "@corridor/program";
-import { replayDigest } from "@corridor/simulation";
 import { describeFault } from "./describe-fault.ts";
 import { FramePace } from "./frame-pace.ts";
-import { RemoteHost } from "./remote-host.ts";
-import { RunLoader } from "./run-loader.ts";
+import type { RemoteDriverEvents } from "../drivers/remote-driver.ts";
+import type { RemoteHost } from "./remote-host.ts";
+import type { RunLoader } from "./run-loader.ts";
 import { RunLoop } from "./run-loop.ts";
 import { StagePainter } from "./stage-painter.ts";
 import type { FromWorker, SavedRun, ToWorker } from "./worker-messages.ts";
@@ -35,15 +34,41 @@ let shownMaze: MazeDocument | null = null;
 /** of the newest challenge that the page asked to judge by */
 let judgeId = 0;
 
-const remote = new RemoteHost({
-  origin: worker.location.origin,
-  now: () => Date.now(),
-  snapshot: () => loop?.snapshot() ?? null,
-  onView: (view) => post({ type: "remote", remote: view }),
-  onDelivery: (delivery) => loop?.accept(delivery),
-  cancel: (reason) => loop?.cancelRemote(reason),
-  fetch: (url, request) => fetch(url, request),
-});
+/** The relay link comes in a file of its own when Remote is opened for the first time. */
+let remote: RemoteHost | null = null;
+let remoteLoading: Promise<RemoteHost> | null = null;
+const remoteEvents: RemoteDriverEvents = {
+  started: (seq) => remote?.started(seq),
+  ended: (seq, ending) => remote?.ended(seq, ending),
+};
+
+/** Does something with the relay link, in the order of the calls. */
+function withRemote(use: (host: RemoteHost) => void): void {
+  remoteLoading ??= loadRemote();
+  void remoteLoading.then(
+    (host) => guarded(() => use(host)),
+    () => {
+      // The file did not come: that is a lost line, and the next try asks for it again.
+      remoteLoading = null;
+      const status = { kind: "lost", reason: "lineLost" } as const;
+      post({ type: "remote", remote: { status, session: null, commands: [] } });
+    },
+  );
+}
+
+async function loadRemote(): Promise<RemoteHost> {
+  const { RemoteHost: Host } = await import("./remote-host.ts");
+  remote = new Host({
+    origin: worker.location.origin,
+    now: () => Date.now(),
+    snapshot: () => loop?.snapshot() ?? null,
+    onView: (view) => post({ type: "remote", remote: view }),
+    onDelivery: (delivery) => loop?.accept(delivery),
+    cancel: (reason) => loop?.cancelRemote(reason),
+    fetch: (url, request) => fetch(url, request),
+  });
+  return remote;
+}
 
 /** A run that was brought up to now so recently is not once more before it is drawn, in milliseconds. */
 const RECENT_MS = 2;
@@ -71,19 +96,38 @@ afterMessages.port1.onmessage = () => guarded(tellNews);
 const afterSlice = new MessageChannel();
 afterSlice.port1.onmessage = () =>
   guarded(() => {
-    loader.goOn();
+    loader?.goOn();
     tellNews();
   });
 
-const loader = new RunLoader({
-  now,
-  later: () => afterSlice.port2.postMessage(null),
-  post,
-  open: (recording) => {
-    if (loop === null) throw new Error("a run comes before the documents");
-    return loop.open(recording);
-  },
-});
+/** What opens recorded runs comes in a file of its own with the first of them. */
+let loader: RunLoader | null = null;
+let loaderLoading: Promise<RunLoader> | null = null;
+
+function withLoader(use: (runs: RunLoader) => void, orElse: () => void): void {
+  loaderLoading ??= loadLoader();
+  void loaderLoading.then(
+    (runs) => guarded(() => use(runs)),
+    () => {
+      loaderLoading = null;
+      orElse();
+    },
+  );
+}
+
+async function loadLoader(): Promise<RunLoader> {
+  const { RunLoader: Loader } = await import("./run-loader.ts");
+  loader = new Loader({
+    now,
+    later: () => afterSlice.port2.postMessage(null),
+    post,
+    open: (recording) => {
+      if (loop === null) throw new Error("a run comes before the documents");
+      return loop.open(recording);
+    },
+  });
+  return loader;
+}
 
 worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   try {
@@ -122,16 +166,26 @@ function guarded(work: () => void): void {
 
 function handle(message: ToWorker): void {
   if (message.type === "load") {
-    loop = new RunLoop(message.maze, message.program, now, remote);
+    loop = new RunLoop(message.maze, message.program, now, remoteEvents);
     return;
   }
   if (message.type === "digest") {
-    const { maze, driver, ticks } = message;
-    const decider = "rules" in driver ? new CompiledProgram(driver) : driver;
-    post({ type: "digest", digest: replayDigest({ maze, driver: decider }, ticks) });
+    void import("./digest.ts").then(({ digestOf }) => {
+      post({ type: "digest", digest: digestOf(message) });
+    });
     return;
   }
-  if (message.type === "load-run") return loader.load(message);
+  if (message.type === "load-run") {
+    const failed = {
+      type: "run-loaded",
+      id: message.id,
+      loaded: { ok: false, reason: "fault" },
+    } as const;
+    return withLoader(
+      (runs) => runs.load(message),
+      () => post(failed),
+    );
+  }
   if (loop === null) return;
   switch (message.type) {
     case "edit-maze":
@@ -145,7 +199,11 @@ function handle(message: ToWorker): void {
     case "step":
       return loop.step();
     case "reset":
-      loader.cancel();
+      if (loaderLoading !== null)
+        withLoader(
+          (runs) => runs.cancel(),
+          () => undefined,
+        );
       return loop.reset();
     case "judge":
       return judge(message.id, message.terms);
@@ -168,13 +226,16 @@ function handle(message: ToWorker): void {
     case "save-run":
       return saveRun(loop, message.id);
     case "cancel-load":
-      return loader.cancel(message.id);
+      return withLoader(
+        (runs) => runs.cancel(message.id),
+        () => undefined,
+      );
     case "remote-open":
-      return remote.open(message.session, message.fresh);
+      return withRemote((host) => host.open(message.session, message.fresh));
     case "remote-close":
-      return remote.close();
+      return withRemote((host) => host.close());
     case "remote-clear":
-      return remote.clearCommands();
+      return withRemote((host) => host.clearCommands());
     case "stage-mount":
     case "stage-mount-here":
     case "stage-scene":
@@ -231,7 +292,7 @@ function tellNews(): void {
   if (judgement !== null) post({ type: "judgement", id: judgeId, judgement });
   hasUnsentNews ||= news !== null;
   const wait = hasUnsentNews ? RELAY_INTERVAL_MS : RELAY_HEARTBEAT_MS;
-  if (remote.isOpen && now() - sentToRelayAt >= wait) {
+  if (remote?.isOpen === true && now() - sentToRelayAt >= wait) {
     sentToRelayAt = now();
     hasUnsentNews = false;
     remote.sendSnapshot(loop.snapshot());

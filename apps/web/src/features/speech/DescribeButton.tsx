@@ -4,7 +4,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { IconButton } from "../../ui/Button.tsx";
-import { describeRobot } from "./describe-robot.ts";
+import { describeRobot } from "./describe-later.ts";
 
 export function DescribeButton({ className }: { className?: string | undefined }) {
   const { t, i18n } = useTranslation();

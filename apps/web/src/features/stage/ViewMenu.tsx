@@ -8,7 +8,7 @@ import { Button } from "../../ui/Button.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
 import { useRights } from "../lessons/use-rights.ts";
-import { describeRobot } from "../speech/describe-robot.ts";
+import { describeRobot } from "../speech/describe-later.ts";
 import { FullScreenButton } from "./FullScreenButton.tsx";
 import styles from "./tool-strip.module.css";
 

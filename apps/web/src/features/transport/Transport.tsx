@@ -4,15 +4,17 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
+import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Select } from "../../ui/Select.tsx";
 import { speeds } from "../../worker/worker-messages.ts";
-import { PastBar } from "../timeline/PastBar.tsx";
 import { TimelineBar } from "../timeline/TimelineBar.tsx";
 import { Clock } from "./Clock.tsx";
 import { stepOn } from "./run-button.ts";
 import { RunButton } from "./RunButton.tsx";
 import { RunStory } from "./RunStory.tsx";
 import styles from "./transport.module.css";
+
+const PastBar = lazyPart(async () => (await import("../timeline/PastBar.tsx")).PastBar);
 
 export function Transport() {
   const { t } = useTranslation();
@@ -37,7 +39,7 @@ export function Transport() {
         {canStepBack && <StepBack />}
         <StepAndReset />
         <SpeedMenu />
-        <PastBar />
+        {view !== "now" && <PastBar />}
       </div>
       <div className={styles["telling"]}>
         <Clock />
