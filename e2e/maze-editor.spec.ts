@@ -27,6 +27,7 @@ test("paints a row of blocks in one drag, and one Undo takes them all back", asy
   for (const square of stroke) await maze.expectSquare(square, "open");
   await maze.button("Redo").click();
   for (const square of stroke) await maze.expectSquare(square, "block");
+  await corridor.dismissMessages();
   // A drag that begins on a block removes, and never adds.
   await maze.drag([
     { column: 2, row: 2 },
