@@ -28,11 +28,9 @@ test("sees a bump and the goal stand still, and can go step by step", async ({
 
   await corridor.program.action(2).selectOption("left 90");
   await corridor.reset.click();
-  const before = await corridor.clock.textContent();
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
   await corridor.step.click();
   await corridor.step.click();
   await expect(corridor.robotPlace).not.toHaveText("Robot at 50, 650, facing right");
   await expect(corridor.run).toBeVisible();
-  await corridor.frames(10);
-  expect(before).toBe("Time 0:00.0");
 });

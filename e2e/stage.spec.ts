@@ -53,9 +53,12 @@ test("the button for the full screen leads there and back", async ({ corridor })
 test("a delayed turn shows its way ahead of the robot", async ({ corridor }) => {
   const picture = new StagePicture(corridor.page);
   await corridor.run.click();
+  await expect(corridor.robotPlace).toHaveText(/facing up/);
+  await corridor.speed.selectOption("0.25×");
   const running = corridor.page.locator("li[aria-current=step]");
   await expect(running).toContainText(/turns in \d+ cm/);
   await corridor.pause.click();
+  await expect(corridor.run).toBeVisible();
   const left = Number(/turns in (\d+)/.exec((await text(running)) ?? "")?.[1]);
   const place = /Robot at (\d+), (\d+), facing up/.exec((await text(corridor.robotPlace)) ?? "");
   const x = Number(place?.[1]);

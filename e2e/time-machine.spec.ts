@@ -15,6 +15,7 @@ async function bump(corridor: CorridorPage): Promise<void> {
   await corridor.run.click();
   await expect(corridor.clock).toHaveText(/0:(0[5-9]|[1-9]\d)/);
   await corridor.pause.click();
+  await expect(corridor.run).toBeVisible();
 }
 
 /** Lets the right wall's program turn a few times, and pauses. */

@@ -18,14 +18,15 @@ const script = `
 const messages = await (await fetch("/messages")).json();
 const worker = new Worker("/assets/" + messages.worker, { type: "module" });
 const digests = [];
+const askNext = () => worker.postMessage(messages.list[digests.length]);
 worker.onmessage = ({ data }) => {
   if (data.type === "digest") digests.push(data.digest);
-  if (data.type === "fault") digests.push("fault: " + data.reason);
-  if (digests.length === messages.list.length) {
-    fetch("/digests", { method: "POST", body: JSON.stringify(digests) });
-  }
+  else if (data.type === "fault") digests.push("fault: " + data.reason);
+  else return;
+  if (digests.length < messages.list.length) askNext();
+  else fetch("/digests", { method: "POST", body: JSON.stringify(digests) });
 };
-for (const message of messages.list) worker.postMessage(message);
+askNext();
 `;
 
 export class DigestServer {
@@ -39,7 +40,10 @@ export class DigestServer {
   }
 
   static async start(list: DigestMessage[]): Promise<DigestServer> {
-    const worker = readdirSync(assets).find((name) => /^simulator\.worker-.*\.js$/.test(name));
+    const scripts = readdirSync(assets).filter((name) => name.endsWith(".js"));
+    // The worker and the parts of it that come when they are asked for.
+    const files = new Set(scripts.map((name) => `/assets/${name}`));
+    const worker = scripts.find((name) => name.startsWith("simulator.worker-"));
     if (worker === undefined) throw new Error("no worker in apps/web/dist: run npm run build");
     const { promise, resolve } = Promise.withResolvers<string[]>();
     const server = createServer((request, response) => {
@@ -56,8 +60,11 @@ export class DigestServer {
         });
       } else if (path === "/digest.js") answer("text/javascript", script);
       else if (path === "/messages") answer("application/json", JSON.stringify({ worker, list }));
-      else if (path === `/assets/${worker}`) {
-        answer("text/javascript", readFileSync(new URL(worker, assets), "utf8"));
+      else if (files.has(path)) {
+        answer(
+          "text/javascript",
+          readFileSync(new URL(path.slice("/assets/".length), assets), "utf8"),
+        );
       } else if (path === "/") answer("text/html", page);
       else response.writeHead(404).end();
     });

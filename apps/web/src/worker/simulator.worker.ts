@@ -170,9 +170,10 @@ function handle(message: ToWorker): void {
     return;
   }
   if (message.type === "digest") {
-    void import("./digest.ts").then(({ digestOf }) => {
-      post({ type: "digest", digest: digestOf(message) });
-    });
+    import("./digest.ts").then(
+      ({ digestOf }) => guarded(() => post({ type: "digest", digest: digestOf(message) })),
+      (error: unknown) => post({ type: "fault", reason: describeFault(error) }),
+    );
     return;
   }
   if (message.type === "load-run") {

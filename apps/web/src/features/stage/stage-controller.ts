@@ -191,7 +191,10 @@ export class StageController {
   /** The keyboard goes to any square, also to one that the camera does not show. */
   #seeFocus(grid: HTMLElement): void {
     if (grid.querySelector(":focus-visible") === null) return;
-    this.#services.camera.setState({ isWhole: true });
+    // A press focuses a square too, and a camera that moves would end its stroke.
+    const { camera } = this.#services;
+    const { isDriving, isWhole } = camera.getState();
+    if (isDriving && !isWhole) camera.setState({ isWhole: true });
   }
 
   #factsOf(event: PointerEvent): PointerFacts {
