@@ -81,3 +81,39 @@ test("opens for the first time with little to load, and drives", async ({ page, 
   expect(sumOf(scripts), report).toBeLessThanOrEqual(SCRIPT_BUDGET);
   expect(sumOf(files), report).toBeLessThanOrEqual(WHOLE_BUDGET);
 });
+
+test("sees the house in its colours and places before the page's script has come", async ({
+  page,
+  relay,
+}) => {
+  const places = () =>
+    page.evaluate(() => {
+      const boxOf = (words: string) => {
+        const box = document.querySelector(words)?.getBoundingClientRect();
+        // To two pixels: the lines of text that React brings have heights of their own.
+        return [box?.x, box?.y, box?.width, box?.height].map(
+          (at) => 2 * Math.round((at ?? -2) / 2),
+        );
+      };
+      const dot = document.querySelector("#wordmark circle");
+      return {
+        bar: boxOf("header"),
+        wordmark: boxOf("header svg"),
+        stage: boxOf("main"),
+        dot: dot && getComputedStyle(dot).fill,
+      };
+    });
+  let letGo = () => {};
+  const held = new Promise<void>((resolve) => (letGo = resolve));
+  await page.route(`${relay}/assets/index-*.js`, async (route) => {
+    await held;
+    await route.continue();
+  });
+  await page.goto("/", { waitUntil: "commit" });
+  await expect(page.locator("header")).toBeVisible();
+  const before = await places();
+  letGo();
+  await new CorridorPage(page).isReady();
+  expect(before).toEqual(await places());
+  expect(before.dot).toBe("rgb(239, 106, 26)");
+});

@@ -11,8 +11,12 @@ const PAGE = /^\/(\?.*)?$/;
 
 const classNumbers = new Map<string, number>();
 
-/** Two or three letters a class, given by turns: what is read by nobody should cost nobody. */
+/**
+ * Two or three letters a class, given by turns: what is read by nobody should cost nobody. The classes
+ * of the house keep their names: index.html, which draws it before any script, calls them by these.
+ */
 function scopedName(name: string, path: string): string {
+  if (path.endsWith("/app/app.module.css")) return `app-${name}`;
   const key = `${path} ${name}`;
   const at = classNumbers.get(key) ?? classNumbers.size;
   classNumbers.set(key, at);
