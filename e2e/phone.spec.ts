@@ -3,7 +3,7 @@ import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { Fingers, middleOf } from "./support/fingers.ts";
-import { stickingOut, tooSmallToTouch, unreadable } from "./support/layout.ts";
+import { stickingOut, tooSmallToTouch, unreadable, zoomedInto } from "./support/layout.ts";
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 /** The smallest that is still about. */
@@ -304,6 +304,7 @@ for (const [width, height] of sizes) {
     const expectInOrder = async (what: string) => {
       expect(await stickingOut(page), what).toEqual([]);
       expect(await tooSmallToTouch(page), what).toEqual([]);
+      expect(await zoomedInto(page), what).toEqual([]);
       // Between the two the page scrolls under its foot.
       if (width < 600 || height < 600) expect(await unreadable(page), what).toEqual([]);
     };
@@ -318,3 +319,34 @@ for (const [width, height] of sizes) {
     }
   });
 }
+
+test("touches every field without the phone zooming in", async ({ openWindow }) => {
+  const corridor = await openWindow(smallest);
+  await corridor.open();
+  const { page } = corridor;
+  const expectCalm = async (what: string) => {
+    await expect(page.locator("input, select, textarea").first()).toBeAttached();
+    expect(await zoomedInto(page), what).toEqual([]);
+    expect(await stickingOut(page), what).toEqual([]);
+  };
+  await expectCalm("program");
+  await tab(page, "Presets").tap();
+  await expectCalm("presets");
+  await corridor.share.tap();
+  await expect(corridor.dialog("Share this maze").getByRole("textbox")).toBeVisible();
+  await expectCalm("share");
+  await page.keyboard.press("Escape");
+  await corridor.mazeMenu.tap();
+  await expect(page.locator(":popover-open input")).toBeVisible();
+  await expectCalm("maze menu");
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "View" }).tap();
+  await page.locator(":popover-open").getByRole("button", { name: "Resize" }).tap();
+  await expectCalm("resize");
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "More", exact: true }).tap();
+  await page.getByRole("button", { name: "Remote", exact: true }).tap();
+  await page.getByRole("dialog").getByRole("radio", { name: "Remote" }).tap();
+  await expect(page.getByRole("textbox", { name: "Script" })).toBeVisible();
+  await expectCalm("remote");
+});

@@ -37,6 +37,21 @@ export async function tooSmallToTouch(page: Page): Promise<string[]> {
   });
 }
 
+/** Fields whose letters are so small that an iPhone zooms into the page when one is touched, in px. */
+export async function zoomedInto(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const fields = [...document.querySelectorAll("input, select, textarea")].filter(
+      (field) =>
+        field.checkVisibility() && !field.matches("[type=radio], [type=checkbox], [type=range]"),
+    );
+    return fields.flatMap((field) => {
+      const size = Number.parseFloat(getComputedStyle(field).fontSize);
+      const name = field.getAttribute("aria-label") ?? field.outerHTML.slice(0, 80);
+      return size < 16 ? [`${name}: ${size}`] : [];
+    });
+  });
+}
+
 /**
  * Texts that cannot be read: cut off by what holds them, wider than their button or menu, off the
  * screen, or printed over one another. Asked of the topmost dialog or menu, else of the whole page.
