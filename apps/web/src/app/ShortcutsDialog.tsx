@@ -5,9 +5,10 @@ import { Checkbox } from "../ui/Checkbox.tsx";
 import { Dialog } from "../ui/Dialog.tsx";
 import { Kbd } from "../ui/Kbd.tsx";
 import styles from "./app.module.css";
+import { capsOf } from "./key-caps.ts";
 import { useServices } from "./services.ts";
 
-/** Each row: its words, and the keys that do the same. A plus inside joins keys pressed together. */
+/** Each row: its words, and the keys that do the same (see key-caps.ts). */
 const rows = [
   ["speech.keys.tab", ["Tab", "Shift+Tab"]],
   ["shell.keys.drive", ["W", "A", "S", "D", "↑", "←", "↓", "→"]],
@@ -63,7 +64,7 @@ export function ShortcutsDialog({ isOpen, onClose }: { isOpen: boolean; onClose:
             <dt>{t(row)}</dt>
             <dd>
               {keys.map((key) => (
-                <Kbd key={key}>{isMac ? key.replace("Ctrl", "⌘") : key}</Kbd>
+                <Kbd key={key}>{capsOf(t, key, isMac)}</Kbd>
               ))}
             </dd>
           </div>

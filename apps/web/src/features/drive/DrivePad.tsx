@@ -8,10 +8,11 @@ import type { DriveKey } from "../../worker/worker-messages.ts";
 import styles from "./drive.module.css";
 import { activeKey, type HoldStore } from "./hold-store.ts";
 
-const keys: readonly { key: DriveKey; cap: string; icon: ReactNode }[] = [
+/** Without a cap: the space bar, which has another name in each language. */
+const keys: readonly { key: DriveKey; cap: string | null; icon: ReactNode }[] = [
   { key: "forward", cap: "W", icon: <ArrowUp aria-hidden="true" /> },
   { key: "left", cap: "A", icon: <CornerUpLeft aria-hidden="true" /> },
-  { key: "stop", cap: "Space", icon: <Square aria-hidden="true" fill="currentColor" /> },
+  { key: "stop", cap: null, icon: <Square aria-hidden="true" fill="currentColor" /> },
   { key: "right", cap: "D", icon: <CornerUpRight aria-hidden="true" /> },
   { key: "reverse", cap: "S", icon: <ArrowDown aria-hidden="true" /> },
 ];
@@ -35,7 +36,9 @@ export function DrivePad({ hold, caps }: { hold: HoldStore; caps: "keyboard" | "
           {...holdHandlers(hold, key)}
         >
           {icon}
-          <span aria-hidden="true">{caps === "words" ? t(`drive.key.${key}`) : cap}</span>
+          <span aria-hidden="true">
+            {caps === "words" ? t(`drive.key.${key}`) : (cap ?? t("drive.cap.space"))}
+          </span>
         </button>
       ))}
     </fieldset>

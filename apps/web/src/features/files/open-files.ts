@@ -9,6 +9,7 @@ import type { FieldProblem } from "@corridor/protocol";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import { dismiss, tell } from "../../stores/screen-store.ts";
+import { joinList } from "../../text/joined.ts";
 import { openRun } from "../timeline/open-run.ts";
 import { readDocument, titleOf, type OpenedDocument } from "./read-document.ts";
 
@@ -61,7 +62,7 @@ export async function openFiles(
       words.t("files.programs", { count: programs.length }),
       words.t("files.runs", { count: runs.length }),
     ];
-    reports.push(tooMuch(files, found.join(", "), words));
+    reports.push(tooMuch(files, joinList(words.t, found), words));
   }
   if (reports.length > 0) return reports;
   const [run] = runs;
@@ -76,7 +77,10 @@ export async function openFiles(
 function tooMuch(files: readonly TextFile[], found: string, words: Pick<i18n, "t">): FileReport {
   const expected = words.t("files.oneOfEach");
   return {
-    file: files.map(({ name }) => name).join(", "),
+    file: joinList(
+      words.t,
+      files.map(({ name }) => name),
+    ),
     problems: [{ path: "", found, expected }],
   };
 }

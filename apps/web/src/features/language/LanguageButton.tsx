@@ -3,6 +3,7 @@ import { Check, Globe } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useLanguageChoice } from "../../app/language-context.ts";
 import { shownLanguage } from "../../text/i18n.ts";
+import { joinList } from "../../text/joined.ts";
 import { listedLanguages } from "../../text/languages.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
@@ -18,7 +19,7 @@ export function LanguageButton() {
       <Button
         kind="quiet"
         className={styles["trigger"]}
-        aria-label={`${shortName(shown)}, ${t("language.language")}`}
+        aria-label={joinList(t, [shortName(shown), t("language.language")])}
         icon={<Globe aria-hidden="true" />}
         {...menu.trigger}
       >

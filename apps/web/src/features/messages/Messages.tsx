@@ -6,6 +6,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { dismiss, type Message } from "../../stores/screen-store.ts";
 import { useSay } from "../speech/use-say.ts";
+import { joinSentences } from "../../text/joined.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import styles from "./messages.module.css";
@@ -44,7 +45,8 @@ function MessageCard({ message }: { message: Message }) {
   const { screen, speech } = useServices();
   const [isHeld, setIsHeld] = useState(false);
   const { id, tone, text, part, action, stays = tone === "bad" } = message;
-  useSay(tone === "bad" ? null : [text, action?.label ?? ""].join(" ").trim(), `message ${id}`);
+  const spoken = action === undefined ? text : joinSentences(t, [text, action.label]);
+  useSay(tone === "bad" ? null : spoken, `message ${id}`);
   useEffect(() => () => speech.tellState(`message ${id}`, null), [speech, id]);
 
   useEffect(() => {

@@ -1,6 +1,7 @@
 /** A line's name for those who hear it: its sentence, whether it runs, and its truth with the numbers. */
 import type { Rule } from "@corridor/program";
 import type { TFunction } from "i18next";
+import { joinSentences } from "../../text/joined.ts";
 import { localNumber } from "../../text/numbers.ts";
 import { preparePhrase } from "../../text/phrase.ts";
 import type { LineStanding, ShownTruth } from "./line-state.ts";
@@ -53,7 +54,7 @@ export function lineName(
     }
   }
   if (advice !== null) sentences.push(t("program.name.advice", { advice }));
-  return [head, ...sentences].join(" ");
+  return joinSentences(t, [head, ...sentences]);
 }
 
 /** The same name for a line whose standing and truth change often: each sentence is looked up once. */

@@ -2,6 +2,7 @@
 import type { ProgramDocument } from "@corridor/program";
 import type { LineRef, Snapshot } from "@corridor/protocol";
 import type { TFunction } from "i18next";
+import { joinSentences } from "../../text/joined.ts";
 import { formatReading, formatSeconds } from "../../text/numbers.ts";
 import { decidingLine, shownTruth } from "../program/line-state.ts";
 import { lineName } from "../program/line-name.ts";
@@ -69,5 +70,5 @@ export function describeText(
     const truth = shownTruth(rule.when, snapshot);
     sentences.push(lineName(t, { index: line, rule, state: "running", truth, advice: null }));
   }
-  return sentences.join(" ");
+  return joinSentences(t, sentences);
 }

@@ -1,6 +1,7 @@
 /** Ties the run to the page's voice: what the ear notes is put into words and said. */
 import { storyOfBump } from "@corridor/coach";
 import type { Services } from "../../app/services.ts";
+import { asSentence, joinSentences } from "../../text/joined.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import type { Moment } from "../../worker/worker-messages.ts";
@@ -35,7 +36,12 @@ export function tellRun(
         return;
       }
       case "past":
-        chat([...(talk.isFirst ? [words().t("speech.past")] : []), ...shownMoment()].join(" "));
+        chat(
+          joinSentences(words().t, [
+            ...(talk.isFirst ? [words().t("speech.past")] : []),
+            ...shownMoment(),
+          ]),
+        );
         return;
       case "too-fast":
         speech.hush();
@@ -72,11 +78,12 @@ export function tellRun(
     const { snapshot } = run.getState();
     if (snapshot === null || document.activeElement?.matches("[type=range]") === true) return [];
     const moment = momentAt(timeline.timeline, snapshot.tick);
+    const { t } = words();
     const line = decision();
-    if (line === "") return [`${sayMoment(words().t, moment)}.`];
+    if (line === "") return [asSentence(t, sayMoment(t, moment))];
     // The line says who drives and how it turns.
     const event = moment.event?.kind === "turn" ? null : moment.event;
-    return [`${sayMoment(words().t, { ...moment, who: null, event })}.`, line];
+    return [asSentence(t, sayMoment(t, { ...moment, who: null, event })), line];
   }
 
   function momentText(moment: Moment): string {
@@ -85,11 +92,11 @@ export function tellRun(
     if (kind === "bump" && cause !== null && mends !== null && line !== null) {
       const { program } = workspace.getState();
       const sentences = [
-        `${bumpTitle(t, line)}.`,
+        asSentence(t, bumpTitle(t, line)),
         bumpReason(t, storyOfBump(cause), program, line),
       ];
       if (mends.length > 0) sentences.push(t("speech.mends", { count: mends.length }));
-      return sentences.join(" ");
+      return joinSentences(t, sentences);
     }
     const story = storyOf(moment);
     return t(`shell.story.${story.kind}.${story.teller}`, {

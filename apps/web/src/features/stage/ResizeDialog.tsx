@@ -4,6 +4,7 @@ import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { joinSentences } from "../../text/joined.ts";
 import { setMaze } from "../../stores/workspace-store.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
@@ -36,7 +37,7 @@ export function ResizeDialog({ isOpen, onClose }: ResizeDialogProps) {
             ...(edit.maze.start === maze.start ? [] : [t("stage.startMoved")]),
             ...(lost === 0 ? [] : [t("stage.goalsOutside", { count: lost })]),
           ];
-          if (news.length > 0) tellUndoable({ screen, workspace }, i18n, news.join(" "));
+          if (news.length > 0) tellUndoable({ screen, workspace }, i18n, joinSentences(t, news));
         }}
       />
     </Dialog>

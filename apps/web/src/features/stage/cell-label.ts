@@ -1,6 +1,7 @@
 /** What a screen reader says of a square: "row 3, column 7, open, robot here, facing up". */
 import { isBlock, type Cell, type HeadingName, type MazeDocument } from "@corridor/maze";
 import type { TFunction } from "i18next";
+import { joinList } from "../../text/joined.ts";
 import type { Facing } from "./robot-place.ts";
 
 const startFacing: Record<HeadingName, Facing> = {
@@ -30,5 +31,5 @@ export function cellLabel(
   if (robotFacing !== null) {
     parts.push(t("stage.cell.robot", { facing: t(`stage.facing.${robotFacing}`) }));
   }
-  return parts.join(", ");
+  return joinList(t, parts);
 }

@@ -1,6 +1,7 @@
 /** What the timeline says of a moment in words: when it is, who drives, and what happens. */
 import type { Timeline, TimelineEvent, Who } from "@corridor/recording";
 import type { TFunction } from "i18next";
+import { joinList } from "../../text/joined.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 
 /** An event is told from just before it to a tenth of a second after it, in ticks. */
@@ -35,7 +36,7 @@ export function sayMoment(t: TFunction, { tick, who, event }: ShownMoment): stri
   const parts = [t("timeline.at", { seconds: formatSeconds(tick) })];
   if (who !== null) parts.push(sayWho(t, who));
   if (event !== null) parts.push(sayEvent(t, event));
-  return parts.join(", ");
+  return joinList(t, parts);
 }
 
 function sayWho(t: TFunction, who: Who): string {

@@ -3,6 +3,7 @@ import { ChevronDown } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { joinList } from "../../text/joined.ts";
 import { Button } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
@@ -24,7 +25,7 @@ export function MazeMenu() {
       <Button
         kind="quiet"
         className={styles["trigger"]}
-        aria-label={`${shownName}, ${t("works.menu")}`}
+        aria-label={joinList(t, [shownName, t("works.menu")])}
         {...menu.trigger}
       >
         <span className={styles["name"]}>{shownName}</span>
