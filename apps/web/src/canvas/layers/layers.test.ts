@@ -2,6 +2,7 @@ import type { MazeDocument } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
 import { beamDirection } from "./beams.ts";
 import { bumpMark } from "./bumps.ts";
+import { isOnReachedGoal } from "./joy.ts";
 import { faceOf } from "./robot.ts";
 import { numberStep } from "./rulers.ts";
 
@@ -50,6 +51,17 @@ describe("the robot's face", () => {
     { bumping: true, goalReached: true, face: "bumped" },
   ])("is $face", ({ face, ...snapshot }) => {
     expect(faceOf(snapshot)).toBe(face);
+  });
+});
+
+describe("the rays of a reached goal", () => {
+  const goals = [{ column: 2, row: 1 }];
+  it.each([
+    { name: "shine on the goal", x: 210, y: 150, goalReached: true, shine: true },
+    { name: "go out where the robot leaves it", x: 199, y: 150, goalReached: true, shine: false },
+    { name: "wait until it is reached", x: 210, y: 150, goalReached: false, shine: false },
+  ])("$name", ({ x, y, goalReached, shine }) => {
+    expect(isOnReachedGoal({ goals }, { goalReached, pose: { x, y, heading: 0 } })).toBe(shine);
   });
 });
 

@@ -8,6 +8,7 @@ import type { Frame } from "../../worker/worker-messages.ts";
 import { drawBeams } from "./beams.ts";
 import { drawGhost } from "./ghost.ts";
 import { drawHit, hitSensor, isAtHit, type Hit } from "./hit.ts";
+import { drawJoy, isOnReachedGoal } from "./joy.ts";
 import { drawMeasure } from "./measure.ts";
 import { drawOutline, drawPath } from "./path.ts";
 import { drawRobot, faceOf } from "./robot.ts";
@@ -49,13 +50,17 @@ function drawRun(surface: Surface, viewport: Viewport, scene: Scene, shown: Show
   const hit = isAtHit(shown.hit, pose) ? shown.hit : null;
   const lit = litSensors(program, snapshot);
   if (hit !== null) drawHit(brush, viewport, palette, maze, hit, dirt);
-  if (scene.showBeams) drawBeams(brush, viewport, palette, snapshot, lit, dirt);
+  // Nothing is left to be measured there, and the goal is in sight.
+  const isJoyful = hit === null && isOnReachedGoal(maze, snapshot);
+  const showBeams = scene.showBeams && !isJoyful;
+  if (showBeams) drawBeams(brush, viewport, palette, snapshot, lit, dirt);
+  if (isJoyful) drawJoy(brush, viewport, palette, pose, dirt);
   drawPath(brush, viewport, palette, pose, progress, dirt);
   const end = snapshot.driver === "remote" ? endOf(pose, progress) : null;
   if (end !== null) drawOutline(brush, viewport, palette.liveInk, end, dirt);
   const face = hit === null ? faceOf(snapshot) : "bumped";
   drawRobot(brush, viewport, palette, pose, face, dirt, shown.nudge);
-  if (!scene.showBeams) return;
+  if (!showBeams) return;
   const bumped = hit === null ? null : hitSensor(maze, hit, pose.heading);
   const limits = limitsOf(program, snapshot);
   drawTags(brush, viewport, palette, snapshot, lit, limits, bumped, dirt);

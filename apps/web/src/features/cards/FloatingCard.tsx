@@ -1,5 +1,6 @@
 /**
- * A card beside the robot, with its tail. It stands still while it is open, follows the stage's layout
+ * A card beside the robot, with its tail; a good one stands away from it, so that the whole way can be
+ * seen. It stands still while it is open, follows the stage's layout
  * and size, and lies over the sheet on phones, where the maze has no room to spare.
  */
 import { X } from "lucide-react";
@@ -12,7 +13,7 @@ import { IconButton } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
-import { placeCard, type CardPlace } from "./card-place.ts";
+import { placeCard, placeCardAway, type CardPlace } from "./card-place.ts";
 import styles from "./cards.module.css";
 
 /** Half of the robot's width as it is drawn, in units. */
@@ -61,13 +62,20 @@ export function FloatingCard(props: FloatingCardProps) {
       const squares = keepClear.map(({ column, row }) =>
         boxOf(viewport, column * CELL + CELL / 2, row * CELL + CELL / 2, CELL / 2),
       );
-      setPlace(placeCard(area, boxOf(viewport, pose.x, pose.y, ROBOT_HALF), size, squares));
+      const robot = boxOf(viewport, pose.x, pose.y, ROBOT_HALF);
+      const { port } = layout;
+      const inMaze = { ...port, x: area.x + port.x, y: area.y + port.y };
+      setPlace(
+        tone === "bad"
+          ? placeCard(area, robot, size, squares)
+          : placeCardAway(inMaze, robot, size, squares),
+      );
     };
     put();
     const resize = new ResizeObserver(put);
     resize.observe(element);
     return () => resize.disconnect();
-  }, [layout, isPhone, pose, keepClear]);
+  }, [layout, isPhone, pose, keepClear, tone]);
 
   const at = isPhone ? null : place;
   return (

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import type { Box } from "../../canvas/viewport.ts";
-import { placeCard } from "./card-place.ts";
+import { placeCard, placeCardAway } from "./card-place.ts";
 
 const area: Box = { x: 0, y: 0, width: 960, height: 600 };
 const card = { width: 360, height: 260 };
@@ -63,5 +63,19 @@ describe("placeCard", () => {
   it("begins at the stage's start where the stage is smaller than the card", () => {
     const small = { x: 0, y: 0, width: 300, height: 200 };
     expect(placeCard(small, robotAt(150, 100), card, [])).toMatchObject({ x: 8, y: 8 });
+  });
+});
+
+describe("placeCardAway", () => {
+  it.each([
+    { name: "left of a robot on the right", x: 900, y: 60, at: { x: 8, y: 8 } },
+    { name: "right of a robot on the left", x: 60, y: 60, at: { x: 592, y: 8 } },
+  ])("stands high up, $name, without a tail", ({ x, y, at }) => {
+    expect(placeCardAway(area, robotAt(x, y), card, [])).toMatchObject({ ...at, tail: null });
+  });
+
+  it("goes below where a goal is high up", () => {
+    const goal = { x: 40, y: 40, width: 80, height: 80 };
+    expect(placeCardAway(area, robotAt(900, 60), card, [goal])).toMatchObject({ x: 8, y: 332 });
   });
 });

@@ -43,9 +43,43 @@ export function placeCard(
     ...order.map((tail) => beside(tail, area, robot, robot, card)),
     ...order.map((tail) => beside(tail, area, robot, clump, card)),
   ];
+  return leastCovering([...places, ...corners(area, card)], robot, card, keepClear);
+}
+
+/**
+ * Where a card stands that is not about the place of the robot: in a corner, high up, and as far from the
+ * robot as may be, so that the way that it came stays in sight.
+ */
+export function placeCardAway(
+  area: Box,
+  robot: Box,
+  card: { width: number; height: number },
+  keepClear: readonly Box[],
+): CardPlace {
+  const middleX = robot.x + robot.width / 2;
+  const [topLeft, bottomLeft, topRight, bottomRight] = corners(area, card);
+  const order =
+    middleX > area.x + area.width / 2
+      ? [topLeft, bottomLeft, topRight, bottomRight]
+      : [topRight, bottomRight, topLeft, bottomLeft];
+  return leastCovering(
+    order.filter((place) => place !== undefined),
+    robot,
+    card,
+    keepClear,
+  );
+}
+
+/** The first of the places that cover least of what should stay in sight. */
+function leastCovering(
+  places: readonly CardPlace[],
+  robot: Box,
+  card: { width: number; height: number },
+  keepClear: readonly Box[],
+): CardPlace {
   let best: CardPlace | undefined;
   let least = Number.POSITIVE_INFINITY;
-  for (const place of [...places, ...corners(area, card)]) {
+  for (const place of places) {
     const box = { x: place.x, y: place.y, ...card };
     const covered =
       10 * overlap(box, robot) + keepClear.reduce((sum, each) => sum + overlap(box, each), 0);
@@ -54,7 +88,7 @@ export function placeCard(
       best = place;
     }
   }
-  return best ?? { x: area.x, y: area.y, tail: null, tailAt: 0 };
+  return best ?? { x: 0, y: 0, tail: null, tailAt: 0 };
 }
 
 /** The robot with what it touches of what should not be covered: the block that it hit. */
