@@ -158,7 +158,8 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
         />
       </div>
       <LineNote line={index} bump={bump} className={styles["note"]} />
-      {adviceText !== null && (
+      {/* What it came to is told where it bumped; the card there has the mend. */}
+      {adviceText !== null && bump === null && (
         <div className={styles["advice"]}>
           <AdviceNote text={adviceText} onMend={canMend ? mend : null} onHide={hide} />
         </div>
