@@ -127,25 +127,27 @@ for (const { tag, dir } of [
     const line = page.getByRole("listitem").filter({ has: number });
     // 50 cm on the left, 50 cm on the right: the condition compares 50 with 30.
     await expect(line).toContainText(/50\s*> 30/);
-    const places = await line.evaluate((item) => {
-      const middleOf = (rect: DOMRect): number => rect.left + rect.width / 2;
-      const walker = document.createTreeWalker(item, NodeFilter.SHOW_TEXT);
-      const found: { text: string; at: number }[] = [];
-      for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
-        for (const { index, 0: text } of (node.textContent ?? "").matchAll(/[<>]|\d+/g)) {
-          const range = document.createRange();
-          range.setStart(node, index);
-          range.setEnd(node, index + text.length);
-          const rect = range.getBoundingClientRect();
-          if (rect.width > 0) found.push({ text, at: middleOf(rect) });
+    const inOrder = async () => {
+      const places = await line.evaluate((item) => {
+        const middleOf = (rect: DOMRect): number => rect.left + rect.width / 2;
+        const walker = document.createTreeWalker(item, NodeFilter.SHOW_TEXT);
+        const found: { text: string; at: number }[] = [];
+        for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
+          for (const { index, 0: text } of (node.textContent ?? "").matchAll(/[<>]|\d+/g)) {
+            const range = document.createRange();
+            range.setStart(node, index);
+            range.setEnd(node, index + text.length);
+            const rect = range.getBoundingClientRect();
+            if (rect.width > 0) found.push({ text, at: middleOf(rect) });
+          }
         }
-      }
-      return found;
-    });
-    const truth = places.filter(({ text }) => ["50", ">", "30"].includes(text)).slice(-3);
-    expect(
-      truth.toSorted((one, other) => (one.at - other.at) * dir).map(({ text }) => text),
-    ).toEqual(["50", ">", "30"]);
+        return found;
+      });
+      const truth = places.filter(({ text }) => ["50", ">", "30"].includes(text)).slice(-3);
+      return truth.toSorted((one, other) => (one.at - other.at) * dir).map(({ text }) => text);
+    };
+    // Letters that are still on their way are wider.
+    await expect.poll(inOrder).toEqual(["50", ">", "30"]);
     const [asked, given] = [await condition.boundingBox(), await number.boundingBox()];
     expect(((given?.x ?? 0) - (asked?.x ?? 0)) * dir).toBeGreaterThan(0);
     await expect(number).toHaveCSS("direction", "ltr");

@@ -255,10 +255,12 @@ test("scrubs on a phone", async ({ openWindow }) => {
   await fingers.drag(await timeline.placeAt(0.9), await timeline.placeAt(0.3));
   await expect(timeline.inThePast).toBeVisible();
   await expect(corridor.robotPlace).not.toHaveText(end ?? "");
-  // Right after a drag the browser takes a tap for its end.
-  await corridor.frames(30);
-  // The keys take the room of the transport only as long as nothing leads back.
-  await tab(page, "Drive").tap();
+  // The keys take the room of the transport only as long as nothing leads back. Right after a drag the
+  // browser takes a tap for its end.
+  await expect(async () => {
+    await tab(page, "Drive").tap();
+    await expect(tab(page, "Drive")).toHaveAttribute("aria-selected", "true", { timeout: 1000 });
+  }).toPass();
   await timeline.backToNow.tap();
   await expect(corridor.transport).toBeHidden();
   await expect(corridor.robotPlace).toHaveText(end ?? "");

@@ -12,10 +12,12 @@ interface Counts {
   passed: number;
   failed: number;
   skipped: number;
+  /** of the passed, how many did so at the second try only */
+  flaky?: number;
 }
 
 const folder = mkdtempSync(join(tmpdir(), "corridor-test-"));
-const total: Counts = { passed: 0, failed: 0, skipped: 0 };
+const total = { passed: 0, failed: 0, skipped: 0, flaky: 0 };
 
 const requirements =
   check("what the tests need", requirePython) && check("browser", requireChromium);
@@ -35,6 +37,9 @@ rmSync(folder, { recursive: true });
 
 if (total.skipped > 0) {
   process.stdout.write(`\n${total.skipped} skipped: this machine lacks what they need\n`);
+}
+if (total.flaky > 0) {
+  process.stdout.write(`\n${total.flaky} passed at the second try only: look at them above\n`);
 }
 process.stdout.write(`\n${total.passed} passed, ${total.failed} failed\n`);
 process.exitCode = total.failed > 0 ? 1 : 0;
@@ -100,6 +105,7 @@ function add(name: string, counts: Counts): void {
   total.passed += counts.passed;
   total.failed += counts.failed;
   total.skipped += counts.skipped;
+  total.flaky += counts.flaky ?? 0;
   process.stdout.write(`-- ${name}: ${counts.passed} passed, ${counts.failed} failed\n`);
 }
 
@@ -113,10 +119,12 @@ function vitestCounts(report: unknown): Counts {
 
 function playwrightCounts(report: unknown): Counts {
   const stats = typeof report === "object" && report !== null && "stats" in report && report.stats;
+  const flaky = numberAt(stats, "flaky");
   return {
-    passed: numberAt(stats, "expected"),
-    failed: numberAt(stats, "unexpected") + numberAt(stats, "flaky"),
+    passed: numberAt(stats, "expected") + flaky,
+    failed: numberAt(stats, "unexpected"),
     skipped: numberAt(stats, "skipped"),
+    flaky,
   };
 }
 
