@@ -14,18 +14,25 @@ type Loader = () => Promise<Words>;
 
 const englishMissions: Loader = async () => (await import("./en/missions.json")).default;
 
+/** A language's files under their names: "./cards.json" has the words of `cards`. */
+function byName(files: Readonly<Record<string, Words>>): Words {
+  return Object.fromEntries(
+    Object.entries(files).map(([path, words]) => [path.slice("./".length, -".json".length), words]),
+  );
+}
+
 /** The compiler asks for a line here for each language and each namespace. */
 const loaders: {
   words: Record<Exclude<LanguageTag, "en">, Loader>;
 } & Record<Exclude<Namespace, "words">, Record<LanguageTag, Loader>> = {
   words: {
-    ar: async () => (await import("./ar/index.ts")).ar,
-    de: async () => (await import("./de/index.ts")).de,
-    es: async () => (await import("./es/index.ts")).es,
-    fr: async () => (await import("./fr/index.ts")).fr,
-    ja: async () => (await import("./ja/index.ts")).ja,
-    pt: async () => (await import("./pt/index.ts")).pt,
-    "zh-Hans": async () => (await import("./zh-Hans/index.ts")).zhHans,
+    ar: async () => byName((await import("./ar/index.ts")).files),
+    de: async () => byName((await import("./de/index.ts")).files),
+    es: async () => byName((await import("./es/index.ts")).files),
+    fr: async () => byName((await import("./fr/index.ts")).files),
+    ja: async () => byName((await import("./ja/index.ts")).files),
+    pt: async () => byName((await import("./pt/index.ts")).files),
+    "zh-Hans": async () => byName((await import("./zh-Hans/index.ts")).files),
   },
   missions: {
     en: englishMissions,

@@ -1,36 +1,7 @@
 /** Arabic. */
-import cards from "./cards.json" with { type: "json" };
-import drive from "./drive.json" with { type: "json" };
-import files from "./files.json" with { type: "json" };
-import language from "./language.json" with { type: "json" };
-import lessons from "./lessons.json" with { type: "json" };
-import offline from "./offline.json" with { type: "json" };
-import phone from "./phone.json" with { type: "json" };
-import presets from "./presets.json" with { type: "json" };
-import program from "./program.json" with { type: "json" };
-import remote from "./remote.json" with { type: "json" };
-import share from "./share.json" with { type: "json" };
-import shell from "./shell.json" with { type: "json" };
-import speech from "./speech.json" with { type: "json" };
-import stage from "./stage.json" with { type: "json" };
-import timeline from "./timeline.json" with { type: "json" };
-import works from "./works.json" with { type: "json" };
+import type { Words } from "../load-words.ts";
 
-export const ar = {
-  cards,
-  drive,
-  files,
-  language,
-  lessons,
-  offline,
-  phone,
-  presets,
-  program,
-  remote,
-  share,
-  shell,
-  speech,
-  stage,
-  timeline,
-  works,
-};
+export const files = import.meta.glob<Words>(["./*.json", "!./missions.json"], {
+  eager: true,
+  import: "default",
+});
