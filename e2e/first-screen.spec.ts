@@ -110,7 +110,7 @@ test("sees the house in its colours and places before the page's script has come
     await route.continue();
   });
   await page.goto("/", { waitUntil: "commit" });
-  await expect(page.locator("header")).toBeVisible();
+  await expect(page.locator("header")).toHaveCSS("display", "flex");
   const before = await places();
   letGo();
   await new CorridorPage(page).isReady();

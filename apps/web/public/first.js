@@ -11,6 +11,15 @@
     // A file that does not come has no message.
     worker.onerror = (event) => (window.corridorSimulator.failure = String(event.message ?? ""));
   }
+  // Without the page's script, or without words, the English of index.html is all that can be said.
+  window.corridorFailed = (...words) => {
+    const [alert] = document.getElementById("failed").content.children;
+    if (words.length > 0) alert.lang = alert.dir = "";
+    words.forEach((text, at) => (alert.children[at].textContent = text));
+    alert.lastElementChild.onclick = () => location.reload();
+    document.getElementById("root").replaceChildren(alert);
+  };
+  addEventListener("error", ({ target }) => target.tagName === "SCRIPT" && corridorFailed(), true);
   let theme = null;
   let contrast = null;
   let language = null;

@@ -4,7 +4,6 @@ import { createRoot } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
 import { App } from "./app/App.tsx";
 import { flushWhenHidden, type PageLife } from "./app/autosave.ts";
-import { LoadFailure } from "./app/LoadFailure.tsx";
 import { browserLanguage } from "./app/browser-language.ts";
 import type { LanguageChoice } from "./app/language.ts";
 import { LanguageProvider } from "./app/language-context.ts";
@@ -16,11 +15,17 @@ import { onSimulatorFailure, startSimulator } from "./app/simulator-start.ts";
 import { startTheme } from "./app/theme.ts";
 import { WorkReader } from "./app/work-reader.ts";
 import { storageOrNone, WorkShelf } from "./app/works.ts";
-import { openEmptyMaze } from "./features/works/empty-maze.ts";
 import { createScreenStore, tell } from "./stores/screen-store.ts";
 import { englishWords } from "./text/english-words.ts";
 import { createI18n } from "./text/i18n.ts";
 import { preloadParts } from "./ui/lazy-part.tsx";
+
+declare global {
+  interface Window {
+    /** says that the page cannot open, in other words than its own English ones if need be; of public/first.js */
+    corridorFailed: (...words: [title: string, text: string, retry: string] | []) => undefined;
+  }
+}
 
 const device = storageOrNone(() => localStorage);
 const worker = startSimulator();
@@ -32,23 +37,22 @@ if (place === null) throw new Error("index.html has no #root");
 const root = createRoot(place);
 
 async function start(): Promise<void> {
-  const words = createI18n(await englishWords());
+  const english = await englishWords().catch(() => window.corridorFailed());
+  if (english === undefined) return;
+  const words = createI18n(english);
   const language = browserLanguage(words, screen, device);
   // All that is shown and told is in the reader's language.
   await language.start();
-  await prepare(words, language);
-}
-
-/** Brings what this visit needs before anything is shown: most first visits need nothing. */
-async function prepare(words: i18n, language: LanguageChoice): Promise<void> {
+  // What this visit needs before anything is shown: most first visits need nothing.
   try {
     if (!new WorkShelf(device, () => null).isEmpty) await reader.load();
   } catch {
     // Without its reader all stored work would be out of sight: better no page than an empty one.
-    root.render(
-      <I18nextProvider i18n={words}>
-        <LoadFailure onRetry={() => void prepare(words, language)} />
-      </I18nextProvider>,
+    const { t } = words;
+    window.corridorFailed(
+      t("offline.pageFailedTitle"),
+      t("offline.pageFailed"),
+      t("offline.tryAgain"),
     );
     return;
   }
@@ -90,24 +94,11 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   flushWhenHidden({ flush }, life);
   guardLeaving(screen, window);
 
+  const isAsked = () => location.hash.length > 1 || location.pathname.startsWith("/r/");
   const follow = async (): Promise<void> => {
-    const isAsked = location.hash.length > 1 || location.pathname.startsWith("/r/");
-    if (!isAsked) return;
-    const { followAddress } = await import("./app/url-sync.ts");
-    await followAddress({
-      ...services,
-      words,
-      loadLinks: () => import("@corridor/link"),
-      maze: () => services.workspace.getState().maze,
-      location,
-      replaceAddress: (address) => history.replaceState(history.state, "", address),
-      openEmptyMaze: () => openEmptyMaze(services, words),
-      openRun: async (run) => {
-        const { openRun } = await import("./features/timeline/open-run.ts");
-        return openRun(services, words, run);
-      },
-      openChallenge: (challenge, program) => services.lessons.openShared(challenge, program),
-    });
+    if (!isAsked()) return;
+    const { followPageAddress } = await import("./app/follow-page-address.ts");
+    await followPageAddress(services, words);
   };
   const followOrTell = () =>
     follow().catch(() => {
@@ -116,6 +107,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   window.addEventListener("online", () => services.connection.networkIsBack());
   window.addEventListener("hashchange", () => void followOrTell());
 
+  screen.setState({ isOpening: isAsked() });
   root.render(
     <I18nextProvider i18n={words}>
       <ServicesProvider value={services}>
@@ -127,7 +119,10 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   );
 
   // The page stands before what its address asks for: a link may take long, or never come to an end.
-  void followOrTell().finally(() => void services.runKeeper.resume());
+  void followOrTell().finally(() => {
+    screen.setState({ isOpening: false });
+    void services.runKeeper.resume();
+  });
 
   await whenSettled(services.run);
   await Promise.allSettled([reader.load(), preloadParts()]);

@@ -18,6 +18,7 @@ import { Later } from "../ui/Later.tsx";
 import { lazyDialog } from "../ui/lazy-part.tsx";
 import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./app.module.css";
+import { EmptyHouse } from "./EmptyHouse.tsx";
 import { ErrorBoundary } from "./ErrorBoundary.tsx";
 import { keepFocus } from "./keep-focus.ts";
 import { PhoneSheet } from "./PhoneSheet.tsx";
@@ -31,12 +32,11 @@ const ShortcutsDialog = lazyDialog(
 );
 
 export function App() {
-  const { works } = useServices();
+  const { works, screen } = useServices();
+  const isOpening = useStore(screen, (state) => state.isOpening);
   return (
     <ErrorBoundary onError={() => works.autosave.flush()}>
-      <FileDoor>
-        <Page />
-      </FileDoor>
+      <FileDoor>{isOpening ? <EmptyHouse /> : <Page />}</FileDoor>
     </ErrorBoundary>
   );
 }

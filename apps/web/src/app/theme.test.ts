@@ -87,6 +87,8 @@ describe("the theme", () => {
         localStorage: { getItem: (key: string) => kept[key] ?? null },
         matchMedia: (query: string) => ({ matches: wishes[query] ?? false }),
         document: { documentElement: { dataset }, currentScript: { dataset: {} } },
+        window: {},
+        addEventListener: () => undefined,
         URLSearchParams,
         location: { search: "" },
         navigator: { language: "en" },

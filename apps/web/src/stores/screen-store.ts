@@ -31,6 +31,8 @@ export interface ScreenState {
   showTrail: boolean;
   showRulers: boolean;
   messages: readonly Message[];
+  /** whether the page opens and what its address asks for is on its way: no other work is shown meanwhile */
+  isOpening: boolean;
   /** whether keys without Ctrl drive and open things (WCAG 2.1.4 asks for a switch) */
   singleKeys: boolean;
   /** whether those who listen are told of the run while it goes on */
@@ -48,6 +50,7 @@ export function createScreenStore() {
     showTrail: true,
     showRulers: true,
     messages: [],
+    isOpening: false,
     singleKeys: true,
     speakRun: true,
     saved: "saved",

@@ -6,5 +6,6 @@ import type { en } from "./en/index.ts";
 export async function englishWords(): Promise<typeof en> {
   if (import.meta.env.DEV) return (await import("./en/index.ts")).en;
   const answer = await fetch(address);
+  if (!answer.ok) throw new Error(`${address}: ${answer.status}`);
   return (await answer.json()) as typeof en;
 }

@@ -6,24 +6,26 @@
 import type { TFunction } from "i18next";
 
 /** The parts were written by the catalogue already: nothing in them is set apart or changed again. */
-const asItIs = { interpolation: { escapeValue: false } };
+const interpolation = { escapeValue: false };
 
 /** "row 3, column 7, open" */
 export function joinList(t: TFunction, parts: readonly string[]): string {
-  return joined(parts, (one, other) => t("language.join.list", { one, other, ...asItIs }));
+  return joined(t, "list", parts);
 }
 
 /** Sentences after one another, each with its full stop. */
 export function joinSentences(t: TFunction, sentences: readonly string[]): string {
-  return joined(sentences, (one, other) => t("language.join.sentences", { one, other, ...asItIs }));
+  return joined(t, "sentences", sentences);
 }
 
 /** A text without a full stop as a sentence of its own. */
 export function asSentence(t: TFunction, text: string): string {
-  return t("language.join.sentence", { text, ...asItIs });
+  return t("language.join.sentence", { text, interpolation });
 }
 
-function joined(parts: readonly string[], join: (one: string, other: string) => string): string {
-  const [first = "", ...rest] = parts;
-  return rest.reduce(join, first);
+function joined(t: TFunction, how: "list" | "sentences", [first = "", ...rest]: readonly string[]) {
+  return rest.reduce(
+    (one, other): string => t(`language.join.${how}`, { one, other, interpolation }),
+    first,
+  );
 }

@@ -1,0 +1,57 @@
+import { describe, expect, it } from "vitest";
+import { createScreenStore } from "../stores/screen-store.ts";
+import { en } from "../text/en/index.ts";
+import { createI18n } from "../text/i18n.ts";
+import type { WorkerPort } from "../worker/simulator-client.ts";
+import type { FromWorker, Moment } from "../worker/worker-messages.ts";
+import { createServices } from "./services.ts";
+import { MemoryStorage } from "./testing/memory-storage.ts";
+import { WorkReader } from "./work-reader.ts";
+
+/** The page's services, and the worker's end of them. */
+function openPage() {
+  const worker: WorkerPort = { postMessage: () => undefined, onmessage: null };
+  const services = createServices({
+    worker,
+    device: new MemoryStorage(),
+    tab: new MemoryStorage(),
+    words: createI18n(en),
+    screen: createScreenStore(),
+    reader: new WorkReader(),
+  });
+  const hear = (data: FromWorker) => worker.onmessage?.({ data } as MessageEvent<FromWorker>);
+  return { ...services, hear };
+}
+
+function momentAt(kind: Moment["kind"], tick: number): Moment {
+  const pose = { x: 150, y: 150, heading: 0 };
+  return { kind, tick, pose, line: 0, driver: "program", bumps: 1, cause: null, mends: [] };
+}
+
+describe("a run that went on from an earlier moment", () => {
+  it("leaves nothing on the page that came after it", () => {
+    const { hear, run, cards } = openPage();
+    hear({ type: "moment", moment: momentAt("bump", 316) });
+    hear({ type: "moment", moment: momentAt("goal", 400) });
+    hear({ type: "forgotten", after: 350 });
+    expect(run.getState().moment).toBeNull();
+    expect(cards.getState().goal).toBeNull();
+    expect(cards.getState().bump?.moment.tick).toBe(316);
+  });
+
+  it("keeps what came before it", () => {
+    const { hear, run, cards } = openPage();
+    hear({ type: "moment", moment: momentAt("goal", 400) });
+    hear({ type: "forgotten", after: 400 });
+    expect(run.getState().moment?.tick).toBe(400);
+    expect(cards.getState().goal?.moment.tick).toBe(400);
+  });
+
+  it("is nothing at all when another run is shown", () => {
+    const { hear, run, cards } = openPage();
+    hear({ type: "moment", moment: momentAt("goal", 0) });
+    hear({ type: "forgotten", after: -1 });
+    expect(run.getState().moment).toBeNull();
+    expect(cards.getState()).toEqual({ bump: null, goal: null });
+  });
+});
