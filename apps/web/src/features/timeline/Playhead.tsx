@@ -2,7 +2,7 @@
  * Where in the run the shown moment is, and who drives it: the badge of a line, the flag at the goal,
  * red at a bump. It moves by itself between two pictures of the timeline.
  */
-import { Ellipsis, Flag, RadioTower, User } from "lucide-react";
+import { CornerDownRight, Flag, RadioTower, User } from "lucide-react";
 import { useLayoutEffect, useRef } from "react";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -53,12 +53,12 @@ export function Playhead({ scale, event }: PlayheadProps) {
   );
 }
 
-/** The number of the line in charge, else a picture of who drives. */
+/** The number of the line in charge, else a picture of who drives; the bent arrow is "otherwise": past all lines. */
 function DriverMark() {
   const { run } = useServices();
   const line = useStore(run, ({ snapshot }) => snapshot?.line ?? null);
   const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
   if (driver === "me") return <User size={14} aria-hidden="true" />;
   if (driver === "remote") return <RadioTower size={14} aria-hidden="true" />;
-  return typeof line === "number" ? line + 1 : <Ellipsis size={14} aria-hidden="true" />;
+  return typeof line === "number" ? line + 1 : <CornerDownRight size={14} aria-hidden="true" />;
 }
