@@ -141,3 +141,14 @@ it("a timeline of far too many changes keeps a bounded number, and still the who
   expect(timeline.eventCount).toBeGreaterThan(10_000);
   expect(timeline.tickOf(0)).toBe(0);
 });
+
+it("a file of very many edits has a bounded number of marks, from the first edit to the last", () => {
+  const timeline = new Timeline();
+  for (let tick = 0; tick < 100_000; tick++) {
+    timeline.happened({ kind: "edit", what: "program", tick, who: 0 });
+  }
+  expect(timeline.eventCount).toBeLessThanOrEqual(50_000);
+  expect(timeline.eventCount).toBeGreaterThan(5_000);
+  expect(timeline.eventAt(0).tick).toBe(0);
+  expect(timeline.eventAt(timeline.eventCount - 1).tick).toBeGreaterThan(99_900);
+});

@@ -158,7 +158,9 @@ export class Timeline {
   happened(event: TimelineEvent): void {
     const code = codeOfEvent(event);
     const who = codeOfWho(event.who);
-    const isSingle = event.kind === "goal" || event.kind === "edit";
+    // Each edit has its own mark, unless there are more of them than marks: a file may bring 100,000.
+    const isEditApart = event.kind === "edit" && this.#shortest === SHORTEST;
+    const isSingle = event.kind === "goal" || isEditApart;
     const last = this.#eventTicks.length - 1;
     for (let at = last; at >= 0 && event.tick - this.#eventTicks.at(at) < this.#shortest; at--) {
       if (this.#eventCodes.at(at) !== code) continue;
