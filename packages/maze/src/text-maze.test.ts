@@ -183,6 +183,12 @@ describe("a micromouse maze", () => {
     expect(readTextMaze(text(127), "").ok).toBe(true);
     expect(readTextMaze(text(128), "").ok).toBe(false);
   });
+
+  it("is refused, however many lines it has", () => {
+    expect(read("o".concat("\no".repeat(131_000)))).toEqual([
+      "line 1: 1 characters, 1 to 127 squares: a post every 4 characters, o---o---o",
+    ]);
+  });
 });
 
 describe("any text", () => {

@@ -130,8 +130,9 @@ function firstWay(blocks: readonly string[], { column, row }: Cell): HeadingName
 
 /** Characters that all lines but empty ones have in front, at most; they belong to the page around the drawing. */
 export function indentOf(lines: readonly string[]): number {
-  const indents = lines.filter((line) => line.trim() !== "").map((line) => line.search(/\S/));
-  return Math.min(...indents);
+  let least = Number.POSITIVE_INFINITY;
+  for (const line of lines) if (line.trim() !== "") least = Math.min(least, line.search(/\S/));
+  return least;
 }
 
 /** A character or a few as a problem names them. */
