@@ -69,6 +69,7 @@ function firstBump(maze: MazeDocument, program: ProgramDocument, seconds = 30): 
         return again.simulation;
       },
       ticks: tick + 1 - decidedAt,
+      hasReachedGoal: simulation.goalTick !== null,
     };
   }
   return null;
@@ -143,6 +144,24 @@ describe("mendsForBump", () => {
     const box = mazeOf(["."]);
     const scene = firstBump(box, programOf([], "forward"));
     expect(scene && mendsForBump(scene, 2)).toEqual([]);
+  });
+
+  it("does not take a goal that the robot had passed for the way past the wall behind it", () => {
+    const corridor = { ...mazeOf(["....."]), goals: [{ column: 3, row: 0 }] };
+    const program = programOf(
+      [{ when: { sensor: "front", is: "<", than: 20 }, do: "stop" }],
+      "forward",
+    );
+    const scene = firstBump(corridor, program);
+    expect(scene?.hasReachedGoal).toBe(true);
+    // To stop in front of the wall passes the goal as well, and gets nowhere.
+    expect(scene && mendsForBump(scene, 1)).toEqual([
+      {
+        kind: "insert",
+        at: 1,
+        rule: { when: { sensor: "front", is: "<", than: 50 }, do: "right 90" },
+      },
+    ]);
   });
 
   it("whatever is offered fits the program and gets past the place", () => {

@@ -21,6 +21,8 @@ export interface BumpScene {
   atDecision: () => Simulation;
   /** ticks from that decision to the bump */
   ticks: number;
+  /** whether it had been at the goal before: then to get there proves nothing of the way after it */
+  hasReachedGoal: boolean;
 }
 
 /** A mended program has to get by so long after the place of the bump, in ticks. */
@@ -59,7 +61,7 @@ const delayed: Partial<Record<PlainAction, PlainAction>> = {
  * @returns the turn as a delayed one, where that gets past the place; null where it is not at fault
  */
 export function mendOfEarlierTurn(
-  turn: Pick<BumpScene, "program" | "line" | "atDecision" | "ticks">,
+  turn: Pick<BumpScene, "program" | "line" | "atDecision" | "ticks" | "hasReachedGoal">,
 ): Mend | null {
   const { program, line } = turn;
   if (typeof line !== "number") return null;
@@ -131,7 +133,7 @@ function numbersAbove({ when }: Rule, numbers: readonly number[]): number[] {
 
 /** Whether the program gets past the place and on from there without a bump. */
 function works(
-  { atDecision, ticks }: Pick<BumpScene, "atDecision" | "ticks">,
+  { atDecision, ticks, hasReachedGoal }: Pick<BumpScene, "atDecision" | "ticks" | "hasReachedGoal">,
   program: ProgramDocument,
 ): boolean {
   const simulation = atDecision();
@@ -144,7 +146,7 @@ function works(
     if (tick === ticks) distance = simulation.distance;
     run.step();
     if (simulation.bumps > bumps) return false;
-    if (simulation.goalTick !== null) return true;
+    if (simulation.goalTick !== null && !hasReachedGoal) return true;
   }
   return simulation.distance - distance >= PROVING_DISTANCE;
 }

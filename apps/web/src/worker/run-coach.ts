@@ -54,6 +54,7 @@ export class RunCoach {
     if (this.#explained.has(line)) return null;
     this.#explained.add(line);
     const { cause, maze, program, tick } = run;
+    const hasReachedGoal = run.goalTick !== null;
     if (cause === null) return [];
     const playback = recording.playback();
     const sceneFrom = (from: number) => {
@@ -64,7 +65,7 @@ export class RunCoach {
         simulation.restore(state);
         return simulation;
       };
-      return { program, atDecision, ticks: tick - from };
+      return { program, atDecision, ticks: tick - from, hasReachedGoal };
     };
     const readings = run.report().sensors;
     const story = storyOfBump(cause);
@@ -78,7 +79,7 @@ export class RunCoach {
   /** The turn before the bump as a delayed one, where that keeps it off; or the turn before that one. */
   #earlierTurn(
     recording: Recording,
-    sceneFrom: (tick: number) => Pick<BumpScene, "program" | "atDecision" | "ticks">,
+    sceneFrom: (tick: number) => Omit<BumpScene, "line" | "story" | "readings">,
     playback: Playback,
   ): Mend | null {
     const { cause, tick } = recording.run;
