@@ -25,6 +25,8 @@ export function checkChallenge(challenge: ChallengeDocument, attempt: Attempt): 
 
 /** Moves the robot by one tick and knows who decided. */
 interface Driver {
+  /** says what moves the robot in the tick that follows */
+  decide: () => void;
   step: () => void;
   line: () => LineRef | null;
   decision: () => Decision;
@@ -43,17 +45,18 @@ function runMaze(challenge: ChallengeDocument, index: number, attempt: Attempt):
   const limit = checks.seconds * TICKS_PER_SECOND;
   let failure: Failure | null = null;
   let isMet = false;
-  /** ticks in a row at whose end nothing moves the robot */
+  /** ticks in a row in which nothing moved the robot */
   let standing = 0;
   while (!isMet && failure === null && simulation.tick < limit) {
+    driver.decide();
+    if (goal.kind === "stop") standing = simulation.report().motion === "stop" ? standing + 1 : 0;
     driver.step();
     watch.visit(simulation.cell);
     if (checks.bumps !== null && simulation.bumps > checks.bumps) {
       failure = failed("bump", checks.bumps, simulation.bumps, driver.decision());
     } else {
-      const report = simulation.report();
-      standing = report.motion === "stop" ? standing + 1 : 0;
-      isMet = watch.isMet({ ...report, isStill: standing > 1 }, simulation.distance);
+      const moment = { ...simulation.report(), isStill: standing > 1 };
+      isMet = watch.isMet(moment, simulation.distance);
     }
   }
   if (!isMet) failure ??= missed();
@@ -100,13 +103,14 @@ function programDriver(simulation: Simulation, program: ProgramDocument): Driver
   const readings = new Float64Array(4);
   let decidedAt = 0;
   return {
-    step: () => {
+    decide: () => {
       if (!simulation.isManoeuvring) {
         readings.set(simulation.readings);
         decidedAt = simulation.tick;
       }
-      run.step();
+      run.decide();
     },
+    step: () => run.step(),
     line: () => run.line,
     decision: () => ({
       tick: decidedAt,
@@ -120,13 +124,13 @@ function handDriver(simulation: Simulation, commands: readonly TimedCommand[]): 
   let next = 0;
   const readings = new Float64Array(4);
   return {
-    step: () => {
+    decide: () => {
       readings.set(simulation.readings);
       for (let due = commands[next]; due?.tick === simulation.tick; due = commands[++next]) {
         simulation.apply(due.command);
       }
-      simulation.step();
     },
+    step: () => simulation.step(),
     line: () => null,
     decision: () => ({
       tick: Math.max(0, simulation.tick - 1),

@@ -222,6 +222,42 @@ describe("the judge of the run", () => {
     expect(bench.runThrough("max")).toMatchObject({ kind: "met", tick: outcome?.ticks });
   });
 
+  it("takes a stop at the tick at which the check takes it, also after a turn", () => {
+    const program: ProgramDocument = {
+      ...nothing,
+      rules: [
+        { when: { sensor: "back", is: "<", than: 51 }, do: "delayed right 90" },
+        { when: { sensor: "back", is: "<", than: 76 }, do: "stop" },
+      ],
+    };
+    const stop: ChallengeDocument = {
+      ...lap,
+      mazes: [
+        {
+          format: "corridor/maze",
+          version: 1,
+          name: "",
+          blocks: ["....", "#.#.", "...."],
+          start: { column: 0, row: 0, heading: "east" },
+          goals: [],
+        },
+      ],
+      goal: { kind: "stop", sensor: "right", from: 0, to: 101 },
+      program: null,
+      allowed: {
+        drivers: ["program"],
+        lines: 2,
+        conditions: null,
+        actions: ["forward", "stop", "delayed right 90"],
+        edits: ["lines"],
+        maze: false,
+      },
+    };
+    const [outcome] = checkChallenge(stop, program).mazes;
+    expect(outcome?.failure).toBeNull();
+    expect(judged(stop, 0, program)).toMatchObject({ kind: "met", tick: outcome?.ticks });
+  });
+
   it("takes a stop only when the robot stays where the sensor says", () => {
     const bench = new Bench(challengeOfMission("how-far"));
     bench.loop.hold("forward");
