@@ -143,7 +143,15 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
 
   simulator.send({ type: "load", maze, program });
   sendEdits(workspace, simulator);
-  const works = new WorksService({ shelf, current, workspace, screen, words, later });
+  const works = new WorksService({
+    shelf,
+    current,
+    workspace,
+    screen,
+    simulator,
+    words,
+    later,
+  });
   const runKeeper = new RunKeeper({
     simulator,
     workspace,

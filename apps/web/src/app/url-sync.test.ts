@@ -43,7 +43,8 @@ function openPage(
   const screen = createScreenStore();
   const words = createI18n(en);
   const later = () => undefined;
-  const works = new WorksService({ shelf, current, workspace, screen, words, later });
+  const simulator = { send: () => undefined };
+  const works = new WorksService({ shelf, current, workspace, screen, simulator, words, later });
   const addresses: string[] = [];
   const emptied: string[] = [];
   const runs: string[] = [];

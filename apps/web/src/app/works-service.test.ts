@@ -5,6 +5,8 @@ import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "./first-visit.ts";
 import { readWork } from "./read-work.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
+import type { ToWorker } from "../worker/worker-messages.ts";
+import { sendEdits } from "./send-edits.ts";
 import { WorksService } from "./works-service.ts";
 import { challengeKey, WorkShelf, type Work } from "./works.ts";
 
@@ -24,7 +26,10 @@ function openTab(device: MemoryStorage) {
   const screen = createScreenStore();
   const words = { t: ((key: string) => key) as never };
   const later = () => undefined;
-  const works = new WorksService({ shelf, current, workspace, screen, words, later });
+  const sent: string[] = [];
+  const simulator = { send: ({ type }: ToWorker) => void sent.push(type) };
+  sendEdits(workspace, simulator);
+  const works = new WorksService({ shelf, current, workspace, screen, simulator, words, later });
   const shown = () => workspace.getState().maze.name;
   /** an edit that is saved, if there is room */
   const edit = (name: string) => {
@@ -42,7 +47,7 @@ function openTab(device: MemoryStorage) {
       .list()
       .map(({ maze }) => maze.name)
       .toSorted();
-  return { works, screen, shown, edit, listed, told, names };
+  return { works, screen, shown, edit, listed, told, names, sent };
 }
 
 /** Two tabs: one has "Draft" open, two has "Other" open. */
@@ -140,5 +145,46 @@ describe("a work with a challenge", () => {
     device.setItem(challengeKey("gone"), "task");
     openTab(device);
     expect(device.getItem(challengeKey("gone"))).toBeNull();
+  });
+});
+
+describe("another work", () => {
+  it("is never entered in the middle of a run: the robot goes to its start, back and forth", () => {
+    const { works, edit, listed, sent } = openTab(new MemoryStorage());
+    edit("Mine");
+    sent.length = 0;
+    const ways: (() => void)[] = [];
+    ways.push(works.begin({ ...firstMaze, name: "Empty" }, null));
+    ways.push(works.beginShared({ ...firstMaze, name: "Shared" }, null));
+    ways.push(() => works.open(listed("Empty")));
+    for (const way of ways) way();
+    expect(sent.filter((type) => type === "reset")).toHaveLength(5);
+    expect(sent.at(-1)).toBe("reset");
+  });
+
+  it("of a run that was opened leaves the robot where the run is", () => {
+    const { works, sent } = openTab(new MemoryStorage());
+    works.beginShared({ ...firstMaze, name: "Recorded" }, firstProgram, true);
+    expect(sent).not.toContain("reset");
+  });
+
+  it("takes no edits away that could not be saved, however it was opened", () => {
+    const device = new MemoryStorage();
+    const { works, screen, shown, edit, listed } = openTab(device);
+    edit("Stored");
+    works.begin({ ...firstMaze, name: "Other" }, null);
+    device.isFull = true;
+    edit("Never stored");
+    const goBack = () => screen.getState().messages[0]?.action?.run();
+    works.open(listed("Stored"));
+    expect(shown()).toBe("Stored");
+    goBack();
+    expect(shown()).toBe("Never stored");
+    const back = works.begin({ ...firstMaze, name: "Third" }, null);
+    edit("Third, never stored");
+    back();
+    expect(shown()).toBe("Never stored");
+    goBack();
+    expect(shown()).toBe("Third, never stored");
   });
 });

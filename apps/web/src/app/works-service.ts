@@ -1,12 +1,14 @@
 /**
  * What the reader does with works: open another, begin a new one, delete one and take that back.
- * Joins the shelf, this tab's current work, the documents on the screen and the messages.
+ * Joins the shelf, this tab's current work, the documents on the screen and the messages. Whatever
+ * opens, the robot goes to its start: the run of one work is none of another's.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { i18n } from "i18next";
 import { dismiss, tell, type ScreenStore } from "../stores/screen-store.ts";
 import { openWork, type WorkspaceStore } from "../stores/workspace-store.ts";
+import type { SimulatorClient } from "../worker/simulator-client.ts";
 import { startAutosave, type Autosave } from "./autosave.ts";
 import type { CurrentWork } from "./current-work.ts";
 import type { Work, WorkShelf } from "./works.ts";
@@ -16,6 +18,7 @@ export interface WorksPorts {
   current: CurrentWork;
   workspace: WorkspaceStore;
   screen: ScreenStore;
+  simulator: Pick<SimulatorClient, "send">;
   words: Pick<i18n, "t">;
   /** runs a function later, such as `setTimeout` */
   later: (run: () => void, milliseconds: number) => void;
@@ -50,23 +53,27 @@ export class WorksService {
     return this.#ports.current.work.id;
   }
 
-  /** Opens another work of the shelf in its newest version; what is open is saved first. */
+  /**
+   * Opens another work of the shelf in its newest version; what is open is saved first. Where it cannot
+   * be saved, a message leads back to it.
+   */
   open(work: Work): void {
-    this.autosave.flush();
+    this.#offerUnsaved();
     this.#show(work);
   }
 
   /**
    * Opens documents as a new work, or the work of the shelf that already holds exactly them.
    * @param program null: the reader's own program is copied along, whatever it is
+   * @param isRobotThere whether the run on the screen is one of these very documents
    * @returns a way back to what was open: its newest version, or the edits that could not be saved
    */
-  begin(maze: MazeDocument, program: ProgramDocument | null): () => void {
+  begin(maze: MazeDocument, program: ProgramDocument | null, isRobotThere = false): () => void {
     this.autosave.flush();
     const found = this.#ports.shelf.list().find((work) => isCopy(work, maze, program));
-    if (found === undefined) return this.beginNew(maze, program);
+    if (found === undefined) return this.beginNew(maze, program, isRobotThere);
     const back = this.#wayBack();
-    this.#show(found);
+    this.#show(found, isRobotThere);
     return back;
   }
 
@@ -76,13 +83,19 @@ export class WorksService {
    * @param program null: the reader's own program is copied along, whatever it is
    * @returns a way back to what was open: its newest version, or the edits that could not be saved
    */
-  beginNew(maze: MazeDocument, program: ProgramDocument | null): () => void {
+  beginNew(maze: MazeDocument, program: ProgramDocument | null, isRobotThere = false): () => void {
     const { current, workspace } = this.#ports;
     this.autosave.flush();
     const back = this.#wayBack();
     current.begin(maze, program ?? workspace.getState().program);
-    openWork(workspace, current.work.maze, current.work.program);
+    this.#put(current.work.maze, current.work.program, isRobotThere);
     return back;
+  }
+
+  /** A way back to what is open: its newest version, or the edits that could not be saved. */
+  wayBack(): () => void {
+    this.autosave.flush();
+    return this.#wayBack();
   }
 
   /** To what is open, which the autosave has just tried to save. */
@@ -96,24 +109,49 @@ export class WorksService {
         this.open(before);
         return;
       }
-      this.autosave.flush();
+      this.#offerUnsaved();
       current.resume(before);
-      openWork(workspace, maze, program);
+      this.#put(maze, program);
     };
+  }
+
+  /** Whatever could not be saved is not lost when something else opens. */
+  #offerUnsaved(): void {
+    const { current, workspace, screen, words } = this.#ports;
+    this.autosave.flush();
+    const { maze, program } = workspace.getState();
+    if (current.has(maze, program)) return;
+    const back = this.#wayBack();
+    const id = tell(screen, {
+      tone: "bad",
+      text: words.t("works.blocked"),
+      action: {
+        label: words.t("works.back"),
+        run: () => {
+          dismiss(screen, id);
+          back();
+        },
+      },
+    });
   }
 
   /**
    * Opens what a link brought. From one link to the next the way back stays the same: to the reader's
    * own work, not to the shared one that was only looked at.
    * @param program null: the reader's own program is copied along
+   * @param isRobotThere whether the run on the screen is one of these very documents
    */
-  beginShared(maze: MazeDocument, program: ProgramDocument | null): () => void {
+  beginShared(
+    maze: MazeDocument,
+    program: ProgramDocument | null,
+    isRobotThere = false,
+  ): () => void {
     const { current, workspace } = this.#ports;
     this.autosave.flush();
     const open = workspace.getState();
     const isOnlyLooking = !current.work.edited && current.has(open.maze, open.program);
     const home = isOnlyLooking ? (this.#home ?? this.#wayToNewestOwn()) : null;
-    const back = this.begin(maze, program);
+    const back = this.begin(maze, program, isRobotThere);
     this.#home = home ?? back;
     return this.#home;
   }
@@ -142,10 +180,15 @@ export class WorksService {
     });
   }
 
-  #show(work: Work): void {
-    const { current, workspace } = this.#ports;
-    const { maze, program } = current.open(work);
+  #show(work: Work, isRobotThere = false): void {
+    const { maze, program } = this.#ports.current.open(work);
+    this.#put(maze, program, isRobotThere);
+  }
+
+  #put(maze: MazeDocument, program: ProgramDocument, isRobotThere = false): void {
+    const { workspace, simulator } = this.#ports;
     openWork(workspace, maze, program);
+    if (!isRobotThere) simulator.send({ type: "reset" });
   }
 
   /** After a reload nothing else tells which work the reader came from. */

@@ -99,7 +99,6 @@ function openDocuments(
     // A maze alone is to be solved with whatever program the reader has.
     program ?? null,
   );
-  services.simulator.send({ type: "reset" });
   const names = {
     maze: maze?.name || words.t("works.unnamed"),
     program: program?.name || words.t("files.unnamedProgram"),
@@ -113,7 +112,6 @@ function openDocuments(
       run: () => {
         dismiss(services.screen, id);
         back();
-        services.simulator.send({ type: "reset" });
       },
     },
   });

@@ -11,7 +11,7 @@ export interface LessonsPorts {
   simulator: Pick<SimulatorClient, "send" | "listen">;
   workspace: WorkspaceStore;
   screen: ScreenStore;
-  works: Pick<WorksService, "begin" | "beginNew" | "open" | "list" | "currentId">;
+  works: Pick<WorksService, "begin" | "beginNew" | "open" | "wayBack" | "list" | "currentId">;
   challenge: ChallengeStore;
   storage: LessonsStorage;
   words: Pick<i18n, "t" | "loadNamespaces">;

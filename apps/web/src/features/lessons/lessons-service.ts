@@ -183,13 +183,13 @@ export class LessonsService {
     const home = works.list().find((work) => work.id === storage.record.home);
     const way = this.#wayHome;
     this.#wayHome = null;
-    if (home !== undefined) works.open(home);
-    else if (way !== null) way();
+    // The way leads to edits that were never stored, too.
+    if (way !== null) way();
+    else if (home !== undefined) works.open(home);
     else {
       const { maze, program } = firstWork(words);
       works.begin(maze, program);
     }
-    this.#ports.simulator.send({ type: "reset" });
     this.#ports.simulator.send({ type: "driver", driver: "program" });
   }
 
@@ -217,15 +217,13 @@ export class LessonsService {
   #leaveHome(): void {
     const { works, challenge, storage } = this.#ports;
     if (challenge.getState().challenge !== null) return;
-    const { maze, program } = this.#ports.workspace.getState();
-    this.#wayHome = () => void works.begin(maze, program);
+    this.#wayHome = works.wayBack();
     this.#tellUnlessKept(storage.add({ home: works.currentId() }));
   }
 
   #start(challenge: ChallengeDocument, mission: string | null): void {
     const { simulator } = this.#ports;
     const [driver = "program"] = challenge.allowed.drivers;
-    simulator.send({ type: "reset" });
     simulator.send({ type: "driver", driver });
     this.#show(challenge, mission);
   }

@@ -25,7 +25,7 @@ export async function openRun(
   const loaded = await load.loaded;
   waiting.end();
   if (!loaded.ok) return loaded.reason === "refused" ? loaded.problems : [];
-  const back = works.beginShared(loaded.maze, loaded.program);
+  const back = works.beginShared(loaded.maze, loaded.program, true);
   simulator.send({ type: "seek", tick: 0 });
   const id = tell(screen, {
     tone: "info",
@@ -35,7 +35,6 @@ export async function openRun(
       run: () => {
         dismiss(screen, id);
         back();
-        simulator.send({ type: "reset" });
       },
     },
   });
