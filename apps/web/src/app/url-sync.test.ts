@@ -68,7 +68,7 @@ function openPage(
       },
       openChallenge: (challenge, program) => {
         challenges.push([challenge.name, program?.name ?? null]);
-        return Promise.resolve();
+        return Promise.resolve(challenge.name !== "Offline");
       },
     });
   const rename = (name: string) => {
@@ -269,6 +269,11 @@ describe("opening the link of a run", () => {
       ["Find the way", "Shared rules"],
     ]);
     expect(page.addresses).toEqual(["/", "/"]);
+    // One whose files did not come is not said to be open, and a reload opens it.
+    const messages = page.screen.getState().messages.length;
+    await page.go("/", `#${linkOf({ challenge: { ...challenge, name: "Offline" } })}`);
+    expect(page.addresses).toEqual(["/", "/"]);
+    expect(page.screen.getState().messages).toHaveLength(messages);
   });
 
   it("says what is wrong with a run that cannot be repeated", async () => {

@@ -26,8 +26,14 @@ export interface UrlPorts {
   openEmptyMaze: () => void;
   /** opens a recorded run; gives what is wrong with it, or nothing */
   openRun: (run: RunDocument) => Promise<readonly FieldProblem[]>;
-  /** opens a challenge; `program` is what the link brought along, if anything */
-  openChallenge: (challenge: ChallengeDocument, program: ProgramDocument | null) => Promise<void>;
+  /**
+   * opens a challenge; `program` is what the link brought along, if anything. Gives whether it did:
+   * where its files do not come, that is told already
+   */
+  openChallenge: (
+    challenge: ChallengeDocument,
+    program: ProgramDocument | null,
+  ) => Promise<boolean>;
 }
 
 /**
@@ -59,14 +65,18 @@ export async function followAddress(ports: UrlPorts): Promise<void> {
     if (location.hash === hash) replaceAddress(pathname + search);
     return;
   }
-  replaceAddress(pathname + search);
   if (result.ok && result.value.challenge !== undefined) {
     const { challenge, program = null } = result.value;
     const isOwner = hasOwnWork(ports);
-    await ports.openChallenge(challenge, program);
+    // One that did not come stays in the address: a reload asks for it again.
+    if (!(await ports.openChallenge(challenge, program))) return;
+    if (location.hash === hash) replaceAddress(pathname + search);
     const key = isOwner ? "share.openedChallengeBeside" : "share.openedChallenge";
     tell(screen, { tone: "info", text: words.t(key) });
-  } else if (result.ok) openShared(ports, result.value);
+    return;
+  }
+  replaceAddress(pathname + search);
+  if (result.ok) openShared(ports, result.value);
   else {
     const id = tell(screen, {
       tone: "bad",

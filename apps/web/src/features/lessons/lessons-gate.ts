@@ -48,9 +48,13 @@ export class LessonsGate {
   /**
    * Opens a challenge that somebody shared in a work of its own.
    * @param program what the link brought along; null: what the challenge begins with
+   * @returns false where the lessons did not come, which is told
    */
-  async openShared(challenge: ChallengeDocument, program: ProgramDocument | null): Promise<void> {
-    await this.#withService((lessons) => lessons.openShared(challenge, program));
+  async openShared(
+    challenge: ChallengeDocument,
+    program: ProgramDocument | null,
+  ): Promise<boolean> {
+    return this.#withService((lessons) => lessons.openShared(challenge, program));
   }
 
   /** The reader does not want to be invited again. */
@@ -68,16 +72,18 @@ export class LessonsGate {
     await this.#withService((lessons) => lessons.sync());
   }
 
-  async #withService(use: (lessons: LessonsService) => void): Promise<void> {
+  /** @returns whether the lessons came */
+  async #withService(use: (lessons: LessonsService) => void): Promise<boolean> {
     const { screen, words } = this.#ports;
     let lessons: LessonsService;
     try {
       lessons = await this.load();
     } catch {
       tell(screen, { tone: "bad", text: words.t("lessons.notLoaded") });
-      return;
+      return false;
     }
     use(lessons);
+    return true;
   }
 
   async #fetch(): Promise<LessonsService> {
