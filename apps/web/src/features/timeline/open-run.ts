@@ -21,7 +21,12 @@ export async function openRun(
   run: RunDocument,
 ): Promise<readonly FieldProblem[]> {
   const waiting = new WaitingMessage(screen, words, () => load.cancel());
-  const load = loadRun(simulator, run, { onPart: (part) => waiting.tell(part) });
+  const onPart = (part: number) => {
+    // Nobody waits for a long one before an empty page: it is told of, and can be declined.
+    screen.setState({ isOpening: false });
+    waiting.tell(part);
+  };
+  const load = loadRun(simulator, run, { onPart });
   const loaded = await load.loaded;
   waiting.end();
   if (!loaded.ok) return loaded.reason === "refused" ? loaded.problems : [];
