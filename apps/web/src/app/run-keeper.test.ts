@@ -9,7 +9,11 @@ import { RunKeeper } from "./run-keeper.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 
 /** A page with the real run behind it, in a tab whose storage may be that of a page before it. */
-function openPage(tab = new MemoryStorage(), maze = firstMaze) {
+function openPage(
+  tab = new MemoryStorage(),
+  maze = firstMaze,
+  loadReader = () => Promise.resolve(readKeptRun),
+) {
   let time = 0;
   const listeners = new Set<(message: FromWorker) => void>();
   const timers: (() => void)[] = [];
@@ -59,7 +63,7 @@ function openPage(tab = new MemoryStorage(), maze = firstMaze) {
     workspace,
     tab,
     later: (run) => void timers.push(run),
-    loadReader: () => Promise.resolve(readKeptRun),
+    loadReader,
     onLost: () => void lost.push("lost"),
   });
   const pass = (milliseconds: number) => {
@@ -177,6 +181,16 @@ describe("a run over a reload", () => {
     const reloaded = openPage(page.tab);
     await reloaded.keeper.resume();
     expect(reloaded.loop.snapshot().tick).toBe(page.loop.snapshot().tick);
+  });
+
+  it("is told to be lost when the file that reads it does not come", async () => {
+    const page = openPage();
+    page.loop.run();
+    page.pass(1000);
+    page.keeper.flush();
+    const offline = openPage(page.tab, firstMaze, () => Promise.reject(new Error("no network")));
+    await offline.keeper.resume();
+    expect(offline.lost).toEqual(["lost"]);
   });
 
   it("that stands at its start leaves nothing behind", () => {

@@ -97,8 +97,9 @@ export class RunKeeper {
     const [until, work, text] = kept.split("\n");
     if (until === LOST) return onLost();
     if (work !== this.#work() || text === undefined) return;
-    const readRun = await loadReader();
-    const run = readRun(text);
+    // Without its reader it is as lost as one that cannot be read.
+    const readRun = await loadReader().catch(() => null);
+    const run = readRun?.(text) ?? null;
     if (run === null) return onLost();
     if (!this.#isUntouched() || work !== this.#work()) return;
     this.#load = loadRun(simulator, run, { until: Number(until) });
