@@ -31,7 +31,7 @@ for (const { name, tag, words, isMade } of languages) {
       const { page } = window;
       if (isMade) {
         await page.route("**/assets/de-*.js", (route) =>
-          route.fulfill({ contentType: "text/javascript", body: words.asModule("de") }),
+          route.fulfill({ contentType: "text/javascript", body: words.asModule() }),
         );
       }
       await page.goto(`/?lang=${tag}`);

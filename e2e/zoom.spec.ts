@@ -1,37 +1,88 @@
 /** Large letters, a page zoomed to 400 %, and the system's own colours: everything is there and can be used. */
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
-import { stickingOut } from "./support/layout.ts";
+import { atRest } from "./support/at-rest.ts";
+import { stickingOut, unreadable } from "./support/layout.ts";
 
-/** As a reader does in the browser's settings: everything in rem is twice as large. */
+/** As a reader does in the browser's settings: its letters, and all that is measured in them, are twice as large. */
 async function doubleLetters(page: Page): Promise<void> {
-  await page.evaluate(() => document.documentElement.style.setProperty("font-size", "200%"));
+  const browser = await page.context().newCDPSession(page);
+  await browser.send("Page.enable");
+  await browser.send("Page.setFontSizes", { fontSizes: { standard: 32, fixed: 26 } });
 }
 
-for (const [width, height] of [
-  [1440, 900],
-  [390, 844],
-] as const) {
+for (const { width, height, isPhone } of [
+  { width: 1440, height: 900, isPhone: false },
+  // As wide as a phone in letters, and low: the page scrolls as a whole.
+  { width: 1024, height: 768, isPhone: true },
+  { width: 390, height: 844, isPhone: true },
+]) {
   test(`reads everything in letters of 200 % at ${width} x ${height}`, async ({ openWindow }) => {
     const corridor = await openWindow({ viewport: { width, height } });
-    await corridor.open();
     const { page } = corridor;
     await doubleLetters(page);
-    expect(await stickingOut(page), "first visit").toEqual([]);
-    await page.keyboard.press("?");
-    await expect(corridor.dialog("Keyboard shortcuts")).toBeVisible();
-    expect(await stickingOut(page), "keys").toEqual([]);
-    await page.keyboard.press("Escape");
+    await corridor.open();
+    const faults: string[] = [];
+    const look = async (state: string): Promise<void> => {
+      await atRest(page);
+      const found = [...(await stickingOut(page)), ...(await unreadable(page))];
+      faults.push(...found.map((fault) => `${state}: ${fault}`));
+    };
+    const opened = async (state: string, open: () => Promise<void>): Promise<void> => {
+      await open();
+      await expect(page.locator("dialog[open], :popover-open")).not.toHaveCount(0);
+      await look(state);
+      await page.keyboard.press("Escape");
+    };
+    await look("first visit");
+    await opened("keys", () => page.keyboard.press("?"));
+    await opened("share", () => corridor.share.click());
+    await opened("view", () => page.getByRole("button", { name: "View" }).click());
+    await opened("maze", () => corridor.mazeMenu.click());
     await corridor.run.click();
-    await expect(corridor.pause).toBeVisible();
+    await expect(corridor.timeline.slider).toBeVisible();
+    await expect(corridor.bumps).toBeAttached();
     await corridor.pause.click();
-    expect(await stickingOut(page), "after a run").toEqual([]);
-    await corridor.run.scrollIntoViewIfNeeded();
-    await expect(corridor.run).toBeInViewport();
-    await corridor.program.line(1).scrollIntoViewIfNeeded();
-    await expect(corridor.program.line(1)).toBeInViewport();
+    await look("after a run");
+    await corridor.timeline.slider.press("Home");
+    await expect(corridor.timeline.inThePast).toBeVisible();
+    await look("past");
+    await corridor.timeline.backToNow.click();
+    if (isPhone) {
+      for (const tab of ["Drive", "Presets", "Program"]) {
+        await page.getByRole("tab", { name: tab }).click();
+        await look(tab);
+      }
+    }
+    expect(faults).toEqual([]);
+    for (const control of [
+      corridor.run,
+      corridor.step,
+      corridor.share,
+      corridor.program.line(1),
+      corridor.program.otherwise,
+      corridor.program.button("Add line"),
+      corridor.maze.grid,
+    ]) {
+      await control.scrollIntoViewIfNeeded();
+      await expect(control).toBeInViewport();
+    }
   });
 }
+
+test("reads everything where a style of the reader's own doubles the letters", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow({ viewport: { width: 1440, height: 900 } });
+  await corridor.open();
+  const { page } = corridor;
+  await page.evaluate(() => document.documentElement.style.setProperty("font-size", "200%"));
+  expect(await stickingOut(page)).toEqual([]);
+  await corridor.run.scrollIntoViewIfNeeded();
+  await expect(corridor.run).toBeInViewport();
+  await corridor.program.line(1).scrollIntoViewIfNeeded();
+  await expect(corridor.program.line(1)).toBeInViewport();
+});
 
 test("works at 400 %: a window of 1280 x 1024 has 320 x 256 px then", async ({ openWindow }) => {
   const corridor = await openWindow({ viewport: { width: 320, height: 256 } });

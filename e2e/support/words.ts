@@ -43,9 +43,10 @@ export class Words {
     );
   }
 
-  /** A module that exports all words under a name, as a language's chunk does. */
-  asModule(name: string): string {
-    return `export const ${name} = ${JSON.stringify(this.#catalogue)};`;
+  /** A module that exports all words by the names of their files, as a language's chunk does. */
+  asModule(): string {
+    const files = Object.entries(this.#catalogue).map(([name, words]) => [`./${name}.json`, words]);
+    return `export const files = ${JSON.stringify(Object.fromEntries(files))};`;
   }
 }
 

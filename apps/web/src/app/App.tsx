@@ -44,7 +44,7 @@ export function App() {
 /** The order of the regions is the order of the Tab key; the stage keeps its place in every layout. */
 function Page() {
   const { t } = useTranslation();
-  const isPhone = useMediaQuery("(max-width: 599px)");
+  const isPhone = useMediaQuery("(max-width: 37.49em)");
   const [opened, setOpened] = useState<"keys" | "remote" | "lessons" | null>(null);
   const { camera, run } = useServices();
   const isDriving = useStore(camera, (state) => state.isDriving);

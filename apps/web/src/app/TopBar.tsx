@@ -27,7 +27,7 @@ interface TopBarProps {
 export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
   // The maze's name needs the room first.
-  const isNarrow = useMediaQuery("(max-width: 899px)");
+  const isNarrow = useMediaQuery("(max-width: 56.24em)");
   return (
     <header className={styles["bar"]}>
       <Brand />

@@ -41,7 +41,7 @@ export function FloatingCard(props: FloatingCardProps) {
   const { view, pose, keepClear, tone, icon, title, onClose, children } = props;
   const { t } = useTranslation();
   const layout = useStore(view, (state) => state.layout);
-  const isPhone = useMediaQuery("(max-width: 599px)");
+  const isPhone = useMediaQuery("(max-width: 37.49em)");
   const card = useRef<HTMLElement>(null);
   const [place, setPlace] = useState<CardPlace | null>(null);
   const titleId = useId();

@@ -16,7 +16,7 @@ interface LineToolsProps {
 }
 
 export function LineTools(props: LineToolsProps) {
-  const isBig = useMediaQuery("(max-width: 599px), (pointer: coarse)");
+  const isBig = useMediaQuery("(max-width: 37.49em), (pointer: coarse)");
   const edits = useRights()?.edits;
   const canMove = edits?.has("order") ?? true;
   const canDelete = edits?.has("lines") ?? true;
