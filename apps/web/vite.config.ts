@@ -3,6 +3,7 @@ import { defineConfig } from "vite";
 import { VitePWA } from "vite-plugin-pwa";
 import { englishWords } from "./build/english-words.ts";
 import { firstScript } from "./build/first-script.ts";
+import { layerOrder } from "./build/layer-order.ts";
 import { leanIcons } from "./build/lean-icons.ts";
 import { precompress } from "./build/precompress.ts";
 
@@ -84,6 +85,7 @@ export default defineConfig({
       },
     }),
     leanIcons(),
+    layerOrder(),
     englishWords(),
     firstScript(),
     precompress(),
@@ -111,7 +113,7 @@ export default defineConfig({
           groups: [
             {
               name: "react",
-              test: /node_modules\/(?:react|react-dom|scheduler|i18next|react-i18next|zustand|zundo|use-sync-external-store|lucide-react\/dist\/esm\/(?!icons\/))|ui\/class-names|maze-limits|program\/src\/vocabulary|rolldown\/runtime|vite\/preload-helper|src\/text\/numbers/,
+              test: /node_modules\/(?:react|react-dom|scheduler|i18next|react-i18next|zustand|zundo|use-sync-external-store|lucide-react\/dist\/esm\/(?!icons\/))|ui\/class-names|maze-limits|program\/src\/(?:vocabulary|condition-parts)|rolldown\/runtime|vite\/preload-helper|src\/text\/numbers/,
             },
           ],
         },

@@ -1,0 +1,8 @@
+import { readFileSync } from "node:fs";
+import { expect, it } from "vitest";
+import { ORDER } from "./layer-order.ts";
+
+it("each stylesheet begins with the order of layers that the base has", () => {
+  const base = readFileSync(new URL("../src/ui/base.css", import.meta.url), "utf8");
+  expect(base.replaceAll(/,\s+/g, ",")).toContain(ORDER);
+});
