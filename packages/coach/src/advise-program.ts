@@ -4,11 +4,12 @@
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { Condition, ProgramDocument } from "@corridor/program";
+import type { PlainAction } from "@corridor/protocol";
 import type { Advice, Mend, NeverDecides, NeverTrueHere, Side } from "./advice.ts";
 import { applyMend } from "./apply-mend.ts";
 import { sightIn, type MazeSight } from "./maze-sight.ts";
 import { ReachingReadings } from "./reaching-readings.ts";
-import { drives, turnFinding, type TurnFinding } from "./turn-findings.ts";
+import { drives, OPENING, turnFinding, type TurnFinding } from "./turn-findings.ts";
 import { winningLines } from "./winning-lines.ts";
 
 /** What is wrong with a line, before it is known which lines win and what would mend it. */
@@ -27,7 +28,7 @@ const kinds = [
 ] as const satisfies Finding["kind"][];
 
 const delayedTurn = { left: "delayed left 90", right: "delayed right 90" } as const;
-const turnOnTheSpot = { left: "left 90", right: "right 90" } as const;
+const turnOnTheSpot: Record<Side, PlainAction> = { left: "left 90", right: "right 90" };
 
 /**
  * All advice on a program, from the top line down, "otherwise" last; at most one for each. An empty
@@ -89,7 +90,7 @@ function mended(
       const { line, side, why } = finding;
       const mends: Mend[] =
         why === "near"
-          ? [{ kind: "action", line, action: turnOnTheSpot[side] }]
+          ? [{ kind: "action", line, action: turnAtWall(program, line, side, sight) }]
           : [
               { kind: "condition", line, when: openSide(side) },
               { kind: "action", line, action: "forward" },
@@ -101,6 +102,23 @@ function mended(
       return { ...finding, mend: firstGood([{ kind: "action", line: finding.line, action }]) };
     }
   }
+}
+
+/**
+ * The turn on the spot for a line that decides at a wall: to its own side, to the other one where lines
+ * above have taken all that are open on its own, back where they have taken both.
+ */
+function turnAtWall(
+  { rules }: ProgramDocument,
+  line: number,
+  side: Side,
+  sight: MazeSight,
+): PlainAction {
+  const reaching = new ReachingReadings(sight.range);
+  for (const { when } of rules.slice(0, line)) if (when !== null) reaching.pass(when);
+  const sides: readonly Side[] = side === "left" ? ["left", "right"] : ["right", "left"];
+  const open = sides.find((each) => reaching.max(each) >= OPENING);
+  return open === undefined ? "turn 180" : turnOnTheSpot[open];
 }
 
 /** Above the lines that win, unless they do the same; else away, which changes nothing that the robot does. */

@@ -21,7 +21,7 @@ const CORRIDOR = 100;
 /** In its middle a wall at the side is this far; a number below is true beside a wall, too. */
 const MIDDLE = CORRIDOR / 2;
 /** The nearest that the far wall of an opening can be: one cell behind the wall that ended. */
-const OPENING = CORRIDOR + ROBOT_RADIUS;
+export const OPENING = CORRIDOR + ROBOT_RADIUS;
 
 const delayed: Partial<Record<PlainAction, Side>> = {
   "delayed left 90": "left",

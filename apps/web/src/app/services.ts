@@ -166,10 +166,15 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
   const settled = whenSettled(run);
   const load = async () => {
     await settled;
-    return import("@corridor/coach");
+    return import("../features/program/coach.ts");
   };
-  const advice = createAdviceStore({ workspace, load, later });
   const challenge = createChallengeStore();
+  const advice = createAdviceStore({
+    workspace,
+    load,
+    later,
+    challenge,
+  });
   const speech = new Speech({ now, later });
   const storage = new LessonsStorage(device);
   const lessons = new LessonsGate({

@@ -12,7 +12,6 @@ import { Badge } from "../../ui/Badge.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import { ActionMenu } from "./ActionMenu.tsx";
-import { useRights } from "../lessons/use-rights.ts";
 import { adviceOn } from "./advice-store.ts";
 import { AdviceNote } from "./AdviceNote.tsx";
 import { ConditionMenu, ConditionNumber } from "./ConditionField.tsx";
@@ -21,7 +20,6 @@ import { decidingLine, isPassedOver, shownBump, truthAt } from "./line-state.ts"
 import { lineElementId } from "./focus-line.ts";
 import { LineTools } from "./LineTools.tsx";
 import { LineTruth } from "./LineTruth.tsx";
-import { allowsMend } from "./mend-rights.ts";
 import { applyEdit, deleteLine, moveLine, type RememberedNumbers } from "./program-actions.ts";
 import styles from "./program.module.css";
 import { takeMend } from "./take-mend.ts";
@@ -52,9 +50,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   );
   const given = useStore(advice, (state) => adviceOn(index, state));
   const adviceText = useAdviceText(given, rule.when);
-  const rights = useRights();
   const by = given?.mend ?? null;
-  const canMend = by !== null && allowsMend(by, count, rights);
   const isBumped = bump !== null;
   useLineLabel(element, { index, rule, advice: adviceText?.reason ?? null, truth });
   const line = index + 1;
@@ -161,7 +157,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       {/* What it came to is told where it bumped; the card there has the mend. */}
       {adviceText !== null && bump === null && (
         <div className={styles["advice"]}>
-          <AdviceNote text={adviceText} onMend={canMend ? mend : null} onHide={hide} />
+          <AdviceNote text={adviceText} onMend={mend} onHide={hide} />
         </div>
       )}
     </li>

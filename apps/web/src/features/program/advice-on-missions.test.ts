@@ -1,28 +1,53 @@
-/** The coach and the lessons agree: a solution is not doubted, a typical mistake is seen while it is made. */
-import type { Attempt } from "@corridor/challenge";
-import { adviseProgram } from "@corridor/coach";
-import type { MazeDocument } from "@corridor/maze";
+/**
+ * The coach and the lessons agree: what a mission gives is not advised on, a solution is not doubted, a
+ * typical mistake is seen while it is made, and no mend leads away from the goal.
+ */
+import { checkChallenge, rightsOf, type ChallengeDocument } from "@corridor/challenge";
+import { adviseProgram, applyMend, type Advice } from "@corridor/coach";
+import type { ProgramDocument } from "@corridor/program";
 import { describe, expect, it } from "vitest";
+import { challengeOf } from "../lessons/missions/mission.ts";
 import { missions } from "../lessons/missions/missions.ts";
 import { answers } from "../lessons/missions/testing/answers.ts";
+import { concernsReader } from "./advice-in-challenge.ts";
 
-/** Kinds of advice on an attempt, with the number of the line; none on one by hand. */
-function adviceOn(attempt: Attempt, mazes: readonly MazeDocument[]): string[] {
-  if (!("rules" in attempt)) return [];
-  const kinds = mazes.flatMap((maze) =>
-    adviseProgram(attempt, maze).map(({ line, kind }) =>
-      line === "default" ? `otherwise ${kind}` : `${line + 1} ${kind}`,
-    ),
-  );
+const words = { task: "Task", short: "Task", hints: [] };
+const all = missions.map((mission) => ({
+  id: mission.id,
+  challenge: challengeOf(mission, "Mission", words),
+}));
+
+/** What the reader of the mission is shown, in all of its mazes. */
+function shownAdvice(program: ProgramDocument, challenge: ChallengeDocument): Advice[] {
+  const rights = rightsOf(challenge);
+  return challenge.mazes
+    .flatMap((maze) => adviseProgram(program, maze))
+    .filter((advice) => concernsReader(advice, program, { challenge, rights }));
+}
+
+function kindsOf(advice: readonly Advice[]): string[] {
+  const kinds = advice.map(({ line, kind }) => `${line === "default" ? line : line + 1} ${kind}`);
   return [...new Set(kinds)];
 }
 
-/** What this mission gives to begin with, and is about. */
-const solutionsWith: Partial<Record<string, string[]>> = { "first-true-line": ["2 never-decides"] };
+/** How far a program gets: mazes passed, and squares seen in them all before it failed. */
+function progress(challenge: ChallengeDocument, program: ProgramDocument): [number, number] {
+  const { mazes } = checkChallenge(challenge, program);
+  const passed = mazes.filter(({ failure }) => failure === null).length;
+  return [passed, mazes.reduce((sum, { visited }) => sum + visited, 0)];
+}
 
 describe("advice on the missions", () => {
-  it.each(missions)("doubts no solution of $id", ({ id, challenge }) => {
-    expect(adviceOn(answers[id].solution, challenge.mazes)).toEqual(solutionsWith[id] ?? []);
+  it.each(all)("is none on what $id gives", ({ challenge }) => {
+    const { program } = challenge;
+    if (program === null) throw new Error("every mission begins with a program");
+    expect(kindsOf(shownAdvice(program, challenge))).toEqual([]);
+  });
+
+  it.each(all)("doubts no solution of $id", ({ id, challenge }) => {
+    const { solution } = answers[id];
+    if (!("rules" in solution)) return;
+    expect(kindsOf(shownAdvice(solution, challenge))).toEqual([]);
   });
 
   it.each([
@@ -31,8 +56,38 @@ describe("advice on the missions", () => {
     ["faulty-line", "1 immediate-into-opening"],
     ["right-wall", "2 delayed-about-front"],
   ] as const)("sees the typical mistake of %s", (id, advice) => {
-    const mission = missions.find((each) => each.id === id);
-    const found = adviceOn(answers[id].wrong.attempt, mission?.challenge.mazes ?? []);
-    expect(found).toContain(advice);
+    const found = all.find((each) => each.id === id);
+    const { attempt } = answers[id].wrong;
+    if (found === undefined || !("rules" in attempt)) throw new Error(`no program for ${id}`);
+    expect(kindsOf(shownAdvice(attempt, found.challenge))).toContain(advice);
+  });
+
+  it.each(all)("leads nobody away from the goal of $id", ({ id, challenge }) => {
+    const programs = [answers[id].wrong.attempt, challenge.program].filter(
+      (each): each is ProgramDocument => each !== null && "rules" in each,
+    );
+    const astray = programs.flatMap((program) => {
+      const [passed, seen] = progress(challenge, program);
+      const mends = challenge.mazes.flatMap((maze) =>
+        adviseProgram(program, maze).flatMap(({ mend }) => (mend === null ? [] : [mend])),
+      );
+      return mends.filter((mend) => {
+        const [nowPassed, nowSeen] = progress(challenge, applyMend(program, mend));
+        // What passes needs not see all that there is.
+        return nowPassed < passed || (nowPassed === passed && nowSeen < seen);
+      });
+    });
+    expect(astray.filter(({ kind }) => kind !== "delete")).toEqual([]);
+  });
+
+  it("turns back where both sides are taken by the lines above, as in the mission of the faulty line", () => {
+    const found = all.find(({ id }) => id === "faulty-line");
+    const [maze] = found?.challenge.mazes ?? [];
+    const program = found?.challenge.program;
+    if (found === undefined || maze === undefined || !program) throw new Error("no such mission");
+    const [advice] = adviseProgram(program, maze);
+    if (!advice?.mend) throw new Error("no mend");
+    expect(advice.mend).toEqual({ kind: "action", line: 2, action: "turn 180" });
+    expect(checkChallenge(found.challenge, applyMend(program, advice.mend)).passed).toBe(true);
   });
 });

@@ -1,9 +1,10 @@
-import { adviseProgram, applyMend } from "@corridor/coach";
 import { setAction, setNumber, type ProgramDocument } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "../../app/first-visit.ts";
+import { createChallengeStore } from "../../stores/challenge-store.ts";
 import { createWorkspaceStore, setMaze, undo } from "../../stores/workspace-store.ts";
 import { adviceOn, createAdviceStore, type AdvicePorts } from "./advice-store.ts";
+import * as coach from "./coach.ts";
 import { applyEdit } from "./program-actions.ts";
 import { takeMend } from "./take-mend.ts";
 
@@ -17,13 +18,16 @@ const wrong: ProgramDocument = {
 };
 
 /** The page at rest in time: `settle` lets it pass. */
-function setUp(
-  program = wrong,
-  load: AdvicePorts["load"] = async () => ({ adviseProgram, applyMend }),
-) {
+function setUp(program = wrong, load: AdvicePorts["load"] = async () => coach) {
   const workspace = createWorkspaceStore(firstMaze, program);
+  const challenge = createChallengeStore();
   const waiting: (() => void)[] = [];
-  const advice = createAdviceStore({ workspace, load, later: (run) => waiting.push(run) });
+  const advice = createAdviceStore({
+    workspace,
+    challenge,
+    load,
+    later: (run) => waiting.push(run),
+  });
   const settle = async () => {
     for (const run of waiting.splice(0)) run();
     // The coach arrives.
@@ -131,7 +135,7 @@ describe("advice on the lines", () => {
     let tries = 0;
     const { settle, lines, edit } = setUp(wrong, async () => {
       if (++tries === 1) throw new Error("no network");
-      return { adviseProgram, applyMend };
+      return coach;
     });
     await settle();
     expect(lines()).toEqual([]);

@@ -8,12 +8,15 @@ import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
 import { createStore, type StoreApi } from "zustand/vanilla";
+import type { ChallengeState, ChallengeStore } from "../../stores/challenge-store.ts";
 import type { WorkspaceStore } from "../../stores/workspace-store.ts";
 
 /** The coach's functions; they come in a file of their own once the page has time. */
 export interface Coach {
   adviseProgram: (program: ProgramDocument, maze: MazeDocument) => Advice[];
   applyMend: (program: ProgramDocument, mend: Mend) => ProgramDocument;
+  /** whether an advice on this program is for the reader of the open challenge */
+  concernsReader: (advice: Advice, program: ProgramDocument, open: ChallengeState) => boolean;
 }
 
 export interface AdvicePorts {
@@ -21,6 +24,7 @@ export interface AdvicePorts {
   load: () => Promise<Coach>;
   /** runs a function later, such as `setTimeout` */
   later: (run: () => void, milliseconds: number) => void;
+  challenge: ChallengeStore;
 }
 
 export interface AdviceState {
@@ -44,7 +48,7 @@ export interface AdviceStore extends Pick<
 const SETTLE_MS = 1000;
 
 /** Follows the workspace from now on. */
-export function createAdviceStore({ workspace, load, later }: AdvicePorts): AdviceStore {
+export function createAdviceStore({ workspace, load, later, challenge }: AdvicePorts): AdviceStore {
   const store = createStore<AdviceState>()(() => ({ shown: [], news: null }));
   const hidden = new Set<string>();
   const told = new Set<string>();
@@ -55,10 +59,11 @@ export function createAdviceStore({ workspace, load, later }: AdvicePorts): Advi
   function refresh(): void {
     if (coach === null) return;
     const { program, maze } = workspace.getState();
-    const all = coach.adviseProgram(program, maze);
+    const { adviseProgram, concernsReader: isFor } = coach;
+    const all = adviseProgram(program, maze);
     const shown = all.filter((advice) => {
       const key = keyOf(advice, program);
-      return settled.has(key) && !hidden.has(key);
+      return settled.has(key) && !hidden.has(key) && isFor(advice, program, challenge.getState());
     });
     if (shown.length > 0 || store.getState().shown.length > 0) store.setState({ shown });
   }

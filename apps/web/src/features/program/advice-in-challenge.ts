@@ -1,0 +1,23 @@
+/**
+ * Which advice is for the reader while a challenge is open: what it gave to begin with is its riddle, and
+ * what it does not leave to the reader is none of theirs.
+ */
+import type { Advice } from "@corridor/coach";
+import type { ProgramDocument } from "@corridor/program";
+import type { ChallengeState } from "../../stores/challenge-store.ts";
+import { allowsMend } from "./mend-rights.ts";
+
+export function concernsReader(
+  { mend }: Pick<Advice, "mend">,
+  program: ProgramDocument,
+  { challenge, rights }: Pick<ChallengeState, "challenge" | "rights">,
+): boolean {
+  if (challenge === null) return true;
+  if (challenge.program !== null && doesTheSame(program, challenge.program)) return false;
+  return mend !== null && allowsMend(mend, program.rules.length, rights);
+}
+
+function doesTheSame(one: ProgramDocument, other: ProgramDocument): boolean {
+  const of = ({ rules, default: otherwise }: ProgramDocument) => JSON.stringify([rules, otherwise]);
+  return of(one) === of(other);
+}
