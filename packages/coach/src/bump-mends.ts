@@ -49,7 +49,8 @@ export function mendsForBump(scene: BumpScene, most: number): Mend[] {
   return mends;
 }
 
-const delayed: Partial<Record<PlainAction, PlainAction>> = {
+/** The same turn in the middle of an opening. */
+export const delayed: Partial<Record<PlainAction, PlainAction>> = {
   "left 90": "delayed left 90",
   "right 90": "delayed right 90",
 };

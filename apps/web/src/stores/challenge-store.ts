@@ -3,6 +3,7 @@
  * by the lessons, which come in a file of their own; everything else only reads it.
  */
 import type { ChallengeDocument, FailureCode, Rights, Verdict } from "@corridor/challenge";
+import type { Blame } from "@corridor/coach";
 import type { DriverName } from "@corridor/protocol";
 import { createStore } from "zustand/vanilla";
 
@@ -28,6 +29,8 @@ export interface ChallengeState {
   result: ChallengeResult;
   /** what the newest check of all mazes said of the program as it is; null when there was none */
   verdict: Verdict | null;
+  /** beside the verdict, for each maze: the line that led the robot astray */
+  blames: readonly (Blame | null)[];
   isChecking: boolean;
   /** a reader who has never been here is asked whether to begin with mission 1 */
   isInvited: boolean;
@@ -40,6 +43,7 @@ export const noChallenge = {
   rights: null,
   result: { state: "open" },
   verdict: null,
+  blames: [],
   isChecking: false,
 } as const satisfies Partial<ChallengeState>;
 
@@ -51,4 +55,9 @@ export type ChallengeStore = ReturnType<typeof createChallengeStore>;
 /** How the open challenge stands; null while none is open. */
 export function challengeResult({ challenge, result }: ChallengeState): ChallengeResult | null {
   return challenge === null ? null : result;
+}
+
+/** Whether what the run on the screen does is what counts: one maze, and a goal that is seen reached. */
+export function isSeenInRun({ mazes, goal }: ChallengeDocument): boolean {
+  return mazes.length === 1 && (goal.kind === "reach" || goal.kind === "stop");
 }

@@ -1,16 +1,16 @@
 /** The open mission in the panel: its task, hints one by one, the check, and the way on. */
-import { ArrowRight, House, ListChecks, ListRestart } from "lucide-react";
+import { ArrowRight, ChevronDown, ChevronUp, House, ListChecks, ListRestart } from "lucide-react";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { isSeenInRun } from "../../stores/challenge-store.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
-import { useSay } from "../speech/use-say.ts";
-import { failureText, liveFailureText, metText } from "./failure-text.ts";
 import { LessonsDialog } from "./lazy-lessons-dialog.ts";
 import type { LessonsService } from "./lessons-service.ts";
-import { MissionHints } from "./MissionHints.tsx";
+import { HintButton, HintList } from "./MissionHints.tsx";
 import { MissionMazes } from "./MissionMazes.tsx";
+import { MissionOutcome } from "./MissionOutcome.tsx";
 import styles from "./lessons.module.css";
 import { missionIds, nextMission } from "./missions/mission.ts";
 
@@ -23,13 +23,14 @@ export interface MissionCardProps {
 export function MissionCard({ look = "full" }: MissionCardProps) {
   const { lessons, challenge } = useServices();
   const isOpen = useStore(challenge, (state) => state.challenge !== null);
+  const mission = useStore(challenge, (state) => state.mission);
   const [service, setService] = useState<LessonsService | null>(null);
   useEffect(() => {
     // What opened the challenge has loaded the lessons; this only takes them.
     if (isOpen) void lessons.load().then(setService, () => undefined);
   }, [isOpen, lessons]);
   if (!isOpen || service === null) return null;
-  return look === "full" ? <OpenMission service={service} /> : <SlimMission />;
+  return look === "full" ? <OpenMission key={mission} service={service} /> : <SlimMission />;
 }
 
 function OpenMission({ service }: { service: LessonsService }) {
@@ -37,6 +38,8 @@ function OpenMission({ service }: { service: LessonsService }) {
   const { challenge: store } = useServices();
   const challenge = useStore(store, (state) => state.challenge);
   const mission = useStore(store, (state) => state.mission);
+  const [hintsShown, setHintsShown] = useState(0);
+  const [isFolded, setFolded] = useState(false);
   if (challenge === null) return null;
   const at = missionIds.findIndex((each) => each === mission);
   const id = missionIds[at];
@@ -57,21 +60,38 @@ function OpenMission({ service }: { service: LessonsService }) {
             {id === undefined ? challenge.name : t(`missions:missions.${id}.name`)}
           </h2>
         </div>
+        <HintButton
+          shown={hintsShown}
+          count={hints.length}
+          onShow={() => {
+            setHintsShown(hintsShown + 1);
+            setFolded(false);
+          }}
+        />
         <IconButton label={t("missions:card.again")} onClick={() => service.beginAgain()}>
           <ListRestart aria-hidden="true" />
         </IconButton>
         <IconButton label={t("missions:card.own")} onClick={() => service.goHome()}>
           <House aria-hidden="true" />
         </IconButton>
+        <IconButton
+          label={t(isFolded ? "missions:card.unfold" : "missions:card.fold")}
+          onClick={() => setFolded(!isFolded)}
+        >
+          {isFolded ? <ChevronDown aria-hidden="true" /> : <ChevronUp aria-hidden="true" />}
+        </IconButton>
       </div>
-      <p className={styles["task"]}>
-        {id === undefined ? challenge.words.task : t(`missions:missions.${id}.task`)}
-      </p>
-      <Outcome />
-      {challenge.mazes.length > 1 && <MissionMazes service={service} />}
-      <MissionHints key={id ?? challenge.name} hints={hints}>
+      {!isFolded && (
+        <p className={styles["task"]}>
+          {id === undefined ? challenge.words.task : t(`missions:missions.${id}.task`)}
+        </p>
+      )}
+      <MissionOutcome challenge={challenge} />
+      <HintList hints={isFolded ? [] : hints.slice(0, hintsShown)} />
+      <div className={styles["row"]}>
+        {challenge.mazes.length > 1 && <MissionMazes service={service} />}
         <Actions service={service} />
-      </MissionHints>
+      </div>
     </section>
   );
 }
@@ -87,13 +107,12 @@ function SlimMission() {
   const next = nextMission(mission);
   return (
     <section className={styles["slim"]} aria-label={t("missions:card.label")}>
-      {isMet ? (
-        <Outcome />
-      ) : (
+      {!isMet && (
         <p className={styles["task"]}>
           {id === undefined ? challenge.words.task : t(`missions:missions.${id}.task`)}
         </p>
       )}
+      <MissionOutcome challenge={challenge} />
       {isMet && next !== null && (
         <Button size="small" kind="primary" onClick={() => void lessons.openMission(next)}>
           {t("missions:card.next")}
@@ -104,30 +123,7 @@ function SlimMission() {
   );
 }
 
-/** How it stands, spoken when it changes. */
-function Outcome() {
-  const words = useTranslation(["missions", "words"], { useSuspense: false });
-  const { challenge: store } = useServices();
-  const challenge = useStore(store, (state) => state.challenge);
-  const result = useStore(store, (state) => state.result);
-  const verdict = useStore(store, (state) => state.verdict);
-  const isMet = result.state === "met";
-  const text =
-    challenge === null
-      ? null
-      : isMet
-        ? metText(words, challenge, result)
-        : verdict?.failure
-          ? failureText(words, challenge, verdict.failure)
-          : liveFailureText(words, challenge, result);
-  useSay(text, "mission");
-  return (
-    <p role="note" className={styles["outcome"]} data-state={isMet ? "met" : "failed"}>
-      {text}
-    </p>
-  );
-}
-
+/** The check where there is one, and the way on once it is met: before that, Lessons has every mission. */
 function Actions({ service }: { service: LessonsService }) {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });
   const { challenge: store, lessons } = useServices();
@@ -139,39 +135,35 @@ function Actions({ service }: { service: LessonsService }) {
   if (challenge === null) return null;
   const isMet = result.state === "met";
   const next = nextMission(mission);
-  // A hand's drive and one maze with a goal need no check: what is seen is what counts.
-  const isSeen = challenge.mazes.length === 1 && ["reach", "stop"].includes(challenge.goal.kind);
-  const isChecked = !isSeen && challenge.allowed.drivers.includes("program");
+  const isChecked = !isSeenInRun(challenge) && challenge.allowed.drivers.includes("program");
   return (
     <>
-      {isChecked && (
-        <Button
-          size="small"
-          kind={isMet ? "outline" : "primary"}
-          disabled={isChecking}
-          icon={<ListChecks aria-hidden="true" />}
-          onClick={() => void service.check()}
-        >
-          {isChecking
-            ? t("missions:card.checking")
-            : t("missions:card.check", { count: challenge.mazes.length })}
-        </Button>
-      )}
-      {next !== null && (isMet || !isChecked) && (
-        <Button
-          size="small"
-          kind={isMet ? "primary" : "quiet"}
-          onClick={() => void lessons.openMission(next)}
-        >
-          {t("missions:card.next")}
-          <ArrowRight className={styles["onward"]} aria-hidden="true" />
-        </Button>
-      )}
-      {next === null && mission !== null && (
-        <Button size="small" onClick={() => setIsPathOpen(true)}>
-          {t("missions:card.last")}
-        </Button>
-      )}
+      <div className={styles["actions"]}>
+        {isChecked && !isMet && (
+          <Button
+            size="small"
+            kind="primary"
+            disabled={isChecking}
+            icon={<ListChecks aria-hidden="true" />}
+            onClick={() => void service.check()}
+          >
+            {isChecking
+              ? t("missions:card.checking")
+              : t("missions:card.check", { count: challenge.mazes.length })}
+          </Button>
+        )}
+        {isMet && next !== null && (
+          <Button size="small" kind="primary" onClick={() => void lessons.openMission(next)}>
+            {t("missions:card.next")}
+            <ArrowRight className={styles["onward"]} aria-hidden="true" />
+          </Button>
+        )}
+        {isMet && next === null && mission !== null && (
+          <Button size="small" kind="primary" onClick={() => setIsPathOpen(true)}>
+            {t("missions:card.last")}
+          </Button>
+        )}
+      </div>
       <LessonsDialog isOpen={isPathOpen} onClose={() => setIsPathOpen(false)} />
     </>
   );

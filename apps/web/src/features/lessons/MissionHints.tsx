@@ -1,44 +1,41 @@
-/** Hints of a mission, opened one after the other; beside their button stands what else can be done. */
+/** Hints of a mission, opened one after the other: their button in the card's head, and the list of those open. */
 import { Lightbulb } from "lucide-react";
-import { useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
-import { Button } from "../../ui/Button.tsx";
+import { IconButton } from "../../ui/Button.tsx";
 import styles from "./lessons.module.css";
 
-interface MissionHintsProps {
-  hints: readonly string[];
-  /** the other buttons of the row */
-  children: ReactNode;
+interface HintButtonProps {
+  /** how many are open */
+  shown: number;
+  count: number;
+  onShow: () => void;
 }
 
-export function MissionHints({ hints, children }: MissionHintsProps) {
+/** Gone when all are open. */
+export function HintButton({ shown, count, onShow }: HintButtonProps) {
   const { t } = useTranslation("missions", { useSuspense: false });
-  const [shown, setShown] = useState(0);
+  if (shown >= count) return null;
   return (
-    <>
-      {/* Spoken as they come. */}
-      <ol className={styles["hintList"]} aria-live="polite">
-        {hints.slice(0, shown).map((hint, at) => (
-          <li key={hint} className={styles["hint"]}>
-            <span className={styles["hintNumber"]}>{t("card.hintLabel", { number: at + 1 })}</span>{" "}
-            {hint}
-          </li>
-        ))}
-      </ol>
-      <div className={styles["actions"]}>
-        {shown < hints.length && (
-          <Button
-            size="small"
-            icon={<Lightbulb aria-hidden="true" />}
-            onClick={() => setShown(shown + 1)}
-          >
-            {shown === 0
-              ? t("card.hint")
-              : t("card.nextHint", { number: shown + 1, all: hints.length })}
-          </Button>
-        )}
-        {children}
-      </div>
-    </>
+    <IconButton
+      label={shown === 0 ? t("card.hint") : t("card.nextHint", { number: shown + 1, all: count })}
+      onClick={onShow}
+    >
+      <Lightbulb aria-hidden="true" />
+    </IconButton>
+  );
+}
+
+/** Spoken as they come. */
+export function HintList({ hints }: { hints: readonly string[] }) {
+  const { t } = useTranslation("missions", { useSuspense: false });
+  return (
+    <ol className={styles["hintList"]} aria-live="polite">
+      {hints.map((hint, at) => (
+        <li key={hint} className={styles["hint"]}>
+          <span className={styles["hintNumber"]}>{t("card.hintLabel", { number: at + 1 })}</span>{" "}
+          {hint}
+        </li>
+      ))}
+    </ol>
   );
 }

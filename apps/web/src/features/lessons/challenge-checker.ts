@@ -1,17 +1,16 @@
 /** Asks the worker for verdicts; it is started with the first question and kept. */
-import type { Verdict } from "@corridor/challenge";
-import type { CheckRequest } from "../../worker/check-request.ts";
+import type { CheckAnswer, CheckRequest } from "../../worker/check-request.ts";
 
 /** As much of a Worker as is needed here. */
 interface CheckPort {
   postMessage: (request: CheckRequest) => void;
-  onmessage: ((event: MessageEvent<Verdict>) => void) | null;
+  onmessage: ((event: MessageEvent<CheckAnswer>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
   terminate: () => void;
 }
 
 interface Waiting {
-  resolve: (verdict: Verdict) => void;
+  resolve: (answer: CheckAnswer) => void;
   reject: (error: Error) => void;
 }
 
@@ -25,7 +24,7 @@ export class ChallengeChecker {
   }
 
   /** @throws when the worker does not load or breaks; the next question starts a new one */
-  async check(request: CheckRequest): Promise<Verdict> {
+  async check(request: CheckRequest): Promise<CheckAnswer> {
     this.#port ??= this.#open();
     const port = this.#port;
     return new Promise((resolve, reject) => {

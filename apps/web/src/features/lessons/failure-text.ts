@@ -1,30 +1,54 @@
 /** Why an attempt does not pass, in a sentence with its numbers. */
 import type { ChallengeDocument, Failure } from "@corridor/challenge";
-import type { TFunction } from "i18next";
+import type { Blame } from "@corridor/coach";
 import type { ChallengeResult } from "../../stores/challenge-store.ts";
 import { formatSeconds } from "../../text/numbers.ts";
+import { blameText } from "./blame-text.ts";
+import type { MissionWords } from "./mission-words.ts";
 
-/** What `useTranslation` gives: the words, and the language that they are in. */
-export interface MissionWords {
-  t: TFunction<["missions", "words"]>;
-  i18n: { language: string };
-}
-
-function lineName({ t }: MissionWords, line: Failure["line"]): string {
-  return typeof line === "number"
-    ? t("missions:failure.line", { line: line + 1 })
-    : t("missions:failure.otherwise");
-}
-
-/** What a check says. */
+/**
+ * What a check says.
+ * @param blame which line led the robot astray; null where none can be named
+ */
 export function failureText(
   words: MissionWords,
   challenge: ChallengeDocument,
   it: Failure,
+  blame: Blame | null,
 ): string {
-  const reason = reasonText(words, challenge, it);
+  const reason =
+    blame === null ? reasonText(words, challenge, it) : blamed(words, challenge, it, blame);
   if (it.maze === null || challenge.mazes.length === 1) return reason;
   return words.t("missions:failure.inMaze", { number: it.maze + 1, reason });
+}
+
+/** What happened in few words, then why. */
+function blamed(
+  words: MissionWords,
+  challenge: ChallengeDocument,
+  it: Failure,
+  blame: Blame,
+): string {
+  return words.t("missions:failure.both", {
+    first: happenedText(words, challenge, it, blame),
+    second: blameText(words, blame),
+  });
+}
+
+function happenedText(
+  words: MissionWords,
+  challenge: ChallengeDocument,
+  it: Failure,
+  blame: Blame,
+): string {
+  const { t, i18n } = words;
+  // Where only a missing turn is known, the line that drove into the wall is named before it.
+  if (it.code === "bump" && blame.kind === "no-turn") return bumpText(words, it);
+  if (it.code === "bump") {
+    return t("missions:failure.bump", { seconds: formatSeconds(it.tick ?? 0, i18n.language) });
+  }
+  if (it.code !== "not-reached") return reasonText(words, challenge, it);
+  return t("missions:failure.notInTime", { seconds: challenge.checks.seconds });
 }
 
 function reasonText(words: MissionWords, challenge: ChallengeDocument, it: Failure): string {
@@ -39,9 +63,13 @@ function reasonText(words: MissionWords, challenge: ChallengeDocument, it: Failu
     case "condition-not-allowed":
       return t("missions:failure.condition-not-allowed", { line: Number(it.line) + 1 });
     case "action-not-allowed":
-      return t("missions:failure.action-not-allowed", { line: lineName(words, it.line) });
+      return typeof it.line === "number"
+        ? t("missions:failure.actionLine", { line: it.line + 1 })
+        : t("missions:failure.actionOtherwise");
     case "changed":
-      return t("missions:failure.changed", { line: lineName(words, it.line) });
+      return typeof it.line === "number"
+        ? t("missions:failure.changedLine", { line: it.line + 1 })
+        : t("missions:failure.changedOtherwise");
     case "bump":
       return bumpText(words, it);
     case "not-reached":
@@ -107,13 +135,25 @@ export function liveFailureText(
   }
 }
 
+/** What is lacking where a hand has let go of the robot. @param reading of the sensor that counts, in cm */
+export function handText(
+  { t }: MissionWords,
+  { goal }: ChallengeDocument,
+  reading: number,
+): string {
+  if (goal.kind !== "stop") return t("missions:failure.handStopped");
+  const needed = reading < goal.from ? goal.from : goal.to;
+  return t("missions:failure.not-stopped", { found: reading, needed });
+}
+
 /** That it is met, and with what. */
 export function metText(
   { t, i18n }: MissionWords,
   { allowed }: ChallengeDocument,
   result: Extract<ChallengeResult, { state: "met" }>,
 ): string {
-  return result.driver === "program"
+  // Where no line may be written there is none to count.
+  return result.driver === "program" && allowed.lines > 0
     ? t("missions:bar.met", { found: result.lines, needed: allowed.lines })
     : t("missions:bar.metByHand", { seconds: formatSeconds(result.ticks, i18n.language) });
 }

@@ -8,7 +8,6 @@ import {
   termsOf,
   type ChallengeDocument,
   type Judgement,
-  type Verdict,
 } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
@@ -17,6 +16,7 @@ import { firstWork } from "../../app/first-visit.ts";
 import { noChallenge } from "../../stores/challenge-store.ts";
 import { dismiss, tell } from "../../stores/screen-store.ts";
 import { newLineIds, setMaze, setProgram, undo } from "../../stores/workspace-store.ts";
+import type { CheckAnswer } from "../../worker/check-request.ts";
 import { readChallengeText, writeChallengeText } from "./challenge-text.ts";
 import { startChecker, type ChallengeChecker } from "./challenge-checker.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
@@ -44,6 +44,7 @@ export class LessonsService {
     this.#checker = checker;
     this.showProgress();
     ports.simulator.listen((message) => {
+      if (message.type === "notice") void this.#explain();
       if (message.type !== "judgement" || message.id !== this.#judgeId) return;
       this.#judged = message.judgement;
       this.#hear(message.judgement);
@@ -56,7 +57,7 @@ export class LessonsService {
       if (ports.challenge.getState().challenge === null) return;
       if (next.maze !== before.maze) this.#followMaze(next.maze);
       if (next.program !== before.program) {
-        ports.challenge.setState({ verdict: null, result: { state: "open" } });
+        ports.challenge.setState({ verdict: null, blames: [], result: { state: "open" } });
       }
     });
   }
@@ -142,34 +143,52 @@ export class LessonsService {
 
   /** Runs the program in all mazes of the challenge, without the page. */
   async check(): Promise<void> {
-    const { challenge: store, workspace, screen, words } = this.#ports;
-    const { challenge } = store.getState();
-    const { program } = workspace.getState();
-    if (challenge === null) return;
+    const { challenge: store, screen, words } = this.#ports;
     store.setState({ isChecking: true });
-    let verdict: Verdict;
+    let answer: CheckAnswer | null;
     try {
-      verdict = await this.#checker.check({ challenge, program });
+      answer = await this.#ask();
     } catch {
       tell(screen, { tone: "bad", text: words.t("lessons.notLoaded") });
+      return;
+    } finally {
       store.setState({ isChecking: false });
-      return;
     }
-    store.setState({ isChecking: false });
-    // The answer to a program that is no longer there.
-    if (store.getState().challenge !== challenge || workspace.getState().program !== program)
-      return;
-    store.setState({ verdict });
+    if (answer === null) return;
+    const { verdict } = answer;
+    store.setState(answer);
     if (verdict.passed) {
       const ticks = Math.max(...verdict.mazes.map((each) => each.ticks));
       const bumps = Math.max(...verdict.mazes.map((each) => each.bumps));
-      const lines = program.rules.length;
+      const lines = this.#ports.workspace.getState().program.rules.length;
       store.setState({ result: { state: "met", driver: "program", ticks, bumps, lines } });
       this.#setDone({ lines, ticks });
     } else if (this.#judged.kind === "met" && verdict.mazes.length <= 1) {
       const code = verdict.mazes.length === 0 ? (verdict.failure?.code ?? "edited") : "edited";
       store.setState({ result: { state: "failed", code, tick: this.#judged.tick } });
     }
+  }
+
+  /** The program's run on the screen failed or gets nowhere: says which line led it astray. */
+  async #explain(): Promise<void> {
+    const { challenge: store } = this.#ports;
+    if (!store.getState().challenge?.allowed.drivers.includes("program")) return;
+    // Without the worker nothing is lost but the reason: the failure itself is told from the run.
+    const answer = await this.#ask().catch(() => null);
+    // What would pass from its start is no success of this run.
+    if (answer !== null && !answer.verdict.passed) store.setState(answer);
+  }
+
+  /** @returns null for the answer to a program that is no longer there */
+  async #ask(): Promise<CheckAnswer | null> {
+    const { challenge: store, workspace } = this.#ports;
+    const { challenge } = store.getState();
+    const { program } = workspace.getState();
+    if (challenge === null) return null;
+    const answer = await this.#checker.check({ challenge, program });
+    const isSame =
+      store.getState().challenge === challenge && workspace.getState().program === program;
+    return isSame ? answer : null;
   }
 
   /** The mission after the open one; null after the last, and where no mission is open. */
@@ -280,6 +299,7 @@ export class LessonsService {
     if (judged.kind === "open") store.setState({ result: { state: "open" } });
     else if (judged.kind === "failed") {
       store.setState({ result: { state: "failed", code: judged.code, tick: judged.tick } });
+      if (judged.code !== "driver") void this.#explain();
     } else this.#meet(challenge, judged);
   }
 

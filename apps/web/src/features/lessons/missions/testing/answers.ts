@@ -15,7 +15,13 @@ export type Feedback = Pick<Failure, "code" | "maze" | "line" | "needed" | "foun
 
 export interface MissionAnswers {
   solution: Attempt;
-  wrong: { why: string; attempt: Attempt; feedback: Feedback };
+  wrong: {
+    why: string;
+    attempt: Attempt;
+    feedback: Feedback;
+    /** what the student reads; for programs only */
+    reads?: string;
+  };
 }
 
 const front = (is: "<" | ">", than: number): Condition => ({ sensor: "front", is, than });
@@ -53,6 +59,8 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
     wrong: {
       why: "reverse backs off until the line is false, and forward comes back",
       attempt: lines("forward", line(front("<", 50), "reverse")),
+      reads:
+        "The goal was not reached in 20 s. Line 1 drives back and “otherwise” forward, again and again where front is 52 cm: each undoes the other. Try a turn instead.",
       feedback: { code: "not-reached", maze: 0, line: "default", tick: 1200, needed: 5, found: 3 },
     },
   },
@@ -61,6 +69,8 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
     wrong: {
       why: "believes that the second line is read too",
       attempt: lines("forward", line(front("<", 50), "left 90"), line(front("<", 50), "right 90")),
+      reads:
+        "The goal was not reached in 30 s. Line 2 was true at 4.0 s (front: 50 cm), but line 1 above it decided first. Try line 2 above line 1.",
       feedback: {
         code: "not-reached",
         maze: 0,
@@ -76,6 +86,8 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
     wrong: {
       why: "counts blocks instead of cm",
       attempt: lines("forward", line(back(">", 4), "left 90")),
+      reads:
+        "The goal was not reached in 30 s. Line 1 is always true: it asks for back > 4 cm, and no reading is below 25 cm. One block is 100 cm.",
       feedback: { code: "not-reached", maze: 0, line: 0, tick: 1800, needed: 9, found: 1 },
     },
   },
@@ -84,6 +96,8 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
     wrong: {
       why: "takes the wrong sign, as in Figure 24",
       attempt: lines("forward", line(front(">", 50), "right 90")),
+      reads:
+        "Bump at 0.8 s. Line 1 chose “right 90” at 0.0 s, too early: a wall was on that side (right: 50 cm), and the way ahead was free (front: 450 cm).",
       feedback: {
         code: "bump",
         maze: 0,
@@ -100,6 +114,8 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
     wrong: {
       why: "leaves out “delayed”, as in Figure 26",
       attempt: lines("forward", line(right(">", 60), "right 90")),
+      reads:
+        "Bump at 4.5 s. Line 1 chose “right 90” at 2.1 s, at the edge of the opening: the robot met the corner. A delayed turn drives on for 50 cm first.",
       feedback: {
         code: "bump",
         maze: 0,
@@ -116,6 +132,8 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
     wrong: {
       why: "delays a turn at a wall, as in Figure 25",
       attempt: lines("forward", line(front("<", 50), "delayed left 90")),
+      reads:
+        "Bump at 4.2 s. Line 1 chose “delayed left 90” with 50 cm in front. It drives on for 50 cm first and needs 75 cm.",
       feedback: {
         code: "bump",
         maze: 0,
@@ -140,6 +158,8 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
         line(front(">", 50), "forward"),
         line(right(">", 60), "delayed right 90"),
       ),
+      reads:
+        "The goal was not reached in 30 s. Line 2 was true at 2.5 s (right: 250 cm), but line 1 above it decided first. Try line 2 above line 1.",
       feedback: { code: "not-reached", maze: 0, line: 0, tick: 1800, needed: 9, found: 7 },
     },
   },
@@ -158,6 +178,8 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
         line(left(">", 60), "delayed left 90"),
         line(front("<", 50), "delayed left 90"),
       ),
+      reads:
+        "Bump at 3.0 s. Line 1 chose “right 90” at 1.1 s, at the edge of the opening: the robot met the corner. A delayed turn drives on for 50 cm first.",
       feedback: {
         code: "bump",
         maze: 0,
@@ -182,6 +204,8 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
         line(right(">", 60), "delayed right 90"),
         line(front("<", 50), "delayed left 90"),
       ),
+      reads:
+        "Bump at 7.5 s. Line 2 chose “delayed left 90” with 50 cm in front. It drives on for 50 cm first and needs 75 cm.",
       feedback: {
         code: "bump",
         maze: 0,
@@ -202,6 +226,8 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
     wrong: {
       why: "believes that what passes the first maze is right",
       attempt: lines("forward", line(front("<", 50), "left 90")),
+      reads:
+        "Maze 2: The goal was not reached in 40 s. Line 1 chose “left 90” at 4.0 s and turned to the nearer wall (left: 50 cm, right: 250 cm). No line turns right.",
       feedback: { code: "not-reached", maze: 1, line: "default", tick: 2400, needed: 7, found: 5 },
     },
   },
@@ -218,6 +244,8 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
         line(front(">", 50), "forward"),
         line(leftMoreThanRight, "left 90"),
       ),
+      reads:
+        "Maze 2: The goal was not reached in 8 s. “otherwise” chose “left 90” at 4.0 s and turned to the nearer wall (left: 150 cm, right: 250 cm). No line turns right.",
       feedback: { code: "not-reached", maze: 1, line: 0, tick: 480, needed: 8, found: 6 },
     },
   },
@@ -235,6 +263,8 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
         line(front(">", 50), "forward"),
         line(leftMoreThanRight, "left 90"),
       ),
+      reads:
+        "Maze 1: Bump at 6.8 s, row 2, column 6: no line was true, and “otherwise” chose “forward” with 27 cm in front. There was an opening on the right at 6.8 s (right: 250 cm), and no line turns right.",
       feedback: {
         code: "bump",
         maze: 0,

@@ -1,0 +1,48 @@
+/** How the attempt at a mission stands: met, or what went wrong, where, and what to try. Spoken as it changes. */
+import type { ChallengeDocument, Verdict } from "@corridor/challenge";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import type { RunState } from "../../stores/run-store.ts";
+import { useSay } from "../speech/use-say.ts";
+import { failureText, handText, liveFailureText, metText } from "./failure-text.ts";
+import styles from "./lessons.module.css";
+
+export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) {
+  const words = useTranslation(["missions", "words"], { useSuspense: false });
+  const { challenge: store, run } = useServices();
+  const result = useStore(store, (state) => state.result);
+  const verdict = useStore(store, (state) => state.verdict);
+  const blames = useStore(store, (state) => state.blames);
+  const shown = useStore(store, (state) => state.maze);
+  const standing = useStore(run, (state) => standingReading(challenge, state));
+  const isMet = result.state === "met";
+  const failure = verdict === null ? null : failureOf(verdict, shown);
+  const text = isMet
+    ? metText(words, challenge, result)
+    : failure !== null
+      ? failureText(words, challenge, failure, blames[failure.maze ?? -1] ?? null)
+      : result.state === "open" && standing !== null
+        ? handText(words, challenge, standing)
+        : liveFailureText(words, challenge, result);
+  useSay(text, "mission");
+  return (
+    <p role="note" className={styles["outcome"]} data-state={isMet ? "met" : "failed"}>
+      {text}
+    </p>
+  );
+}
+
+/** What failed in the maze on the screen; where it passes, in the first one that fails. */
+function failureOf({ mazes, failure }: Verdict, shown: number): Verdict["failure"] {
+  return mazes[shown]?.failure ?? failure;
+}
+
+/** What the sensor ahead reads where a hand has let go of the robot; null while it drives, and before. */
+function standingReading({ goal, allowed }: ChallengeDocument, state: RunState): number | null {
+  const { snapshot, view } = state;
+  if (snapshot === null || view === "playing" || allowed.drivers[0] !== "me") return null;
+  const { driver, tick, motion, goalReached, sensors } = snapshot;
+  if (driver !== "me" || tick === 0 || motion !== "stop" || goalReached) return null;
+  return Math.round(goal.kind === "stop" ? sensors[goal.sensor] : sensors.front);
+}

@@ -1,0 +1,7 @@
+/** What `useTranslation` gives to the sentences of the missions: the words, and the language that they are in. */
+import type { TFunction } from "i18next";
+
+export interface MissionWords {
+  t: TFunction<["missions", "words"]>;
+  i18n: { language: string };
+}

@@ -1,0 +1,133 @@
+/** What a student reads after the typical wrong answer to a mission: what went wrong, where, what to try. */
+import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
+import { LessonsPanel } from "./pages/lessons-panel.ts";
+
+interface WrongAnswer {
+  mission: number;
+  /** as a student would do it with the editor */
+  make: (corridor: CorridorPage) => Promise<unknown>;
+  reads: RegExp;
+}
+
+const asGiven = async () => {};
+
+const wrongAnswers: readonly WrongAnswer[] = [
+  {
+    mission: 3,
+    make: ({ program }) => program.action(1).selectOption("reverse"),
+    reads: /Line 1 drives back and “otherwise” forward, .* front is 5\d cm/,
+  },
+  {
+    mission: 4,
+    make: asGiven,
+    reads: /Line 2 was true .*front: 50 cm.* Try line 2 above line 1\.$/,
+  },
+  {
+    mission: 5,
+    make: ({ program }) => program.number(1).fill("4"),
+    reads: /Line 1 is always true: it asks for back > 4 cm.* One block is 100 cm\.$/,
+  },
+  {
+    mission: 6,
+    make: ({ program }) => program.addLine("front >", "50", "right 90"),
+    reads: /^Bump .* Line 1 chose “right 90” .* too early: .*right: 50 cm.*front: 450 cm/,
+  },
+  {
+    mission: 7,
+    make: ({ program }) => program.action(1).selectOption("right 90"),
+    reads: /^Bump .* Line 1 chose “right 90” .* A delayed turn drives on for 50 cm first\.$/,
+  },
+  {
+    mission: 9,
+    make: asGiven,
+    reads: /Line 2 was true .*right: 250 cm.* Try line 2 above line 1\.$/,
+  },
+  {
+    mission: 10,
+    make: asGiven,
+    reads: /^Bump .* Line 3 chose “delayed left 90” with 50 cm in front\. .* needs 75 cm\.$/,
+  },
+  {
+    mission: 13,
+    make: async ({ program }) => {
+      await program.action(2).selectOption("left 90");
+      await program.otherwise.selectOption("left 90");
+    },
+    reads:
+      /Maze 2: .*“otherwise” chose “left 90” .*left: 150 cm, right: 250 cm.* No line turns right\.$/,
+  },
+];
+
+for (const { mission, make, reads } of wrongAnswers) {
+  test(`mission ${mission}: the typical wrong answer is told its line and its numbers`, async ({
+    corridor,
+    page,
+  }) => {
+    const lessons = new LessonsPanel(page);
+    await lessons.openMission(mission);
+    await make(corridor);
+    const check = lessons.button(/^Check in all/);
+    if ((await check.count()) > 0) await check.click();
+    else {
+      await corridor.speed.selectOption("max");
+      await corridor.run.click();
+    }
+    await expect(lessons.outcome).toHaveText(reads);
+    // Nothing asks to skip what is not solved yet.
+    await expect(lessons.button("Next mission")).toHaveCount(0);
+  });
+}
+
+const sizes = [
+  { width: 1440, height: 900 },
+  { width: 1024, height: 768 },
+];
+
+for (const viewport of sizes) {
+  test(`the task, both lines, otherwise and Run are in sight at ${viewport.width} x ${viewport.height}`, async ({
+    openWindow,
+  }) => {
+    const corridor = await openWindow({ viewport });
+    await corridor.open();
+    const lessons = new LessonsPanel(corridor.page);
+    for (const mission of [4, 9]) {
+      await lessons.openMission(mission);
+      for (const part of [
+        lessons.card,
+        corridor.program.line(1),
+        corridor.program.line(2),
+        corridor.program.otherwise,
+        corridor.run,
+      ]) {
+        await expect(part).toBeInViewport({ ratio: 1 });
+      }
+    }
+  });
+}
+
+test("on a phone the task folds away, and both lines stand above the edge with Run", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow({ viewport: { width: 390, height: 844 } });
+  await corridor.open();
+  const { page } = corridor;
+  const lessons = new LessonsPanel(page);
+  await page.getByRole("banner").getByRole("button", { name: "More" }).click();
+  await page.getByRole("dialog", { name: "More" }).getByRole("button", { name: "Lessons" }).click();
+  await lessons.path.getByRole("button", { name: /^4\. / }).click();
+  const task = lessons.card.getByText("Both lines are true at the wall");
+  await expect(task).toBeVisible();
+  await lessons.button("Hide the task").click();
+  await expect(task).toBeHidden();
+  for (const part of [
+    corridor.run,
+    corridor.program.line(1),
+    corridor.program.line(2),
+    corridor.program.otherwise,
+  ]) {
+    await expect(part).toBeInViewport({ ratio: 1 });
+  }
+  await lessons.button("Show the task").click();
+  await expect(task).toBeVisible();
+});
