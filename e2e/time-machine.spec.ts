@@ -183,8 +183,11 @@ test("shares a run by link and another reader watches it", async ({ corridor, op
   const now = (await corridor.clock.textContent()) ?? "";
   const place = (await corridor.robotPlace.textContent()) ?? "";
   await corridor.share.click();
-  const dialog = corridor.dialog("Share this maze");
-  await dialog.getByRole("checkbox", { name: /^This run/ }).check();
+  await corridor
+    .dialog("Share this maze")
+    .getByRole("checkbox", { name: /^This run/ })
+    .check();
+  const dialog = corridor.dialog("Share this run");
   await expect(dialog.getByRole("button", { name: "Save run" })).toBeVisible();
   const link = await dialog.getByRole("textbox", { name: "Link" }).inputValue();
   expect(link.length).toBeLessThan(200);
@@ -205,8 +208,11 @@ test("shares a run by link and another reader watches it", async ({ corridor, op
 test("saves a run as a file", async ({ corridor, page }) => {
   await turnSomeTimes(corridor);
   await corridor.share.click();
-  const dialog = corridor.dialog("Share this maze");
-  await dialog.getByRole("checkbox", { name: /^This run/ }).check();
+  await corridor
+    .dialog("Share this maze")
+    .getByRole("checkbox", { name: /^This run/ })
+    .check();
+  const dialog = corridor.dialog("Share this run");
   const saving = page.waitForEvent("download");
   await dialog.getByRole("button", { name: "Save run" }).click();
   const file = await saving;

@@ -2,7 +2,7 @@
 import { encodeLink, MAX_LINK_LENGTH } from "@corridor/link";
 import { sizeOf } from "@corridor/maze";
 import { Info } from "lucide-react";
-import { useMemo, useState } from "react";
+import { useLayoutEffect, useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
@@ -20,13 +20,23 @@ export interface ShareDialogProps {
   onClose: () => void;
 }
 
+/** What the link is of, as the title says it. */
+type SharedContent = "maze" | "challenge" | "run";
+
+const titles = {
+  maze: "share.title",
+  challenge: "share.titleChallenge",
+  run: "share.titleRun",
+} as const;
+
 export function ShareDialog({ isOpen, onClose }: ShareDialogProps) {
   const { t } = useTranslation();
+  const [content, setContent] = useState<SharedContent>("maze");
   return (
     <Dialog
       isOpen={isOpen}
       onClose={onClose}
-      title={t("share.title")}
+      title={t(titles[content])}
       subtitle={t("share.subtitle")}
       footer={
         <p className={styles["privacy"]}>
@@ -35,12 +45,12 @@ export function ShareDialog({ isOpen, onClose }: ShareDialogProps) {
         </p>
       }
     >
-      <ShareForm />
+      <ShareForm onContent={setContent} />
     </Dialog>
   );
 }
 
-function ShareForm() {
+function ShareForm({ onContent }: { onContent: (content: SharedContent) => void }) {
   const { t } = useTranslation();
   const { workspace, challenge: challengeStore } = useServices();
   const challenge = useStore(challengeStore, (state) => state.challenge);
@@ -59,6 +69,8 @@ function ShareForm() {
     const content = task === null ? { maze } : { challenge: task };
     return encodeLink(withProgram ? { ...content, program } : content);
   }, [run, task, maze, withProgram, program]);
+  const content = withRun ? "run" : task === null ? "maze" : "challenge";
+  useLayoutEffect(() => onContent(content), [content, onContent]);
   const isTooLong = withRun && (run === null ? saved !== null : !result.ok);
   const { origin, pathname, search } = location;
   const link = result.ok ? `${origin}${pathname}${sharedSearch(search)}#${result.text}` : null;
