@@ -29,7 +29,12 @@ test("a new student who presses Run first has made it move too", async ({ corrid
   await lessons.invitation.getByRole("button", { name: "Start with mission 1" }).click();
   await lessons.expectMission(1);
   await corridor.run.click();
-  await expect(lessons.outcome).toHaveText("Challenge met: 0 of 0 lines used");
+  // There is no line to count here.
+  await expect(lessons.outcome).toHaveText(/^Challenge met after \d\.\d s$/);
+  const solved = page.getByRole("region", { name: "Solved!" });
+  await expect(solved.getByRole("term")).toHaveText(["run time", "bumps"]);
+  await solved.getByRole("button", { name: "Next mission" }).click();
+  await lessons.expectMission(2);
 });
 
 test("says no to the invitation and is not asked again", async ({ corridor, page }) => {
@@ -103,7 +108,9 @@ test("is told what failed, with the number, while the robot drives", async ({ co
   await corridor.program.action(1).selectOption("delayed left 90");
   await corridor.speed.selectOption("16×");
   await corridor.run.click();
-  await expect(lessons.outcome).toHaveText(/^Bump at 4\.\d s\. This mission allows none\./);
+  await expect(lessons.outcome).toHaveText(
+    /^Bump at 4\.\d s\. Line 1 chose “delayed left 90” with 50 cm in front\. .* needs 75 cm\.$/,
+  );
   await corridor.program.action(1).selectOption("left 90");
   await corridor.reset.click();
   await corridor.run.click();
@@ -113,12 +120,23 @@ test("is told what failed, with the number, while the robot drives", async ({ co
 test("lets go of the key where the sensor says", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(2);
+  // Slow, so that a busy machine does not let go too late.
+  await corridor.speed.selectOption("0.5×");
+  await corridor.speed.blur();
+  await page.keyboard.press("w", { delay: 400 });
+  await expect(lessons.outcome).toHaveText(
+    /^The robot stopped where the sensor reads 6\d\d cm\. The nearest place that counts reads 170 cm\.$/,
+  );
   await page.keyboard.down("w");
   await expect
     .poll(async () => Number(await corridor.sensor("front").textContent()), { intervals: [20] })
     .toBeLessThan(165);
   await page.keyboard.up("w");
   await expect(lessons.outcome).toHaveText(/^Challenge met after \d\.\d s$/);
+  const solved = page.getByRole("region", { name: "Solved!" });
+  await expect(solved).toContainText(/^Solved!The robot stands where the sensor reads 1\d\d cm\./);
+  await solved.getByRole("button", { name: "Next mission" }).click();
+  await lessons.expectMission(3);
 });
 
 test("is told which maze fails", async ({ corridor, page }) => {
@@ -126,8 +144,9 @@ test("is told which maze fails", async ({ corridor, page }) => {
   await lessons.openMission(12);
   await corridor.speed.selectOption("16×");
   await corridor.run.click();
-  await expect(page.getByText("Met in this maze. Now check all 3.")).toBeVisible();
-  await lessons.button("Check in all 3 mazes").click();
+  const part = page.getByRole("region", { name: "Met in this maze. Now check all 3." });
+  await part.getByRole("button", { name: "Check in all 3 mazes" }).click();
+  await expect(part).toBeHidden();
   await expect(lessons.outcome).toHaveText(/^Maze 2: The goal was not reached in 40 s/);
   await expect(lessons.card).toContainText("Passes in 1 of 3 mazes.");
   await lessons.button("Open maze 2").click();
@@ -140,6 +159,9 @@ test("is told which maze fails", async ({ corridor, page }) => {
   await corridor.program.action(2).selectOption("delayed right 90");
   await lessons.button("Check in all 3 mazes").click();
   await expect(lessons.outcome).toHaveText("Challenge met: 2 of 3 lines used");
+  const solved = page.getByRole("region", { name: "Solved!" });
+  await expect(solved).toContainText("Your program passes in all mazes: 3 of 3.");
+  await expect(solved.getByRole("button", { name: "Next mission" })).toBeVisible();
 });
 
 test("menus offer only what the mission allows", async ({ corridor, page }) => {
@@ -219,7 +241,7 @@ test("shares a challenge, and who opens the link has its bar, its rules and the 
   const lessons = new LessonsPanel(page);
   await lessons.openMission(7);
   await page.getByRole("button", { name: "Share", exact: true }).click();
-  const dialog = corridor.dialog("Share this maze");
+  const dialog = corridor.dialog("Share this challenge");
   await expect(dialog.getByRole("checkbox", { name: "Challenge" })).toBeChecked();
   await expect(dialog).toContainText("Turn into the opening on the right");
   const link = await dialog.getByRole("textbox", { name: "Link" }).inputValue();

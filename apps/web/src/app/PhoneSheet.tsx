@@ -47,6 +47,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
       className={styles["sheet"]}
       data-position={position}
       data-driving={isDriving}
+      data-mission={isMission}
       aria-label={t("shell.panel")}
     >
       <Later>

@@ -3,38 +3,58 @@ import { useEffect, useState } from "react";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import type { Explanation } from "../../stores/card-store.ts";
+import {
+  challengeResult,
+  isSeenInRun,
+  type ChallengeResult,
+} from "../../stores/challenge-store.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
 import { BumpCard } from "./BumpCard.tsx";
 import { shownCard } from "./shown-card.ts";
-import { SolvedCard } from "./SolvedCard.tsx";
+import { SolvedCard, type Solved } from "./SolvedCard.tsx";
+
+type Met = Extract<ChallengeResult, { state: "met" }>;
 
 export function Cards({ view }: { view: StageViewStore }) {
-  const { run, cards, workspace } = useServices();
+  const { run, cards, workspace, challenge } = useServices();
   const { bump, goal } = useStore(cards);
-  const kind = useStore(run, ({ snapshot, view: shown }) =>
-    shownCard({ bump, goal }, snapshot, shown),
+  const result = useStore(challenge, challengeResult);
+  const isSeen = useStore(
+    challenge,
+    (state) => state.challenge !== null && isSeenInRun(state.challenge),
   );
-  const [closed, setClosed] = useState<Explanation | null>(null);
-  const found = kind === null ? null : kind === "bump" ? bump : goal;
+  const kind = useStore(run, ({ snapshot, view: shown }) =>
+    shownCard({ bump, goal }, snapshot, shown, result && { result, isSeen }),
+  );
+  const pose = useStore(run, ({ snapshot }) => (kind === "met" ? snapshot?.pose : undefined));
+  const [closed, setClosed] = useState<Explanation | Met | null>(null);
+  const found = kind === "bump" ? bump : kind === "goal" ? goal : null;
   // What another program took says nothing of the one that stands there now.
   const isPrograms = useStore(workspace, ({ program }) => found?.program === program);
   const isStale = kind === "goal" && !isPrograms;
-  const explanation = found === closed || isStale ? null : found;
+  const met = kind === "met" && result?.state === "met" ? result : null;
+  const told = isStale ? null : (met ?? found);
+  const open = told === closed ? null : told;
   useEffect(() => {
-    if (explanation === null) return undefined;
+    if (open === null) return undefined;
     // From anywhere on the page, as Escape closes everything else; what lies on top has it first.
     const onKey = (event: KeyboardEvent) => {
       const isCovered = document.querySelector("dialog:modal, :popover-open") !== null;
-      if (event.key === "Escape" && !isCovered) setClosed(explanation);
+      if (event.key === "Escape" && !isCovered) setClosed(open);
     };
     window.addEventListener("keydown", onKey);
     return () => window.removeEventListener("keydown", onKey);
-  }, [explanation]);
-  if (explanation === null) return null;
-  const close = () => setClosed(explanation);
-  return kind === "bump" ? (
-    <BumpCard key={explanation.moment.tick} view={view} explanation={explanation} onClose={close} />
-  ) : (
-    <SolvedCard view={view} explanation={explanation} onClose={close} />
-  );
+  }, [open]);
+  if (open === null) return null;
+  const close = () => setClosed(open);
+  if (kind === "bump" && "moment" in open) {
+    return <BumpCard key={open.moment.tick} view={view} explanation={open} onClose={close} />;
+  }
+  const solved: Solved | null =
+    "moment" in open
+      ? { ...open.moment, ticks: open.moment.tick }
+      : pose === undefined
+        ? null
+        : { ...open, pose };
+  return solved && <SolvedCard view={view} solved={solved} onClose={close} />;
 }

@@ -7,7 +7,8 @@ import type { StageViewStore } from "../stage/stage-view.ts";
 const Cards = lazyPart(async () => (await import("./Cards.tsx")).Cards);
 
 export function MomentCards({ view }: { view: StageViewStore }) {
-  const { cards } = useServices();
+  const { cards, challenge } = useServices();
   const isAny = useStore(cards, ({ bump, goal }) => bump !== null || goal !== null);
-  return isAny ? <Cards view={view} /> : null;
+  const isMet = useStore(challenge, ({ result }) => result.state === "met");
+  return isAny || isMet ? <Cards view={view} /> : null;
 }

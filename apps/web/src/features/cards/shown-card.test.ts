@@ -54,6 +54,49 @@ describe("shownCard", () => {
     expect(shownCard({ bump, goal }, snapshot, "now")).toBe(card);
   });
 
+  const met = {
+    state: "met",
+    driver: "program",
+    ticks: 300,
+    bumps: 0,
+    lines: 1,
+  } as const;
+
+  it.each([
+    {
+      name: "that it is met, where the run did it",
+      result: met,
+      isSeen: true,
+      tick: 300,
+      card: "met",
+    },
+    { name: "nothing of it before that", result: met, isSeen: true, tick: 299, card: null },
+    {
+      name: "that it is met by a check, wherever the robot stands",
+      result: met,
+      isSeen: false,
+      tick: 0,
+      card: "met",
+    },
+    {
+      name: "the goal of one maze, while others wait for the check",
+      result: { state: "here", ticks: 300, bumps: 0, lines: 1 },
+      isSeen: false,
+      tick: 300,
+      card: "goal",
+    },
+    {
+      name: "nothing at a goal that was reached against the rules",
+      result: { state: "failed", code: "bump", tick: 100 },
+      isSeen: true,
+      tick: 300,
+      card: null,
+    },
+  ] as const)("of a challenge is $name", ({ result, isSeen, tick, card }) => {
+    const snapshot = snapshotOf({ tick, state: "paused", goalReached: tick >= 300 });
+    expect(shownCard({ bump: null, goal }, snapshot, "now", { result, isSeen })).toBe(card);
+  });
+
   it("is nothing before the first frame", () => {
     expect(shownCard({ bump, goal }, null, "now")).toBeNull();
   });

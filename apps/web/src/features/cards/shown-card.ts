@@ -1,21 +1,34 @@
 /** Which card belongs to the moment on the screen. */
 import type { Snapshot } from "@corridor/protocol";
 import type { CardState } from "../../stores/card-store.ts";
+import type { ChallengeResult } from "../../stores/challenge-store.ts";
 import type { RunView } from "../../worker/worker-messages.ts";
+
+/** How the open challenge stands. */
+export interface ShownAttempt {
+  result: ChallengeResult;
+  /** whether the run on the screen is what met it; otherwise a check of all mazes did */
+  isSeen: boolean;
+}
 
 /**
  * A bump is explained at the very moment at which it happened, also when the reader goes back to it. The
- * goal is told from then on while nobody drives on.
+ * goal, or that the challenge is met, is told from then on while nobody drives on.
+ * @param attempt null while no challenge is open
  */
 export function shownCard(
   { bump, goal }: CardState,
   snapshot: Snapshot | null,
   view: RunView,
-): "bump" | "goal" | null {
-  if (snapshot === null || view === "playing") return null;
-  const isStill = snapshot.state !== "running";
-  if (goal !== null && isStill && snapshot.goalReached && snapshot.tick >= goal.moment.tick) {
-    return "goal";
+  attempt: ShownAttempt | null = null,
+): "bump" | "goal" | "met" | null {
+  if (snapshot === null || view === "playing" || snapshot.state === "running") return null;
+  if (attempt?.result.state === "met") {
+    if (snapshot.tick >= (attempt.isSeen ? attempt.result.ticks : 0)) return "met";
   }
-  return bump !== null && isStill && snapshot.tick === bump.moment.tick ? "bump" : null;
+  // A goal that is reached against the rules of the challenge solves nothing.
+  const counts = attempt?.result.state !== "failed" && attempt?.result.state !== "met";
+  const isReached = goal !== null && snapshot.goalReached && snapshot.tick >= goal.moment.tick;
+  if (counts && isReached) return "goal";
+  return bump !== null && snapshot.tick === bump.moment.tick ? "bump" : null;
 }

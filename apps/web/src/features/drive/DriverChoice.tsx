@@ -7,12 +7,14 @@ import { Segmented } from "../../ui/Segmented.tsx";
 
 export function DriverChoice() {
   const { t } = useTranslation();
-  const { simulator, run } = useServices();
+  const { simulator, run, challenge } = useServices();
+  // In a challenge the lines need the room: the words on the buttons say it too.
+  const isFree = useStore(challenge, (state) => state.challenge === null);
   const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
   return (
     <Segmented
       label={t("drive.who")}
-      showLabel
+      showLabel={isFree}
       value={driver}
       options={[
         { value: "me", label: t("drive.me"), icon: <User aria-hidden="true" /> },

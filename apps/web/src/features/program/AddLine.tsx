@@ -1,6 +1,7 @@
 /**
  * Adds a line at the end. Where a challenge allows no more it is off and says why; where its lines are
- * given it is not there, since the lines need the room.
+ * given it is not there, since the lines need the room. Undo and redo stand beside it then: a challenge
+ * has no head of its own above its lines.
  */
 import { Plus } from "lucide-react";
 import { useId } from "react";
@@ -11,6 +12,7 @@ import { useRights } from "../lessons/use-rights.ts";
 import { classNames } from "../../ui/class-names.ts";
 import ownStyles from "./add-line.module.css";
 import styles from "./program.module.css";
+import { UndoRedo } from "./ProgramHeader.tsx";
 
 export function AddLine({ onAdd }: { onAdd: () => void }) {
   const { t } = useTranslation();
@@ -20,20 +22,35 @@ export function AddLine({ onAdd }: { onAdd: () => void }) {
   const reasonId = useId();
   const isOff = rights !== null && count >= rights.maxLines;
   if (rights?.edits.has("lines") === false) {
-    return <p className={ownStyles["reason"]}>{t("lessons.linesFixed")}</p>;
+    return (
+      <div className={classNames(ownStyles["foot"], ownStyles["given"])}>
+        <p className={ownStyles["reason"]}>{t("lessons.linesFixed")}</p>
+        <UndoRedo />
+      </div>
+    );
   }
+  const button = (
+    <button
+      type="button"
+      className={classNames(styles["add"], isOff && ownStyles["off"])}
+      disabled={isOff}
+      aria-describedby={isOff ? reasonId : undefined}
+      onClick={onAdd}
+    >
+      <Plus size={18} aria-hidden="true" />
+      {t("program.addLine")}
+    </button>
+  );
   return (
     <>
-      <button
-        type="button"
-        className={classNames(styles["add"], isOff && ownStyles["off"])}
-        disabled={isOff}
-        aria-describedby={isOff ? reasonId : undefined}
-        onClick={onAdd}
-      >
-        <Plus size={18} aria-hidden="true" />
-        {t("program.addLine")}
-      </button>
+      {rights === null ? (
+        button
+      ) : (
+        <div className={ownStyles["foot"]}>
+          {button}
+          <UndoRedo />
+        </div>
+      )}
       {isOff && (
         <p id={reasonId} className={ownStyles["reason"]}>
           {t("lessons.linesFull", { count: rights.maxLines })}

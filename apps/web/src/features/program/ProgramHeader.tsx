@@ -1,5 +1,5 @@
 /** The program's name, undo and redo, and the ready-made algorithms. */
-import { MAX_NAME_LENGTH, programPresets, rename } from "@corridor/program";
+import { MAX_NAME_LENGTH, rename } from "@corridor/program";
 import { BookOpen, Redo2, Undo2 } from "lucide-react";
 import { useRef } from "react";
 import { useTranslation } from "react-i18next";
@@ -7,34 +7,47 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { beginStroke, redo, undo } from "../../stores/workspace-store.ts";
 import { IconButton } from "../../ui/Button.tsx";
-import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
+import { lazyPart } from "../../ui/lazy-part.tsx";
+import { Popover, usePopover } from "../../ui/Popover.tsx";
 import { useRights } from "../lessons/use-rights.ts";
-import { chooseAlgorithm } from "./choose-algorithm.ts";
 import { applyEdit } from "./program-actions.ts";
 import styles from "./program.module.css";
 
+const AlgorithmList = lazyPart(async () => (await import("./AlgorithmList.tsx")).AlgorithmList);
+
 export function ProgramHeader() {
   const { t } = useTranslation();
-  const { workspace } = useServices();
   const rights = useRights();
-  const canUndo = useStore(workspace.temporal, (state) => state.pastStates.length > 0);
-  const canRedo = useStore(workspace.temporal, (state) => state.futureStates.length > 0);
+  const title = <h2 className="visually-hidden">{t("program.program")}</h2>;
+  // A challenge is to be solved, not looked up; its card has said its name, and the lines need the room.
+  if (rights !== null) return title;
   return (
     <header>
       <div className={styles["header"]}>
-        <h2 className="visually-hidden">{t("program.program")}</h2>
+        {title}
         <ProgramName />
-        {/* A challenge is to be solved, not looked up. */}
-        {rights === null && <AlgorithmMenu />}
-        <IconButton label={t("program.undo")} disabled={!canUndo} onClick={() => undo(workspace)}>
-          <Undo2 aria-hidden="true" />
-        </IconButton>
-        <IconButton label={t("program.redo")} disabled={!canRedo} onClick={() => redo(workspace)}>
-          <Redo2 aria-hidden="true" />
-        </IconButton>
+        <AlgorithmMenu />
+        <UndoRedo />
       </div>
       <p className={styles["explanation"]}>{t("program.explanation")}</p>
     </header>
+  );
+}
+
+export function UndoRedo() {
+  const { t } = useTranslation();
+  const { workspace } = useServices();
+  const canUndo = useStore(workspace.temporal, (state) => state.pastStates.length > 0);
+  const canRedo = useStore(workspace.temporal, (state) => state.futureStates.length > 0);
+  return (
+    <>
+      <IconButton label={t("program.undo")} disabled={!canUndo} onClick={() => undo(workspace)}>
+        <Undo2 aria-hidden="true" />
+      </IconButton>
+      <IconButton label={t("program.redo")} disabled={!canRedo} onClick={() => redo(workspace)}>
+        <Redo2 aria-hidden="true" />
+      </IconButton>
+    </>
   );
 }
 
@@ -70,8 +83,7 @@ function ProgramName() {
 }
 
 function AlgorithmMenu() {
-  const { t, i18n } = useTranslation();
-  const services = useServices();
+  const { t } = useTranslation();
   const menu = usePopover();
   return (
     <>
@@ -80,18 +92,7 @@ function AlgorithmMenu() {
       </IconButton>
       <Popover {...menu.panel} label={t("program.algorithms")} align="end">
         <h3 className={styles["menuTitle"]}>{t("program.algorithms")}</h3>
-        {programPresets.map(({ id, program }) => (
-          <MenuItem
-            key={id}
-            note={t(`program.preset.${id}.note`)}
-            onSelect={() => {
-              const name = t(`program.preset.${id}.name`);
-              chooseAlgorithm(services, i18n, { ...program, name });
-            }}
-          >
-            {t(`program.preset.${id}.name`)}
-          </MenuItem>
-        ))}
+        <AlgorithmList />
       </Popover>
     </>
   );

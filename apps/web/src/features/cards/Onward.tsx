@@ -1,0 +1,85 @@
+/** The way on from a solved maze: the check, the next mission, or the next ready-made maze; nothing after others. */
+import { mazePresets, type MazeDocument } from "@corridor/maze";
+import { ArrowRight, ListChecks } from "lucide-react";
+import { useEffect, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Button } from "../../ui/Button.tsx";
+import type { LessonsService } from "../lessons/lessons-service.ts";
+import { chooseMaze } from "../presets/choose-preset.ts";
+import styles from "./cards.module.css";
+
+interface OnwardProps {
+  maze: MazeDocument;
+  onClose: () => void;
+}
+
+export function Onward({ maze, onClose }: OnwardProps) {
+  const { challenge } = useServices();
+  const isChallenge = useStore(challenge, (state) => state.challenge !== null);
+  return isChallenge ? (
+    <AfterChallenge onClose={onClose} />
+  ) : (
+    <AfterMaze maze={maze} onClose={onClose} />
+  );
+}
+
+function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
+  const { t } = useTranslation(["words", "missions"], { useSuspense: false });
+  const { challenge, lessons } = useServices();
+  const count = useStore(challenge, (state) => state.challenge?.mazes.length ?? 0);
+  const mission = useStore(challenge, (state) => state.mission);
+  const state = useStore(challenge, (each) => each.result.state);
+  const isChecking = useStore(challenge, (each) => each.isChecking);
+  const [service, setService] = useState<LessonsService | null>(null);
+  useEffect(() => {
+    void lessons.load().then(setService, () => undefined);
+  }, [lessons]);
+  if (service === null) return null;
+  if (state === "here" && count > 1) {
+    return (
+      <Button
+        kind="primary"
+        disabled={isChecking}
+        icon={<ListChecks aria-hidden="true" />}
+        onClick={() => {
+          onClose();
+          void service.check();
+        }}
+      >
+        {t("missions:card.check", { count })}
+      </Button>
+    );
+  }
+  if (state !== "met" || mission === null) return null;
+  const next = service.nextMission();
+  // After the last one the path is the mission card's to open.
+  if (next === null) return null;
+  return (
+    <Button kind="primary" onClick={() => void lessons.openMission(next)}>
+      {t("words:cards.solved.nextMission")}
+      <ArrowRight className={styles["onward"]} aria-hidden="true" />
+    </Button>
+  );
+}
+
+function AfterMaze({ maze, onClose }: OnwardProps) {
+  const { t, i18n } = useTranslation();
+  const services = useServices();
+  const at = mazePresets.findIndex((preset) => preset.maze.blocks.join() === maze.blocks.join());
+  const next = at < 0 ? undefined : mazePresets[at + 1];
+  if (next === undefined) return null;
+  const name = t(`presets.${next.id}.title`);
+  return (
+    <Button
+      kind="primary"
+      onClick={() => {
+        onClose();
+        chooseMaze(services, i18n, { ...next.maze, name });
+      }}
+    >
+      {t("cards.solved.nextMaze", { name })}
+    </Button>
+  );
+}
