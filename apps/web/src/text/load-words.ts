@@ -4,11 +4,7 @@
  */
 import { languages, type LanguageTag } from "./languages.ts";
 import type { Namespace } from "./namespaces.ts";
-
-/** Words by key, nested; their leaves are texts. */
-export interface Words {
-  readonly [key: string]: string | Words;
-}
+import type { Words } from "./words.ts";
 
 type Loader = () => Promise<Words>;
 

@@ -1,5 +1,5 @@
 /** Arabic. */
-import type { Words } from "../load-words.ts";
+import type { Words } from "../words.ts";
 
 export const files = import.meta.glob<Words>(["./*.json", "!./missions.json"], {
   eager: true,
