@@ -36,4 +36,16 @@ describe("the newest frame", () => {
     expect(frame?.corners.at(-1)).toBe(59_999);
     expect(frame?.trailReset).toBe(true);
   });
+
+  it("keeps the bumps from before the page was hidden, though not their part of the trail", () => {
+    const frames = new FrameBuffer();
+    frames.add(frameOf({ snapshot, bumps: [1, 1], trailReset: true }));
+    frames.add(frameOf({ snapshot, bumps: [5, 6] }));
+    frames.take();
+    const corners = Array.from({ length: 60_000 }, (_, i) => i);
+    frames.add(frameOf({ snapshot, corners, bumps: [7, 8], trailReset: false }));
+    expect(frames.take()).toMatchObject({ bumps: [1, 1, 5, 6, 7, 8], trailReset: true });
+    frames.add(frameOf({ snapshot, bumps: [9, 9] }));
+    expect(frames.take()).toMatchObject({ bumps: [9, 9], trailReset: false });
+  });
 });

@@ -11,6 +11,8 @@ const MAX_BUMPS = 100;
 export class FrameBuffer {
   #corners: number[] = [];
   #bumps: number[] = [];
+  /** the newest bumps since the trail began, those that were taken too */
+  #allBumps: number[] = [];
   #trailReset = false;
   #frame: Frame | null = null;
 
@@ -18,16 +20,21 @@ export class FrameBuffer {
     if (frame.trailReset) {
       this.#corners = [];
       this.#bumps = [];
+      this.#allBumps = [];
       this.#trailReset = true;
     }
     for (const value of frame.corners) this.#corners.push(value);
-    for (const value of frame.bumps) this.#bumps.push(value);
-    this.#bumps.splice(0, Math.max(0, this.#bumps.length - 2 * MAX_BUMPS));
+    if (frame.bumps.length > 0) {
+      this.#bumps = [...this.#bumps, ...frame.bumps].slice(-2 * MAX_BUMPS);
+      this.#allBumps = [...this.#allBumps, ...frame.bumps].slice(-2 * MAX_BUMPS);
+    }
     const tooMany = this.#corners.length - 2 * MAX_CORNERS;
     if (tooMany > 0) {
       this.#corners.splice(0, tooMany);
       // A line across what is missing would be a way that the robot never drove.
       this.#trailReset = true;
+      // The bumps that are drawn go with the trail, and have to come again.
+      this.#bumps = [...this.#allBumps];
     }
     this.#frame = frame;
   }
