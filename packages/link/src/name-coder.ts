@@ -26,8 +26,17 @@ const MAX_SINGLE = 20;
 /** Two models in one: counts after the same letter, and a little of those after any letter. */
 class LetterModel {
   /** [zeros, ones] of a fork, one after the other */
-  readonly #singles = new Uint16Array(SYMBOLS * 2);
-  readonly #pairs = new Uint16Array(SYMBOLS * SYMBOLS * 2);
+  readonly #singles: Uint16Array;
+  readonly #pairs: Uint16Array;
+
+  constructor(singles = new Uint16Array(SYMBOLS * 2), pairs = new Uint16Array(SYMBOLS ** 2 * 2)) {
+    this.#singles = singles;
+    this.#pairs = pairs;
+  }
+
+  copy(): LetterModel {
+    return new LetterModel(this.#singles.slice(), this.#pairs.slice());
+  }
 
   code(coder: BitCoder, before: number, symbol: number): number {
     let node = 1;
@@ -84,9 +93,17 @@ function codePlain(coder: BitCoder, name: string, maxLength: number): string {
 }
 
 function codeLetters(coder: BitCoder, name: string, maxLength: number): string {
-  const model = new LetterModel();
-  for (const word of LESSON.split("|")) codeWord(learner, model, word, word.length);
-  return codeWord(coder, model, name, maxLength);
+  return codeWord(coder, taught().copy(), name, maxLength);
+}
+
+let lesson: LetterModel | null = null;
+
+/** Learned once: a link of a run may bring two thousand names. */
+function taught(): LetterModel {
+  if (lesson !== null) return lesson;
+  lesson = new LetterModel();
+  for (const word of LESSON.split("|")) codeWord(learner, lesson, word, word.length);
+  return lesson;
 }
 
 function codeWord(coder: BitCoder, model: LetterModel, word: string, maxLength: number): string {
