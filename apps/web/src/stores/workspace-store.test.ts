@@ -102,4 +102,14 @@ describe("undo", () => {
     undo(store);
     expect(store.getState().maze.name).toBe("Other");
   });
+
+  it("nor where the other work was opened in the middle of a stroke", () => {
+    const store = createWorkspaceStore(firstMaze, firstProgram);
+    const endStroke = beginStroke(store);
+    onMaze(() => setBlock(store.getState().maze, { column: 5, row: 6 }, true))(store);
+    openWork(store, { ...firstMaze, name: "Other" }, firstProgram);
+    endStroke();
+    undo(store);
+    expect(store.getState().maze.name).toBe("Other");
+  });
 });

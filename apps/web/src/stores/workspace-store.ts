@@ -78,11 +78,14 @@ export function redo(store: WorkspaceStore): void {
 export function beginStroke(store: WorkspaceStore): () => void {
   const { maze, program, lineIds } = store.getState();
   const history = store.temporal;
+  const { pastStates } = history.getState();
   history.getState().pause();
   return () => {
     history.getState().resume();
     const after = store.getState();
     if (after.maze === maze && after.program === program) return;
+    // Another work was opened meanwhile: the stroke was one in the work before.
+    if (history.getState().pastStates !== pastStates) return;
     history.setState({
       pastStates: [...history.getState().pastStates, { maze, program, lineIds }].slice(
         -HISTORY_LIMIT,
