@@ -2,10 +2,10 @@
 import { LayoutGrid, List, User } from "lucide-react";
 import { useEffect, useLayoutEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
-import { useStore } from "zustand";
 import { LazyDriveTab } from "../features/drive/lazy-drive-tab.ts";
 import type { HoldStore } from "../features/drive/hold-store.ts";
 import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
+import { useRights } from "../features/lessons/use-rights.ts";
 import { LazyPresetsPanel } from "../features/presets/lazy-presets-panel.ts";
 import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
 import { Later } from "../ui/Later.tsx";
@@ -26,7 +26,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
   const { t } = useTranslation();
   const [tab, setTab] = useState<SheetTab>("program");
   const { challenge, camera } = useServices();
-  const isMission = useStore(challenge, (state) => state.challenge !== null);
+  const isMission = useRights() !== null;
   useEffect(
     () =>
       // A mission opens where it is to be done.

@@ -3,18 +3,19 @@ import { List, RadioTower, User } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { useRights } from "../lessons/use-rights.ts";
 import { Segmented } from "../../ui/Segmented.tsx";
 
 export function DriverChoice() {
   const { t } = useTranslation();
-  const { simulator, run, challenge } = useServices();
+  const { simulator, run } = useServices();
   // In a challenge the lines need the room: the words on the buttons say it too.
-  const isFree = useStore(challenge, (state) => state.challenge === null);
+  const rights = useRights();
   const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
   return (
     <Segmented
       label={t("drive.who")}
-      showLabel={isFree}
+      showLabel={rights === null}
       value={driver}
       options={[
         { value: "me", label: t("drive.me"), icon: <User aria-hidden="true" /> },

@@ -7,8 +7,8 @@ import type { AdviceText } from "./use-advice-text.ts";
 
 interface AdviceNoteProps {
   text: AdviceText;
-  /** null where there is nothing to mend, or where the open challenge does not leave it to the reader */
-  onMend: (() => void) | null;
+  /** takes the mend, where the text has one */
+  onMend?: () => void;
   onHide: () => void;
 }
 
@@ -18,7 +18,7 @@ export function AdviceNote({ text, onMend, onHide }: AdviceNoteProps) {
     <div className={styles["advice"]}>
       <Lightbulb size={16} aria-hidden="true" />
       <p>{text.reason}</p>
-      {text.mend !== null && onMend !== null && (
+      {text.mend !== null && (
         <Button size="small" className={styles["mend"]} onClick={onMend}>
           {text.mend}
         </Button>

@@ -61,7 +61,7 @@ export function Otherwise() {
       <LineNote line="default" bump={bump} className={styles["otherwiseNote"]} />
       {given !== null && text !== null && (
         <div className={styles["otherwiseAdvice"]}>
-          <AdviceNote text={text} onMend={null} onHide={() => advice.hide(given)} />
+          <AdviceNote text={text} onHide={() => advice.hide(given)} />
         </div>
       )}
     </fieldset>

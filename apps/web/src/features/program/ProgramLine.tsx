@@ -75,7 +75,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   }
 
   function mend() {
-    const mended = by === null ? null : advice.mended(by);
+    const mended = by && advice.mended(by);
     if (by === null || mended === null) return;
     if (by.kind === "delete") {
       remove();
