@@ -17,7 +17,7 @@ test.describe("measuring", () => {
       { column: 2, row: 4 },
       { column: 3, row: 4 },
     ]);
-    await expect(maze.news).toHaveText("300 cm, 3 squares");
+    await expect(maze.news).toHaveText("300 cm, 3 squares.");
     await picture.expectOther(before);
     await maze.expectSquare({ column: 2, row: 4 }, "open");
     await expect(maze.button("Undo")).toBeDisabled();
@@ -35,7 +35,7 @@ test.describe("measuring", () => {
     await expect(maze.news).toContainText("Measuring from row 7, column 2");
     await maze.goTo({ column: 4, row: 2 });
     await page.keyboard.press("Space");
-    await expect(maze.news).toHaveText("500 cm, 5 squares. 300 cm across, 400 cm up");
+    await expect(maze.news).toHaveText("500 cm, 5 squares. 300 cm across, 400 cm up.");
     await expect(maze.button("Undo")).toBeDisabled();
   });
 });

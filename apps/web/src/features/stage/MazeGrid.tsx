@@ -9,7 +9,7 @@ import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { joinList } from "../../text/joined.ts";
+import { asSentence, joinSentences } from "../../text/joined.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { useSay } from "../speech/use-say.ts";
 import { cellLabel } from "./cell-label.ts";
@@ -49,7 +49,10 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
       ? null
       : tape.isOpen
         ? t("stage.measured.from", { square: labelOf(clampCell(cellAtPoint(tape.from), size)) })
-        : joinList(t, tapeWords(t, i18n.language, tape));
+        : joinSentences(
+            t,
+            tapeWords(t, i18n.language, tape).map((words) => asSentence(t, words)),
+          );
 
   useSay(tapeNews, "tape");
 

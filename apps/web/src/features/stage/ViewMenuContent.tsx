@@ -1,0 +1,85 @@
+/** What the View menu holds. */
+import { Eraser, MessageSquareText, Redo2, Scaling, Undo2 } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { redo, undo } from "../../stores/workspace-store.ts";
+import { Checkbox } from "../../ui/Checkbox.tsx";
+import { MenuItem } from "../../ui/Popover.tsx";
+import { useRights } from "../lessons/use-rights.ts";
+import { describeRobot } from "../speech/describe-later.ts";
+import styles from "./tool-strip.module.css";
+
+const choices = ["showBeams", "showTrail", "showRulers"] as const;
+
+export interface ViewMenuProps {
+  onClear: () => void;
+  onResize: () => void;
+}
+
+/** What a phone has no room for in the strip or the legend stands here. Rulers have none either. */
+export function ViewMenuContent({ onClear, onResize }: ViewMenuProps) {
+  const services = useServices();
+  const { screen } = services;
+  const { t, i18n } = useTranslation();
+  const isFixed = useRights()?.maze === false;
+  const state = useStore(screen);
+  return (
+    <div className={styles["choices"]}>
+      {choices.map((choice) => (
+        <div key={choice} className={styles[choice]}>
+          <Checkbox
+            label={t(`stage.${choice}`)}
+            checked={state[choice]}
+            onChange={(isShown) => screen.setState({ [choice]: isShown })}
+          />
+        </div>
+      ))}
+      <div className={styles["wholeItems"]}>
+        <MenuItem
+          icon={<MessageSquareText aria-hidden="true" />}
+          onSelect={() => void describeRobot(services, i18n)}
+        >
+          {t("speech.describe.button")}
+        </MenuItem>
+      </div>
+      <HistoryItems />
+      {!isFixed && (
+        <div className={styles["wholeItems"]}>
+          <MenuItem icon={<Scaling aria-hidden="true" />} onSelect={onResize}>
+            {t("stage.resize")}
+          </MenuItem>
+          <MenuItem icon={<Eraser aria-hidden="true" />} onSelect={onClear}>
+            {t("stage.clear")}
+          </MenuItem>
+        </div>
+      )}
+      <p className={styles["figures"]}>{t("stage.figures")}</p>
+    </div>
+  );
+}
+
+function HistoryItems() {
+  const { workspace } = useServices();
+  const { t } = useTranslation();
+  const canUndo = useStore(workspace.temporal, (history) => history.pastStates.length > 0);
+  const canRedo = useStore(workspace.temporal, (history) => history.futureStates.length > 0);
+  return (
+    <div className={styles["historyItems"]}>
+      <MenuItem
+        icon={<Undo2 aria-hidden="true" />}
+        disabled={!canUndo}
+        onSelect={() => undo(workspace)}
+      >
+        {t("stage.undo")}
+      </MenuItem>
+      <MenuItem
+        icon={<Redo2 aria-hidden="true" />}
+        disabled={!canRedo}
+        onSelect={() => redo(workspace)}
+      >
+        {t("stage.redo")}
+      </MenuItem>
+    </div>
+  );
+}
