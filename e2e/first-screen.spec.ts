@@ -7,8 +7,7 @@ import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
 
 const KIB = 1024;
-/** What it is now, so that it does not grow. The goal is 150 KiB: see docs/performance.md. */
-const SCRIPT_BUDGET = 151 * KIB;
+const SCRIPT_BUDGET = 150 * KIB;
 const WHOLE_BUDGET = 230 * KIB;
 
 interface Loaded {

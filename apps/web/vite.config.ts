@@ -1,6 +1,7 @@
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vite";
 import { VitePWA } from "vite-plugin-pwa";
+import { scopedName, shellClasses } from "./build/class-names.ts";
 import { englishWords } from "./build/english-words.ts";
 import { firstScript } from "./build/first-script.ts";
 import { layerOrder } from "./build/layer-order.ts";
@@ -9,20 +10,6 @@ import { precompress } from "./build/precompress.ts";
 
 /** Addresses at which the page shows itself; all others belong to the relay. */
 const PAGE = /^\/(\?.*)?$/;
-
-const classNumbers = new Map<string, number>();
-
-/**
- * Two or three letters a class, given by turns: what is read by nobody should cost nobody. The classes
- * of the house keep their names: index.html, which draws it before any script, calls them by these.
- */
-function scopedName(name: string, path: string): string {
-  if (path.endsWith("/app/app.module.css")) return `app-${name}`;
-  const key = `${path} ${name}`;
-  const at = classNumbers.get(key) ?? classNumbers.size;
-  classNumbers.set(key, at);
-  return `c${at.toString(36)}`;
-}
 
 export default defineConfig({
   root: import.meta.dirname,
@@ -86,16 +73,13 @@ export default defineConfig({
     }),
     leanIcons(),
     layerOrder(),
+    shellClasses(),
     englishWords(),
     firstScript(),
     precompress(),
   ],
   worker: { format: "es" },
-  css: {
-    modules: {
-      generateScopedName: scopedName,
-    },
-  },
+  css: { modules: { generateScopedName: scopedName } },
   build: {
     // The Content-Security-Policy forbids data: scripts; small assets stay files too.
     assetsInlineLimit: 0,

@@ -110,7 +110,7 @@ function pressRunAndHear(): void {
   };
   const watch = new MutationObserver(() => {
     const run = [...document.querySelectorAll("button")].find(
-      (button) => button.textContent === "Run" && !button.disabled,
+      (button) => button.textContent.trim() === "Run" && !button.disabled,
     );
     if (run === undefined) return;
     watch.disconnect();

@@ -28,7 +28,13 @@ export function englishWords(): Plugin {
       handler(_html, { bundle }) {
         const file = Object.keys(bundle ?? {}).find((name) => FILE.test(name));
         if (file === undefined) return [];
-        const attrs = { rel: "preload", href: `/${file}`, as: "fetch", crossorigin: true };
+        const attrs = {
+          rel: "preload",
+          href: `/${file}`,
+          as: "fetch",
+          crossorigin: true,
+          fetchpriority: "low",
+        };
         return [{ tag: "link", attrs, injectTo: "head" }];
       },
     },

@@ -1,23 +1,79 @@
 /**
- * Tells the page's first script, which is no part of the bundle, where the simulator worker is, so
- * that the worker starts while the page's own script is still on its way.
+ * Tells the page's first script, which is no part of the bundle, the few words that it says, and where
+ * the simulator worker and the page's own script are: it starts both. It is made as small as the rest.
  */
-import type { Plugin } from "vite";
+import { createRequire } from "node:module";
+import { fileURLToPath } from "node:url";
+import { build, type Plugin } from "vite";
+import type { en } from "../src/text/en/index.ts";
+import { languages } from "../src/text/languages.ts";
 
 const WORKER = /(?:^|\/)simulator\.worker-[\w-]+\.js$/;
+const SCRIPT = /<script type="module" crossorigin src="([^"]+)"><\/script>/;
+
+const require = createRequire(import.meta.url);
+
+function read<File extends keyof typeof en>(tag: string, file: File): (typeof en)[File] {
+  return require(`../src/text/${tag}/${file}.json`) as (typeof en)[File];
+}
+
+/** What `public/first.js` says in a language. */
+export function firstWords(tag: string) {
+  const { controls, run, pause, step, max } = read(tag, "shell").run;
+  const maze = read(tag, "presets")["long-way-round"].title;
+  const program = read(tag, "program").preset["right-wall"].name;
+  return { controls, run, pause, step, max, maze, program };
+}
+
+function told(html: string, attribute: string, value: string): string {
+  const written = html.replace(attribute, () => `${attribute}="${value}"`);
+  if (written === html) throw new Error(`index.html has no script with ${attribute}`);
+  return written;
+}
+
+/** `public/first.js` without its comments and long names. */
+async function smallScript(): Promise<string> {
+  const built = await build({
+    configFile: false,
+    publicDir: false,
+    logLevel: "warn",
+    build: {
+      write: false,
+      target: "es2022",
+      modulePreload: false,
+      rolldownOptions: {
+        input: fileURLToPath(new URL("../public/first.js", import.meta.url)),
+        output: { format: "iife" },
+      },
+    },
+  });
+  const [file] = [built].flat().flatMap((each) => ("output" in each ? each.output : []));
+  if (file?.type !== "chunk") throw new Error("public/first.js was not built");
+  return file.code;
+}
 
 export function firstScript(): Plugin {
   return {
     name: "corridor-first-script",
-    apply: "build",
+    async generateBundle() {
+      this.emitFile({ type: "asset", fileName: "first.js", source: await smallScript() });
+    },
     transformIndexHtml: {
       order: "post",
-      handler(html, { bundle = {} }) {
+      handler(html, { bundle }) {
+        const words = Object.fromEntries(languages.map(({ tag }) => [tag, firstWords(tag)]));
+        const worded = told(html, "data-words", JSON.stringify(words).replaceAll('"', "&quot;"));
+        // While Corridor is developed the page starts the worker.
+        if (bundle === undefined) return worded;
         const worker = Object.keys(bundle).find((file) => WORKER.test(file));
         if (worker === undefined) throw new Error("the build has no simulator worker");
-        const told = html.replace("data-simulator", `data-simulator="/${worker}"`);
-        if (told === html) throw new Error("index.html has no script with data-simulator");
-        return told;
+        const [tag, page] = SCRIPT.exec(worded) ?? [];
+        if (tag === undefined || page === undefined) throw new Error("index.html has no script");
+        const preloaded = worded
+          .replace(tag, `<link rel="modulepreload" crossorigin href="${page}">`)
+          // The styles of the house, and the worker behind its Run, come first.
+          .replaceAll('rel="modulepreload"', 'rel="modulepreload" fetchpriority="low"');
+        return told(told(preloaded, "data-simulator", `/${worker}`), "data-page", page);
       },
     },
   };

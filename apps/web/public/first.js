@@ -1,16 +1,45 @@
-// What cannot wait for the page's own script: theme, contrast and the way the script runs, before the
-// first paint, and the simulator worker, which gets ready while that script is still on its way. A file of its own, since
-// the page's Content-Security-Policy forbids inline scripts; src/app/theme.ts, language.ts
-// and simulator-start.ts take over.
+// What cannot wait for the page's own script: theme, contrast and language, before the first paint; the
+// simulator worker, which gets ready while that script is still on its way; and, on a first visit, Run in
+// the house that index.html draws. A file of its own, since the page's Content-Security-Policy forbids
+// inline scripts. src/app/theme.ts, language.ts and simulator-start.ts take over.
 (() => {
-  const { simulator } = document.currentScript.dataset;
-  // The address is there in a build; while Corridor is developed the page starts the worker.
-  if (simulator) {
-    const worker = new Worker(simulator, { type: "module" });
-    window.corridorSimulator = { worker, failure: null };
-    // A file that does not come has no message.
-    worker.onerror = (event) => (window.corridorSimulator.failure = String(event.message ?? ""));
+  const root = document.documentElement;
+  const { simulator, page, words } = document.currentScript.dataset;
+  /** Storage may be forbidden: then nothing is kept. */
+  const ask = (read) => {
+    try {
+      return read();
+    } catch {
+      return null;
+    }
+  };
+  const kept = (key) => ask(() => localStorage.getItem(`corridor.${key}`));
+
+  const asksFor = (wish) => matchMedia(`(prefers-${wish})`).matches;
+  let theme = kept("theme");
+  if (theme !== "light" && theme !== "dark") {
+    theme = asksFor("color-scheme: dark") ? "dark" : "light";
   }
+  const isStrong = kept("contrast") === "more" || asksFor("contrast: more");
+  Object.assign(root.dataset, { theme, contrast: isStrong ? "more" : "normal" });
+
+  /** The words of the few things below, by language. */
+  const catalogues = JSON.parse(words || '{"en":{}}');
+  const writing = (tag) =>
+    ask(() => {
+      const { language, script } = new Intl.Locale(tag).maximize();
+      return `${language}-${script}`;
+    });
+  const lang = [
+    new URLSearchParams(location.search).get("lang"),
+    kept("language"),
+    ...navigator.languages,
+    "en",
+  ]
+    .map(writing)
+    .flatMap((wish) => Object.keys(catalogues).filter((tag) => wish && writing(tag) === wish))[0];
+  Object.assign(root, { lang, dir: lang === "ar" ? "rtl" : "ltr" });
+
   // Without the page's script, or without words, the English of index.html is all that can be said.
   window.corridorFailed = (...words) => {
     const [alert] = document.getElementById("failed").content.children;
@@ -19,24 +48,65 @@
     alert.lastElementChild.onclick = () => location.reload();
     document.getElementById("root").replaceChildren(alert);
   };
-  addEventListener("error", ({ target }) => target.tagName === "SCRIPT" && corridorFailed(), true);
-  let theme = null;
-  let contrast = null;
-  let language = null;
-  try {
-    theme = localStorage.getItem("corridor.theme");
-    contrast = localStorage.getItem("corridor.contrast");
-    language = localStorage.getItem("corridor.language");
-  } catch {
-    // Storage is forbidden: the system decides.
-  }
-  if (theme !== "light" && theme !== "dark") {
-    theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
-  }
-  if (contrast !== "more") {
-    contrast = matchMedia("(prefers-contrast: more)").matches ? "more" : "normal";
-  }
-  Object.assign(document.documentElement.dataset, { theme, contrast });
-  language = new URLSearchParams(location.search).get("lang") ?? language ?? navigator.language;
-  if (/^ar\b/.test(language)) document.documentElement.dir = "rtl";
+
+  // The addresses are there in a build; while Corridor is developed the page starts both by itself.
+  if (!simulator) return;
+  const text = catalogues[lang];
+  const isFirst =
+    location.pathname === "/" &&
+    location.hash.length < 2 &&
+    !ask(
+      () =>
+        sessionStorage.getItem("corridor.run") ||
+        Object.keys(localStorage).some((key) => /^corridor\.(work|aside)\./.test(key)),
+    );
+  // A name needs no message, which would wait for the page: the worker begins by itself.
+  const name = isFirst ? JSON.stringify([text.maze, text.program]) : "";
+  const worker = new Worker(simulator, { type: "module", name });
+  const early = { worker, heard: [], failure: null };
+  window.corridorSimulator = early;
+  let isPressed = false;
+  let open = () => {
+    open = () => {};
+    import(page).catch(() => window.corridorFailed());
+  };
+  // Who has pressed Run already sees the robot start before the rest of the page.
+  document.addEventListener("DOMContentLoaded", () => (isPressed ? setTimeout(open, 1000) : open()));
+  worker.onerror = (event) => {
+    // A file that does not come has no message.
+    early.failure = String(event.message ?? "");
+    open();
+  };
+  const buttons = () => [...document.querySelectorAll("[data-early] > * > button")];
+  worker.onmessage = ({ data }) => {
+    early.heard.push(data);
+    if (data.type !== "frame") return;
+    const { state, tick } = data.frame.snapshot;
+    const hadFocus = buttons().includes(document.activeElement);
+    for (const button of buttons()) {
+      button.hidden = (button.dataset.does === "pause") !== (state === "running");
+      if (hadFocus && !button.hidden) button.focus();
+    }
+    if (tick > 0) open();
+  };
+  if (!isFirst) return;
+
+  const watch = new MutationObserver(() => {
+    // The last thing in the document: the house is there.
+    if (document.getElementById("wordmark") === null) return;
+    watch.disconnect();
+    const transport = document.querySelector("[data-early]");
+    transport.setAttribute("aria-label", text.controls);
+    for (const each of transport.querySelectorAll("[data-word]")) {
+      each.append(text[each.dataset.word]);
+    }
+    for (const button of buttons()) {
+      button.onclick = () => {
+        isPressed = true;
+        worker.postMessage({ type: button.dataset.does });
+      };
+    }
+    root.dataset.first = "";
+  });
+  watch.observe(document, { childList: true, subtree: true });
 })();

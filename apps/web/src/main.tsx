@@ -1,4 +1,4 @@
-/** Entry of the page: starts the worker, builds the services, mounts React. */
+/** Entry of the page: builds the services, mounts React. */
 import type { i18n } from "i18next";
 import { createRoot } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
@@ -11,7 +11,8 @@ import { guardLeaving } from "./app/guard-leaving.ts";
 import { keepSwitches } from "./app/kept-switches.ts";
 import { createServices, ServicesProvider } from "./app/services.ts";
 import { whenSettled } from "./app/settled.ts";
-import { onSimulatorFailure, startSimulator } from "./app/simulator-start.ts";
+import { heardBefore, onSimulatorFailure, startSimulator } from "./app/simulator-start.ts";
+import { takeOver } from "./app/take-over.ts";
 import { startTheme } from "./app/theme.ts";
 import { WorkReader } from "./app/work-reader.ts";
 import { storageOrNone, WorkShelf } from "./app/works.ts";
@@ -32,9 +33,8 @@ const worker = startSimulator();
 const reader = new WorkReader();
 const screen = createScreenStore();
 
-const place = document.getElementById("root");
-if (place === null) throw new Error("index.html has no #root");
-const root = createRoot(place);
+const house = requireHouse();
+const root = createRoot(house);
 
 async function start(): Promise<void> {
   const english = await englishWords().catch(() => window.corridorFailed());
@@ -68,6 +68,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
     screen,
     reader,
   });
+  services.simulator.catchUp(heardBefore());
 
   onSimulatorFailure(worker, (reason) => {
     services.simulator.fail(reason || words.t("shell.failure.notLoaded"));
@@ -108,14 +109,16 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   window.addEventListener("hashchange", () => void followOrTell());
 
   screen.setState({ isOpening: isAsked() });
-  root.render(
-    <I18nextProvider i18n={words}>
-      <ServicesProvider value={services}>
-        <LanguageProvider value={language}>
-          <App />
-        </LanguageProvider>
-      </ServicesProvider>
-    </I18nextProvider>,
+  await takeOver(house, () =>
+    root.render(
+      <I18nextProvider i18n={words}>
+        <ServicesProvider value={services}>
+          <LanguageProvider value={language}>
+            <App />
+          </LanguageProvider>
+        </ServicesProvider>
+      </I18nextProvider>,
+    ),
   );
 
   // The page stands before what its address asks for: a link may take long, or never come to an end.
@@ -133,6 +136,12 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   } catch {
     // Private windows and full storages refuse a service worker: the page needs a network, as before.
   }
+}
+
+function requireHouse(): HTMLElement {
+  const element = document.getElementById("root");
+  if (element === null) throw new Error("index.html has no #root");
+  return element;
 }
 
 void start();

@@ -32,4 +32,13 @@ describe("FixedTimestep", () => {
     timestep.clear();
     expect(timestep.ticksFor(16, 1)).toBe(0);
   });
+
+  it.each([0.25, 1, 16])("begins with one tick at once at speed %s, and gains none", (speed) => {
+    const timestep = new FixedTimestep();
+    timestep.ticksFor(10, speed);
+    timestep.start();
+    expect(timestep.ticksFor(0, speed)).toBe(1);
+    expect(timestep.ticksFor(0, speed)).toBe(0);
+    expect(timestep.ticksFor(200.01, speed)).toBe(12 * speed - 1);
+  });
 });

@@ -1,28 +1,22 @@
 /** The bar at the top: the mark, the maze, and what can be done with it. */
-import { Ellipsis, Keyboard, RadioTower, Target } from "lucide-react";
+import { Ellipsis, Keyboard } from "lucide-react";
 import { useTranslation } from "react-i18next";
-import { LazyFileMenuItems } from "../features/files/lazy-file-menu-items.ts";
 import { LanguageButton } from "../features/language/LanguageButton.tsx";
-import { LanguageSelect } from "../features/language/LanguageSelect.tsx";
 import { LessonsButton } from "../features/lessons/LessonsButton.tsx";
 import { PresetsButton } from "../features/presets/PresetsButton.tsx";
 import { ShareButton } from "../features/share/ShareButton.tsx";
 import { ThemeButton } from "../features/theme/ThemeButton.tsx";
-import { ThemeChoice } from "../features/theme/ThemeChoice.tsx";
 import { MazeMenu } from "../features/works/MazeMenu.tsx";
 import { IconButton } from "../ui/Button.tsx";
+import { lazyPart } from "../ui/lazy-part.tsx";
 import { Later } from "../ui/Later.tsx";
-import { MenuItem, Popover, usePopover } from "../ui/Popover.tsx";
+import { Popover, usePopover } from "../ui/Popover.tsx";
 import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./app.module.css";
 import { Brand } from "./Brand.tsx";
+import type { TopBarProps } from "./MoreMenu.tsx";
 
-interface TopBarProps {
-  isPhone: boolean;
-  onKeys: () => void;
-  onRemote: () => void;
-  onLessons: () => void;
-}
+const MoreMenu = lazyPart(async () => (await import("./MoreMenu.tsx")).MoreMenu);
 
 export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
@@ -64,26 +58,7 @@ function More({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
         <Ellipsis aria-hidden="true" />
       </IconButton>
       <Popover {...menu.panel} label={t("shell.more")} align="end">
-        {isPhone && (
-          <>
-            <MenuItem icon={<Target aria-hidden="true" />} onSelect={onLessons}>
-              {t("lessons.lessons")}
-            </MenuItem>
-            <MenuItem icon={<RadioTower aria-hidden="true" />} onSelect={onRemote}>
-              {t("drive.remote")}
-            </MenuItem>
-          </>
-        )}
-        <MenuItem icon={<Keyboard aria-hidden="true" />} onSelect={onKeys}>
-          {t("shell.keys.title")}
-        </MenuItem>
-        <LazyFileMenuItems />
-        <div className={styles["moreTheme"]}>
-          <ThemeChoice />
-        </div>
-        <div className={styles["moreTheme"]}>
-          <LanguageSelect />
-        </div>
+        <MoreMenu isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
       </Popover>
     </>
   );

@@ -3,7 +3,7 @@ import { createScreenStore } from "../stores/screen-store.ts";
 import { createWorkspaceStore, openWork, setMaze, undo } from "../stores/workspace-store.ts";
 import { flushWhenHidden, startAutosave } from "./autosave.ts";
 import { CurrentWork } from "./current-work.ts";
-import { firstMaze, firstProgram } from "./first-visit.ts";
+import { firstMaze, firstProgram } from "../worker/first-work.ts";
 import { readWork } from "./read-work.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 import { WorkShelf } from "./works.ts";

@@ -1,7 +1,8 @@
 import { expect, it } from "vitest";
 import { en } from "../text/en/index.ts";
 import { createI18n, showLanguage } from "../text/i18n.ts";
-import { firstMaze, firstProgram, firstWork } from "./first-visit.ts";
+import { firstMaze, firstProgram } from "../worker/first-work.ts";
+import { firstWork } from "./first-visit.ts";
 
 it("is the same maze and program in every language, under names of that language", async () => {
   const words = createI18n(en);

@@ -1,43 +1,7 @@
-/** What a reader sees who has never been here: a maze that the given program solves. */
-import type { MazeDocument } from "@corridor/maze";
-import type { ProgramDocument } from "@corridor/program";
+/** The work of a first visit, with its names in the reader's language. */
 import type { i18n } from "i18next";
+import { firstWork as work, type FirstWork } from "../worker/first-work.ts";
 
-export const firstMaze: MazeDocument = {
-  format: "corridor/maze",
-  version: 1,
-  name: "Long way round",
-  blocks: [
-    "...#.....#.",
-    ".#.#.#.#.#.",
-    ".#...#...#.",
-    ".#####.#.#.",
-    ".....#.#...",
-    "##.#.#.###.",
-    "...#...#...",
-  ],
-  start: { column: 0, row: 6, heading: "east" },
-  goals: [{ column: 10, row: 0 }],
-};
-
-export const firstProgram: ProgramDocument = {
-  format: "corridor/program",
-  version: 1,
-  name: "Right wall",
-  default: "forward",
-  rules: [
-    { when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" },
-    { when: { sensor: "front", is: "<", than: 50 }, do: "left 90" },
-  ],
-};
-
-/** Both with their names in the reader's language. */
-export function firstWork(words: Pick<i18n, "t">): {
-  maze: MazeDocument;
-  program: ProgramDocument;
-} {
-  return {
-    maze: { ...firstMaze, name: words.t("presets.long-way-round.title") },
-    program: { ...firstProgram, name: words.t("program.preset.right-wall.name") },
-  };
+export function firstWork(words: Pick<i18n, "t">): FirstWork {
+  return work(words.t("presets.long-way-round.title"), words.t("program.preset.right-wall.name"));
 }

@@ -3,7 +3,7 @@ import { createWorkspaceStore } from "../stores/workspace-store.ts";
 import { RunLoader } from "../worker/run-loader.ts";
 import { RunLoop } from "../worker/run-loop.ts";
 import type { FromWorker, ToWorker } from "../worker/worker-messages.ts";
-import { firstMaze, firstProgram } from "./first-visit.ts";
+import { firstMaze, firstProgram } from "../worker/first-work.ts";
 import { readKeptRun } from "./read-kept-run.ts";
 import { RunKeeper } from "./run-keeper.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";

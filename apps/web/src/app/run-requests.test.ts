@@ -2,7 +2,7 @@ import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
 import { SimulatorClient, type WorkerPort } from "../worker/simulator-client.ts";
 import type { FromWorker, ToWorker } from "../worker/worker-messages.ts";
-import { firstMaze, firstProgram } from "./first-visit.ts";
+import { firstMaze, firstProgram } from "../worker/first-work.ts";
 import { loadRun, saveRun } from "./run-requests.ts";
 
 const run: RunDocument = {

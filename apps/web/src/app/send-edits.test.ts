@@ -4,7 +4,7 @@ import { createWorkspaceStore, openWork, setMaze, undo } from "../stores/workspa
 import { RunLoop } from "../worker/run-loop.ts";
 import { loadRun } from "../worker/testing/load-run.ts";
 import type { ToWorker } from "../worker/worker-messages.ts";
-import { firstMaze, firstProgram } from "./first-visit.ts";
+import { firstMaze, firstProgram } from "../worker/first-work.ts";
 import { sendEdits } from "./send-edits.ts";
 
 const silent = { started: () => {}, ended: () => {} };

@@ -91,7 +91,7 @@ describe("the theme", () => {
         addEventListener: () => undefined,
         URLSearchParams,
         location: { search: "" },
-        navigator: { language: "en" },
+        navigator: { languages: ["en"] },
       });
       expect(`${dataset["theme"]} ${dataset["contrast"]}`).toBe(shown);
     },

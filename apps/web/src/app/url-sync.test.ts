@@ -7,7 +7,7 @@ import { createWorkspaceStore, setMaze } from "../stores/workspace-store.ts";
 import { en } from "../text/en/index.ts";
 import { createI18n } from "../text/i18n.ts";
 import { CurrentWork } from "./current-work.ts";
-import { firstMaze, firstProgram } from "./first-visit.ts";
+import { firstMaze, firstProgram } from "../worker/first-work.ts";
 import { readWork } from "./read-work.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 import { followAddress } from "./url-sync.ts";

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { createScreenStore } from "../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze } from "../stores/workspace-store.ts";
 import { CurrentWork } from "./current-work.ts";
-import { firstMaze, firstProgram } from "./first-visit.ts";
+import { firstMaze, firstProgram } from "../worker/first-work.ts";
 import { readWork } from "./read-work.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 import type { ToWorker } from "../worker/worker-messages.ts";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "./first-visit.ts";
+import { firstMaze, firstProgram } from "../worker/first-work.ts";
 import { readWork } from "./read-work.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 import { challengeKey, storageOrNone, WorkShelf, type Work } from "./works.ts";

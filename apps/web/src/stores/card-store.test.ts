@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { firstProgram } from "../app/first-visit.ts";
+import { firstProgram } from "../worker/first-work.ts";
 import type { Moment } from "../worker/worker-messages.ts";
 import { createCardStore, explain, forgetAfter } from "./card-store.ts";
 

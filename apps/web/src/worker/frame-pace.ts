@@ -54,7 +54,7 @@ function isDue(sent: Frame | null, frame: Frame, spare: number): boolean {
 
 /**
  * Whether a frame must be shown at once: the deciding line, the state, the driver, a bump or the
- * goal changed, or the robot was put back. Numbers that merely move can wait.
+ * goal changed, the run took its first tick, or the robot was put back. Numbers that merely move can wait.
  */
 function isDecided(before: Frame, after: Frame): boolean {
   const shown = before.snapshot;
@@ -68,6 +68,7 @@ function isDecided(before: Frame, after: Frame): boolean {
     shown.bumps !== next.bumps ||
     shown.goalReached !== next.goalReached ||
     shown.command !== next.command ||
-    next.tick < shown.tick
+    next.tick < shown.tick ||
+    shown.tick === 0
   );
 }

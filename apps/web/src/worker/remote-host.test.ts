@@ -1,7 +1,7 @@
 /** A page's remote side whole (host, link, loop, driver), against a relay that repeats itself. */
 import type { SocketEvents, SocketPort } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "../app/first-visit.ts";
+import { firstMaze, firstProgram } from "./first-work.ts";
 import { RemoteHost } from "./remote-host.ts";
 import { RunLoop } from "./run-loop.ts";
 import type { RemoteSession, RemoteView } from "./worker-messages.ts";

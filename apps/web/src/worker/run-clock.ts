@@ -22,9 +22,9 @@ export class RunClock {
     this.#timestep.clear();
   }
 
-  /** Time begins to flow: what passed until now counts for nothing. */
+  /** Time begins to flow, with a tick at once: what passed until now counts for nothing. */
   start(): void {
-    this.#timestep.clear();
+    this.#timestep.start();
     this.#lastAt = this.#now();
   }
 

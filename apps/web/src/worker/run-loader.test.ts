@@ -1,6 +1,6 @@
 import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "../app/first-visit.ts";
+import { firstMaze, firstProgram } from "./first-work.ts";
 import { RunLoader } from "./run-loader.ts";
 import { RunLoop } from "./run-loop.ts";
 import type { FromWorker } from "./worker-messages.ts";

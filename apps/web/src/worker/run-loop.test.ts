@@ -2,7 +2,7 @@ import type { ProgramDocument } from "@corridor/program";
 import type { Command, Snapshot } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import { beforeEach, describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "../app/first-visit.ts";
+import { firstMaze, firstProgram } from "./first-work.ts";
 import type { Ending } from "../drivers/remote-driver.ts";
 import { RunLoop } from "./run-loop.ts";
 import type { Moment } from "./worker-messages.ts";

@@ -33,6 +33,11 @@ export class SimulatorClient {
     this.#port.postMessage(message, transfer);
   }
 
+  /** Hands on what the worker told before anybody could listen here. */
+  catchUp(messages: readonly FromWorker[]): void {
+    for (const message of messages) this.#hear(message);
+  }
+
   /** Hears every message of the worker. @returns a function that ends it */
   listen(listener: (message: FromWorker) => void): () => void {
     this.#listeners.add(listener);

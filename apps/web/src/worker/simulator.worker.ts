@@ -6,6 +6,7 @@
 import type { AttemptTerms } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 import { describeFault } from "./describe-fault.ts";
+import { earlyWork, type FirstWork } from "./first-work.ts";
 import { FramePace } from "./frame-pace.ts";
 import type { RemoteDriverEvents } from "../drivers/remote-driver.ts";
 import type { RemoteHost } from "./remote-host.ts";
@@ -134,7 +135,7 @@ worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
     handle(data);
     // Of several moments that are asked for, only the newest is gone to: the others came before this.
     if (data.type === "seek") afterMessages.port2.postMessage(null);
-    else tellNews();
+    else advance();
   } catch (error) {
     post({ type: "fault", reason: describeFault(error) });
   }
@@ -165,10 +166,7 @@ function guarded(work: () => void): void {
 }
 
 function handle(message: ToWorker): void {
-  if (message.type === "load") {
-    loop = new RunLoop(message.maze, message.program, now, remoteEvents);
-    return;
-  }
+  if (message.type === "load") return load(message);
   if (message.type === "digest") {
     import("./digest.ts").then(
       ({ digestOf }) => guarded(() => post({ type: "digest", digest: digestOf(message) })),
@@ -246,6 +244,16 @@ function handle(message: ToWorker): void {
   }
 }
 
+/** A run that began before the page was there goes on: nothing but names can be new to it. */
+function load({ maze, program }: FirstWork): void {
+  if (loop === null) {
+    loop = new RunLoop(maze, program, now, remoteEvents);
+    return;
+  }
+  loop.editMaze(maze);
+  loop.editProgram(program);
+}
+
 function saveRun(run: RunLoop, id: number): void {
   const written = run.saveRun();
   const saved: SavedRun = written.ok
@@ -309,3 +317,10 @@ function holdLock(isWanted: boolean): void {
   // Without the Web Locks API (insecure origins) the robot runs all the same, only less protected.
   void navigator.locks?.request(LOCK_NAME, { mode: "shared" }, () => held);
 }
+
+guarded(() => {
+  const work = earlyWork(worker.name);
+  if (work === null) return;
+  load(work);
+  tellNews();
+});

@@ -4,7 +4,7 @@ import type { Command, DriverName, Snapshot } from "@corridor/protocol";
 import { openRun, readRun } from "@corridor/recording";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "../app/first-visit.ts";
+import { firstMaze, firstProgram } from "./first-work.ts";
 import { RunLoop } from "./run-loop.ts";
 import { loadRun } from "./testing/load-run.ts";
 import type { DriveKey, Frame, Speed } from "./worker-messages.ts";

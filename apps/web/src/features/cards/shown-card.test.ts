@@ -1,6 +1,6 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { firstProgram } from "../../app/first-visit.ts";
+import { firstProgram } from "../../worker/first-work.ts";
 import type { Moment } from "../../worker/worker-messages.ts";
 import { shownCard } from "./shown-card.ts";
 

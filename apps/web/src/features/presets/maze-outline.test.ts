@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { firstMaze } from "../../app/first-visit.ts";
+import { firstMaze } from "../../worker/first-work.ts";
 import { blocksPath, edgesPath } from "./maze-outline.ts";
 
 const maze = (...blocks: string[]) => ({ ...firstMaze, blocks });

@@ -1,7 +1,7 @@
 import { setAction, setNumber, type ProgramDocument } from "@corridor/program";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "../../app/first-visit.ts";
 import { createChallengeStore } from "../../stores/challenge-store.ts";
+import { firstMaze, firstProgram } from "../../worker/first-work.ts";
 import { createWorkspaceStore, setMaze, undo } from "../../stores/workspace-store.ts";
 import { adviceOn, createAdviceStore, type AdvicePorts } from "./advice-store.ts";
 import * as coach from "./coach.ts";

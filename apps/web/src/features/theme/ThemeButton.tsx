@@ -1,10 +1,19 @@
 /** The theme in the top bar: its picture opens the choice. */
+import { Monitor, Moon, Sun } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { IconButton } from "../../ui/Button.tsx";
+import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
-import { ThemeChoice, themeIcons } from "./ThemeChoice.tsx";
+
+const ThemeChoice = lazyPart(async () => (await import("./ThemeChoice.tsx")).ThemeChoice);
+
+const themeIcons = {
+  system: <Monitor aria-hidden="true" />,
+  light: <Sun aria-hidden="true" />,
+  dark: <Moon aria-hidden="true" />,
+};
 
 export function ThemeButton() {
   const { t } = useTranslation();

@@ -1,5 +1,4 @@
 /** Light, dark, or as the system; high contrast on top of each. */
-import { Monitor, Moon, Sun } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -7,12 +6,6 @@ import { Checkbox } from "../../ui/Checkbox.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import styles from "./theme.module.css";
-
-export const themeIcons = {
-  system: <Monitor aria-hidden="true" />,
-  light: <Sun aria-hidden="true" />,
-  dark: <Moon aria-hidden="true" />,
-};
 
 export function ThemeChoice() {
   const { t } = useTranslation();

@@ -1,0 +1,54 @@
+/**
+ * Names of CSS classes: two or three letters each, since what is read by nobody should cost nobody. The
+ * part of the page that index.html draws by itself names its classes `app.page`, file and class, and is
+ * told the short ones here.
+ */
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import type { Plugin } from "vite";
+
+const source = (path: string): string =>
+  fileURLToPath(new URL(`../src/${path}.module.css`, import.meta.url));
+
+/** The styles that index.html may use. */
+const shellStyles: Readonly<Record<string, string>> = {
+  app: source("app/app"),
+  transport: source("features/transport/transport"),
+  button: source("ui/button"),
+  field: source("ui/field"),
+};
+
+const numbers = new Map<string, number>();
+
+/** A name for a class of a file, given by turns. */
+export function scopedName(name: string, path: string): string {
+  const key = `${path} ${name}`;
+  const at = numbers.get(key) ?? numbers.size;
+  numbers.set(key, at);
+  return `c${at.toString(36)}`;
+}
+
+/** @param word of a class attribute: `app.page` stands for the class `page` of app.module.css */
+function shownName(word: string): string {
+  const [file = "", name] = word.split(".");
+  if (name === undefined) return word;
+  const path = shellStyles[file];
+  if (path === undefined || !readFileSync(path, "utf8").includes(`.${name}`)) {
+    throw new Error(`index.html: there is no class ${word}`);
+  }
+  return scopedName(name, path);
+}
+
+export function shellClasses(): Plugin {
+  return {
+    name: "corridor-shell-classes",
+    transformIndexHtml: {
+      order: "pre",
+      handler: (html) =>
+        html.replaceAll(
+          /\bclass="([^"]*)"/g,
+          (_, words: string) => `class="${words.split(" ").map(shownName).join(" ")}"`,
+        ),
+    },
+  };
+}

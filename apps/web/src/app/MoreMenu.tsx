@@ -1,0 +1,43 @@
+/** What a narrow bar has no room for; a phone's has no panel with "Who drives?" either. */
+import { Keyboard, RadioTower, Target } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { FileMenuItems } from "../features/files/FileMenuItems.tsx";
+import { LanguageSelect } from "../features/language/LanguageSelect.tsx";
+import { ThemeChoice } from "../features/theme/ThemeChoice.tsx";
+import { MenuItem } from "../ui/Popover.tsx";
+import styles from "./app.module.css";
+
+export interface TopBarProps {
+  isPhone: boolean;
+  onKeys: () => void;
+  onRemote: () => void;
+  onLessons: () => void;
+}
+
+export function MoreMenu({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
+  const { t } = useTranslation();
+  return (
+    <>
+      {isPhone && (
+        <>
+          <MenuItem icon={<Target aria-hidden="true" />} onSelect={onLessons}>
+            {t("lessons.lessons")}
+          </MenuItem>
+          <MenuItem icon={<RadioTower aria-hidden="true" />} onSelect={onRemote}>
+            {t("drive.remote")}
+          </MenuItem>
+        </>
+      )}
+      <MenuItem icon={<Keyboard aria-hidden="true" />} onSelect={onKeys}>
+        {t("shell.keys.title")}
+      </MenuItem>
+      <FileMenuItems />
+      <div className={styles["moreTheme"]}>
+        <ThemeChoice />
+      </div>
+      <div className={styles["moreTheme"]}>
+        <LanguageSelect />
+      </div>
+    </>
+  );
+}

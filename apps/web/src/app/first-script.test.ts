@@ -1,0 +1,122 @@
+import { readFileSync } from "node:fs";
+import { runInNewContext } from "node:vm";
+import { describe, expect, it } from "vitest";
+import { createScreenStore } from "../stores/screen-store.ts";
+import { en } from "../text/en/index.ts";
+import { createI18n, showLanguage, shownLanguage } from "../text/i18n.ts";
+import { languages } from "../text/languages.ts";
+import { earlyWork } from "../worker/first-work.ts";
+import { firstWords } from "../../build/first-script.ts";
+import { firstWork } from "./first-visit.ts";
+import { LanguageChoice } from "./language.ts";
+import { MemoryStorage } from "./testing/memory-storage.ts";
+
+interface Visit {
+  pathname?: string;
+  search?: string;
+  hash?: string;
+  /** on the device */
+  kept?: Record<string, string>;
+  /** in the tab */
+  tab?: Record<string, string>;
+  preferred?: readonly string[];
+}
+
+const script = readFileSync(new URL("../../public/first.js", import.meta.url), "utf8");
+const words = Object.fromEntries(languages.map(({ tag }) => [tag, firstWords(tag)]));
+
+/** Runs `public/first.js` as index.html does. @returns what it made of the page, and the worker's name */
+function open({
+  pathname = "/",
+  search = "",
+  hash = "",
+  kept = {},
+  tab = {},
+  preferred = ["en"],
+}: Visit) {
+  const root = { dataset: {}, lang: "", dir: "" };
+  const names: string[] = [];
+  const storage = (items: Record<string, string>) =>
+    Object.defineProperty({ ...items }, "getItem", {
+      value: (key: string) => items[key] ?? null,
+    });
+  runInNewContext(script, {
+    document: {
+      documentElement: root,
+      currentScript: {
+        dataset: { words: JSON.stringify(words), simulator: "/worker.js", page: "/page.js" },
+      },
+      addEventListener: () => undefined,
+    },
+    window: {},
+    location: { pathname, search, hash },
+    navigator: { languages: preferred },
+    localStorage: storage(kept),
+    sessionStorage: storage(tab),
+    matchMedia: () => ({ matches: false }),
+    URLSearchParams,
+    Worker: class {
+      constructor(_address: string, { name }: { name: string }) {
+        names.push(name);
+      }
+    },
+    MutationObserver: class {
+      observe(): void {}
+    },
+  });
+  return { root, name: names[0] ?? "" };
+}
+
+describe("a first visit", () => {
+  it.each(languages)("begins in the worker with the page's own work, in $name", async ({ tag }) => {
+    const i18n = createI18n(en);
+    await showLanguage(i18n, tag);
+    expect(earlyWork(open({ search: `?lang=${tag}` }).name)).toEqual(firstWork(i18n));
+  });
+
+  it.each<Visit & { what: string }>([
+    { what: "a work is kept", kept: { "corridor.work.a": "{}" } },
+    { what: "a work that cannot be read is kept", kept: { "corridor.aside.a": "{}" } },
+    { what: "a run was reloaded", tab: { "corridor.run": "12" } },
+    { what: "the address has a link", hash: "#abc" },
+    { what: "the address is a robot's", pathname: "/r/robot" },
+  ])("is none where $what: the worker waits for the page", (visit) => {
+    expect(earlyWork(open(visit).name)).toBeNull();
+  });
+
+  it("is one for who only chose a theme", () => {
+    expect(earlyWork(open({ kept: { "corridor.theme": "dark" } }).name)).not.toBeNull();
+  });
+});
+
+describe("the language before the page's script", () => {
+  it.each<Visit>([
+    { preferred: ["de-AT", "en"] },
+    { preferred: ["zh-TW", "zh-CN"] },
+    { preferred: ["nl", "pt-BR"] },
+    { preferred: ["nl"] },
+    { preferred: ["not a tag", "ja"] },
+    { preferred: ["fr"], kept: { "corridor.language": "es" } },
+    { preferred: ["fr"], kept: { "corridor.language": "klingon" } },
+    { preferred: ["fr"], search: "?lang=ar", kept: { "corridor.language": "es" } },
+    { preferred: ["fr"], search: "?lang=nonsense" },
+  ])("is the page's own: $preferred, $kept, $search", async (visit) => {
+    const { preferred = [], search = "", kept = {} } = visit;
+    const i18n = createI18n(en);
+    const storage = new MemoryStorage();
+    for (const [key, text] of Object.entries(kept)) storage.setItem(key, text);
+    const applied: { tag: string; dir: string }[] = [];
+    await new LanguageChoice({
+      words: i18n,
+      screen: createScreenStore(),
+      storage,
+      offered: languages.map(({ tag }) => tag),
+      preferred,
+      location: { pathname: "/", search, hash: "" },
+      replaceAddress: () => undefined,
+      apply: (shown) => applied.push(shown),
+    }).start();
+    const { root } = open(visit);
+    expect(root).toMatchObject({ lang: shownLanguage(i18n), dir: applied.at(-1)?.dir });
+  });
+});

@@ -1,0 +1,158 @@
+/**
+ * Before the page's own script: index.html draws an empty house, and on a first visit its Run drives the
+ * robot already. The page that moves in takes over what there is.
+ */
+import type { Locator, Page } from "playwright/test";
+import { expect, test } from "./fixtures.ts";
+import { CorridorPage } from "./pages/corridor-page.ts";
+
+/** Keeps the page's script on its way. @returns what lets it come */
+async function holdScript(page: Page): Promise<() => void> {
+  let letCome = (): void => {};
+  const isComing = new Promise<void>((resolve) => (letCome = resolve));
+  await page.route(/\/assets\/index-[\w-]+\.js$/, async (route) => {
+    await isComing;
+    await route.continue();
+  });
+  return letCome;
+}
+
+/** The newest tick that the worker has told, before there is a page to show it. */
+function toldTick(page: Page): Promise<number> {
+  return page.evaluate(() => {
+    type Heard = { type: string; frame?: { snapshot: { tick: number } } };
+    const { heard } = Reflect.get(window, "corridorSimulator") as { heard: Heard[] };
+    return heard.findLast(({ frame }) => frame !== undefined)?.frame?.snapshot.tick ?? 0;
+  });
+}
+
+async function box(locator: Locator): Promise<string> {
+  const place = await locator.boundingBox();
+  if (place === null) return "not there";
+  return [place.x, place.y, place.width, place.height].map(Math.round).join(" ");
+}
+
+test("presses Run before the page's own script has come, and the run goes on in it", async ({
+  page,
+}) => {
+  const letCome = await holdScript(page);
+  const corridor = new CorridorPage(page);
+  await page.goto("/", { waitUntil: "commit" });
+  await corridor.run.click();
+  await expect(corridor.pause).toBeVisible();
+  await expect.poll(() => toldTick(page)).toBeGreaterThan(30);
+  letCome();
+  await corridor.isReady();
+  await expect(corridor.pause).toBeVisible();
+  // 30 ticks of 5/3 cm: it was not put back.
+  expect(await corridor.robotX()).toBeGreaterThan(90);
+  await corridor.pause.click();
+  await corridor.timeline.slider.focus();
+  await page.keyboard.press("Home");
+  await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
+  await corridor.timeline.backToNow.click();
+  expect(await corridor.robotX()).toBeGreaterThan(90);
+});
+
+test("pauses and goes on before the page's own script has come", async ({ page }) => {
+  const letCome = await holdScript(page);
+  const corridor = new CorridorPage(page);
+  await page.goto("/", { waitUntil: "commit" });
+  await corridor.run.click();
+  await corridor.pause.click();
+  await expect(corridor.run).toBeVisible();
+  const tick = await toldTick(page);
+  letCome();
+  await corridor.isReady();
+  await expect(corridor.run).toBeVisible();
+  expect(await corridor.robotX()).toBe(Math.round(50 + (tick * 5) / 3));
+});
+
+test("presses it with the keyboard, and stays on the button when the page moves in", async ({
+  page,
+}) => {
+  const letCome = await holdScript(page);
+  const corridor = new CorridorPage(page);
+  await page.goto("/", { waitUntil: "commit" });
+  await expect(corridor.run).toBeVisible();
+  await page.keyboard.press("Tab");
+  await expect(corridor.run).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(corridor.pause).toBeFocused();
+  letCome();
+  await corridor.isReady();
+  await expect(corridor.pause).toBeFocused();
+  await page.keyboard.press("Space");
+  await expect(corridor.run).toBeFocused();
+});
+
+test("reads Run in the reader's language, and finds names in it too", async ({ page }) => {
+  const letCome = await holdScript(page);
+  await page.goto("/?lang=de", { waitUntil: "commit" });
+  const transport = page.getByRole("region", { name: "Lauf" });
+  await transport.getByRole("button", { name: "Starten", exact: true }).click();
+  await expect.poll(() => toldTick(page)).toBeGreaterThan(10);
+  letCome();
+  await transport.getByRole("button", { name: "Pause", exact: true }).click();
+  await expect(page.getByRole("button", { name: /^Langer Umweg/ })).toBeVisible();
+  await expect(page.locator("html")).toHaveAttribute("lang", "de");
+});
+
+test("comes back to a work of its own: Run waits for it", async ({ corridor, page }) => {
+  await corridor.choosePreset("Spiral");
+  await expect(corridor.saveState).toHaveText("Saved on this device");
+  const letCome = await holdScript(page);
+  await page.reload({ waitUntil: "commit" });
+  await expect(page.locator("#wordmark")).toBeAttached();
+  await corridor.frames(10);
+  await expect(corridor.run).toBeHidden();
+  letCome();
+  await corridor.isReady();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+  await corridor.run.click();
+  await expect(corridor.pause).toBeVisible();
+});
+
+test("opens a link: Run waits for what it brings", async ({ corridor, page, openWindow }) => {
+  await corridor.choosePreset("Comb");
+  const link = await corridor.shareLink({ withProgram: true });
+  const other = await openWindow();
+  const letCome = await holdScript(other.page);
+  await other.page.goto(link, { waitUntil: "commit" });
+  await expect(other.page.locator("#wordmark")).toBeAttached();
+  await other.frames(10);
+  await expect(other.run).toBeHidden();
+  letCome();
+  await other.isReady();
+  await expect(other.mazeMenu).toHaveAccessibleName("Comb, Maze menu");
+  await expect(page).toHaveURL("/");
+});
+
+for (const [width, height] of [
+  [1440, 900],
+  [1024, 768],
+  [760, 900],
+  [700, 500],
+  [390, 844],
+  [320, 640],
+] as const) {
+  for (const lang of ["en", "ar"]) {
+    test(`stands at ${width} x ${height} where the page will stand, in ${lang}`, async ({
+      openWindow,
+    }) => {
+      const { page } = await openWindow({ viewport: { width, height } });
+      const letCome = await holdScript(page);
+      await page.goto(`/?lang=${lang}`, { waitUntil: "commit" });
+      const run = page.locator("[data-does=run]");
+      await expect(run).toBeVisible();
+      await page.evaluate(() => document.fonts.ready);
+      const parts = [run, page.locator("h1"), page.locator("header").first(), page.locator("main")];
+      const before = await Promise.all(parts.map(box));
+      letCome();
+      await expect(page.locator("main canvas").first()).toBeAttached();
+      await expect(page.locator("[data-early]")).toHaveCount(0);
+      expect(await Promise.all(parts.map(box))).toEqual(before);
+    });
+  }
+}
