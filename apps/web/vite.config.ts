@@ -6,6 +6,7 @@ import { englishWords } from "./build/english-words.ts";
 import { firstScript } from "./build/first-script.ts";
 import { layerOrder } from "./build/layer-order.ts";
 import { leanIcons } from "./build/lean-icons.ts";
+import { leanWords } from "./build/lean-words.ts";
 import { precompress } from "./build/precompress.ts";
 
 /** Addresses at which the page shows itself; all others belong to the relay. */
@@ -73,6 +74,7 @@ export default defineConfig({
     }),
     leanIcons(),
     layerOrder(),
+    leanWords(),
     shellClasses(),
     englishWords(),
     firstScript(),
