@@ -175,12 +175,18 @@ describe("another work", () => {
     works.begin({ ...firstMaze, name: "Other" }, null);
     device.isFull = true;
     edit("Never stored");
+    const dismissAll = () => screen.setState({ messages: [] });
     const goBack = () => screen.getState().messages[0]?.action?.run();
     works.open(listed("Stored"));
     expect(shown()).toBe("Stored");
     goBack();
     expect(shown()).toBe("Never stored");
+    // The way that leads back is not only in the hand of who opened.
+    dismissAll();
     const back = works.begin({ ...firstMaze, name: "Third" }, null);
+    goBack();
+    expect(shown()).toBe("Never stored");
+    works.beginNew({ ...firstMaze, name: "Third" }, null);
     edit("Third, never stored");
     back();
     expect(shown()).toBe("Never stored");

@@ -72,6 +72,7 @@ export class WorksService {
     this.autosave.flush();
     const found = this.#ports.shelf.list().find((work) => isCopy(work, maze, program));
     if (found === undefined) return this.beginNew(maze, program, isRobotThere);
+    this.#offerUnsaved();
     const back = this.#wayBack();
     this.#show(found, isRobotThere);
     return back;
@@ -85,7 +86,7 @@ export class WorksService {
    */
   beginNew(maze: MazeDocument, program: ProgramDocument | null, isRobotThere = false): () => void {
     const { current, workspace } = this.#ports;
-    this.autosave.flush();
+    this.#offerUnsaved();
     const back = this.#wayBack();
     current.begin(maze, program ?? workspace.getState().program);
     this.#put(current.work.maze, current.work.program, isRobotThere);
