@@ -18,16 +18,22 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
   const standing = useStore(run, (state) => standingReading(challenge, state));
   const isMet = result.state === "met";
   const failure = verdict === null ? null : failureOf(verdict, shown);
+  // Nothing has failed where a hand may drive on.
+  const isOpen = failure === null && result.state === "open";
   const text = isMet
     ? metText(words, challenge, result)
     : failure !== null
       ? failureText(words, challenge, failure, blames[failure.maze ?? -1] ?? null)
-      : result.state === "open" && standing !== null
+      : isOpen && standing !== null
         ? handText(words, challenge, standing)
         : liveFailureText(words, challenge, result);
   useSay(text, "mission");
   return (
-    <p role="note" className={styles["outcome"]} data-state={isMet ? "met" : "failed"}>
+    <p
+      role="note"
+      className={styles["outcome"]}
+      data-state={isMet ? "met" : isOpen ? "open" : "failed"}
+    >
       {text}
     </p>
   );

@@ -3,7 +3,7 @@ import { Lightbulb, X } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import styles from "./line-notes.module.css";
-import type { AdviceText } from "./use-advice-text.ts";
+import type { AdviceText } from "./advice-text.ts";
 
 interface AdviceNoteProps {
   text: AdviceText;

@@ -6,6 +6,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { tell } from "../../stores/screen-store.ts";
+import { useRights } from "../lessons/use-rights.ts";
 import { AddLine } from "./AddLine.tsx";
 import { AdviceNews } from "./AdviceNews.tsx";
 import { decidingLine } from "./line-state.ts";
@@ -18,6 +19,9 @@ import { useFollowedLine } from "./use-followed-line.ts";
 
 export function ProgramEditor() {
   const { t } = useTranslation();
+  const rights = useRights();
+  // A hand is asked for, and no line may be written: there is nothing to read here yet.
+  if (rights?.maxLines === 0 && rights.drivers[0] === "me") return null;
   return (
     <section className={styles["editor"]} aria-label={t("program.program")}>
       <ProgramHeader />

@@ -5,16 +5,23 @@
  */
 import type { Advice, Mend } from "@corridor/coach";
 import type { MazeDocument } from "@corridor/maze";
-import type { ProgramDocument } from "@corridor/program";
+import type { Condition, ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
+import type { TFunction } from "i18next";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { ChallengeState, ChallengeStore } from "../../stores/challenge-store.ts";
+import type { AdviceText } from "./advice-text.ts";
 import type { WorkspaceStore } from "../../stores/workspace-store.ts";
+
+type AdviceWords = (
+  ...about: [t: TFunction, language: string, advice: Advice, when: Condition | null]
+) => AdviceText;
 
 /** The coach's functions; they come in a file of their own once the page has time. */
 export interface Coach {
   adviseProgram: (program: ProgramDocument, maze: MazeDocument) => Advice[];
   applyMend: (program: ProgramDocument, mend: Mend) => ProgramDocument;
+  adviceText: AdviceWords;
   /** whether an advice on this program is for the reader of the open challenge */
   concernsReader: (advice: Advice, program: ProgramDocument, open: ChallengeState) => boolean;
 }
@@ -42,6 +49,8 @@ export interface AdviceStore extends Pick<
   hide: (advice: Advice) => void;
   /** the program with the advice's mend in it; null when there is none or the coach is away */
   mended: (mend: Mend) => ProgramDocument | null;
+  /** an advice in words; null while the coach is away */
+  textOf: (...about: Parameters<AdviceWords>) => AdviceText | null;
 }
 
 /** Edits that follow each other faster than this belong together. */
@@ -111,6 +120,7 @@ export function createAdviceStore({ workspace, load, later, challenge }: AdviceP
       hidden.add(keyOf(advice, workspace.getState().program));
       refresh();
     },
+    textOf: (...about) => coach && coach.adviceText(...about),
     mended: (mend) => coach?.applyMend(workspace.getState().program, mend) ?? null,
   };
 }

@@ -1,77 +1,13 @@
-/** An advice in words: what is the matter with its numbers, and what the one button does about it. */
-import type { Advice, Mend } from "@corridor/coach";
+/** An advice in words. They come with the coach, without whom there is no advice. */
+import type { Advice } from "@corridor/coach";
 import type { Condition } from "@corridor/program";
 import { useTranslation } from "react-i18next";
-import { conditionText } from "./condition-text.ts";
-
-export interface AdviceText {
-  reason: string;
-  /** null where the advice has no mend */
-  mend: string | null;
-}
+import { useServices } from "../../app/services.ts";
+import type { AdviceText } from "./advice-text.ts";
 
 /** @param when the condition of the line that the advice is about; null for "otherwise" */
-export function useAdviceText(advice: Advice | null, when: Condition | null): AdviceText | null {
+export function useAdviceText(given: Advice | null, when: Condition | null): AdviceText | null {
   const { t, i18n } = useTranslation();
-  if (advice === null) return null;
-
-  function lineList(lines: readonly number[]): string {
-    const list = new Intl.ListFormat(i18n.language, { type: "conjunction" });
-    return list.format(lines.map((line) => String(line + 1)));
-  }
-
-  function reasonText(given: Advice): string {
-    const condition = when === null ? "" : conditionText(t, when, i18n.language);
-    switch (given.kind) {
-      case "never-decides": {
-        const lines = lineList(given.above);
-        const count = given.above.length;
-        return given.line === "default"
-          ? t("program.advice.otherwise", { count, lines })
-          : t("program.advice.neverDecides", { count, condition, lines });
-      }
-      case "never-true-here": {
-        // Rounded up, the sentence stays true.
-        return t(`program.advice.neverTrue.${given.limit}`, {
-          condition,
-          bound: Math.ceil(given.bound),
-        });
-      }
-      case "delayed-about-front": {
-        const side = given.side === "left" ? "Left" : "Right";
-        const { needs } = given;
-        return given.why === "near"
-          ? t("program.advice.delayedNear", { condition, needs })
-          : t(`program.advice.delayedFree${side}`, { condition });
-      }
-      case "immediate-into-opening":
-        return t("program.advice.intoOpening", { condition, drivesOn: given.drivesOn });
-    }
-  }
-
-  function mendText(mend: Mend): string {
-    switch (mend.kind) {
-      case "action":
-        return t("program.mend.action", { action: t(`program.action.${mend.action}`) });
-      case "number":
-        return t("program.mend.number", { number: mend.number });
-      case "condition":
-        return t("program.mend.condition", {
-          condition: conditionText(t, mend.when, i18n.language),
-        });
-      case "move":
-        return t(mend.to < mend.line ? "program.mend.moveUp" : "program.mend.moveDown", {
-          line: mend.to + 1,
-        });
-      case "delete":
-        return t("program.mend.delete", { line: mend.line + 1 });
-      case "insert":
-        return t("program.mend.insert");
-    }
-  }
-
-  return {
-    reason: reasonText(advice),
-    mend: advice.mend === null ? null : mendText(advice.mend),
-  };
+  const { advice } = useServices();
+  return given && advice.textOf(t, i18n.language, given, when);
 }
