@@ -1,8 +1,9 @@
 /** What the page says when something has happened: the bump card, the solved card, going in circles. */
 import { encodeLink } from "@corridor/link";
-import type { Locator } from "playwright/test";
+import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
+import { atRest } from "./support/at-rest.ts";
 import { expectNoBarriers } from "./support/axe.ts";
 
 function bumpCard(corridor: CorridorPage, line: number): Locator {
@@ -135,3 +136,58 @@ test("is told that the robot only pushes against a wall", async ({ corridor }) =
   await corridor.run.click();
   await expect(corridor.message(/^The robot pushes against a wall/)).toBeVisible();
 });
+
+/** Messages that lie over a card, a control of the run or what leads back to now, with what they cover. */
+function covered(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const texts = [...document.querySelectorAll("section[aria-label=Messages] button")];
+    const messages = new Set(texts.map((button) => button.parentElement));
+    const kept = document.querySelectorAll(
+      "[data-card], section[aria-label=Run] button, section[aria-label=Run] select",
+    );
+    return [...messages].flatMap((message) => {
+      const one = message?.getBoundingClientRect();
+      if (one === undefined) return [];
+      return [...kept].flatMap((each) => {
+        if (!each.checkVisibility()) return [];
+        const other = each.getBoundingClientRect();
+        const isOver =
+          Math.min(one.right, other.right) - Math.max(one.left, other.left) > 1 &&
+          Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top) > 1;
+        return isOver ? [`${message?.textContent} | ${each.textContent}`] : [];
+      });
+    });
+  });
+}
+
+for (const [width, height] of [
+  [1440, 900],
+  [1024, 768],
+  [768, 1024],
+  [844, 390],
+  [390, 844],
+] as const) {
+  test(`is told two things beside a card at ${width} x ${height}, and sees card and transport whole`, async ({
+    openWindow,
+  }) => {
+    const corridor = await openWindow({ viewport: { width, height } });
+    await corridor.open();
+    const { page } = corridor;
+    await corridor.program.action(2).selectOption("delayed left 90");
+    await corridor.speed.selectOption("4×");
+    await corridor.run.click();
+    const card = page.getByRole("region", { name: /^Bump: line 2/ });
+    await expect(card).toBeVisible();
+    await page.keyboard.press("i");
+    await page.evaluate(() => (location.hash = "broken"));
+    await expect(corridor.messages.getByRole("button", { name: "Dismiss" })).toHaveCount(2);
+    await atRest(page);
+    expect(await covered(page), "beside the card").toEqual([]);
+    await card.getByRole("button", { name: "Close" }).click();
+    await corridor.timeline.slider.press("Home");
+    await expect(corridor.timeline.inThePast).toBeVisible();
+    await page.keyboard.press("i");
+    await atRest(page);
+    expect(await covered(page), "in the past").toEqual([]);
+  });
+}

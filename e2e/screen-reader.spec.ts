@@ -233,3 +233,10 @@ test("does a mission by ear: its task, its hint, its outcome", async ({ corridor
   const texts = (await heard()).map(({ text }) => text);
   expect(texts.filter((text) => text.startsWith("Challenge met"))).toHaveLength(1);
 });
+
+test("hears of the transport whole names, and no number without a word", async ({ corridor }) => {
+  await corridor.step.click();
+  await expect(corridor.timeline.slider).toBeVisible();
+  const heard = await corridor.transport.ariaSnapshot();
+  expect(heard).not.toMatch(/text: "?\d+"?$/m);
+});

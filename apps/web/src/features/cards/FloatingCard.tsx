@@ -22,6 +22,8 @@ const CELL = 100;
 /** Half of the tail's side. */
 const TAIL_PX = 8;
 /** Measured before it is placed. */
+/** The legend below the drawing area, over which messages stand too, in px. */
+const LEGEND = 48;
 const HIDDEN = { visibility: "hidden", left: 0, top: 0 } as const;
 
 interface FloatingCardProps {
@@ -44,6 +46,8 @@ export function FloatingCard(props: FloatingCardProps) {
   const isPhone = useMediaQuery("(max-width: 37.49em)");
   const card = useRef<HTMLElement>(null);
   const [place, setPlace] = useState<CardPlace | null>(null);
+  // Messages stand on the other side (messages.module.css).
+  const [half, setHalf] = useState<"upper" | "lower">("upper");
   const titleId = useId();
 
   useLayoutEffect(() => {
@@ -65,11 +69,14 @@ export function FloatingCard(props: FloatingCardProps) {
       const robot = boxOf(viewport, pose.x, pose.y, ROBOT_HALF);
       const { port } = layout;
       const inMaze = { ...port, x: area.x + port.x, y: area.y + port.y };
-      setPlace(
+      const next =
         tone === "bad"
           ? placeCard(area, robot, size, squares)
-          : placeCardAway(inMaze, robot, size, squares),
-      );
+          : placeCardAway(inMaze, robot, size, squares);
+      const above = next.y - area.y;
+      const below = area.height - above - size.height + LEGEND;
+      setHalf(above > below ? "lower" : "upper");
+      setPlace(next);
     };
     put();
     const resize = new ResizeObserver(put);
@@ -82,7 +89,7 @@ export function FloatingCard(props: FloatingCardProps) {
     <section
       ref={card}
       aria-labelledby={titleId}
-      data-card=""
+      data-card={half}
       className={classNames(styles["card"], styles[tone], isPhone && styles["onPhone"])}
       style={isPhone ? undefined : at === null ? HIDDEN : { left: at.x, top: at.y }}
     >

@@ -37,6 +37,8 @@ export function Playhead({ scale, event }: PlayheadProps) {
   return (
     <div
       ref={head}
+      // The slider says the moment and who drives; a number alone says nothing.
+      aria-hidden="true"
       className={classNames(styles["playhead"], styles[tone ?? (isNow ? "live" : "rest")])}
     >
       {tone === "good" ? (
