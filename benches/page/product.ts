@@ -56,8 +56,8 @@ function letPanelsBeQuiet(): void {
     constructor(address: string | URL, options?: WorkerOptions) {
       super(address, options);
       this.addEventListener("message", (event: MessageEvent<{ type?: string }>) => {
-        const isForPanels = event.data.type === "frame" || event.data.type === "timeline";
-        if (globalThis.arePanelsQuiet === true && isForPanels) event.stopImmediatePropagation();
+        if (globalThis.arePanelsQuiet !== true) return;
+        if (event.data.type === "frame") event.stopImmediatePropagation();
       });
     }
   };

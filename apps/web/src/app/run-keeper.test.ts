@@ -25,7 +25,7 @@ function openPage(
   };
   const tellNews = () => {
     const news = loop.takeNews();
-    if (news !== null) post({ type: "frame", frame: news.frame });
+    if (news !== null) post({ type: "frame", frame: news.frame, timeline: null });
   };
   /** a slice of a long run takes all its time */
   let isSlow = false;

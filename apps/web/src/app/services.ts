@@ -95,13 +95,14 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
   const later = (action: () => void, milliseconds: number) => setTimeout(action, milliseconds);
   const show = (moment: Moment | null) => run.setState({ moment });
   const moments = createMomentTeller({ show, now, later });
-  const timeline = new TimelineStore(later);
+  const timeline = new TimelineStore();
   simulator.listen((message) => {
     switch (message.type) {
       case "frame": {
         const { snapshot, progress, view, nowTick, nowDriver } = message.frame;
         shownRun.add(message.frame);
         run.setState({ snapshot, progress, view, nowTick, nowDriver });
+        if (message.timeline !== null) timeline.take(message.timeline);
         return;
       }
       case "forgotten":
@@ -120,9 +121,6 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
         return;
       case "remote":
         remote.setState(message.remote);
-        return;
-      case "timeline":
-        timeline.take(message.news);
         return;
       case "shown-maze":
         run.setState({ shownMaze: message.maze });

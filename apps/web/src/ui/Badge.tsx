@@ -8,8 +8,9 @@ interface BadgeProps {
   tone?: "rest" | "live" | "bad";
   /** the number, or a picture where no numbered line is meant */
   children: ReactNode;
+  className?: string | undefined;
 }
 
-export function Badge({ tone = "rest", children }: BadgeProps) {
-  return <span className={classNames(styles["badge"], styles[tone])}>{children}</span>;
+export function Badge({ tone = "rest", children, className }: BadgeProps) {
+  return <span className={classNames(styles["badge"], styles[tone], className)}>{children}</span>;
 }

@@ -288,9 +288,7 @@ function tellNews(): void {
       shownMaze = loop.shownMaze;
       post({ type: "shown-maze", maze: shownMaze });
     }
-    post({ type: "frame", frame });
-    const timeline = loop.takeTimeline();
-    if (timeline !== null) post({ type: "timeline", news: timeline });
+    post({ type: "frame", frame, timeline: loop.takeTimeline() });
   }
   if (news !== null) {
     for (const moment of news.moments) post({ type: "moment", moment });

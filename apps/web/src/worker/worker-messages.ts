@@ -180,8 +180,11 @@ export type SavedRun =
   | Extract<WrittenRun, { ok: false }>;
 
 export type FromWorker =
-  /** at the calm rate of the panels, and at once when something was decided */
-  | { type: "frame"; frame: Frame }
+  /**
+   * at the calm rate of the panels, and at once when something was decided, with what the timeline gained
+   * or lost: one message, so that the page draws both in one go
+   */
+  | { type: "frame"; frame: Frame; timeline: TimelineNews | null }
   /** every frame, for a page that draws the stage by itself; `frame` comes beside it */
   | { type: "picture"; frame: Frame }
   /** the camera follows the robot: scroll the stage there */
@@ -196,7 +199,6 @@ export type FromWorker =
   | { type: "notice"; notice: LoopNotice }
   /** how the attempt stands by the newest `judge`, each time that this changes; open to begin with */
   | { type: "judgement"; id: number; judgement: Judgement }
-  | { type: "timeline"; news: TimelineNews }
   /** the maze of the shown moment where it is not the newest one; null when it is */
   | { type: "shown-maze"; maze: MazeDocument | null }
   | { type: "run-saved"; id: number; saved: SavedRun }

@@ -1,12 +1,13 @@
 /** The four readings around the robot, in cm, where the sensors are. */
 import { sensorNames, type SensorName } from "@corridor/protocol";
-import { useMemo } from "react";
+import { useLayoutEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import { decimalSign, formatReading } from "../../text/numbers.ts";
 import { classNames } from "../../ui/class-names.ts";
+import { followText } from "../../ui/follow-text.ts";
 import { LiveText } from "../../ui/LiveText.tsx";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import styles from "./drive.module.css";
@@ -15,11 +16,19 @@ import { readSensors, touchingSensor } from "./sensor-roles.ts";
 /** @param look cross: around the robot; row: one line of words, for phones, in whole cm as on the beams */
 export function SensorCross({ look }: { look: "cross" | "row" }) {
   const { t } = useTranslation();
-  const { run } = useServices();
+  const { run, workspace } = useServices();
+  const list = useRef<HTMLDListElement>(null);
+  const program = useStore(workspace, (state) => state.program);
+  // The look of the readings follows the attribute: at each turn others are read.
+  useLayoutEffect(() => {
+    const names = ({ snapshot }: RunState): string => readSensors(program, snapshot).join(" ");
+    return followText(run, names, (read) => list.current?.setAttribute("data-reads", read));
+  }, [run, program]);
   const touching = useStore(run, ({ snapshot }) => touchingSensor(snapshot));
   const isCross = look === "cross";
   return (
     <dl
+      ref={list}
       className={isCross ? styles["cross"] : styles["row"]}
       aria-label={t("drive.sensorsIn")}
       data-mood={touching === null ? undefined : "bumped"}
@@ -45,9 +54,7 @@ interface SensorProps {
 /** A reading on its decimal sign, which stays in its place while digits come and go. */
 function Sensor({ sensor, look, isTouching }: SensorProps) {
   const { t, i18n } = useTranslation();
-  const { run, workspace } = useServices();
-  const program = useStore(workspace, (state) => state.program);
-  const isRead = useStore(run, ({ snapshot }) => readSensors(program, snapshot).includes(sensor));
+  const { run } = useServices();
   const { language } = i18n;
   const [whole, tenths] = useMemo(() => {
     const textOf = ({ snapshot }: RunState): string => {
@@ -67,14 +74,7 @@ function Sensor({ sensor, look, isTouching }: SensorProps) {
     ];
   }, [sensor, look, language]);
   return (
-    <div
-      className={classNames(
-        styles["sensor"],
-        styles[sensor],
-        isRead && styles["read"],
-        isTouching && styles["touching"],
-      )}
-    >
+    <div className={classNames(styles["sensor"], styles[sensor], isTouching && styles["touching"])}>
       <dt>{t(`drive.sensor.${sensor}`)}</dt>
       <dd>
         <LiveText of={run} text={whole} />

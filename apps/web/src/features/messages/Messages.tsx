@@ -16,12 +16,17 @@ const STAYS_MS = 6000;
 
 export function Messages() {
   const { t } = useTranslation();
-  const { screen } = useServices();
+  const { screen, run } = useServices();
   const messages = useStore(screen, (state) => state.messages);
+  const isPast = useStore(run, ({ view }) => view !== "now");
   // What went wrong interrupts; its region is always there, since one that comes with its text is not read
   // out. Information waits for its turn in the page's one voice.
   return (
-    <section className={styles["messages"]} aria-label={t("shell.messages")}>
+    <section
+      className={styles["messages"]}
+      aria-label={t("shell.messages")}
+      data-past={isPast || undefined}
+    >
       <div role="alert" className={styles["list"]}>
         {messages
           .filter(({ tone }) => tone === "bad")

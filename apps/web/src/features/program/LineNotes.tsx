@@ -2,11 +2,9 @@
 import type { LineRef } from "@corridor/protocol";
 import { useLayoutEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
-import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import { CalmPace } from "../../ui/calm-pace.ts";
-import { LiveText } from "../../ui/LiveText.tsx";
 import { remember } from "../../ui/remember.ts";
 import { BurstIcon } from "../timeline/BurstIcon.tsx";
 import { shownProgress, type ShownBump, type ShownProgress } from "./line-state.ts";
@@ -21,69 +19,79 @@ interface LineNoteProps {
 
 /** Nothing while the line rests. */
 export function LineNote({ line, bump, className }: LineNoteProps) {
-  const { run } = useServices();
-  const kind = useStore(run, (state) => shownProgress(line, state)?.kind ?? null);
-  if (bump === null && kind === null) return null;
-  return (
+  return bump === null ? (
+    <LineProgress line={line} className={className} />
+  ) : (
     <div className={className}>
-      {bump !== null ? (
-        <LineBump bump={bump} />
-      ) : (
-        kind !== null && <LineProgress line={line} kind={kind} />
-      )}
+      <LineBump bump={bump} />
     </div>
   );
 }
 
 interface LineProgressProps {
   line: LineRef;
-  kind: ShownProgress["kind"];
+  className?: string | undefined;
 }
 
-/** A bar that fills and the words to it: "turns in 36 cm". */
-function LineProgress({ line, kind }: LineProgressProps) {
+/**
+ * A bar that fills and the words to it: "turns in 36 cm". It is always there, and hidden while the line
+ * rests; what moves is written straight to its elements.
+ */
+function LineProgress({ line, className }: LineProgressProps) {
   const { t } = useTranslation();
   const { run } = useServices();
-  const whole = useStore(run, (state) => shownProgress(line, state)?.of ?? 0);
+  const note = useRef<HTMLDivElement>(null);
   const bar = useRef<HTMLProgressElement>(null);
   const fill = useRef<HTMLSpanElement>(null);
+  const text = useRef<HTMLSpanElement>(null);
   // Words bend with their number, and there are no more numbers than centimetres of a square.
-  const words = useMemo(
-    () => remember((left: number) => t(`program.progress.${kind}`, { count: left })),
-    [t, kind],
-  );
-  const text = useMemo(
-    () =>
-      (state: RunState): string => {
-        const progress = shownProgress(line, state);
-        return progress === null ? "" : words(progress.left);
-      },
-    [line, words],
-  );
+  const wordsOf = useMemo(() => {
+    const of = (kind: ShownProgress["kind"]) =>
+      remember((left: number) => t(`program.progress.${kind}`, { count: left }));
+    return { approach: of("approach"), turn: of("turn"), leave: of("leave") };
+  }, [t]);
   useLayoutEffect(() => {
-    const pace = new CalmPace<null>(() => performance.now());
+    const pace = new CalmPace<ShownProgress["kind"] | null>(() => performance.now());
+    const [box, progressBar, filled, label] = [
+      note.current,
+      bar.current,
+      fill.current,
+      text.current,
+    ];
+    if (!box || !progressBar || !filled || !label) return undefined;
+    const node = new Text();
+    label.firstElementChild?.replaceChildren(node);
     const look = (state: RunState): void => {
       const progress = shownProgress(line, state);
-      if (progress === null || bar.current === null || fill.current === null) return;
-      const { left, of } = progress;
-      fill.current.style.transform = `scaleX(${(of - left) / of})`;
-      if (!pace.isDue(state.snapshot?.state === "running", null)) return;
-      bar.current.max = of;
-      bar.current.value = of - left;
-      bar.current.setAttribute("aria-label", words(left));
+      const isMoving = state.snapshot?.state === "running";
+      const isTold = pace.isDue(isMoving, progress?.kind ?? null);
+      box.hidden = progress === null;
+      if (progress === null) return;
+      const { kind, left, of } = progress;
+      const words = wordsOf[kind](left);
+      filled.style.transform = `scaleX(${(of - left) / of})`;
+      const widest = wordsOf[kind](of);
+      if (label.dataset["widest"] !== widest) label.dataset["widest"] = widest;
+      if (node.data !== words) node.data = words;
+      if (!isTold) return;
+      progressBar.max = of;
+      progressBar.value = of - left;
+      progressBar.setAttribute("aria-label", words);
     };
     look(run.getState());
     return run.subscribe(look);
-  }, [run, line, words]);
+  }, [run, line, wordsOf]);
   return (
-    <div className={styles["progress"]}>
-      <progress ref={bar} />
-      <span className={styles["bar"]} aria-hidden="true">
-        <span ref={fill} />
-      </span>
-      <span className={styles["words"]} data-widest={words(whole)} aria-hidden="true">
-        <LiveText of={run} text={text} />
-      </span>
+    <div ref={note} className={className} hidden>
+      <div className={styles["progress"]}>
+        <progress ref={bar} />
+        <span className={styles["bar"]} aria-hidden="true">
+          <span ref={fill} />
+        </span>
+        <span ref={text} className={styles["words"]} aria-hidden="true">
+          <span />
+        </span>
+      </div>
     </div>
   );
 }

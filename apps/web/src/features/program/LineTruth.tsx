@@ -1,36 +1,43 @@
 /** Whether a line's condition is true at the shown moment: a tick or a cross with both numbers. */
 import type { Condition } from "@corridor/program";
 import { Check, X } from "lucide-react";
-import { useMemo } from "react";
+import { useLayoutEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
-import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import { localNumber } from "../../text/numbers.ts";
 import { classNames } from "../../ui/class-names.ts";
+import { followText, type Followed } from "../../ui/follow-text.ts";
 import { LiveText } from "../../ui/LiveText.tsx";
 import type { TruthAt } from "./line-state.ts";
 import styles from "./program.module.css";
 
 interface LineTruthProps {
+  /** the run as the line follows it */
+  feed: Followed<RunState>;
   /** a line without one does nothing and is skipped */
   condition: Condition | null;
   truth: TruthAt;
 }
 
-export function LineTruth({ condition, truth }: LineTruthProps) {
+export function LineTruth({ feed, condition, truth }: LineTruthProps) {
   const { t, i18n } = useTranslation();
-  const { run } = useServices();
   const { language } = i18n;
-  const isTrue = useStore(run, ({ snapshot }) => truth(snapshot)?.isTrue ?? null);
-  const [left, right] = useMemo(
-    () =>
-      (["left", "right"] as const).map(
-        (side) =>
-          ({ snapshot }: RunState): string =>
-            localNumber(truth(snapshot)?.[side] ?? "", language),
-      ),
-    [truth, language],
+  const element = useRef<HTMLSpanElement>(null);
+  const { is, left, right } = useMemo(() => {
+    const side =
+      (of: "left" | "right") =>
+      ({ snapshot }: RunState): string =>
+        localNumber(truth(snapshot)?.[of] ?? "", language);
+    return {
+      is: ({ snapshot }: RunState): string => String(truth(snapshot)?.isTrue),
+      left: side("left"),
+      right: side("right"),
+    };
+  }, [language, truth]);
+  // Its look follows the attribute: both pictures are there, and nothing is drawn again by React.
+  useLayoutEffect(
+    () => followText(feed, is, (next) => element.current?.setAttribute("data-is", next)),
+    [feed, is],
   );
   if (condition === null) {
     return (
@@ -39,16 +46,17 @@ export function LineTruth({ condition, truth }: LineTruthProps) {
       </span>
     );
   }
-  if (isTrue === null || left === undefined || right === undefined) return null;
   return (
-    <span className={classNames(styles["truth"], isTrue && styles["true"])}>
+    <span ref={element} className={styles["truth"]}>
       <span className={styles["sides"]}>
         <span className={styles["mark"]}>
-          {isTrue ? <Check size={14} aria-hidden="true" /> : <X size={14} aria-hidden="true" />}
-          <span className="visually-hidden">{t(isTrue ? "program.true" : "program.false")}</span>
-          <LiveText of={run} text={left} />
+          <Check className={styles["yes"]} size={14} aria-hidden="true" />
+          <X className={styles["no"]} size={14} aria-hidden="true" />
+          <span className={classNames("visually-hidden", styles["yes"])}>{t("program.true")}</span>
+          <span className={classNames("visually-hidden", styles["no"])}>{t("program.false")}</span>
+          <LiveText of={feed} text={left} />
         </span>{" "}
-        <LiveText of={run} text={right} />
+        <LiveText of={feed} text={right} />
       </span>
     </span>
   );

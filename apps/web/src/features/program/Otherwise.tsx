@@ -1,10 +1,13 @@
 /** What the robot does when no line is true; always last. */
 import { setDefault } from "@corridor/program";
+import { useLayoutEffect, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useShallow } from "zustand/react/shallow";
 import { useServices } from "../../app/services.ts";
+import type { RunState } from "../../stores/run-store.ts";
 import { classNames } from "../../ui/class-names.ts";
+import { followText } from "../../ui/follow-text.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import { ActionMenu } from "./ActionMenu.tsx";
 import { adviceOn } from "./advice-store.ts";
@@ -15,29 +18,34 @@ import { applyEdit } from "./program-actions.ts";
 import styles from "./program.module.css";
 import { useAdviceText } from "./use-advice-text.ts";
 
-export function Otherwise() {
+interface OtherwiseProps {
+  /** its element, which is marked by whoever knows what drives */
+  element: RefObject<HTMLFieldSetElement | null>;
+}
+
+export function Otherwise({ element }: OtherwiseProps) {
   "use memo";
   const { t } = useTranslation();
   const { workspace, run, advice } = useServices();
   const action = useStore(workspace, (state) => state.program.default);
-  const isDeciding = useStore(run, ({ snapshot }) => decidingLine(snapshot) === "default");
   const bump = useStore(
     run,
     useShallow((state) => shownBump("default", state)),
   );
   const given = useStore(advice, (state) => adviceOn("default", state));
   const text = useAdviceText(given, null);
-  const name =
-    bump !== null ? "otherwiseBumped" : isDeciding ? "otherwiseRuns" : ("otherwise" as const);
+  const isBumped = bump !== null;
+  useLayoutEffect(() => {
+    const nameOf = ({ snapshot }: RunState): string => {
+      const runs = decidingLine(snapshot) === "default" ? "Runs" : "";
+      return t(`program.otherwise${isBumped ? "Bumped" : runs}`);
+    };
+    return followText(run, nameOf, (name) => element.current?.setAttribute("aria-label", name));
+  }, [element, run, t, isBumped]);
   return (
     <fieldset
-      aria-label={t(`program.${name}`)}
-      aria-current={isDeciding ? "step" : undefined}
-      className={classNames(
-        styles["otherwise"],
-        isDeciding && styles["deciding"],
-        bump !== null && styles["bumped"],
-      )}
+      ref={element}
+      className={classNames(styles["otherwise"], isBumped && styles["bumped"])}
     >
       <span className={styles["otherwiseWord"]}>{t("program.otherwise")}</span>
       <ActionMenu
@@ -51,13 +59,7 @@ export function Otherwise() {
           })
         }
       />
-      {(isDeciding || bump !== null) && (
-        <RobotFace
-          size={22}
-          mood={bump === null ? "driving" : "bumped"}
-          className={styles["robot"]}
-        />
-      )}
+      <RobotFace size={22} mood={isBumped ? "bumped" : "driving"} className={styles["robot"]} />
       <LineNote line="default" bump={bump} className={styles["otherwiseNote"]} />
       {given !== null && text !== null && (
         <div className={styles["otherwiseAdvice"]}>

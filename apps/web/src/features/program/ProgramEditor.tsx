@@ -9,13 +9,12 @@ import { tell } from "../../stores/screen-store.ts";
 import { useRights } from "../lessons/use-rights.ts";
 import { AddLine } from "./AddLine.tsx";
 import { AdviceNews } from "./AdviceNews.tsx";
-import { decidingLine } from "./line-state.ts";
 import { Otherwise } from "./Otherwise.tsx";
 import { addLine } from "./program-actions.ts";
 import styles from "./program.module.css";
 import { ProgramHeader } from "./ProgramHeader.tsx";
 import { ProgramLine } from "./ProgramLine.tsx";
-import { useFollowedLine } from "./use-followed-line.ts";
+import { useRunningLine } from "./use-running-line.ts";
 
 export function ProgramEditor() {
   const { t } = useTranslation();
@@ -37,6 +36,7 @@ function ProgramLines() {
   const program = useStore(workspace, (state) => state.program);
   const lineIds = useStore(workspace, (state) => state.lineIds);
   const list = useRef<HTMLOListElement>(null);
+  const otherwise = useRef<HTMLFieldSetElement>(null);
   const [remembered] = useState(() => new Map<number, number>());
 
   function add() {
@@ -56,7 +56,8 @@ function ProgramLines() {
           if (id === undefined) return null;
           return (
             <Fragment key={id}>
-              {index > 0 && <NotRead after={index - 1} />}
+              {/* Says below the running line that those that follow were not read. */}
+              {index > 0 && <li className={styles["rule"]} aria-hidden="true" />}
               <ProgramLine
                 id={id}
                 index={index}
@@ -68,29 +69,21 @@ function ProgramLines() {
           );
         })}
       </ol>
-      <RunningLine list={list} />
-      <Otherwise />
+      <Otherwise element={otherwise} />
+      <RunningLine list={list} otherwise={otherwise} />
       <AddLine onAdd={add} />
       <AdviceNews />
     </div>
   );
 }
 
-/** Below the line that decided: those that follow were not read. */
-function NotRead({ after }: { after: number }) {
-  const { t } = useTranslation();
-  const { run } = useServices();
-  const isHere = useStore(run, ({ snapshot }) => decidingLine(snapshot) === after);
-  if (!isHere) return null;
-  return (
-    <li className={styles["rule"]} aria-hidden="true">
-      {t("program.notRead")}
-    </li>
-  );
+interface RunningLineProps {
+  list: RefObject<HTMLOListElement | null>;
+  otherwise: RefObject<HTMLElement | null>;
 }
 
-/** Keeps the running line in sight; a part of its own, so that the list is not drawn again for it. */
-function RunningLine({ list }: { list: RefObject<HTMLOListElement | null> }) {
-  useFollowedLine(list);
+/** A part of its own, after what it marks is there. */
+function RunningLine({ list, otherwise }: RunningLineProps) {
+  useRunningLine(list, otherwise);
   return null;
 }

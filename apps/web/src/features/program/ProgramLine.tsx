@@ -1,7 +1,7 @@
 /** One line of the program as a sentence: if …, then …, and whether it is true now. */
 import type { Rule } from "@corridor/program";
 import { setAction } from "@corridor/program";
-import { memo, useMemo, useRef } from "react";
+import { memo, useLayoutEffect, useMemo, useRef } from "react";
 import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -15,8 +15,9 @@ import { ActionMenu } from "./ActionMenu.tsx";
 import { adviceOn } from "./advice-store.ts";
 import { AdviceNote } from "./AdviceNote.tsx";
 import { ConditionMenu, ConditionNumber } from "./ConditionField.tsx";
+import { lineFeed } from "./line-feed.ts";
 import { LineNote } from "./LineNotes.tsx";
-import { decidingLine, isPassedOver, shownBump, truthAt } from "./line-state.ts";
+import { shownBump, truthAt } from "./line-state.ts";
 import { lineElementId } from "./focus-line.ts";
 import { LineTools } from "./LineTools.tsx";
 import { LineTruth } from "./LineTruth.tsx";
@@ -42,8 +43,11 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   const { workspace, screen, run, advice, challenge } = useServices();
   const element = useRef<HTMLLIElement>(null);
   const truth = useMemo(() => truthAt(rule.when), [rule.when]);
-  const isDeciding = useStore(run, ({ snapshot }) => decidingLine(snapshot) === index);
-  const isBelow = useStore(run, ({ snapshot }) => isPassedOver(index, decidingLine(snapshot)));
+  const feed = useMemo(() => lineFeed(run, id), [run, id]);
+  useLayoutEffect(
+    () => (element.current === null ? undefined : feed.watch(element.current)),
+    [feed],
+  );
   const bump = useStore(
     run,
     useShallow((state) => shownBump(index, state)),
@@ -52,7 +56,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   const adviceText = useAdviceText(given, rule.when);
   const by = given?.mend ?? null;
   const isBumped = bump !== null;
-  useLineLabel(element, { index, rule, advice: adviceText?.reason ?? null, truth });
+  useLineLabel(element, feed, { index, rule, advice: adviceText?.reason ?? null, truth });
   const line = index + 1;
 
   function move(by: -1 | 1) {
@@ -111,22 +115,16 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
     <li
       ref={element}
       id={lineElementId(id)}
-      aria-current={isDeciding ? "step" : undefined}
       // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex
       tabIndex={0}
       onKeyDown={onKeyDown}
-      className={classNames(
-        styles["line"],
-        isDeciding && styles["deciding"],
-        isBelow && styles["passedOver"],
-        isBumped && styles["bumped"],
-      )}
+      className={classNames(styles["line"], isBumped && styles["bumped"])}
     >
       <div className={styles["gutter"]}>
-        <Badge tone={isBumped ? "bad" : isDeciding ? "live" : "rest"}>{line}</Badge>
-        {(isDeciding || isBumped) && (
-          <RobotFace size={22} mood={isBumped ? "bumped" : "driving"} className={styles["robot"]} />
-        )}
+        <Badge tone={isBumped ? "bad" : "rest"} className={styles["badge"]}>
+          {line}
+        </Badge>
+        <RobotFace size={22} mood={isBumped ? "bumped" : "driving"} className={styles["robot"]} />
       </div>
       <span className={classNames(styles["word"], styles["if"])}>
         {index === 0 ? t("program.if") : t("program.elseIf")}
@@ -134,7 +132,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       <div className={classNames(styles["ask"], rule.when?.than === "right" && styles["compares"])}>
         <ConditionMenu index={index} condition={rule.when} remembered={remembered} />
         {rule.when !== null && <ConditionNumber index={index} condition={rule.when} />}
-        <LineTruth condition={rule.when} truth={truth} />
+        <LineTruth feed={feed} condition={rule.when} truth={truth} />
       </div>
       <span className={classNames(styles["word"], styles["then"])}>{t("program.then")}</span>
       <div className={styles["do"]}>

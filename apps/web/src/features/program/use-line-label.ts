@@ -2,9 +2,9 @@
 import type { Rule } from "@corridor/program";
 import { useLayoutEffect, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import { CalmPace } from "../../ui/calm-pace.ts";
+import type { Followed } from "../../ui/follow-text.ts";
 import { lineNamer } from "./line-name.ts";
 import { lineStanding, type TruthAt } from "./line-state.ts";
 
@@ -19,10 +19,10 @@ interface LabelledLine {
 /** Writes the name straight to the line: React would draw a line again for each number in it. */
 export function useLineLabel(
   element: RefObject<HTMLElement | null>,
+  feed: Followed<RunState>,
   { index, rule, advice, truth }: LabelledLine,
 ): void {
   const { t, i18n } = useTranslation();
-  const { run } = useServices();
   const { language } = i18n;
   useLayoutEffect(() => {
     const nameOf = lineNamer(t, language, { index, rule, advice });
@@ -38,7 +38,7 @@ export function useLineLabel(
       written = name;
       element.current?.setAttribute("aria-label", name);
     };
-    look(run.getState());
-    return run.subscribe(look);
-  }, [element, t, language, run, index, rule, advice, truth]);
+    look(feed.getState());
+    return feed.subscribe(look);
+  }, [element, t, language, feed, index, rule, advice, truth]);
 }

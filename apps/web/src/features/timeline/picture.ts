@@ -26,18 +26,16 @@ export function pictureOf(timeline: Timeline, width: number): TimelinePicture {
   };
 }
 
-/** The same text for as long as a picture of that width shows the same, to a pixel at the run's end. */
-export function pictureMark(timeline: Timeline, width: number): string {
-  const { endTick, stretchCount, eventCount } = timeline;
-  const scale = scaleOf(endTick, width);
-  const stretch = stretchCount - 1;
+/**
+ * The same text for pictures that look the same, to a pixel: in a long run, most of what comes is too
+ * narrow to be seen.
+ */
+export function pictureMark({ scale, segments, marks, endTick }: TimelinePicture): string {
   return [
-    width,
+    scale.width,
     scale.span,
     Math.round(xOf(scale, endTick)),
-    stretchCount,
-    ...(stretch < 0 ? [] : [timeline.tickOf(stretch), timeline.whoOf(stretch)]),
-    eventCount,
-    ...(eventCount === 0 ? [] : [timeline.eventAt(eventCount - 1).tick]),
-  ].join(" ");
+    ...segments.map(({ who, x, width }) => `${who} ${Math.round(x)} ${Math.round(width)}`),
+    ...marks.map(({ event }) => event.tick),
+  ].join();
 }

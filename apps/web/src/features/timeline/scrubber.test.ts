@@ -16,7 +16,7 @@ function newScrubber() {
   const hear = (message: FromWorker) => {
     for (const listener of listeners) listener(message);
   };
-  const shown = () => hear({ type: "frame", frame: frameOf({ view: "past" }) });
+  const shown = () => hear({ type: "frame", frame: frameOf({ view: "past" }), timeline: null });
   return { scrubber, sent, shown, hear, listeners };
 }
 

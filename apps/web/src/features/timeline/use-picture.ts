@@ -17,10 +17,11 @@ export function usePicture(element: RefObject<HTMLElement | null>): TimelinePict
       if (width === 0) return;
       const { timeline } = timelines;
       const isRunning = run.getState().snapshot?.state === "running";
-      const mark = pictureMark(timeline, width) + (isRunning ? "" : ` ${timeline.endTick}`);
+      const next = pictureOf(timeline, width);
+      const mark = pictureMark(next) + (isRunning ? "" : ` ${next.endTick}`);
       if (mark === painted) return;
       painted = mark;
-      setPicture(pictureOf(timeline, width));
+      setPicture(next);
     };
     const measure = new ResizeObserver(([entry]) => {
       width = Math.round(entry?.contentRect.width ?? 0);

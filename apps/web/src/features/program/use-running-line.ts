@@ -1,0 +1,88 @@
+/**
+ * Marks the line that drives the robot, by `aria-current`, which its look follows, says below it that the
+ * others were not read, and keeps it in sight. Written straight to the page: React would draw two lines
+ * again at every turn of the robot.
+ */
+import { useLayoutEffect, useRef, type RefObject } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import type { RunState } from "../../stores/run-store.ts";
+import { lineElementId } from "./focus-line.ts";
+import type { LineFollower } from "./line-follower.ts";
+import { decidingLine } from "./line-state.ts";
+
+/** @param otherwise the element of what is done when no line is true */
+export function useRunningLine(
+  list: RefObject<HTMLOListElement | null>,
+  otherwise: RefObject<HTMLElement | null>,
+): void {
+  const { run, workspace } = useServices();
+  const { t } = useTranslation();
+  // Marked anew when lines came, went or moved; the elements are there by then.
+  const lineIds = useStore(workspace, (state) => state.lineIds);
+  const follower = useRef<Promise<LineFollower> | null>(null);
+  const wasRunning = useRef(false);
+
+  useLayoutEffect(() => {
+    let marked: HTMLElement | null = null;
+    const mark = (line: HTMLElement | null): void => {
+      marked?.removeAttribute("aria-current");
+      sayBelow(marked, "");
+      line?.setAttribute("aria-current", "step");
+      sayBelow(line, t("program.notRead"));
+      marked = line;
+    };
+    const look = ({ snapshot }: RunState): void => {
+      const deciding = decidingLine(snapshot);
+      const line =
+        deciding === "default"
+          ? otherwise.current
+          : document.getElementById(lineElementId(lineIds[deciding ?? -1] ?? -1));
+      const isMarked = line === marked;
+      if (!isMarked) mark(line);
+      const isRunning = snapshot?.state === "running" && snapshot.tick > 0;
+      const begins = isRunning && !wasRunning.current;
+      wasRunning.current = isRunning;
+      if (begins) follower.current ??= load(list);
+      if (isMarked && !begins) return;
+      follower.current?.then(
+        (it) => {
+          it.show(deciding === "default" ? null : line);
+          if (begins) it.begin();
+        },
+        // Without its file the lines stay where the reader has scrolled them.
+        () => undefined,
+      );
+    };
+    look(run.getState());
+    const end = run.subscribe(look);
+    return () => {
+      end();
+      mark(null);
+    };
+  }, [run, lineIds, list, otherwise, t]);
+
+  useLayoutEffect(
+    () => () => {
+      follower.current?.then(
+        (it) => it.end(),
+        () => undefined,
+      );
+      follower.current = null;
+    },
+    [],
+  );
+}
+
+/** What follows comes in a file of its own once the robot has been let go. */
+async function load(list: RefObject<HTMLOListElement | null>): Promise<LineFollower> {
+  const { LineFollower: Follower } = await import("./line-follower.ts");
+  if (list.current === null) throw new Error("the lines are gone");
+  return new Follower(list.current);
+}
+
+/** Between two lines is room for words; below the last one there are no lines that could have been read. */
+function sayBelow(line: HTMLElement | null, words: string): void {
+  if (line?.nextElementSibling?.tagName === "LI") line.nextElementSibling.textContent = words;
+}

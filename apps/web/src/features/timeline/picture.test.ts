@@ -1,0 +1,38 @@
+import { Timeline } from "@corridor/recording";
+import { describe, expect, it } from "vitest";
+import { pictureMark, pictureOf } from "./picture.ts";
+
+const HOUR = 216_000;
+
+/** A timeline whose line 1 has driven up to a tick. */
+function timelineUpTo(tick: number): Timeline {
+  const timeline = new Timeline();
+  timeline.drives(0, 1);
+  timeline.reachedTick(tick);
+  return timeline;
+}
+
+/** What tells the picture from others. */
+function markOf(timeline: Timeline, width = 400): string {
+  return pictureMark(pictureOf(timeline, width));
+}
+
+describe("the picture of a run that goes on", () => {
+  it("looks the same while what came is narrower than a pixel", () => {
+    const timeline = timelineUpTo(HOUR - 600);
+    const before = markOf(timeline);
+    timeline.reachedTick(HOUR - 590);
+    expect(markOf(timeline)).toBe(before);
+    timeline.reachedTick(HOUR);
+    expect(markOf(timeline)).not.toBe(before);
+  });
+
+  it("looks different when another line drives, and at another width", () => {
+    const timeline = timelineUpTo(600);
+    const before = markOf(timeline);
+    expect(markOf(timeline, 500)).not.toBe(before);
+    timeline.drives(601, 2);
+    timeline.reachedTick(602);
+    expect(markOf(timeline)).not.toBe(before);
+  });
+});
