@@ -9,6 +9,7 @@ import { chooseAlgorithm } from "../program/choose-algorithm.ts";
 import { useRights } from "../lessons/use-rights.ts";
 import { chooseMaze } from "./choose-preset.ts";
 import { MazePicture } from "./MazePicture.tsx";
+import { presetOf } from "./preset-of.ts";
 import { PresetCard } from "./PresetCard.tsx";
 import { RandomMaze } from "./RandomMaze.tsx";
 import styles from "./presets.module.css";
@@ -24,7 +25,7 @@ export function PresetsPanel({ onChosen }: PresetsPanelProps) {
   const rights = useRights();
   const randomId = useId();
   const algorithmsId = useId();
-  const blocks = useStore(services.workspace, (state) => state.maze.blocks);
+  const opened = useStore(services.workspace, (state) => presetOf(state.maze));
   const program = useStore(services.workspace, (state) => state.program);
   const solved = useStore(services.solved, (state) => state.ids);
   return (
@@ -36,7 +37,7 @@ export function PresetsPanel({ onChosen }: PresetsPanelProps) {
             title={t(`presets.${id}.title`)}
             hint={t(`presets.${id}.hint`)}
             picture={<MazePicture maze={maze} />}
-            isOpen={maze.blocks.join() === blocks.join()}
+            isOpen={id === opened}
             isSolved={solved.includes(id)}
             onChoose={() => {
               chooseMaze(services, i18n, { ...maze, name: t(`presets.${id}.title`) });
