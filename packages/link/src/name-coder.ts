@@ -29,7 +29,10 @@ class LetterModel {
   readonly #singles: Uint16Array;
   readonly #pairs: Uint16Array;
 
-  constructor(singles = new Uint16Array(SYMBOLS * 2), pairs = new Uint16Array(SYMBOLS ** 2 * 2)) {
+  constructor(
+    singles = new Uint16Array(SYMBOLS * 2),
+    pairs = new Uint16Array(SYMBOLS * SYMBOLS * 2),
+  ) {
     this.#singles = singles;
     this.#pairs = pairs;
   }
