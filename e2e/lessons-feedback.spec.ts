@@ -79,6 +79,22 @@ for (const { mission, make, reads } of wrongAnswers) {
   });
 }
 
+test("the mend at the dead end of mission 10 is the one that leads to the goal", async ({
+  corridor,
+  page,
+}) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(10);
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  const card = page.getByRole("region", { name: "Bump: line 3 ran out of room" });
+  await expect(card.getByRole("button", { name: "Change to left 90" })).toHaveCount(0);
+  await card.getByRole("button", { name: "Change to turn 180" }).click();
+  await corridor.reset.click();
+  await corridor.run.click();
+  await expect(lessons.outcome).toHaveText("Challenge met: 3 of 3 lines used");
+});
+
 const sizes = [
   { width: 1440, height: 900 },
   { width: 1024, height: 768 },

@@ -140,6 +140,20 @@ describe("mendsForBump", () => {
     expect(scene && mendsForBump(scene, 1)).toEqual([{ kind: "number", line: 0, number: 100 }]);
   });
 
+  it("turns back at a dead end, where a turn on the spot leads into the next wall", () => {
+    const program = programOf(
+      [
+        { when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" },
+        { when: { sensor: "left", is: ">", than: 60 }, do: "delayed left 90" },
+        { when: { sensor: "front", is: "<", than: 50 }, do: "delayed left 90" },
+      ],
+      "forward",
+    );
+    const scene = firstBump(mazeOf(["....."]), program);
+    if (scene === null) throw new Error("no bump");
+    expect(mendsForBump(scene, 2)).toEqual([{ kind: "action", line: 2, action: "turn 180" }]);
+  });
+
   it("offers nothing where nothing helps", () => {
     const box = mazeOf(["."]);
     const scene = firstBump(box, programOf([], "forward"));

@@ -46,7 +46,15 @@ export function mendsForBump(scene: BumpScene, most: number): Mend[] {
     if (mends.length >= most) break;
     if (works(scene, applyMend(scene.program, mend))) mends.push(mend);
   }
-  return mends;
+  return mends.length > 0 ? mends : turnBack(scene);
+}
+
+/** At a dead end nothing else helps; anywhere else it would lead the robot back, away from its goal. */
+function turnBack(scene: BumpScene): Mend[] {
+  const { program, line, story } = scene;
+  if (typeof line !== "number" || story.kind !== "delay") return [];
+  const mend: Mend = { kind: "action", line, action: "turn 180" };
+  return works(scene, applyMend(program, mend)) ? [mend] : [];
 }
 
 /** The same turn in the middle of an opening. */
