@@ -70,8 +70,12 @@
     open = () => {};
     import(page).catch(() => window.corridorFailed());
   };
-  // Who has pressed Run already sees the robot start before the rest of the page.
-  document.addEventListener("DOMContentLoaded", () => (isPressed ? setTimeout(open, 1000) : open()));
+  // The house is painted before the rest of the page is run; who has pressed Run already sees the robot
+  // start first. A hidden page paints nothing, and a robot may fail to start.
+  document.addEventListener("DOMContentLoaded", () => {
+    if (!isPressed) requestAnimationFrame(() => setTimeout(() => open()));
+    setTimeout(() => open(), isPressed ? 1000 : 300);
+  });
   worker.onerror = (event) => {
     // A file that does not come has no message.
     early.failure = String(event.message ?? "");
