@@ -52,7 +52,7 @@ test("presses Run before the page's own script has come, and the run goes on in 
   await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
   await expect(corridor.clock).toHaveText("Time 0:00.0");
   await corridor.timeline.backToNow.click();
-  expect(await corridor.robotX()).toBeGreaterThan(90);
+  await expect.poll(() => corridor.robotX()).toBeGreaterThan(90);
 });
 
 test("pauses and goes on before the page's own script has come", async ({ page }) => {
@@ -66,7 +66,7 @@ test("pauses and goes on before the page's own script has come", async ({ page }
   letCome();
   await corridor.isReady();
   await expect(corridor.run).toBeVisible();
-  expect(await corridor.robotX()).toBe(Math.round(50 + (tick * 5) / 3));
+  await expect.poll(() => corridor.robotX()).toBe(Math.round(50 + (tick * 5) / 3));
 });
 
 test("presses it with the keyboard, and stays on the button when the page moves in", async ({
