@@ -6,7 +6,7 @@ import type { Browser, Page } from "playwright";
 import type { Goal } from "../core/goals.ts";
 import { timesSlower, median } from "../core/measure.ts";
 import { watchPage, type Watched } from "./main-thread.ts";
-import { openProduct, quietPanels } from "./product.ts";
+import { longProgram, openProduct, quietPanels } from "./product.ts";
 import type { PageUnderTest, Section } from "./section.ts";
 import { serveVariants } from "./serve-variants.ts";
 import { STAGE_PX } from "./variants/scenery.ts";
@@ -14,6 +14,9 @@ import { STAGE_PX } from "./variants/scenery.ts";
 const sides = [33, 101] as const;
 const contenders = ["product", "worker-layers", "page-layers", "svg"] as const;
 type Contender = (typeof contenders)[number];
+
+/** As many as a program may have. */
+const MOST_LINES = 200;
 
 const ROUNDS = 3;
 const SETTLE_MS = 1000;
@@ -48,6 +51,7 @@ async function measure({ browser, url }: PageUnderTest): Promise<readonly Goal[]
       print(side, measured);
       goals.push(...goalsOf(side, measured));
     }
+    goals.push(await manyLines(browser, url));
     return goals;
   } finally {
     await variants.stop();
@@ -93,6 +97,26 @@ async function measureAll(
     }
   }
   return measured;
+}
+
+/** The longest program, all of whose lines show their truths, at the machine's own speed. */
+async function manyLines(browser: Browser, url: string): Promise<Goal> {
+  const side = 33;
+  const page = await openProduct(browser, url, side, longProgram(MOST_LINES));
+  await page.waitForTimeout(SETTLE_MS);
+  const { mainThread } = await watchPage(browser, page, ROUNDS * WATCH_MS);
+  await page.close();
+  const inTime = mainThread.filter((milliseconds) => milliseconds <= FRAME_MS).length;
+  const [p99, most] = [quantile(mainThread, 0.99), Math.max(...mainThread)];
+  console.log(
+    `  ${MOST_LINES} lines at ${side}: main mean ${mean(mainThread).toFixed(3)}, p99 ${p99.toFixed(2)}, most ${most.toFixed(1)}`,
+  );
+  return {
+    words: `frames with ${MOST_LINES} lines whose main thread is done in time`,
+    measured: (100 * inTime) / mainThread.length,
+    bound: { atLeast: 99 },
+    unit: "%",
+  };
 }
 
 async function watchThrottled(browser: Browser, page: Page): Promise<Watched> {

@@ -1,5 +1,7 @@
 /** The product's page with a run under way: the same maze, program and trail as the variants have. */
 import { encodeLink } from "@corridor/link";
+import type { ProgramDocument, Rule } from "@corridor/program";
+import { sensorNames } from "@corridor/protocol";
 import type { Browser, Page } from "playwright";
 import { Scenery, STAGE_PX, sceneryProgram } from "./variants/scenery.ts";
 
@@ -7,11 +9,32 @@ import { Scenery, STAGE_PX, sceneryProgram } from "./variants/scenery.ts";
 const PANEL_PX = 412;
 const AROUND_PX = 260;
 
-/** Opens the built page, drives until the trail has its points, and lets the robot drive on in real time. */
-export async function openProduct(browser: Browser, url: string, side: number): Promise<Page> {
+/**
+ * The scenery's program with so many lines: those above its own are never true, so that the robot drives the
+ * same way, and all of them show their truths.
+ */
+export function longProgram(lines: number): ProgramDocument {
+  const program = sceneryProgram();
+  const above = Array.from({ length: lines - program.rules.length }, (_, at): Rule => ({
+    when: { sensor: sensorNames[at % sensorNames.length] ?? "front", is: "<", than: 1 + (at % 20) },
+    do: "stop",
+  }));
+  return { ...program, rules: [...above, ...program.rules] };
+}
+
+/**
+ * Opens the built page, drives until the trail has its points, and lets the robot drive on in real time.
+ * @param program drives as the scenery's own
+ */
+export async function openProduct(
+  browser: Browser,
+  url: string,
+  side: number,
+  program: ProgramDocument = sceneryProgram(),
+): Promise<Page> {
   const scenery = new Scenery(side);
   scenery.runUp();
-  const link = encodeLink({ maze: scenery.maze, program: sceneryProgram() });
+  const link = encodeLink({ maze: scenery.maze, program });
   if (!link.ok) throw new Error(`the maze fits no link: ${link.code}`);
   const width = STAGE_PX + PANEL_PX;
   const page = await browser.newPage({ viewport: { width, height: STAGE_PX + AROUND_PX } });
