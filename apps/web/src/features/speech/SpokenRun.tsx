@@ -17,7 +17,8 @@ export function SpokenRun() {
     let end: (() => void) | null = null;
     let before = run.getState();
     const endWaiting = run.subscribe((state) => {
-      if ((state.snapshot?.tick ?? 0) === 0) {
+      // At the greatest speed the goal may be told before the first frame of its run.
+      if ((state.snapshot?.tick ?? 0) === 0 && state.moment === before.moment) {
         if (state.snapshot?.state !== "running") before = state;
         return;
       }
