@@ -57,6 +57,7 @@ test("is told that a turn came too early, though another line met the wall", asy
     },
   });
   await corridor.open(`/#${link.ok ? link.text : ""}`);
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Side way, Maze menu");
   await corridor.run.click();
   const card = corridor.page.getByRole("region", { name: /^Bump: “otherwise”/ });
   await expect(card).toContainText("right > 60 begins at the edge of an opening");
