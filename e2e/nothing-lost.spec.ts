@@ -169,7 +169,11 @@ test("asks for a part that does not come, is told so, and gets it with Try again
   await expect(failure).toContainText("Nothing is lost.");
   // Still down, and the service too: the page stays.
   await reader.page.route("**/healthz", (route) => (isDown ? route.abort() : route.continue()));
+  const hasTried = reader.page.waitForEvent("requestfailed", (request) =>
+    request.url().endsWith("/healthz"),
+  );
   await failure.getByRole("button", { name: "Try again" }).click();
+  await hasTried;
   await expect(failure).toBeVisible();
   await expect(reader.program.name).toHaveValue("Kept");
   isDown = false;
