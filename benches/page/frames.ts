@@ -19,6 +19,7 @@ type Contender = (typeof contenders)[number];
 const MOST_LINES = 200;
 
 const ROUNDS = 3;
+/** What a page does when it has just been opened, or slowed down, is not measured. */
 const SETTLE_MS = 1000;
 const WATCH_MS = 3000;
 /** How many times slower the processor is made. */

@@ -1,3 +1,5 @@
+import { mazePresets } from "@corridor/maze";
+import { programPresets } from "@corridor/program";
 import { expect, it } from "vitest";
 import { en } from "../text/en/index.ts";
 import { createI18n, showLanguage } from "../text/i18n.ts";
@@ -12,4 +14,9 @@ it("is the same maze and program in every language, under names of that language
     maze: { ...firstMaze, name: "遠回り" },
     program: { ...firstProgram, name: "右の壁" },
   });
+});
+
+it("is one of the ready-made mazes and algorithms, which the first screen does not carry", () => {
+  expect(mazePresets.find(({ id }) => id === "long-way-round")?.maze).toEqual(firstMaze);
+  expect(programPresets.find(({ id }) => id === "right-wall")?.program).toEqual(firstProgram);
 });
