@@ -57,17 +57,10 @@ export function placeCardAway(
   keepClear: readonly Box[],
 ): CardPlace {
   const middleX = robot.x + robot.width / 2;
-  const [topLeft, bottomLeft, topRight, bottomRight] = corners(area, card);
-  const order =
-    middleX > area.x + area.width / 2
-      ? [topLeft, bottomLeft, topRight, bottomRight]
-      : [topRight, bottomRight, topLeft, bottomLeft];
-  return leastCovering(
-    order.filter((place) => place !== undefined),
-    robot,
-    card,
-    keepClear,
-  );
+  const fromLeft = corners(area, card);
+  const isFarRight = middleX > area.x + area.width / 2;
+  const order = isFarRight ? fromLeft : [...fromLeft.slice(2), ...fromLeft.slice(0, 2)];
+  return leastCovering(order, robot, card, keepClear);
 }
 
 /** The first of the places that cover least of what should stay in sight. */
@@ -147,6 +140,7 @@ function beside(
   };
 }
 
+/** Upper and lower left, then upper and lower right. */
 function corners(area: Box, card: { width: number; height: number }): CardPlace[] {
   const left = area.x + EDGE;
   const right = Math.max(left, area.x + area.width - EDGE - card.width);
