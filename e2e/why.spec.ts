@@ -206,15 +206,19 @@ test("scrolls away from the line that runs, and is left alone", async ({ corrido
   const { program } = corridor;
   await page.setViewportSize({ width: 1024, height: 768 });
   await program.empty();
-  for (let line = 1; line <= 7; line++) await program.button("Add line").click();
-  await program.addLine("front >", "100", "turn 180");
+  for (let line = 1; line <= 8; line++) await program.button("Add line").click();
   await program.addLine("front <", "60", "turn 180");
-  await corridor.speed.selectOption("4");
+  await program.otherwise.selectOption("forward");
+  await program.line(1).scrollIntoViewIfNeeded();
+  await expect.poll(() => shareInSight(program.line(9))).toBe(0);
   await corridor.run.click();
   await expect.poll(() => shareInSight(program.line(9))).toBe(1);
   await program.line(9).hover();
+  // Meanwhile otherwise drives: there is no running line that could be in sight.
+  await expect(program.region.getByRole("group", { name: "otherwise, running" })).toBeVisible();
   await page.mouse.wheel(0, -2000);
   await expect.poll(() => shareInSight(program.line(1))).toBe(1);
+  await expect(program.line(9)).toHaveAttribute("aria-current", "step");
   await corridor.frames(60);
   expect(await shareInSight(program.line(1))).toBe(1);
 });

@@ -16,6 +16,7 @@ export class LineFollower {
   #isFollowing = true;
   #line: HTMLElement | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  #restTimer: ReturnType<typeof setTimeout> | undefined;
 
   /** @param list the lines, inside or itself the element that scrolls */
   constructor(list: HTMLElement) {
@@ -23,7 +24,7 @@ export class LineFollower {
     for (const type of READERS_EVENTS) {
       document.addEventListener(type, this.#leaveAlone, { passive: true });
     }
-    document.addEventListener("scroll", this.#lookAgain, { passive: true, capture: true });
+    document.addEventListener("scroll", this.#awaitRest, { passive: true, capture: true });
   }
 
   /** A run begins: whatever the reader did before, the list follows. */
@@ -41,16 +42,24 @@ export class LineFollower {
 
   end(): void {
     clearTimeout(this.#timer);
+    clearTimeout(this.#restTimer);
     for (const type of READERS_EVENTS) document.removeEventListener(type, this.#leaveAlone);
-    document.removeEventListener("scroll", this.#lookAgain, { capture: true });
+    document.removeEventListener("scroll", this.#awaitRest, { capture: true });
   }
 
   readonly #leaveAlone = ({ target }: Event): void => {
     if (target instanceof Node && this.#scroller()?.contains(target)) this.#isFollowing = false;
   };
 
+  /** On its way the list passes places where the line is in sight: what counts is where it comes to rest. */
+  readonly #awaitRest = (): void => {
+    clearTimeout(this.#restTimer);
+    if (!this.#isFollowing) this.#restTimer = setTimeout(this.#lookAgain, STEADY_MS);
+  };
+
   readonly #lookAgain = (): void => {
-    if (!this.#isFollowing && this.#hidden() === 0) this.#isFollowing = true;
+    // While no line runs, none is in sight.
+    if (this.#line !== null && this.#hidden() === 0) this.#isFollowing = true;
   };
 
   readonly #bringIntoSight = (): void => {
