@@ -32,6 +32,12 @@ async function box(locator: Locator): Promise<string> {
   return [place.x, place.y, place.width, place.height].map(Math.round).join(" ");
 }
 
+/** The words of the invitation, before and after the page has moved in. */
+async function invitation(page: Page): Promise<Locator> {
+  const words = await page.locator("p[data-word=invitation]").first().textContent();
+  return page.getByText(words ?? "", { exact: true }).filter({ visible: true });
+}
+
 test("presses Run before the page's own script has come, and the run goes on in it", async ({
   page,
 }) => {
@@ -129,6 +135,50 @@ test("opens a link: Run waits for what it brings", async ({ corridor, page, open
   await expect(page).toHaveURL("/");
 });
 
+test("sees the invitation all the time from the first paint on, in one place, when the page moves in", async ({
+  openWindow,
+}) => {
+  const { page } = await openWindow({ viewport: { width: 390, height: 844 } });
+  const letCome = await holdScript(page);
+  await page.goto("/", { waitUntil: "commit" });
+  await expect(page.locator("[data-does=run]")).toBeVisible();
+  await page.evaluate(() => document.fonts.ready);
+  const text = await (await invitation(page)).textContent();
+  await page.evaluate((words) => {
+    const places = new Set<string>();
+    Reflect.set(window, "placesSeen", places);
+    const look = () => {
+      const shown = [...document.querySelectorAll("p")].find(
+        (each) => each.textContent === words && each.checkVisibility({ visibilityProperty: true }),
+      );
+      const { x, y, width, height } = shown?.getBoundingClientRect() ?? new DOMRect();
+      places.add([x, y, width, height].map(Math.round).join(" "));
+      requestAnimationFrame(look);
+    };
+    look();
+  }, text);
+  letCome();
+  await new CorridorPage(page).isReady();
+  await expect(page.locator("#root [data-word]")).toHaveCount(0);
+  const places = await page.evaluate(() => [...(Reflect.get(window, "placesSeen") as Set<string>)]);
+  expect(places).toEqual([await box(page.getByText(text ?? "", { exact: true }))]);
+});
+
+test("is not invited again before the page's own script has come", async ({ page }) => {
+  const corridor = new CorridorPage(page);
+  await page.goto("/");
+  await corridor.isReady();
+  await page.getByRole("button", { name: "Not now" }).click();
+  const letCome = await holdScript(page);
+  await page.goto("/", { waitUntil: "commit" });
+  await expect(page.locator("#wordmark")).toBeAttached();
+  await corridor.frames(10);
+  await expect(page.getByText("New here?").filter({ visible: true })).toHaveCount(0);
+  letCome();
+  await corridor.isReady();
+  await expect(page.getByText("New here?")).toHaveCount(0);
+});
+
 for (const [width, height] of [
   [1440, 900],
   [1024, 768],
@@ -148,6 +198,7 @@ for (const [width, height] of [
       await expect(run).toBeVisible();
       await page.evaluate(() => document.fonts.ready);
       const parts = [run, page.locator("h1"), page.locator("header").first(), page.locator("main")];
+      parts.push(await invitation(page));
       const before = await Promise.all(parts.map(box));
       letCome();
       await expect(page.locator("main canvas").first()).toBeAttached();

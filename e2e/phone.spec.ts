@@ -2,6 +2,7 @@
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
+import { atRest } from "./support/at-rest.ts";
 import { Fingers, middleOf } from "./support/fingers.ts";
 import { stickingOut, tooSmallToTouch, unreadable, zoomedInto } from "./support/layout.ts";
 
@@ -41,6 +42,8 @@ test("drives on a phone and sees the robot followed with a small map", async ({ 
   await tab(page, "Drive").tap();
   await expect(corridor.transport).toBeHidden();
   await expect(smallMap(page)).toBeVisible();
+  // The sheet grows for the keys, and the map goes with it.
+  await atRest(page);
   const columns = Number(await corridor.maze.grid.getAttribute("aria-colcount"));
   expect((await boxOf(corridor.maze.grid)).width).toBeCloseTo(columns * 100 * SCALE, 0);
   const before = { maze: await boxOf(corridor.maze.grid), dot: await robotOnMap(page) };

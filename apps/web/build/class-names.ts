@@ -16,6 +16,9 @@ const shellStyles: Readonly<Record<string, string>> = {
   transport: source("features/transport/transport"),
   button: source("ui/button"),
   field: source("ui/field"),
+  segmented: source("ui/segmented"),
+  tabs: source("ui/tabs"),
+  lessons: source("features/lessons/lessons-invitation"),
 };
 
 const numbers = new Map<string, number>();

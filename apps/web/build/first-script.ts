@@ -20,9 +20,10 @@ function read<File extends keyof typeof en>(tag: string, file: File): (typeof en
 /** What `public/first.js` says in a language. */
 export function firstWords(tag: string) {
   const { controls, run, pause, step, max } = read(tag, "shell").run;
+  const { invitation, begin } = read(tag, "lessons");
   const maze = read(tag, "presets")["long-way-round"].title;
   const program = read(tag, "program").preset["right-wall"].name;
-  return { controls, run, pause, step, max, maze, program };
+  return { controls, run, pause, step, max, invitation, begin, maze, program };
 }
 
 function told(html: string, attribute: string, value: string): string {

@@ -99,9 +99,8 @@
     // The last thing in the document: the house is there.
     if (document.getElementById("wordmark") === null) return;
     watch.disconnect();
-    const transport = document.querySelector("[data-early]");
-    transport.setAttribute("aria-label", text.controls);
-    for (const each of transport.querySelectorAll("[data-word]")) {
+    document.querySelector("[data-early]").setAttribute("aria-label", text.controls);
+    for (const each of document.querySelectorAll("[data-word]")) {
       each.append(text[each.dataset.word]);
     }
     for (const button of buttons()) {
@@ -110,7 +109,8 @@
         worker.postMessage({ type: button.dataset.does });
       };
     }
-    root.dataset.first = "";
+    // Who has seen the lessons, or does not want them, is not invited again.
+    root.dataset.first = kept("lessons") === null ? "invited" : "";
   });
   watch.observe(document, { childList: true, subtree: true });
 })();

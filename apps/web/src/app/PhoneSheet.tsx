@@ -50,7 +50,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
       data-mission={isMission}
       aria-label={t("shell.panel")}
     >
-      <Later>
+      <Later until="early-sheet">
         <GrabBar position={position} onChange={setPosition} />
         <Tabs
           label={t("shell.panel")}

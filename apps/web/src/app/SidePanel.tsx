@@ -17,7 +17,7 @@ export function SidePanel({ hold }: { hold: HoldStore }) {
   const isRemote = useStore(run, ({ snapshot }) => snapshot?.driver === "remote");
   return (
     <aside className={styles["panel"]} aria-label={t("shell.panel")}>
-      <Later>
+      <Later until="early-panel">
         <div className={styles["who"]}>
           <DriverChoice />
         </div>

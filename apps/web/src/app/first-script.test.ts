@@ -25,7 +25,10 @@ interface Visit {
 const script = readFileSync(new URL("../../public/first.js", import.meta.url), "utf8");
 const words = Object.fromEntries(languages.map(({ tag }) => [tag, firstWords(tag)]));
 
-/** Runs `public/first.js` as index.html does. @returns what it made of the page, and the worker's name */
+/**
+ * Runs `public/first.js` as index.html does, until the house is there.
+ * @returns what it made of the page, the worker's name, and what the house says by the names of its words
+ */
 function open({
   pathname = "/",
   search = "",
@@ -34,8 +37,14 @@ function open({
   tab = {},
   preferred = ["en"],
 }: Visit) {
-  const root = { dataset: {}, lang: "", dir: "" };
+  const root = { dataset: {} as { first?: string }, lang: "", dir: "" };
   const names: string[] = [];
+  const said: Record<string, string> = {};
+  const places = ["run", "invitation", "begin"].map((word) => ({
+    dataset: { word },
+    append: (text: string) => (said[word] = text),
+  }));
+  let houseIsThere = () => {};
   const storage = (items: Record<string, string>) =>
     Object.defineProperty({ ...items }, "getItem", {
       value: (key: string) => items[key] ?? null,
@@ -47,6 +56,9 @@ function open({
         dataset: { words: JSON.stringify(words), simulator: "/worker.js", page: "/page.js" },
       },
       addEventListener: () => undefined,
+      getElementById: () => ({}),
+      querySelector: () => ({ setAttribute: () => undefined }),
+      querySelectorAll: (wanted: string) => (wanted === "[data-word]" ? places : []),
     },
     window: {},
     location: { pathname, search, hash },
@@ -61,10 +73,15 @@ function open({
       }
     },
     MutationObserver: class {
+      constructor(notice: () => void) {
+        houseIsThere = notice;
+      }
       observe(): void {}
+      disconnect(): void {}
     },
   });
-  return { root, name: names[0] ?? "" };
+  houseIsThere();
+  return { root, name: names[0] ?? "", said };
 }
 
 describe("a first visit", () => {
@@ -87,6 +104,32 @@ describe("a first visit", () => {
   it("is one for who only chose a theme", () => {
     expect(earlyWork(open({ kept: { "corridor.theme": "dark" } }).name)).not.toBeNull();
   });
+});
+
+describe("the invitation before the page's script", () => {
+  it.each(languages)("says what the page will say, in $name", async ({ tag }) => {
+    const i18n = createI18n(en);
+    await showLanguage(i18n, tag);
+    const { root, said } = open({ search: `?lang=${tag}` });
+    expect(root.dataset.first).toBe("invited");
+    expect(said).toMatchObject({
+      invitation: i18n.t("lessons.invitation"),
+      begin: i18n.t("lessons.begin"),
+    });
+  });
+
+  it("is not shown to who dismissed it, or has been in the lessons", () => {
+    expect(open({ kept: { "corridor.lessons": "{}" } }).root.dataset.first).toBe("");
+  });
+
+  it.each<Visit>([{ kept: { "corridor.work.a": "{}" } }, { hash: "#abc" }])(
+    "is not shown where the visit is not the first: %o",
+    (visit) => {
+      const { root, said } = open(visit);
+      expect(root.dataset.first).toBeUndefined();
+      expect(said).toEqual({});
+    },
+  );
 });
 
 describe("the language before the page's script", () => {

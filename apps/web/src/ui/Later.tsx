@@ -2,8 +2,19 @@
  * What can wait until the page around it stands: it is mounted right after that, in short pieces, so
  * that the robot can be started and told of in between. Only for what leaves its place free.
  */
-import { useDeferredValue, type ReactNode } from "react";
+import { useDeferredValue, useState, type ReactNode } from "react";
 
-export function Later({ children }: { children: ReactNode }) {
-  return useDeferredValue(true, false) ? children : null;
+interface LaterProps {
+  /** id of the element in index.html whose content keeps standing here until then */
+  until?: string;
+  children: ReactNode;
+}
+
+export function Later({ until, children }: LaterProps) {
+  // Read while the document's own house is still there: React is about to take its place.
+  const [early] = useState(() => until && document.getElementById(until)?.innerHTML);
+  if (useDeferredValue(true, false)) return children;
+  return early ? (
+    <div style={{ display: "contents" }} dangerouslySetInnerHTML={{ __html: early }} />
+  ) : null;
 }
