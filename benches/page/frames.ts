@@ -4,7 +4,7 @@
  */
 import type { Browser, Page } from "playwright";
 import type { Goal } from "../core/goals.ts";
-import { timesSlower, median } from "../core/measure.ts";
+import { median, quantile, timesSlower } from "../core/measure.ts";
 import { watchPage, type Watched } from "./main-thread.ts";
 import { longProgram, openProduct, quietPanels } from "./product.ts";
 import type { PageUnderTest, Section } from "./section.ts";
@@ -239,10 +239,4 @@ function print(side: number, measured: Record<Contender, Rounds>): void {
 
 function mean(numbers: readonly number[]): number {
   return numbers.reduce((sum, number) => sum + number, 0) / numbers.length;
-}
-
-/** The number below which this share of all lies; NaN when there are none. */
-function quantile(numbers: readonly number[], share: number): number {
-  const sorted = numbers.toSorted((a, b) => a - b);
-  return sorted[Math.min(sorted.length - 1, Math.floor(sorted.length * share))] ?? Number.NaN;
 }

@@ -5,7 +5,7 @@
  */
 import type { Browser, CDPSession, Page } from "playwright";
 
-interface TraceEvent {
+export interface TraceEvent {
   name: string;
   cat: string;
   ph: string;
@@ -50,6 +50,19 @@ export async function watchPage(
   page: Page,
   milliseconds: number,
 ): Promise<Watched> {
+  const events = await traceWhile(browser, async () => {
+    await page.evaluate((mark) => performance.mark(`${mark}-begin`), MARK);
+    await page.waitForTimeout(milliseconds);
+    await page.evaluate((mark) => performance.mark(`${mark}-end`), MARK);
+  });
+  return readTrace(events);
+}
+
+/** What the browser's threads did while something was done. */
+export async function traceWhile(
+  browser: Browser,
+  work: () => Promise<void>,
+): Promise<TraceEvent[]> {
   const session = await browser.newBrowserCDPSession();
   const events: TraceEvent[] = [];
   session.on("Tracing.dataCollected", ({ value }) => {
@@ -59,12 +72,10 @@ export async function watchPage(
     transferMode: "ReportEvents",
     traceConfig: { includedCategories: categories, recordMode: "recordAsMuchAsPossible" },
   });
-  await page.evaluate((mark) => performance.mark(`${mark}-begin`), MARK);
-  await page.waitForTimeout(milliseconds);
-  await page.evaluate((mark) => performance.mark(`${mark}-end`), MARK);
+  await work();
   await endTrace(session);
   await session.detach();
-  return readTrace(events);
+  return events;
 }
 
 async function endTrace(session: CDPSession): Promise<void> {
@@ -93,6 +104,12 @@ function readTrace(events: readonly TraceEvent[]): Watched {
     workerFrames: frames.map((frame) => spent(frame)),
     workerGaps: frames.slice(1).map(({ ts }, at) => (ts - (frames[at]?.ts ?? ts)) / 1000),
   };
+}
+
+/** Milliseconds of processor time that one thread's tasks took that began in a stretch of time. */
+export function processorTime(thread: readonly TraceEvent[], from: number, to: number): number {
+  const tasks = thread.filter(({ name, cat, ts }) => isTask(name, cat) && ts >= from && ts < to);
+  return outermost(tasks).reduce((sum, task) => sum + spent(task), 0);
 }
 
 function isTask(name: string, cat: string): boolean {

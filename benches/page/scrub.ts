@@ -4,15 +4,11 @@
  */
 import { setFlagsFromString } from "node:v8";
 import { runInNewContext } from "node:vm";
-import { generateTree, type MazeDocument } from "@corridor/maze";
-import { programPresets, type ProgramDocument } from "@corridor/program";
-import { Recording } from "@corridor/recording";
+import { HOUR, type Hour } from "./hours.ts";
 
-const HOUR = 216_000;
 const SEEKS = 2_000;
 /** Each moment is gone to so often; the shortest counts. */
 const VISITS = 3;
-const SIDE = 33;
 
 export interface ScrubReport {
   /** what drives for an hour */
@@ -27,28 +23,12 @@ export interface ScrubReport {
   counted: number;
 }
 
-/** Records an hour of the right-wall program, and of one that turns back on every tick, and goes through both. */
-export function scrubReport(): ScrubReport[] {
-  const rightWall = programPresets.find(({ id }) => id === "right-wall")?.program;
-  if (rightWall === undefined) throw new Error("no right-wall program among the presets");
-  const chattering: ProgramDocument = {
-    ...rightWall,
-    rules: [{ when: { sensor: "front", is: "<", than: 120 }, do: "reverse" }],
-    default: "forward",
-  };
-  const tree = generateTree({ columns: SIDE, rows: SIDE, seed: 1, name: "tree" });
-  const maze: MazeDocument = { ...tree, goals: [] };
-  return [
-    measure("right wall", maze, rightWall),
-    measure("forward and back on every tick", maze, chattering),
-  ];
-}
-
-function measure(name: string, maze: MazeDocument, program: ProgramDocument): ScrubReport {
+/** Records an hour and goes through it. */
+export function scrubReport({ name, record }: Hour): ScrubReport {
   // Once beforehand, so that what the engine compiles is not counted.
-  record(maze, program, HOUR / 60);
+  record(HOUR / 60);
   const before = heldBytes();
-  const recording = record(maze, program, HOUR);
+  const recording = record(HOUR);
   const bytes = heldBytes() - before;
   const playback = recording.playback();
   const times = Array.from({ length: SEEKS }, (_, index) => {
@@ -66,12 +46,6 @@ function measure(name: string, maze: MazeDocument, program: ProgramDocument): Sc
   const at = (part: number): number => times[Math.floor(part * (times.length - 1))] ?? Number.NaN;
   const counted = recording.byteLength;
   return { name, p50: at(0.5), p99: at(0.99), worst: at(1), bytes, counted };
-}
-
-function record(maze: MazeDocument, program: ProgramDocument, ticks: number): Recording {
-  const recording = new Recording(maze, program);
-  while (recording.run.tick < ticks) recording.step();
-  return recording;
 }
 
 /** Bytes in use after a collection. */

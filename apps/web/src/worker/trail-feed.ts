@@ -1,9 +1,11 @@
 /**
  * The trail and the bumps up to the shown moment, sent piece by piece: on the way forward what was
- * gained, after a jump back all of it anew.
+ * gained, after a jump all of it anew.
  */
-import type { Recording } from "@corridor/recording";
+import type { PlaceLog } from "@corridor/recording";
 import type { Frame } from "./worker-messages.ts";
+
+type Places = Pick<PlaceLog, "countUpTo" | "between">;
 
 /** After a jump so many of the newest are sent: as many as are drawn, and quick to draw. */
 const MAX_CORNERS = 20_000;
@@ -21,12 +23,15 @@ export class TrailFeed {
 
   /** What the trail gained from the moment of the last call to the one at the end of `tick`. */
   take(
-    { corners, bumps }: Pick<Recording, "corners" | "bumps">,
+    { corners, bumps }: { corners: Places; bumps: Places },
     tick: number,
   ): Pick<Frame, "corners" | "bumps" | "trailReset"> {
     const cornerCount = corners.countUpTo(tick);
     const bumpCount = bumps.countUpTo(tick);
-    const trailReset = this.#isReset || cornerCount < this.#corners || bumpCount < this.#bumps;
+    const isBack = cornerCount < this.#corners || bumpCount < this.#bumps;
+    // Over more than is drawn, a jump forward costs no more than one back.
+    const isFarAhead = cornerCount - this.#corners > MAX_CORNERS;
+    const trailReset = this.#isReset || isBack || isFarAhead;
     if (trailReset) {
       this.#corners = Math.max(0, cornerCount - MAX_CORNERS);
       this.#bumps = 0;

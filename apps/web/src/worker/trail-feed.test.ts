@@ -1,0 +1,38 @@
+import { describe, expect, it } from "vitest";
+import { TrailFeed } from "./trail-feed.ts";
+
+const HOUR = 216_000;
+/** As many corners as the trail keeps. */
+const KEPT = 20_000;
+
+/** The places of a robot that turned, and bumped, at the end of every tick. */
+const places = {
+  countUpTo: (tick: number) => tick,
+  between: (from: number, to: number) =>
+    Array.from({ length: to - from }, (_, at) => [from + at + 1, 50]).flat(),
+};
+const log = { corners: places, bumps: places };
+
+describe("TrailFeed", () => {
+  it("sends on the way forward only what was gained", () => {
+    const feed = new TrailFeed();
+    feed.take(log, 100);
+    const { corners, bumps, trailReset } = feed.take(log, 102);
+    expect(corners).toEqual([101, 50, 102, 50]);
+    expect(bumps).toEqual([101, 50, 102, 50]);
+    expect(trailReset).toBe(false);
+  });
+
+  it("sends after a jump forward over most of an hour no more than after one back: what is drawn", () => {
+    const feed = new TrailFeed();
+    feed.take(log, 100);
+    const forward = feed.take(log, HOUR);
+    expect(forward.corners).toHaveLength(2 * KEPT);
+    expect(forward.corners.slice(-2)).toEqual([HOUR, 50]);
+    // A line across what was left out would be a way that the robot never drove.
+    expect(forward.trailReset).toBe(true);
+    feed.take(log, HOUR - 1);
+    feed.take(log, HOUR + 1);
+    expect(feed.take(log, HOUR)).toEqual(forward);
+  });
+});
