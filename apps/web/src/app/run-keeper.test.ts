@@ -25,7 +25,10 @@ function openPage(
   };
   const tellNews = () => {
     const news = loop.takeNews();
-    if (news !== null) post({ type: "frame", frame: news.frame, timeline: null });
+    if (news === null) return;
+    const after = news.forgottenAfter;
+    if (after !== null) post({ type: "forgotten", after });
+    post({ type: "frame", frame: news.frame, timeline: null });
   };
   /** a slice of a long run takes all its time */
   let isSlow = false;
@@ -132,6 +135,29 @@ describe("a run over a reload", () => {
     await reloaded.keeper.resume();
     expect(reloaded.lost).toEqual([]);
     expect(reloaded.loop.snapshot().tick).toBeLessThanOrEqual(60);
+  });
+
+  it.each([
+    { name: "Reset and Run", begin: (loop: RunLoop) => loop.reset() },
+    { name: "Run from an earlier moment", begin: (loop: RunLoop) => loop.seek(6) },
+  ])("is the new one right after $name, never the one before", async ({ begin }) => {
+    const page = openPage();
+    page.loop.run();
+    page.pass(1000);
+    page.loop.hold("left");
+    page.pass(1000);
+    page.ring();
+    // No timer rings from here on: all of it comes sooner.
+    begin(page.loop);
+    page.tellNews();
+    page.loop.run();
+    page.pass(80);
+    page.keeper.flush();
+    const reloaded = openPage(page.tab);
+    await reloaded.keeper.resume();
+    expect(page.loop.snapshot().tick).toBeLessThan(15);
+    expect(reloaded.loop.snapshot().tick).toBeLessThanOrEqual(page.loop.snapshot().tick);
+    expect(reloaded.lost).toEqual([]);
   });
 
   it("is forgotten where another maze is open now, or the robot drives already", async () => {

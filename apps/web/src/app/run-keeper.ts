@@ -57,6 +57,7 @@ export class RunKeeper {
     this.#ports = ports;
     ports.simulator.listen((message) => {
       if (message.type === "frame") this.#follow(message.frame);
+      if (message.type === "forgotten") this.#forgetAfter(message.after);
     });
   }
 
@@ -124,6 +125,13 @@ export class RunKeeper {
     if (JSON.stringify(loaded.program) !== JSON.stringify(program)) {
       simulator.send({ type: "edit-program", program });
     }
+  }
+
+  /** A run of which a part is forgotten is not the one to come back to; the new one is asked for at once. */
+  #forgetAfter(tick: number): void {
+    if (this.#asked === null || this.#asked.ticks <= tick) return;
+    this.#asked = null;
+    this.#isWaiting = false;
   }
 
   #follow(frame: Frame): void {
