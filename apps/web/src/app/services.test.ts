@@ -25,7 +25,17 @@ function openPage() {
 
 function momentAt(kind: Moment["kind"], tick: number): Moment {
   const pose = { x: 150, y: 150, heading: 0 };
-  return { kind, tick, pose, line: 0, driver: "program", bumps: 1, cause: null, mends: [] };
+  return {
+    kind,
+    tick,
+    pose,
+    line: 0,
+    driver: "program",
+    bumps: 1,
+    cause: null,
+    mends: [],
+    program: null,
+  };
 }
 
 describe("a run that went on from an earlier moment", () => {

@@ -5,7 +5,17 @@ import { createCardStore, explain, forgetAfter } from "./card-store.ts";
 
 function moment(kind: Moment["kind"], tick: number): Moment {
   const pose = { x: 150, y: 150, heading: 0 };
-  return { kind, tick, pose, line: 0, driver: "program", bumps: 1, cause: null, mends: [] };
+  return {
+    kind,
+    tick,
+    pose,
+    line: 0,
+    driver: "program",
+    bumps: 1,
+    cause: null,
+    mends: [],
+    program: firstProgram,
+  };
 }
 
 describe("what was explained of a run", () => {
@@ -21,4 +31,18 @@ describe("what was explained of a run", () => {
     const { bump, goal } = cards.getState();
     expect([bump, goal].flatMap((each) => each?.moment.tick ?? [])).toEqual(left);
   });
+
+  it.each(["bump", "goal"] as const)(
+    "is of the program that drove, not of one edited in the same moment: %s",
+    (kind) => {
+      const cards = createCardStore();
+      const edited = { ...firstProgram, rules: firstProgram.rules.slice(1) };
+      explain(cards, moment(kind, 316), edited);
+      expect(cards.getState()[kind]?.program).toEqual(firstProgram);
+      // The page's own object, by which everybody sees that it was not edited since.
+      const same = structuredClone(firstProgram);
+      explain(cards, moment(kind, 317), same);
+      expect(cards.getState()[kind]?.program).toBe(same);
+    },
+  );
 });

@@ -25,9 +25,15 @@ export function createCardStore() {
 }
 export type CardStore = ReturnType<typeof createCardStore>;
 
-/** Keeps a moment that has a card: the goal, and a bump for which the run has paused. */
-export function explain(store: CardStore, moment: Moment, program: ProgramDocument): void {
+/**
+ * Keeps a moment that has a card: the goal, and a bump for which the run has paused.
+ * @param newest the program that stands on the page, which may have been edited in the same moment
+ */
+export function explain(store: CardStore, moment: Moment, newest: ProgramDocument): void {
   const { kind, mends } = moment;
+  const drove = moment.program ?? newest;
+  // What is equal is the page's own, so that an edit from here on is seen by the object.
+  const program = JSON.stringify(drove) === JSON.stringify(newest) ? newest : drove;
   if (kind === "goal") store.setState({ goal: { moment, program, mends: [] } });
   else if (mends !== null) store.setState({ bump: { moment, program, mends } });
 }

@@ -15,6 +15,7 @@ function moment(kind: Moment["kind"]): Moment {
     bumps: 1,
     cause: null,
     mends: null,
+    program: null,
   };
 }
 

@@ -19,7 +19,8 @@ export class Moments {
     const cause = kind === "bump" ? run.cause : null;
     // Many bumps in one frame are one to a watcher; the goal is told in any case.
     this.#waiting = this.#waiting.filter((each) => each.kind !== kind);
-    this.#waiting.push({ kind, tick, pose, line, driver, bumps, cause, mends });
+    const program = kind === "goal" || mends !== null ? run.program : null;
+    this.#waiting.push({ kind, tick, pose, line, driver, bumps, cause, mends, program });
   }
 
   /** What came after the end of `tick` has not happened. */

@@ -47,6 +47,18 @@ describe("a bump of the program", () => {
     expect(loop.snapshot().tick).toBe(moment?.tick);
   });
 
+  it("tells of the program that drove, though another one came before it was told", () => {
+    const loop = new RunLoop(corner, delayedAtTheWall, () => time, silent);
+    loop.run();
+    while (loop.snapshot().bumps === 0) {
+      time += 8;
+      loop.advance();
+    }
+    loop.editProgram(other);
+    const [moment] = loop.takeNews()?.moments ?? [];
+    expect(moment?.program).toEqual(delayedAtTheWall);
+  });
+
   it("offers the delayed turn where the line before turned at the edge of an opening", () => {
     const way = Array.from({ length: 8 }, () => "##.##");
     const opening = mazeOf(["#####", ".....", ...way], 1);
@@ -86,7 +98,7 @@ describe("a bump of the program", () => {
     const loop = new RunLoop(corner, programOf([]), () => time, silent);
     loop.hold("forward");
     const [moment] = pass(loop, 5);
-    expect(moment).toMatchObject({ kind: "bump", driver: "me", mends: null });
+    expect(moment).toMatchObject({ kind: "bump", driver: "me", mends: null, program: null });
     expect(loop.isRunning).toBe(true);
   });
 });

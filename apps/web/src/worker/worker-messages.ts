@@ -135,6 +135,11 @@ export interface Moment {
    * run: a hand's, a script's, and those of a line whose bump was explained before
    */
   mends: readonly Mend[] | null;
+  /**
+   * the program that drove, where the page has something to explain of it: it may have been edited there while this
+   * was on its way; null for a bump that pauses no run
+   */
+  program: ProgramDocument | null;
 }
 
 /** Connection of the page to the relay and of scripts to the robot. */

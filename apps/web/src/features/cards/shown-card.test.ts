@@ -14,6 +14,7 @@ function explained(kind: Moment["kind"], tick: number) {
     bumps: 1,
     cause: null,
     mends: null,
+    program: null,
   };
   return { moment, program: firstProgram, mends: [] };
 }

@@ -107,6 +107,7 @@ describe("shownBump", () => {
       needed: 50,
     },
     mends: null,
+    program: null,
   };
 
   it("is that of the line that drove into the wall, as long as the robot touches it", () => {

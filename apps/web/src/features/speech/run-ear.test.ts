@@ -62,6 +62,7 @@ const bump: Moment = {
   bumps: 1,
   cause: null,
   mends: [],
+  program: null,
 };
 const turn = (left: number): RunState["progress"] => ({
   way: -1,

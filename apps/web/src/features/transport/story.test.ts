@@ -11,6 +11,7 @@ const bump: Moment = {
   bumps: 1,
   cause: null,
   mends: null,
+  program: null,
 };
 
 describe("storyOf", () => {
