@@ -1,25 +1,26 @@
 /** What happened in the ticks since the last news and is worth telling: the newest bump, and the goal. */
-import type { Mend } from "@corridor/coach";
 import type { Run } from "@corridor/recording";
 import type { DriverName, LineRef } from "@corridor/protocol";
+import type { Explained } from "./run-coach.ts";
 import type { Moment } from "./worker-messages.ts";
 
 export class Moments {
   #waiting: Moment[] = [];
 
-  /** Notes what just happened; `line` and `driver` were in charge, `mends` would have kept it off. */
+  /** Notes what just happened; `line` and `driver` were in charge, a bump may be `explained`. */
   add(
     kind: Moment["kind"],
     run: Run,
     line: LineRef | null,
     driver: DriverName,
-    mends: readonly Mend[] | null = null,
+    explained: Explained | null = null,
   ): void {
     const { tick, pose, bumps } = run;
     const cause = kind === "bump" ? run.cause : null;
     // Many bumps in one frame are one to a watcher; the goal is told in any case.
     this.#waiting = this.#waiting.filter((each) => each.kind !== kind);
-    const program = kind === "goal" || mends !== null ? run.program : null;
+    const mends = explained?.mends ?? null;
+    const program = kind === "goal" ? run.program : (explained?.program ?? null);
     this.#waiting.push({ kind, tick, pose, line, driver, bumps, cause, mends, program });
   }
 

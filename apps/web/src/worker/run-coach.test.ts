@@ -59,6 +59,23 @@ describe("a bump of the program", () => {
     expect(moment?.program).toEqual(delayedAtTheWall);
   });
 
+  it("of a turn that began before an edit is explained by the program that began it", () => {
+    const loop = new RunLoop(corner, delayedAtTheWall, () => time, silent);
+    loop.run();
+    while (loop.snapshot().line !== 0) {
+      time += 8;
+      loop.advance();
+    }
+    // Two ticks into it.
+    time += 40;
+    loop.advance();
+    loop.editProgram(other);
+    const [moment] = pass(loop, 5);
+    expect(moment).toMatchObject({ kind: "bump", line: 0 });
+    expect(moment?.program).toEqual(delayedAtTheWall);
+    expect(moment?.mends?.[0]).toEqual({ kind: "action", line: 0, action: "left 90" });
+  });
+
   it("offers the delayed turn where the line before turned at the edge of an opening", () => {
     const way = Array.from({ length: 8 }, () => "##.##");
     const opening = mazeOf(["#####", ".....", ...way], 1);

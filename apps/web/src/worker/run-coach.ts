@@ -24,6 +24,14 @@ const MOST_TICKS = 600;
 /** A robot that turned too early may turn again at once, as its side is still open. */
 const MOST_TURNS = 3;
 
+/** What a card at a bump tells of. */
+export interface Explained {
+  /** the one that took the decision; it may have been edited while its turn went on */
+  program: ProgramDocument;
+  /** edits of it that would have kept the bump off, each tried */
+  mends: readonly Mend[];
+}
+
 export class RunCoach {
   readonly #explained = new Set<LineRef>();
   #watch: LoopWatch | null = null;
@@ -46,17 +54,19 @@ export class RunCoach {
 
   /**
    * The newest tick ended in a bump of `line`.
-   * @returns edits that would have kept it off; null where a bump of this line was explained before
+   * @returns null where a bump of this line was explained before
    */
-  explain(recording: Recording, line: LineRef): readonly Mend[] | null {
+  explain(recording: Recording, line: LineRef): Explained | null {
     const { run } = recording;
     this.#follow(run);
     if (this.#explained.has(line)) return null;
     this.#explained.add(line);
-    const { cause, maze, program, tick } = run;
+    const { cause, maze, tick } = run;
     const hasReachedGoal = run.goalTick !== null;
-    if (cause === null) return [];
+    if (cause === null) return { program: run.program, mends: [] };
     const playback = recording.playback();
+    playback.goTo(cause.decidedAt);
+    const { program } = playback.run;
     const sceneFrom = (from: number) => {
       playback.goTo(from);
       const state = playback.run.save().simulation;
@@ -73,7 +83,10 @@ export class RunCoach {
     const mends = mendsForBump({ ...sceneFrom(from), line, story, readings }, MOST_MENDS);
     const earlier =
       story.kind === "steady" ? this.#earlierTurn(recording, sceneFrom, playback) : null;
-    return earlier === null ? mends : [earlier, ...mends].slice(0, MOST_MENDS);
+    return {
+      program,
+      mends: earlier === null ? mends : [earlier, ...mends].slice(0, MOST_MENDS),
+    };
   }
 
   /** The turn before the bump as a delayed one, where that keeps it off; or the turn before that one. */
@@ -88,8 +101,9 @@ export class RunCoach {
       at = recording.decisionBefore(at, playback);
       if (tick - at > MOST_TICKS) return null;
       const scene = sceneFrom(at);
-      const { line, isManoeuvring } = playback.run;
-      if (line === null || !isManoeuvring) return null;
+      const { line, isManoeuvring, program } = playback.run;
+      // Another program's line is none of the one that bumped.
+      if (line === null || !isManoeuvring || program !== scene.program) return null;
       const mend = mendOfEarlierTurn({ ...scene, line });
       if (mend !== null) return mend;
     }

@@ -94,9 +94,9 @@ export class RunWatch {
     const line = this.#line;
     const driver = this.#driver;
     const isProgram = driver === "program" && line !== null;
-    const mends = isProgram ? this.#coach.explain(recording, line) : null;
-    this.#moments.add("bump", recording.run, line, driver, mends);
-    return mends !== null;
+    const explained = isProgram ? this.#coach.explain(recording, line) : null;
+    this.#moments.add("bump", recording.run, line, driver, explained);
+    return explained !== null;
   }
 
   /** What happened later is no part of the run: nobody tells it, and what was said of it may be said again. */
