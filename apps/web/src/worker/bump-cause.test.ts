@@ -1,0 +1,47 @@
+import type { MazeDocument } from "@corridor/maze";
+import { describe, expect, it } from "vitest";
+import { firstMaze, firstProgram } from "./first-work.ts";
+import { Bench } from "./testing/bench.ts";
+
+describe("a bump", () => {
+  it("is told with the decision that led to it and the room that it had", () => {
+    const bench = new Bench(firstMaze, { ...firstProgram, rules: [] });
+    bench.loop.run();
+    let cause = null;
+    while (cause === null && bench.time < 20_000) {
+      bench.time += 8;
+      bench.loop.advance();
+      cause = bench.loop.takeNews()?.moments[0]?.cause ?? null;
+    }
+    expect(cause).toMatchObject({
+      decidedAt: 0,
+      action: "forward",
+      part: 0,
+      parts: 1,
+      side: "front",
+      needed: null,
+    });
+    // It drives until its edge, 25 from the middle, is at the wall.
+    expect(cause?.driven).toBeCloseTo((cause?.reading ?? 0) - 25, 6);
+    expect(cause?.readings.front).toBe(cause?.reading);
+  });
+
+  it("on the way out of a delayed turn names the part and what it needed", () => {
+    const box: MazeDocument = {
+      ...firstMaze,
+      blocks: ["..", ".#"],
+      start: { column: 0, row: 0, heading: "east" },
+      goals: [],
+    };
+    const bench = new Bench(box, { ...firstProgram, rules: [], default: "delayed left 90" });
+    bench.loop.run();
+    let cause = null;
+    while (cause === null && bench.time < 20_000) {
+      bench.time += 8;
+      bench.loop.advance();
+      cause = bench.loop.takeNews()?.moments[0]?.cause ?? null;
+    }
+    expect(cause).toMatchObject({ action: "delayed left 90", part: 2, parts: 3, needed: 60 });
+    expect(cause?.driven).toBeCloseTo((cause?.reading ?? 0) - 25, 6);
+  });
+});

@@ -1,0 +1,61 @@
+/** A run loop in tests, with a clock of its own and a script at its door. */
+import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
+import type { Command, Snapshot } from "@corridor/protocol";
+import { firstMaze, firstProgram } from "../first-work.ts";
+import { RunLoop } from "../run-loop.ts";
+import type { Frame } from "../worker-messages.ts";
+
+/** A loop whose real time passes when the test says so. */
+export class Bench {
+  time = 0;
+  story: string[] = [];
+  readonly loop: RunLoop;
+  #seq = 0;
+
+  constructor(maze: MazeDocument = firstMaze, program: ProgramDocument = firstProgram) {
+    const started = (seq: number) => void this.story.push(`started ${seq}`);
+    const ended = (seq: number, { state }: { state: string }) =>
+      void this.story.push(`${state} ${seq}`);
+    this.loop = new RunLoop(maze, program, () => this.time, { started, ended });
+  }
+
+  /** @returns the last frame */
+  pass(milliseconds: number, each = 8): Frame | null {
+    let frame: Frame | null = null;
+    for (const end = this.time + milliseconds; this.time < end;) {
+      this.time += each;
+      this.loop.advance();
+      frame = this.loop.takeNews()?.frame ?? frame;
+    }
+    return frame;
+  }
+
+  frame(): Frame {
+    this.loop.pause();
+    const news = this.loop.takeNews();
+    if (news === null) throw new Error("no news after a pause");
+    return news.frame;
+  }
+
+  deliver(command: Command): void {
+    this.loop.accept({ seq: ++this.#seq, command, key: null, acceptedAt: "2026-01-01T00:00:00Z" });
+  }
+}
+
+/** What a snapshot shows of its moment. */
+export type Moment = Omit<Snapshot, "seq" | "state">;
+
+export function momentOf(snapshot: Snapshot): Moment {
+  const { seq: _seq, state: _state, ...moment } = snapshot;
+  return moment;
+}
+
+/** A run of the right-wall program, paused after ten seconds. */
+export function tenSeconds(): Bench {
+  const bench = new Bench();
+  bench.loop.run();
+  bench.pass(10_000);
+  bench.loop.pause();
+  return bench;
+}
