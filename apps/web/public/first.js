@@ -30,14 +30,19 @@
       const { language, script } = new Intl.Locale(tag).maximize();
       return `${language}-${script}`;
     });
+  const tags = Object.keys(catalogues);
+  // "en-GB" is English, wherever that is read: only the rest asks Intl, which takes milliseconds to wake.
+  const find = (wish) => {
+    const [, language] = /^([a-z]{2})(-[A-Z]{2})?$/.exec(wish) ?? [];
+    if (tags.includes(language)) return language;
+    return wish ? tags.find((tag) => writing(tag) === writing(wish)) : undefined;
+  };
   const lang = [
     new URLSearchParams(location.search).get("lang"),
     kept("language"),
     ...navigator.languages,
     "en",
-  ]
-    .map(writing)
-    .flatMap((wish) => Object.keys(catalogues).filter((tag) => wish && writing(tag) === wish))[0];
+  ].reduce((found, wish) => found ?? find(wish), undefined);
   Object.assign(root, { lang, dir: lang === "ar" ? "rtl" : "ltr" });
 
   // Without the page's script, or without words, the English of index.html is all that can be said.

@@ -136,6 +136,10 @@ describe("the language before the page's script", () => {
   it.each<Visit>([
     { preferred: ["de-AT", "en"] },
     { preferred: ["zh-TW", "zh-CN"] },
+    { preferred: ["zh"] },
+    { preferred: ["ar-EG", "de"] },
+    { preferred: ["en-Shaw", "es-419"] },
+    { preferred: ["xx", "pt-PT"] },
     { preferred: ["nl", "pt-BR"] },
     { preferred: ["nl"] },
     { preferred: ["not a tag", "ja"] },
