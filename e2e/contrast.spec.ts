@@ -2,6 +2,7 @@
 import { AxeBuilder } from "@axe-core/playwright";
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
+import { StagePicture } from "./pages/stage-picture.ts";
 import { atRest } from "./support/at-rest.ts";
 
 /** Texts below 7:1, as axe measures them where they stand. */
@@ -53,4 +54,16 @@ test("sees the words of filled buttons and the chosen driver in forced colours",
   const around = (driver: "Program" | "Remote") => corridor.driver(driver).locator("xpath=..");
   const [chosen, other] = [around("Program"), around("Remote")];
   expect((await chosen.evaluate(colours)).ground).not.toBe((await other.evaluate(colours)).ground);
+});
+
+test("sees the maze on dark ground where the forced colours are dark", async ({
+  corridor,
+  page,
+}) => {
+  await corridor.maze.grid.waitFor();
+  const stage = new StagePicture(page);
+  await page.emulateMedia({ forcedColors: "active", colorScheme: "light" });
+  const light = await stage.taken();
+  await page.emulateMedia({ forcedColors: "active", colorScheme: "dark" });
+  await stage.expectOther(light);
 });

@@ -11,7 +11,7 @@ import { Camera } from "../../canvas/camera.ts";
 import { PointerInput, type PointerFacts } from "../../canvas/pointer-input.ts";
 import type { Measured } from "../../canvas/layers/measure.ts";
 import { readPalette, type Palette } from "../../canvas/palette.ts";
-import { watchPixelRatio, watchTheme } from "./theme-watch.ts";
+import { shownProperties, watchPixelRatio, watchTheme } from "./theme-watch.ts";
 import { cellAt } from "../../canvas/viewport.ts";
 import { tell } from "../../stores/screen-store.ts";
 import { MazeEditor } from "./maze-editor.ts";
@@ -86,8 +86,7 @@ export class StageController {
     this.#elements = elements;
     this.#drawing = drawing;
     const recolour = (): void => {
-      const style = getComputedStyle(document.documentElement);
-      this.#palette = readPalette((property) => style.getPropertyValue(property));
+      this.#palette = readPalette(shownProperties());
       this.#show();
     };
     recolour();
@@ -299,7 +298,9 @@ export class StageController {
     if (tape === null) return null;
     if (tape !== this.#drawnTape?.tape) {
       const { from, to } = tape;
-      const words = tapeWords(this.#words.t, this.#words.language, tape);
+      // Set apart: a canvas does not see by itself that words go from right to left.
+      const lines = tapeWords(this.#words.t, this.#words.language, tape);
+      const words = lines.map((line) => `\u2068${line}\u2069`);
       this.#drawnTape = { tape, measured: { from, to, words } };
     }
     return this.#drawnTape.measured;

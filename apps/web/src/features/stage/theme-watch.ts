@@ -18,6 +18,23 @@ export function watchTheme(onChange: () => void): () => void {
   };
 }
 
+/**
+ * Custom properties as the page shows them now. Forced colours have names, and what a worker draws by these
+ * names is the system's light colours, whatever the reader chose: it gets what they are here.
+ */
+export function shownProperties(): (property: string) => string {
+  const style = getComputedStyle(document.documentElement);
+  return (property) => {
+    const value = style.getPropertyValue(property);
+    if (!/^ ?[A-Z][A-Za-z]+$/.test(value)) return value;
+    const probe = document.body.appendChild(document.createElement("i"));
+    probe.style.color = value;
+    const { color } = getComputedStyle(probe);
+    probe.remove();
+    return color;
+  };
+}
+
 /** Tells when the window moves to a screen of another pixel density. @returns a function that ends it */
 export function watchPixelRatio(onChange: (pixelRatio: number) => void): () => void {
   let query: MediaQueryList | null = null;
