@@ -72,7 +72,7 @@ export function FloatingCard(props: FloatingCardProps) {
       const next =
         tone === "bad"
           ? placeCard(area, robot, size, squares)
-          : placeCardAway(inMaze, robot, size, squares);
+          : placeCardAway(inMaze, area, robot, size, squares);
       const above = next.y - area.y;
       const below = area.height - above - size.height + LEGEND;
       setHalf(above > below ? "lower" : "upper");

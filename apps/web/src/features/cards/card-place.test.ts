@@ -71,11 +71,21 @@ describe("placeCardAway", () => {
     { name: "left of a robot on the right", x: 900, y: 60, at: { x: 8, y: 8 } },
     { name: "right of a robot on the left", x: 60, y: 60, at: { x: 592, y: 8 } },
   ])("stands high up, $name, without a tail", ({ x, y, at }) => {
-    expect(placeCardAway(area, robotAt(x, y), card, [])).toMatchObject({ ...at, tail: null });
+    expect(placeCardAway(area, area, robotAt(x, y), card, [])).toMatchObject({ ...at, tail: null });
   });
 
   it("goes below where a goal is high up", () => {
     const goal = { x: 40, y: 40, width: 80, height: 80 };
-    expect(placeCardAway(area, robotAt(900, 60), card, [goal])).toMatchObject({ x: 8, y: 332 });
+    expect(placeCardAway(area, area, robotAt(900, 60), card, [goal])).toMatchObject({
+      x: 8,
+      y: 332,
+    });
+  });
+
+  it("goes beyond a maze that is too small for it, where the stage has the room", () => {
+    const maze = { x: 200, y: 30, width: 400, height: 300 };
+    const goal = { x: 400, y: 110, width: 80, height: 80 };
+    const place = placeCardAway(maze, area, robotAt(440, 150), card, [goal]);
+    expect(touches({ ...place, ...card }, goal)).toBe(false);
   });
 });

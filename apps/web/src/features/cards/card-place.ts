@@ -48,18 +48,23 @@ export function placeCard(
 
 /**
  * Where a card stands that is not about the place of the robot: in a corner, high up, and as far from the
- * robot as may be, so that the way that it came stays in sight.
+ * robot as may be, so that the way that it came stays in sight. The maze's own corners come first, then the
+ * stage's: where the maze is little larger than the card, only those leave the robot and the goal free.
  */
 export function placeCardAway(
-  area: Box,
+  maze: Box,
+  stage: Box,
   robot: Box,
   card: { width: number; height: number },
   keepClear: readonly Box[],
 ): CardPlace {
   const middleX = robot.x + robot.width / 2;
-  const fromLeft = corners(area, card);
-  const isFarRight = middleX > area.x + area.width / 2;
-  const order = isFarRight ? fromLeft : [...fromLeft.slice(2), ...fromLeft.slice(0, 2)];
+  const cornersOf = (area: Box): CardPlace[] => {
+    const fromLeft = corners(area, card);
+    const isFarRight = middleX > area.x + area.width / 2;
+    return isFarRight ? fromLeft : [...fromLeft.slice(2), ...fromLeft.slice(0, 2)];
+  };
+  const order = [...cornersOf(maze), ...cornersOf(stage)];
   return leastCovering(order, robot, card, keepClear);
 }
 
