@@ -33,7 +33,7 @@ export class ProgramPanel {
   }
 
   get otherwise(): Locator {
-    return this.region.getByRole("combobox", { name: "otherwise" });
+    return this.region.getByRole("combobox", { name: "action", exact: true });
   }
 
   get name(): Locator {

@@ -49,7 +49,7 @@ export function Otherwise({ element }: OtherwiseProps) {
     >
       <span className={styles["otherwiseWord"]}>{t("program.otherwise")}</span>
       <ActionMenu
-        label={t("program.otherwise")}
+        label={t("program.otherwiseAction")}
         edit="otherwise"
         value={action}
         onChange={(next) =>
