@@ -46,9 +46,18 @@ export function FloatingCard(props: FloatingCardProps) {
   const isPhone = useMediaQuery("(max-width: 37.49em)");
   const card = useRef<HTMLElement>(null);
   const [place, setPlace] = useState<CardPlace | null>(null);
-  // Messages stand on the other side (messages.module.css).
   const [half, setHalf] = useState<"upper" | "lower">("upper");
   const titleId = useId();
+
+  // Messages stand on the other side (messages.module.css). Said at the root, since a selector that asked
+  // for the card would look at the whole page again each time that something on it comes or goes.
+  useLayoutEffect(() => {
+    const { dataset } = document.documentElement;
+    dataset["cardIn"] = half;
+    return () => {
+      delete dataset["cardIn"];
+    };
+  }, [half]);
 
   useLayoutEffect(() => {
     const element = card.current;
@@ -89,7 +98,7 @@ export function FloatingCard(props: FloatingCardProps) {
     <section
       ref={card}
       aria-labelledby={titleId}
-      data-card={half}
+      data-card=""
       className={classNames(styles["card"], styles[tone], isPhone && styles["onPhone"])}
       style={isPhone ? undefined : at === null ? HIDDEN : { left: at.x, top: at.y }}
     >

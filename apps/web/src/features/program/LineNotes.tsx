@@ -65,8 +65,10 @@ function LineProgress({ line, className }: LineProgressProps) {
       const progress = shownProgress(line, state);
       const isMoving = state.snapshot?.state === "running";
       const isTold = pace.isDue(isMoving, progress?.kind ?? null);
-      box.hidden = progress === null;
-      if (progress === null) return;
+      const isHidden = progress === null;
+      // An attribute that is written is styled anew, though it says the same.
+      if (box.hidden !== isHidden) box.hidden = isHidden;
+      if (isHidden) return;
       const { kind, left, of } = progress;
       const words = wordsOf[kind](left);
       filled.style.transform = `scaleX(${(of - left) / of})`;
@@ -89,7 +91,7 @@ function LineProgress({ line, className }: LineProgressProps) {
           <span ref={fill} />
         </span>
         <span ref={text} className={styles["words"]} aria-hidden="true">
-          <span />
+          <span className="live-box" />
         </span>
       </div>
     </div>

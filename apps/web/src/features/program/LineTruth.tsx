@@ -42,13 +42,13 @@ export function LineTruth({ feed, condition, truth }: LineTruthProps) {
   if (condition === null) {
     return (
       <span className={styles["truth"]}>
-        <span className={styles["sides"]}>{t("program.skipped")}</span>
+        <span className={classNames("live-box", styles["sides"])}>{t("program.skipped")}</span>
       </span>
     );
   }
   return (
     <span ref={element} className={styles["truth"]}>
-      <span className={styles["sides"]}>
+      <span className={classNames("live-box", styles["sides"])}>
         <span className={styles["mark"]}>
           <Check className={styles["yes"]} size={14} aria-hidden="true" />
           <X className={styles["no"]} size={14} aria-hidden="true" />

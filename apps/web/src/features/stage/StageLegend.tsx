@@ -46,7 +46,7 @@ function RobotPlace() {
   if (!isKnown) return null;
   return (
     <span className={styles["place"]}>
-      <LiveText of={run} text={text} />
+      <LiveText of={run} text={text} className="live-box" />
     </span>
   );
 }

@@ -95,6 +95,7 @@ export function TimelineBar() {
   return (
     <div
       className={styles["timeline"]}
+      data-focused={isFocused || undefined}
       onPointerDown={press}
       onPointerMove={follow}
       onPointerUp={(event) => {

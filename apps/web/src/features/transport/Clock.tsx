@@ -22,7 +22,7 @@ export function Clock() {
   return (
     <p className={styles["clock"]}>
       <span className={styles["time"]}>
-        <span>
+        <span className="live-box">
           <span className="visually-hidden">{t("shell.run.time")} </span>
           <LiveText of={run} text={time} />
         </span>
