@@ -110,6 +110,21 @@ describe("contact", () => {
     expect(simulation.pose.y).toBeCloseTo(before.y, 9);
   });
 
+  it.each([5e-324, 1e-200, 1e-163, -1e-170])(
+    "leaves the robot where it is at a power of %d",
+    (power) => {
+      for (let degrees = 0; degrees < 360; degrees += 7) {
+        const simulation = new Simulation(hall);
+        drive(simulation, { action: "turn", degrees });
+        drive(simulation, { action: "forward" }, 600);
+        const touched = simulation.report();
+        drive(simulation, { action: "drive", left: power, right: power }, 5);
+        const { tick, motion } = simulation.report();
+        expect(simulation.report()).toEqual({ ...touched, tick, motion });
+      }
+    },
+  );
+
   it("counts a new bump after the robot has left the wall, and one for another wall in the corner", () => {
     const corner = mazeOf(["###", "#.#", "###"]);
     const simulation = new Simulation(corner);
@@ -182,7 +197,8 @@ describe("whatever a driver does in whatever maze", () => {
           }
         },
       ),
-      { numRuns: 200 },
+      // Numbers of 64 bits are made simpler for hours: a failure is told before, if less simply.
+      { numRuns: 200, interruptAfterTimeLimit: 40_000, markInterruptAsFailure: true },
     );
   });
 

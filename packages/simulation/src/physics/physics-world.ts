@@ -148,6 +148,8 @@ export class PhysicsWorld {
    * @returns whether a block stopped it
    */
   move(dx: number, dy: number): boolean {
+    // A way too short to be squared has no direction, and is none: what the robot touches it still touches.
+    if (dx * dx + dy * dy === 0) return false;
     const robot = this.#robot;
     const fromX = robot.position.x;
     const fromY = robot.position.y;
