@@ -36,10 +36,10 @@ export function Otherwise({ element }: OtherwiseProps) {
   const text = useAdviceText(given, null);
   const isBumped = bump !== null;
   useLayoutEffect(() => {
-    const nameOf = ({ snapshot }: RunState): string => {
-      const runs = decidingLine(snapshot) === "default" ? "Runs" : "";
-      return t(`program.otherwise${isBumped ? "Bumped" : runs}`);
-    };
+    const resting = t(isBumped ? "program.otherwiseBumped" : "program.otherwise");
+    const running = isBumped ? resting : t("program.otherwiseRuns");
+    const nameOf = ({ snapshot }: RunState): string =>
+      decidingLine(snapshot) === "default" ? running : resting;
     return followText(run, nameOf, (name) => element.current?.setAttribute("aria-label", name));
   }, [element, run, t, isBumped]);
   return (

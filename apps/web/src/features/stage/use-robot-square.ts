@@ -5,32 +5,20 @@
 import { useEffect, useState } from "react";
 import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
+import { CalmPace } from "../../ui/calm-pace.ts";
 import { cellOf, facingOf } from "./robot-place.ts";
-
-const CALM_MS = 1000;
 
 export function useRobotSquare(): string {
   const { run } = useServices();
   const [square, setSquare] = useState(() => squareOf(run.getState()));
   useEffect(() => {
-    let timer: ReturnType<typeof setTimeout> | undefined;
-    const look = () => {
-      timer = undefined;
-      setSquare(squareOf(run.getState()));
+    // Told with a frame of the run, never by a timer between two: each drawing of the page costs.
+    const pace = new CalmPace<null>(() => performance.now());
+    const look = (state: RunState) => {
+      if (pace.isDue(state.snapshot?.state === "running", null)) setSquare(squareOf(state));
     };
-    look();
-    const end = run.subscribe(({ snapshot }, before) => {
-      if (snapshot === before.snapshot) return;
-      if (snapshot?.state === "running") timer ??= setTimeout(look, CALM_MS);
-      else {
-        clearTimeout(timer);
-        look();
-      }
-    });
-    return () => {
-      clearTimeout(timer);
-      end();
-    };
+    look(run.getState());
+    return run.subscribe(look);
   }, [run]);
   return square;
 }

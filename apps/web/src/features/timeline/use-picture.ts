@@ -3,13 +3,15 @@
  * only when something in it has moved by a pixel; otherwise it is exact to the tick.
  */
 import { useEffect, useState, type RefObject } from "react";
+import { createStore, useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { pictureMark, pictureOf, type TimelinePicture } from "./picture.ts";
 
 /** @returns null before the element was measured */
 export function usePicture(element: RefObject<HTMLElement | null>): TimelinePicture | null {
   const { run, timeline: timelines } = useServices();
-  const [picture, setPicture] = useState<TimelinePicture | null>(null);
+  // A store's news are drawn with those of the run, in the same frame of the page; React's own come later.
+  const [shown] = useState(() => createStore<{ picture: TimelinePicture | null }>(() => NOTHING));
   useEffect(() => {
     let width = 0;
     let painted = "";
@@ -21,7 +23,7 @@ export function usePicture(element: RefObject<HTMLElement | null>): TimelinePict
       const mark = pictureMark(next) + (isRunning ? "" : ` ${next.endTick}`);
       if (mark === painted) return;
       painted = mark;
-      setPicture(next);
+      shown.setState({ picture: next });
     };
     const measure = new ResizeObserver(([entry]) => {
       width = Math.round(entry?.contentRect.width ?? 0);
@@ -33,6 +35,8 @@ export function usePicture(element: RefObject<HTMLElement | null>): TimelinePict
       measure.disconnect();
       endListening();
     };
-  }, [run, timelines, element]);
-  return picture;
+  }, [run, timelines, element, shown]);
+  return useStore(shown).picture;
 }
+
+const NOTHING = { picture: null };

@@ -3,6 +3,7 @@
  * second, as a screen reader can; otherwise at once.
  */
 import { useEffect, useState } from "react";
+import { createStore, useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { momentAt, type ShownMoment } from "./shown-moment.ts";
 
@@ -10,7 +11,7 @@ const SECOND = 60;
 
 export function useShownMoment(): ShownMoment {
   const { run, timeline } = useServices();
-  const [moment, setMoment] = useState<ShownMoment>({ tick: 0, who: null, event: null });
+  const [store] = useState(() => createStore<ShownMoment>(() => BEGINNING));
   useEffect(() => {
     let shown: ShownMoment | null = null;
     const look = () => {
@@ -21,16 +22,18 @@ export function useShownMoment(): ShownMoment {
       const next = momentAt(timeline.timeline, tick);
       if (shown !== null && isSame(shown, next)) return;
       shown = next;
-      setMoment(next);
+      store.setState(next, true);
     };
     look();
     const ends = [run.subscribe(look), timeline.listen(look)];
     return () => {
       for (const end of ends) end();
     };
-  }, [run, timeline]);
-  return moment;
+  }, [run, timeline, store]);
+  return useStore(store);
 }
+
+const BEGINNING: ShownMoment = { tick: 0, who: null, event: null };
 
 function isSameSecond(one: number, other: number): boolean {
   return Math.floor(one / SECOND) === Math.floor(other / SECOND);
