@@ -9,6 +9,8 @@ import { HOUR, type Hour } from "./hours.ts";
 import { processorTime, traceWhile, type TraceEvent } from "./main-thread.ts";
 
 const MOMENTS = 300;
+/** What opening the file and the press itself set going is not part of a jump. */
+const SETTLE_MS = 1000;
 /** From one jump to the next, so that page and worker come to rest. */
 const REST_MS = 50;
 /** Where the first jump may go, in px from the timeline's left end. */
@@ -68,7 +70,7 @@ async function openRun(page: Page, { record }: Hour): Promise<void> {
     ([input, end]) => input instanceof HTMLInputElement && input.max === end,
     [await slider.elementHandle(), String(HOUR)] as const,
   );
-  await page.waitForTimeout(1000);
+  await page.waitForTimeout(SETTLE_MS);
 }
 
 declare global {
@@ -122,7 +124,7 @@ async function jumpAbout(page: Page): Promise<void> {
   const width = Math.floor(0.94 * box.width);
   await page.mouse.move(box.x + 2, y);
   await page.mouse.down();
-  await page.waitForTimeout(500);
+  await page.waitForTimeout(SETTLE_MS);
   await page.evaluate(() => (globalThis.momentsShown = 0));
   for (let at = 1; at <= MOMENTS; at++) {
     await page.mouse.move(box.x + MARGIN + ((at * 7919) % width), y);

@@ -3,7 +3,8 @@ import { createScreenStore } from "../stores/screen-store.ts";
 import { en } from "../text/en/index.ts";
 import { createI18n } from "../text/i18n.ts";
 import type { WorkerPort } from "../worker/simulator-client.ts";
-import type { FromWorker, Moment } from "../worker/worker-messages.ts";
+import { momentAt } from "../worker/testing/moment-at.ts";
+import type { FromWorker } from "../worker/worker-messages.ts";
 import { createServices } from "./services.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 import { WorkReader } from "./work-reader.ts";
@@ -21,21 +22,6 @@ function openPage() {
   });
   const hear = (data: FromWorker) => worker.onmessage?.({ data } as MessageEvent<FromWorker>);
   return { ...services, hear };
-}
-
-function momentAt(kind: Moment["kind"], tick: number): Moment {
-  const pose = { x: 150, y: 150, heading: 0 };
-  return {
-    kind,
-    tick,
-    pose,
-    line: 0,
-    driver: "program",
-    bumps: 1,
-    cause: null,
-    mends: [],
-    program: null,
-  };
 }
 
 describe("a run that went on from an earlier moment", () => {

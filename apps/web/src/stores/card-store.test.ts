@@ -1,21 +1,11 @@
 import { describe, expect, it } from "vitest";
 import { firstProgram } from "../worker/first-work.ts";
+import { momentAt } from "../worker/testing/moment-at.ts";
 import type { Moment } from "../worker/worker-messages.ts";
 import { createCardStore, explain, forgetAfter } from "./card-store.ts";
 
 function moment(kind: Moment["kind"], tick: number): Moment {
-  const pose = { x: 150, y: 150, heading: 0 };
-  return {
-    kind,
-    tick,
-    pose,
-    line: 0,
-    driver: "program",
-    bumps: 1,
-    cause: null,
-    mends: [],
-    program: firstProgram,
-  };
+  return momentAt(kind, tick, firstProgram);
 }
 
 describe("what was explained of a run", () => {

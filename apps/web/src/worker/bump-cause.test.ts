@@ -2,17 +2,24 @@ import type { MazeDocument } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-work.ts";
 import { Bench } from "./testing/bench.ts";
+import type { Moment } from "./worker-messages.ts";
+
+/** Runs until the page would be told of a bump; null when none comes within 20 seconds. */
+function causeOfFirstBump(bench: Bench): Moment["cause"] {
+  bench.loop.run();
+  while (bench.time < 20_000) {
+    bench.time += 8;
+    bench.loop.advance();
+    const cause = bench.loop.takeNews()?.moments[0]?.cause ?? null;
+    if (cause !== null) return cause;
+  }
+  return null;
+}
 
 describe("a bump", () => {
   it("is told with the decision that led to it and the room that it had", () => {
     const bench = new Bench(firstMaze, { ...firstProgram, rules: [] });
-    bench.loop.run();
-    let cause = null;
-    while (cause === null && bench.time < 20_000) {
-      bench.time += 8;
-      bench.loop.advance();
-      cause = bench.loop.takeNews()?.moments[0]?.cause ?? null;
-    }
+    const cause = causeOfFirstBump(bench);
     expect(cause).toMatchObject({
       decidedAt: 0,
       action: "forward",
@@ -34,13 +41,7 @@ describe("a bump", () => {
       goals: [],
     };
     const bench = new Bench(box, { ...firstProgram, rules: [], default: "delayed left 90" });
-    bench.loop.run();
-    let cause = null;
-    while (cause === null && bench.time < 20_000) {
-      bench.time += 8;
-      bench.loop.advance();
-      cause = bench.loop.takeNews()?.moments[0]?.cause ?? null;
-    }
+    const cause = causeOfFirstBump(bench);
     expect(cause).toMatchObject({ action: "delayed left 90", part: 2, parts: 3, needed: 60 });
     expect(cause?.driven).toBeCloseTo((cause?.reading ?? 0) - 25, 6);
   });

@@ -1,0 +1,21 @@
+/** A moment in tests as the worker tells it: line 1 drove, and nothing is known of why. */
+import type { Moment } from "../worker-messages.ts";
+
+export function momentAt(
+  kind: Moment["kind"],
+  tick: number,
+  program: Moment["program"] = null,
+): Moment {
+  const pose = { x: 150, y: 150, heading: 0 };
+  return {
+    kind,
+    tick,
+    pose,
+    line: 0,
+    driver: "program",
+    bumps: 1,
+    cause: null,
+    mends: [],
+    program,
+  };
+}
