@@ -62,6 +62,32 @@ test("keeps progress after a reload", async ({ corridor, page }) => {
   await expect(lessons.path).toContainText("0 of 14 done");
 });
 
+test("comes back to a mission of the hand and drives on by the keyboard", async ({
+  corridor,
+  page,
+  context,
+}) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(2);
+  await corridor.reload();
+  await lessons.expectMission(2);
+  await expect(corridor.driver("Me")).toBeChecked();
+  // The same on another day, in another tab, and from the list of mazes.
+  const other = new CorridorPage(await context.newPage());
+  await other.open();
+  await expect(other.driver("Me")).toBeChecked();
+  await other.mazeMenu.click();
+  await other.page.getByRole("button", { name: /^New empty maze/ }).click();
+  await expect(other.driver("Me")).toBeChecked();
+  await other.letDrive("Program");
+  await other.mazeMenu.click();
+  await other.page
+    .getByRole("button", { name: /How far is the wall/ })
+    .first()
+    .click();
+  await expect(other.driver("Me")).toBeChecked();
+});
+
 test("keeps what is done in two tabs", async ({ corridor, page, context }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(3);

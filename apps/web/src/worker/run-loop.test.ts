@@ -316,6 +316,27 @@ describe("a remote script", () => {
   });
 });
 
+describe("a driver that is offered", () => {
+  it("takes a robot that waits at its start", () => {
+    const loop = loopOf();
+    loop.offerDriver("me");
+    expect(loop.driver).toBe("me");
+  });
+
+  it.each([
+    { name: "the program has just been started", act: (loop: RunLoop) => loop.run() },
+    { name: "a script has been chosen", act: (loop: RunLoop) => loop.setDriver("remote") },
+    { name: "a run has begun", act: (loop: RunLoop) => (loop.step(), void pass(loop, 500)) },
+  ])("is not taken where $name", ({ act }) => {
+    const loop = loopOf();
+    act(loop);
+    const { driver, isRunning } = loop;
+    loop.offerDriver("me");
+    expect(loop.driver).toBe(driver);
+    expect(loop.isRunning).toBe(isRunning);
+  });
+});
+
 it("a script that reaches the goal and bumps within one frame is told of both", () => {
   const corridor = {
     ...firstMaze,

@@ -121,6 +121,12 @@ export class RunLoop {
     if (driver === "remote") this.#start();
   }
 
+  /** Hands a robot that waits at its start to another than the program; a run that has begun goes on. */
+  offerDriver(driver: DriverName): void {
+    if (this.#live.run.tick > 0 || this.#isRunning || this.driver !== "program") return;
+    this.setDriver(driver);
+  }
+
   /** A drive key goes down or up; whoever drove before, the hand drives now, from the shown moment on. */
   hold(key: DriveKey): void {
     const isLettingGo = key === "stop";

@@ -210,6 +210,8 @@ function handle(message: ToWorker): void {
       return loop.setSpeed(message.speed);
     case "driver":
       return loop.setDriver(message.driver);
+    case "offer-driver":
+      return loop.offerDriver(message.driver);
     case "hold":
       return loop.hold(message.key);
     case "seek":

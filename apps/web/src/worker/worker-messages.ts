@@ -84,6 +84,8 @@ export type ToWorker =
   | { type: "judge"; id: number; terms: AttemptTerms | null }
   | { type: "speed"; speed: Speed }
   | { type: "driver"; driver: DriverName }
+  /** the same, where the run has not begun and nobody else was chosen */
+  | { type: "offer-driver"; driver: DriverName }
   | { type: "hold"; key: DriveKey }
   | { type: "remote-open"; session: RemoteSession | null; fresh: boolean }
   | { type: "remote-close" }

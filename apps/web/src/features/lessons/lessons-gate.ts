@@ -24,7 +24,7 @@ export class LessonsGate {
       if (works.currentId() === this.#work) return;
       this.#work = works.currentId();
       challenge.setState({ isInvited: false });
-      if (this.#belongsToChallenge()) void this.#sync();
+      if (this.#belongsToChallenge()) void this.#sync().then(() => this.handOver());
       else if (challenge.getState().challenge !== null) challenge.setState(noChallenge);
     });
   }
@@ -55,6 +55,11 @@ export class LessonsGate {
     program: ProgramDocument | null,
   ): Promise<boolean> {
     return this.#withService((lessons) => lessons.openShared(challenge, program));
+  }
+
+  /** The open work's driver drives, where it has one. Not before the page knows whether a run comes back. */
+  async handOver(): Promise<void> {
+    if (this.#belongsToChallenge()) await this.#withService((lessons) => lessons.handOver());
   }
 
   /** The reader does not want to be invited again. */

@@ -110,6 +110,13 @@ export class LessonsService {
     if (challenge !== null) this.#show(challenge, null);
   }
 
+  /** Lets drive whom the open challenge is meant for, unless a run of it has begun already. */
+  handOver(): void {
+    const { challenge, simulator } = this.#ports;
+    const driver = challenge.getState().challenge?.allowed.drivers[0];
+    if (driver !== undefined) simulator.send({ type: "offer-driver", driver });
+  }
+
   /** Shows another maze of the challenge; the program stays. */
   showMaze(index: number): void {
     const { challenge, workspace, simulator } = this.#ports;
