@@ -5,6 +5,7 @@ import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { expectNoBarriers } from "./support/axe.ts";
+import { atRest } from "./support/at-rest.ts";
 import { stickingOut } from "./support/layout.ts";
 
 test("a new student solves the first mission within a minute of the first visit", async ({
@@ -163,6 +164,39 @@ test("lets go of the key where the sensor says", async ({ corridor, page }) => {
   await expect(solved).toContainText(/^Solved!The robot stands where the sensor reads 1\d\d cm\./);
   await solved.getByRole("button", { name: "Next mission" }).click();
   await lessons.expectMission(3);
+});
+
+test("sees the robot beside the card of a mission at 1024 x 768", async ({ openWindow }) => {
+  const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
+  await corridor.open();
+  const { page } = corridor;
+  const lessons = new LessonsPanel(page);
+  const card = page.getByRole("region", { name: "Solved!" });
+  const overlap = async (): Promise<number> => {
+    await atRest(page);
+    const place = (await corridor.robotPlace.textContent()) ?? "";
+    const [x = 0, y = 0] = place.match(/\d+/g)?.map(Number) ?? [];
+    const robot = await corridor.maze.robotBox(x, y);
+    const box = await card.boundingBox();
+    if (box === null) throw new Error("there is no card");
+    const width = Math.min(robot.x + robot.side, box.x + box.width) - Math.max(robot.x, box.x);
+    const height = Math.min(robot.y + robot.side, box.y + box.height) - Math.max(robot.y, box.y);
+    return Math.max(0, width) * Math.max(0, height);
+  };
+  await lessons.openMission(2);
+  await page.keyboard.down("w");
+  await expect
+    .poll(async () => Number(await corridor.sensor("front").textContent()), { intervals: [20] })
+    .toBeLessThan(165);
+  await page.keyboard.up("w");
+  await expect(card).toBeVisible();
+  expect(await overlap(), "mission 2").toBe(0);
+  await lessons.openMission(3);
+  await corridor.program.action(1).selectOption("turn 180");
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(card).toBeVisible();
+  expect(await overlap(), "mission 3").toBe(0);
 });
 
 test("is told which maze fails", async ({ corridor, page }) => {

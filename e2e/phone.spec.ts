@@ -70,6 +70,43 @@ async function robotOnMap(page: Page) {
   return { x: x - map.x, y: y - map.y };
 }
 
+test("does the missions of the hand with a thumb, and every button is there whole", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { page } = corridor;
+  const next = page.getByRole("button", { name: "Next mission" });
+  const runProgram = page.getByRole("button", { name: "Run program" });
+  await page.getByRole("button", { name: "Start with mission 1" }).tap();
+  await expect(corridor.driveKey("forward")).toBeVisible();
+  await atRest(page);
+  await expect(runProgram).toBeInViewport({ ratio: 1 });
+  expect(await unreadable(page), "mission 1").toEqual([]);
+  const fingers = await Fingers.of(page);
+  await fingers.down(await middleOf(corridor.driveKey("forward")));
+  await expect(page.getByRole("note")).toHaveText(/^Challenge met after/);
+  await fingers.lift();
+  await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
+  // The card's own, not one more that it lies over.
+  await expect(next).toHaveCount(1);
+  await next.tap();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("How far is the wall?, Maze menu");
+  await expect(runProgram).toHaveCount(0);
+});
+
+test("reads a message without losing the maze from sight", async ({ openWindow }) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { page } = corridor;
+  await page.keyboard.press("i");
+  const message = corridor.messages.getByRole("button", { name: "Dismiss" });
+  await expect(message).toBeVisible();
+  await atRest(page);
+  const box = await boxOf(corridor.messages);
+  expect(box.y + box.height).toBeLessThanOrEqual((await boxOf(corridor.maze.grid)).y);
+});
+
 test("sees the whole maze again, and follows the robot again", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
   await corridor.open();

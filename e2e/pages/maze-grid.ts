@@ -84,6 +84,14 @@ export class MazeGrid {
     for (let press = 0; press < times; press++) await this.#page.keyboard.press(key);
   }
 
+  /** Where the robot at a place in cm is drawn on the screen, 50 cm wide. */
+  async robotBox(x: number, y: number): Promise<{ x: number; y: number; side: number }> {
+    const box = await this.grid.boundingBox();
+    if (box === null) throw new Error("the maze is not on the screen");
+    const scale = box.width / (100 * Number(await this.grid.getAttribute("aria-colcount")));
+    return { x: box.x + (x - 25) * scale, y: box.y + (y - 25) * scale, side: 50 * scale };
+  }
+
   async #middleOf({ column, row }: Square): Promise<{ x: number; y: number }> {
     const box = await this.grid.boundingBox();
     if (box === null) throw new Error("the maze is not on the screen");

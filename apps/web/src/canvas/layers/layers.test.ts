@@ -5,6 +5,7 @@ import { bumpMark } from "./bumps.ts";
 import { isOnReachedGoal } from "./joy.ts";
 import { faceOf } from "./robot.ts";
 import { numberStep } from "./rulers.ts";
+import { shownMarks } from "./tags.ts";
 
 const maze: MazeDocument = {
   format: "corridor/maze",
@@ -72,5 +73,22 @@ describe("the rulers", () => {
     { cellPx: 10, step: 5 },
   ])("number every $step squares of $cellPx px", ({ cellPx, step }) => {
     expect(numberStep(cellPx, 44)).toBe(step);
+  });
+});
+
+describe("the marks on the beams", () => {
+  const limits = [0, 1].map((line) => ({
+    line,
+    sensor: "front" as const,
+    distance: 50,
+    isRunning: line === 1,
+  }));
+  it.each([
+    { name: "all stand in a large maze", scale: 0.8, isAtBump: false, lines: [0, 1] },
+    { name: "all stay at a bump there", scale: 0.8, isAtBump: true, lines: [0, 1] },
+    { name: "the running line's stands in a small one", scale: 0.3, isAtBump: false, lines: [1] },
+    { name: "none hides a bump there", scale: 0.3, isAtBump: true, lines: [] },
+  ])("$name", ({ scale, isAtBump, lines }) => {
+    expect(shownMarks(limits, scale, isAtBump).map(({ line }) => line)).toEqual(lines);
   });
 });

@@ -22,7 +22,7 @@ import { ROBOT_RADIUS } from "./robot.ts";
 
 const READING = { height: 22, padding: 7, font: 14 };
 const MARK = { height: 18, padding: 6, font: 12, badge: 16, reach: 13 };
-/** Below this only the running line's mark is drawn, pixels per unit. */
+/** Below this the maze has no room for all marks, pixels per unit. */
 const ALL_MARKS_FROM = 0.45;
 
 /** Draws readings and marks; `lit` are the sensors that the running line reads, `bumped` looks at a wall that was hit. */
@@ -67,7 +67,7 @@ export function drawTags(
   requests.sort((a, b) => Number(lit.includes(b.name)) - Number(lit.includes(a.name)));
   const readings = placeTags(requests, [robot], viewport.port);
 
-  const shown = limits.filter((each) => each.isRunning || viewport.scale >= ALL_MARKS_FROM);
+  const shown = shownMarks(limits, viewport.scale, bumped !== null);
   drawMarks(context, viewport, palette, snapshot, shown, beamOf, [robot, ...readings], dirt);
 
   context.font = `600 ${READING.font}px ${palette.font}`;
@@ -81,6 +81,16 @@ export function drawTags(
       tag.name === bumped ? "bumped" : lit.includes(tag.name) ? "lit" : "plain",
     );
   }
+}
+
+/** All marks where there is room; else that of the running line, and none at a bump, which shows its own number. */
+export function shownMarks(
+  limits: readonly Limit[],
+  scale: number,
+  isAtBump: boolean,
+): readonly Limit[] {
+  if (scale >= ALL_MARKS_FROM) return limits;
+  return isAtBump ? [] : limits.filter((each) => each.isRunning);
 }
 
 /** A reading as it is written on the stage: whole centimetres. */

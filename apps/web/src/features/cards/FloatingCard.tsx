@@ -21,9 +21,9 @@ const ROBOT_HALF = 28;
 const CELL = 100;
 /** Half of the tail's side. */
 const TAIL_PX = 8;
-/** Measured before it is placed. */
 /** The legend below the drawing area, over which messages stand too, in px. */
 const LEGEND = 48;
+/** Measured before it is placed. */
 const HIDDEN = { visibility: "hidden", left: 0, top: 0 } as const;
 
 interface FloatingCardProps {
@@ -78,10 +78,12 @@ export function FloatingCard(props: FloatingCardProps) {
       const robot = boxOf(viewport, pose.x, pose.y, ROBOT_HALF);
       const { port } = layout;
       const inMaze = { ...port, x: area.x + port.x, y: area.y + port.y };
+      // Over the legend as the last resort, where nothing scrolls below it.
+      const stage = layout.overflows ? area : { ...area, height: area.height + LEGEND };
       const next =
         tone === "bad"
-          ? placeCard(area, robot, size, squares)
-          : placeCardAway(inMaze, area, robot, size, squares);
+          ? placeCard([area, stage], robot, size, squares)
+          : placeCardAway([inMaze, area, stage], robot, size, squares);
       const above = next.y - area.y;
       const below = area.height - above - size.height + LEGEND;
       setHalf(above > below ? "lower" : "upper");

@@ -20,7 +20,7 @@ describe("placeCard", () => {
     { name: "left of a robot on the right", x: 800, y: 300, tail: "right" },
   ])("stands $name, 16 px away, its tail at the robot", ({ x, y, tail }) => {
     const robot = robotAt(x, y);
-    const place = placeCard(area, robot, card, []);
+    const place = placeCard([area], robot, card, []);
     expect(place.tail).toBe(tail);
     expect(tail === "left" ? place.x - (x + 20) : x - 20 - (place.x + card.width)).toBe(16);
     expect(place.y + place.tailAt).toBe(y);
@@ -28,7 +28,7 @@ describe("placeCard", () => {
 
   it("goes to the other side of a robot whose goal is where it would stand", () => {
     const goal = { x: 640, y: 260, width: 80, height: 80 };
-    const place = placeCard(area, robotAt(470, 300), card, [goal]);
+    const place = placeCard([area], robotAt(470, 300), card, [goal]);
     expect(touches({ ...place, ...card }, goal)).toBe(false);
     expect(place.tail).toBe("right");
   });
@@ -36,7 +36,7 @@ describe("placeCard", () => {
   it("stands beyond the block that the robot hit, with its tail still at the robot", () => {
     const robot = robotAt(200, 500);
     const hit = { x: 220, y: 460, width: 80, height: 80 };
-    const place = placeCard(area, robot, card, [hit]);
+    const place = placeCard([area], robot, card, [hit]);
     expect(touches({ ...place, ...card }, hit)).toBe(false);
     expect(place).toMatchObject({ x: 316, tail: "left" });
     expect(place.y + place.tailAt).toBe(500);
@@ -46,7 +46,7 @@ describe("placeCard", () => {
     fc.assert(
       fc.property(fc.integer({ min: 30, max: 930 }), fc.integer({ min: 30, max: 570 }), (x, y) => {
         const robot = robotAt(x, y);
-        const place = placeCard(area, robot, card, []);
+        const place = placeCard([area], robot, card, []);
         expect(touches({ ...place, ...card }, robot)).toBe(false);
         expect(place.x).toBeGreaterThanOrEqual(8);
         expect(place.y).toBeGreaterThanOrEqual(8);
@@ -57,12 +57,12 @@ describe("placeCard", () => {
   });
 
   it("has no tail where the card had to be pushed away from the robot's height", () => {
-    expect(placeCard(area, robotAt(200, 20), card, []).tail).toBeNull();
+    expect(placeCard([area], robotAt(200, 20), card, []).tail).toBeNull();
   });
 
   it("begins at the stage's start where the stage is smaller than the card", () => {
     const small = { x: 0, y: 0, width: 300, height: 200 };
-    expect(placeCard(small, robotAt(150, 100), card, [])).toMatchObject({ x: 8, y: 8 });
+    expect(placeCard([small], robotAt(150, 100), card, [])).toMatchObject({ x: 8, y: 8 });
   });
 });
 
@@ -71,12 +71,12 @@ describe("placeCardAway", () => {
     { name: "left of a robot on the right", x: 900, y: 60, at: { x: 8, y: 8 } },
     { name: "right of a robot on the left", x: 60, y: 60, at: { x: 592, y: 8 } },
   ])("stands high up, $name, without a tail", ({ x, y, at }) => {
-    expect(placeCardAway(area, area, robotAt(x, y), card, [])).toMatchObject({ ...at, tail: null });
+    expect(placeCardAway([area], robotAt(x, y), card, [])).toMatchObject({ ...at, tail: null });
   });
 
   it("goes below where a goal is high up", () => {
     const goal = { x: 40, y: 40, width: 80, height: 80 };
-    expect(placeCardAway(area, area, robotAt(900, 60), card, [goal])).toMatchObject({
+    expect(placeCardAway([area], robotAt(900, 60), card, [goal])).toMatchObject({
       x: 8,
       y: 332,
     });
@@ -85,7 +85,15 @@ describe("placeCardAway", () => {
   it("goes beyond a maze that is too small for it, where the stage has the room", () => {
     const maze = { x: 200, y: 30, width: 400, height: 300 };
     const goal = { x: 400, y: 110, width: 80, height: 80 };
-    const place = placeCardAway(maze, area, robotAt(440, 150), card, [goal]);
+    const place = placeCardAway([maze, area], robotAt(440, 150), card, [goal]);
     expect(touches({ ...place, ...card }, goal)).toBe(false);
+  });
+
+  it("stands over the legend where only that leaves a robot in a low stage in sight", () => {
+    const low = { x: 0, y: 0, width: 640, height: 470 };
+    const withLegend = { ...low, height: 518 };
+    const robot = robotAt(300, 228);
+    const place = placeCardAway([low, withLegend], robot, card, []);
+    expect(touches({ ...place, ...card }, robot)).toBe(false);
   });
 });

@@ -23,49 +23,51 @@ const CORNER = 24;
 const ways = ["left", "right", "top", "bottom"] as const;
 
 /**
- * @param area where the card may stand
+ * @param areas where the card may stand: the first where that leaves all in sight, then the next
  * @param robot the robot's box
  * @param card the size that the card takes
  * @param keepClear what the card should not cover besides the robot
  */
 export function placeCard(
-  area: Box,
+  areas: readonly Box[],
   robot: Box,
   card: { width: number; height: number },
   keepClear: readonly Box[],
 ): CardPlace {
-  const middleX = robot.x + robot.width / 2;
-  // The roomier half first: right of a robot that stands on the left, and the other way round.
-  const isFarRight = middleX > area.x + area.width / 2;
-  const order = isFarRight ? (["right", "left", "top", "bottom"] as const) : ways;
   const clump = around(robot, keepClear);
-  const places = [
-    ...order.map((tail) => beside(tail, area, robot, robot, card)),
-    ...order.map((tail) => beside(tail, area, robot, clump, card)),
-  ];
-  return leastCovering([...places, ...corners(area, card)], robot, card, keepClear);
+  const places = areas.flatMap((area) => {
+    // The roomier half first: right of a robot that stands on the left, and the other way round.
+    const order = isFarRight(robot, area) ? (["right", "left", "top", "bottom"] as const) : ways;
+    return [
+      ...order.map((tail) => beside(tail, area, robot, robot, card)),
+      ...order.map((tail) => beside(tail, area, robot, clump, card)),
+      ...corners(area, card),
+    ];
+  });
+  return leastCovering(places, robot, card, keepClear);
 }
 
 /**
  * Where a card stands that is not about the place of the robot: in a corner, high up, and as far from the
- * robot as may be, so that the way that it came stays in sight. The maze's own corners come first, then the
- * stage's: where the maze is little larger than the card, only those leave the robot and the goal free.
+ * robot as may be, so that the way that it came stays in sight.
+ * @param areas whose corners come first, such as the maze's: where that is little larger than the card, only
+ *   those of the stage leave the robot and the goal free
  */
 export function placeCardAway(
-  maze: Box,
-  stage: Box,
+  areas: readonly Box[],
   robot: Box,
   card: { width: number; height: number },
   keepClear: readonly Box[],
 ): CardPlace {
-  const middleX = robot.x + robot.width / 2;
-  const cornersOf = (area: Box): CardPlace[] => {
+  const places = areas.flatMap((area) => {
     const fromLeft = corners(area, card);
-    const isFarRight = middleX > area.x + area.width / 2;
-    return isFarRight ? fromLeft : [...fromLeft.slice(2), ...fromLeft.slice(0, 2)];
-  };
-  const order = [...cornersOf(maze), ...cornersOf(stage)];
-  return leastCovering(order, robot, card, keepClear);
+    return isFarRight(robot, area) ? fromLeft : [...fromLeft.slice(2), ...fromLeft.slice(0, 2)];
+  });
+  return leastCovering(places, robot, card, keepClear);
+}
+
+function isFarRight(robot: Box, area: Box): boolean {
+  return robot.x + robot.width / 2 > area.x + area.width / 2;
 }
 
 /** The first of the places that cover least of what should stay in sight. */

@@ -4,6 +4,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
+import { useRights } from "../lessons/use-rights.ts";
 import { runButton, runOrPause } from "../transport/run-button.ts";
 import { DrivePad } from "./DrivePad.tsx";
 import styles from "./drive.module.css";
@@ -15,6 +16,7 @@ export function DriveTab({ hold }: { hold: HoldStore }) {
   const { run } = useServices();
   const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
   const isNow = useStore(run, ({ view }) => view === "now");
+  const drivers = useRights()?.drivers;
   return (
     <div className={styles["tab"]}>
       <div className={styles["tabHead"]}>
@@ -24,8 +26,8 @@ export function DriveTab({ hold }: { hold: HoldStore }) {
       <DrivePad hold={hold} caps="words" />
       <div className={styles["tabFoot"]}>
         <p className={styles["says"]}>{t(`drive.says.${driver}`)}</p>
-        {/* In the past the transport is in sight, with its own button. */}
-        {isNow && <RunProgram />}
+        {/* In the past the transport is in sight, with its own button; some missions are for the hand alone. */}
+        {isNow && drivers?.includes("program") !== false && <RunProgram />}
       </div>
     </div>
   );

@@ -57,7 +57,7 @@ function ScaleBar({ view }: { view: StageViewStore }) {
   if (cellPx === 0) return null;
   const { units, width, ticks } = scaleBar(cellPx);
   return (
-    <svg className={styles["scale"]} width={width + 60} height={28} aria-hidden="true">
+    <svg className={styles["scale"]} width={width + 40} height={28} aria-hidden="true">
       <rect className={styles["scaleFill"]} x={1} y={1} width={width / 2} height={5} />
       <rect className={styles["scaleFrame"]} x={1} y={1} width={width} height={5} />
       <path
