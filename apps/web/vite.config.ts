@@ -5,6 +5,7 @@ import { scopedName, shellClasses } from "./build/class-names.ts";
 import { englishWords } from "./build/english-words.ts";
 import { firstScript } from "./build/first-script.ts";
 import { layerOrder } from "./build/layer-order.ts";
+import { leanClasses } from "./build/lean-classes.ts";
 import { leanIcons } from "./build/lean-icons.ts";
 import { leanWords } from "./build/lean-words.ts";
 import { precompress } from "./build/precompress.ts";
@@ -72,6 +73,7 @@ export default defineConfig({
         ],
       },
     }),
+    leanClasses(),
     leanIcons(),
     layerOrder(),
     leanWords(),

@@ -1,6 +1,5 @@
 /** The robot from above as a small picture. The only thing with a face. */
 import styles from "./robot-face.module.css";
-import { classNames } from "./class-names.ts";
 
 interface RobotFaceProps {
   /** its width in px */
@@ -12,7 +11,7 @@ interface RobotFaceProps {
 export function RobotFace({ size, mood = "driving", className }: RobotFaceProps) {
   return (
     <svg
-      className={classNames(styles["robot"], className)}
+      className={className}
       width={size}
       height={size}
       viewBox="-28 -28 56 56"

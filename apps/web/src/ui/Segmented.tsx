@@ -24,7 +24,7 @@ export function Segmented<Value extends string>({
 }: SegmentedProps<Value>) {
   const name = useId();
   return (
-    <fieldset className={styles["group"]}>
+    <fieldset>
       <legend className={showLabel ? styles["legend"] : "visually-hidden"}>{label}</legend>
       <div className={classNames(styles["options"], styles[look])}>
         {options.map((option) => (

@@ -8,7 +8,6 @@ import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
 import type { LessonsService } from "../lessons/lessons-service.ts";
 import { chooseMaze } from "../presets/choose-preset.ts";
-import styles from "./cards.module.css";
 
 interface OnwardProps {
   maze: MazeDocument;
@@ -59,7 +58,7 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
   return (
     <Button kind="primary" onClick={() => void lessons.openMission(next)}>
       {t("words:cards.solved.nextMission")}
-      <ArrowRight className={styles["onward"]} aria-hidden="true" />
+      <ArrowRight aria-hidden="true" />
     </Button>
   );
 }

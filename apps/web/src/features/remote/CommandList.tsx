@@ -88,7 +88,7 @@ function CommandRow({ record }: { record: ListedCommand }) {
   return (
     <tr className={classNames(styles["row"], record.state === "started" && styles["running"])}>
       <td className={styles["seq"]}>{record.seq}</td>
-      <td className={styles["command"]}>
+      <td>
         <span dir="ltr" className={styles["mono"]}>
           {commandText(record.command)}
         </span>

@@ -21,7 +21,7 @@ export function StageLegend({ view }: { view: StageViewStore }) {
   return (
     <div className={styles["legend"]} data-ready={isDivided && isKnown}>
       <ScaleBar view={view} />
-      <span className={styles["block"]}>{t("stage.block")}</span>
+      <span>{t("stage.block")}</span>
       <RobotPlace />
       <DescribeButton className={styles["describe"]} />
     </div>

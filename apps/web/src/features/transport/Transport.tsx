@@ -57,7 +57,6 @@ function StepBack() {
     <IconButton
       kind="outline"
       size="large"
-      className={styles["back"]}
       label={t("timeline.stepBack")}
       onClick={() => simulator.send({ type: "seek-step", by: -1 })}
     >
