@@ -13,6 +13,12 @@ const source = (path: string): string =>
 /** The styles that index.html may use. */
 const shellStyles: Readonly<Record<string, string>> = {
   app: source("app/app"),
+  bar: source("app/top-bar"),
+  brand: source("app/brand"),
+  failure: source("app/failure"),
+  house: source("app/empty-house"),
+  panel: source("app/side-panel"),
+  sheet: source("app/phone-sheet"),
   transport: source("features/transport/transport"),
   button: source("ui/button"),
   field: source("ui/field"),

@@ -1,5 +1,5 @@
 /** The word mark, drawn in index.html, where it stands before any script; on phones only its C, the mark. */
-import styles from "./app.module.css";
+import styles from "./brand.module.css";
 
 export function Brand() {
   return (

@@ -5,23 +5,27 @@
 import { useTranslation } from "react-i18next";
 import { Messages } from "../features/messages/Messages.tsx";
 import { SpokenRun } from "../features/speech/SpokenRun.tsx";
-import styles from "./app.module.css";
+import page from "./app.module.css";
 import { Brand } from "./Brand.tsx";
+import styles from "./empty-house.module.css";
+import sheet from "./phone-sheet.module.css";
+import panel from "./side-panel.module.css";
+import bar from "./top-bar.module.css";
 
 export function EmptyHouse() {
   const { t } = useTranslation();
   return (
-    <div className={styles["page"]}>
-      <header className={styles["bar"]}>
+    <div className={page["page"]}>
+      <header className={bar["bar"]}>
         <Brand />
       </header>
-      <main className={styles["stage"]}>
+      <main className={page["stage"]}>
         <p className={styles["opening"]}>{t("offline.opening")}</p>
         <Messages />
       </main>
-      <div className={styles["footer"]} />
-      <div className={`${styles["panel"]} ${styles["emptyPanel"]}`} />
-      <div className={`${styles["sheet"]} ${styles["emptySheet"]}`} />
+      <div className={page["footer"]} />
+      <div className={`${panel["panel"]} ${panel["empty"]}`} />
+      <div className={sheet["sheet"]} />
       <SpokenRun />
     </div>
   );

@@ -2,7 +2,7 @@
 import { Component, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../ui/Button.tsx";
-import styles from "./app.module.css";
+import styles from "./failure.module.css";
 
 interface ErrorBoundaryProps {
   /** saves the documents now, before the reader reloads */

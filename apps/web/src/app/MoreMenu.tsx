@@ -5,7 +5,7 @@ import { FileMenuItems } from "../features/files/FileMenuItems.tsx";
 import { LanguageSelect } from "../features/language/LanguageSelect.tsx";
 import { ThemeChoice } from "../features/theme/ThemeChoice.tsx";
 import { MenuItem } from "../ui/Popover.tsx";
-import styles from "./app.module.css";
+import styles from "./more-menu.module.css";
 
 export interface TopBarProps {
   isPhone: boolean;
@@ -32,10 +32,10 @@ export function MoreMenu({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) 
         {t("shell.keys.title")}
       </MenuItem>
       <FileMenuItems />
-      <div className={styles["moreTheme"]}>
+      <div className={styles["choice"]}>
         <ThemeChoice />
       </div>
-      <div className={styles["moreTheme"]}>
+      <div className={styles["choice"]}>
         <LanguageSelect />
       </div>
     </>

@@ -10,7 +10,7 @@ import { LazyPresetsPanel } from "../features/presets/lazy-presets-panel.ts";
 import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
 import { Later } from "../ui/Later.tsx";
 import { Tabs } from "../ui/Tabs.tsx";
-import styles from "./app.module.css";
+import styles from "./phone-sheet.module.css";
 import { useServices } from "./services.ts";
 import { dragged, pressed, type SheetPosition } from "./sheet.ts";
 
@@ -64,7 +64,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
             setTab(next);
             if (position === "closed") setPosition("half");
           }}
-          panelClassName={styles["sheetContent"]}
+          panelClassName={styles["content"]}
         >
           {tab === "drive" && (
             <>

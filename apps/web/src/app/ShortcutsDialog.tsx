@@ -4,7 +4,7 @@ import { useStore } from "zustand";
 import { Checkbox } from "../ui/Checkbox.tsx";
 import { Dialog } from "../ui/Dialog.tsx";
 import { Kbd } from "../ui/Kbd.tsx";
-import styles from "./app.module.css";
+import styles from "./shortcuts-dialog.module.css";
 import { capsOf } from "./key-caps.ts";
 import { useServices } from "./services.ts";
 
@@ -42,7 +42,7 @@ export function ShortcutsDialog({ isOpen, onClose }: { isOpen: boolean; onClose:
       width="narrow"
       isText
       footer={
-        <div className={styles["keySwitches"]}>
+        <div className={styles["switches"]}>
           <Checkbox
             label={t("shell.keys.single")}
             note={t("shell.keys.singleNote")}
@@ -60,7 +60,7 @@ export function ShortcutsDialog({ isOpen, onClose }: { isOpen: boolean; onClose:
     >
       <dl className={styles["keys"]}>
         {rows.map(([row, keys]) => (
-          <div key={row} className={styles["keyRow"]}>
+          <div key={row} className={styles["row"]}>
             <dt>{t(row)}</dt>
             <dd>
               {keys.map((key) => (

@@ -8,7 +8,7 @@ import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
 import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
 import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
 import { Later } from "../ui/Later.tsx";
-import styles from "./app.module.css";
+import styles from "./side-panel.module.css";
 import { useServices } from "./services.ts";
 
 export function SidePanel({ hold }: { hold: HoldStore }) {

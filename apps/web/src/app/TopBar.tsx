@@ -12,7 +12,7 @@ import { lazyPart } from "../ui/lazy-part.tsx";
 import { Later } from "../ui/Later.tsx";
 import { Popover, usePopover } from "../ui/Popover.tsx";
 import { useMediaQuery } from "../ui/use-media-query.ts";
-import styles from "./app.module.css";
+import styles from "./top-bar.module.css";
 import { Brand } from "./Brand.tsx";
 import type { TopBarProps } from "./MoreMenu.tsx";
 
@@ -27,14 +27,14 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
       <Brand />
       <Later>
         <MazeMenu />
-        <div className={styles["barEnd"]}>
+        <div className={styles["end"]}>
           {!isPhone && <PresetsButton />}
           {!isPhone && <LessonsButton />}
           <ShareButton />
           {isNarrow ? (
             <More isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
           ) : (
-            <div className={styles["barLast"]}>
+            <div className={styles["last"]}>
               <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
                 <Keyboard aria-hidden="true" />
               </IconButton>

@@ -1,7 +1,7 @@
 /** The pinned foot of the panel: sensors and drive keys side by side. */
 import { useTranslation } from "react-i18next";
 import { DrivePad } from "./DrivePad.tsx";
-import styles from "./drive.module.css";
+import styles from "./drive-foot.module.css";
 import type { HoldStore } from "./hold-store.ts";
 import { SensorCross } from "./SensorCross.tsx";
 

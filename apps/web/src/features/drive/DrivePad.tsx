@@ -5,7 +5,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { classNames } from "../../ui/class-names.ts";
 import type { DriveKey } from "../../worker/worker-messages.ts";
-import styles from "./drive.module.css";
+import styles from "./drive-pad.module.css";
 import { activeKey, type HoldStore } from "./hold-store.ts";
 
 /** Without a cap: the space bar, which has another name in each language. */

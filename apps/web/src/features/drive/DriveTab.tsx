@@ -7,7 +7,7 @@ import { Button } from "../../ui/Button.tsx";
 import { useRights } from "../lessons/use-rights.ts";
 import { runButton, runOrPause } from "../transport/run-button.ts";
 import { DrivePad } from "./DrivePad.tsx";
-import styles from "./drive.module.css";
+import styles from "./drive-tab.module.css";
 import type { HoldStore } from "./hold-store.ts";
 import { SensorCross } from "./SensorCross.tsx";
 
@@ -19,12 +19,12 @@ export function DriveTab({ hold }: { hold: HoldStore }) {
   const drivers = useRights()?.drivers;
   return (
     <div className={styles["tab"]}>
-      <div className={styles["tabHead"]}>
+      <div className={styles["head"]}>
         <h2 className={styles["caption"]}>{t("drive.hold")}</h2>
         <SensorCross look="row" />
       </div>
       <DrivePad hold={hold} caps="words" />
-      <div className={styles["tabFoot"]}>
+      <div className={styles["foot"]}>
         <p className={styles["says"]}>{t(`drive.says.${driver}`)}</p>
         {/* In the past the transport is in sight, with its own button; some missions are for the hand alone. */}
         {isNow && drivers?.includes("program") !== false && <RunProgram />}

@@ -10,7 +10,7 @@ import { classNames } from "../../ui/class-names.ts";
 import { followText } from "../../ui/follow-text.ts";
 import { LiveText } from "../../ui/LiveText.tsx";
 import { RobotFace } from "../../ui/RobotFace.tsx";
-import styles from "./drive.module.css";
+import styles from "./sensor-cross.module.css";
 import { readSensors, touchingSensor } from "./sensor-roles.ts";
 
 /** @param look cross: around the robot; row: one line of words, for phones, in whole cm as on the beams */

@@ -5,7 +5,7 @@ import { useTranslation } from "react-i18next";
 import { Select } from "../../ui/Select.tsx";
 import { useRights } from "../lessons/use-rights.ts";
 import { ActionIcon } from "./ProgramIcons.tsx";
-import styles from "./program.module.css";
+import styles from "./action-menu.module.css";
 
 interface ActionMenuProps {
   label: string;

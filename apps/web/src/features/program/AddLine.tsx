@@ -10,8 +10,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { useRights } from "../lessons/use-rights.ts";
 import { classNames } from "../../ui/class-names.ts";
-import ownStyles from "./add-line.module.css";
-import styles from "./program.module.css";
+import styles from "./add-line.module.css";
 import { UndoRedo } from "./ProgramHeader.tsx";
 
 export function AddLine({ onAdd }: { onAdd: () => void }) {
@@ -23,8 +22,8 @@ export function AddLine({ onAdd }: { onAdd: () => void }) {
   const isOff = rights !== null && count >= rights.maxLines;
   if (rights?.edits.has("lines") === false) {
     return (
-      <div className={classNames(ownStyles["foot"], ownStyles["given"])}>
-        <p className={ownStyles["reason"]}>{t("lessons.linesFixed")}</p>
+      <div className={classNames(styles["foot"], styles["given"])}>
+        <p className={styles["reason"]}>{t("lessons.linesFixed")}</p>
         <UndoRedo />
       </div>
     );
@@ -32,7 +31,7 @@ export function AddLine({ onAdd }: { onAdd: () => void }) {
   const button = (
     <button
       type="button"
-      className={classNames(styles["add"], isOff && ownStyles["off"])}
+      className={classNames(styles["add"], isOff && styles["off"])}
       disabled={isOff}
       aria-describedby={isOff ? reasonId : undefined}
       onClick={onAdd}
@@ -46,13 +45,13 @@ export function AddLine({ onAdd }: { onAdd: () => void }) {
       {rights === null ? (
         button
       ) : (
-        <div className={ownStyles["foot"]}>
+        <div className={styles["foot"]}>
           {button}
           <UndoRedo />
         </div>
       )}
       {isOff && (
-        <p id={reasonId} className={ownStyles["reason"]}>
+        <p id={reasonId} className={styles["reason"]}>
           {t("lessons.linesFull", { count: rights.maxLines })}
         </p>
       )}

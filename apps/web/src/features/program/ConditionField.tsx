@@ -19,7 +19,7 @@ import { useRights } from "../lessons/use-rights.ts";
 import { choiceOf, DO_NOTHING, kindOfChoice } from "./condition-menu.ts";
 import { applyEdit, chooseCondition, type RememberedNumbers } from "./program-actions.ts";
 import { SensorIcon } from "./ProgramIcons.tsx";
-import styles from "./program.module.css";
+import styles from "./condition-field.module.css";
 
 interface ConditionMenuProps {
   index: number;

@@ -5,7 +5,7 @@ import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { IconButton } from "../../ui/Button.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
 import { useRights } from "../lessons/use-rights.ts";
-import styles from "./program.module.css";
+import styles from "./line-tools.module.css";
 
 interface LineToolsProps {
   line: number;
@@ -44,6 +44,7 @@ function ToolButtons({
   return (
     <div className={styles["tools"]}>
       <IconButton
+        className={styles["tool"]}
         label={t("program.moveUp", { line })}
         data-move="up"
         disabled={isFirst || !canMove}
@@ -52,6 +53,7 @@ function ToolButtons({
         <ArrowUp aria-hidden="true" />
       </IconButton>
       <IconButton
+        className={styles["tool"]}
         label={t("program.moveDown", { line })}
         data-move="down"
         disabled={isLast || !canMove}
@@ -59,7 +61,12 @@ function ToolButtons({
       >
         <ArrowDown aria-hidden="true" />
       </IconButton>
-      <IconButton label={t("program.delete", { line })} disabled={!canDelete} onClick={onDelete}>
+      <IconButton
+        className={styles["tool"]}
+        label={t("program.delete", { line })}
+        disabled={!canDelete}
+        onClick={onDelete}
+      >
         <Trash2 aria-hidden="true" />
       </IconButton>
     </div>

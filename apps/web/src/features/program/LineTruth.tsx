@@ -9,7 +9,7 @@ import { classNames } from "../../ui/class-names.ts";
 import { followText, type Followed } from "../../ui/follow-text.ts";
 import { LiveText } from "../../ui/LiveText.tsx";
 import type { TruthAt } from "./line-state.ts";
-import styles from "./program.module.css";
+import styles from "./line-truth.module.css";
 
 interface LineTruthProps {
   /** the run as the line follows it */
@@ -17,9 +17,10 @@ interface LineTruthProps {
   /** a line without one does nothing and is skipped */
   condition: Condition | null;
   truth: TruthAt;
+  className?: string | undefined;
 }
 
-export function LineTruth({ feed, condition, truth }: LineTruthProps) {
+export function LineTruth({ feed, condition, truth, className }: LineTruthProps) {
   const { t, i18n } = useTranslation();
   const { language } = i18n;
   const element = useRef<HTMLSpanElement>(null);
@@ -47,7 +48,14 @@ export function LineTruth({ feed, condition, truth }: LineTruthProps) {
     );
   }
   return (
-    <span ref={element} className={styles["truth"]}>
+    <span
+      ref={element}
+      className={classNames(
+        styles["truth"],
+        condition.than === "right" && styles["compares"],
+        className,
+      )}
+    >
       <span className={classNames("live-box", styles["sides"])}>
         <span className={styles["mark"]}>
           <Check className={styles["yes"]} size={14} aria-hidden="true" />

@@ -13,9 +13,10 @@ import { ActionMenu } from "./ActionMenu.tsx";
 import { adviceOn } from "./advice-store.ts";
 import { AdviceNote } from "./AdviceNote.tsx";
 import { LineNote } from "./LineNotes.tsx";
+import frame from "./line-frame.module.css";
 import { decidingLine, shownBump } from "./line-state.ts";
 import { applyEdit } from "./program-actions.ts";
-import styles from "./program.module.css";
+import styles from "./otherwise.module.css";
 import { useAdviceText } from "./use-advice-text.ts";
 
 interface OtherwiseProps {
@@ -45,9 +46,9 @@ export function Otherwise({ element }: OtherwiseProps) {
   return (
     <fieldset
       ref={element}
-      className={classNames(styles["otherwise"], isBumped && styles["bumped"])}
+      className={classNames(frame["frame"], styles["otherwise"], isBumped && frame["bumped"])}
     >
-      <span className={styles["otherwiseWord"]}>{t("program.otherwise")}</span>
+      <span className={styles["word"]}>{t("program.otherwise")}</span>
       <ActionMenu
         label={t("program.otherwiseAction")}
         edit="otherwise"
@@ -59,10 +60,14 @@ export function Otherwise({ element }: OtherwiseProps) {
           })
         }
       />
-      <RobotFace size={22} mood={isBumped ? "bumped" : "driving"} className={styles["robot"]} />
-      <LineNote line="default" bump={bump} className={styles["otherwiseNote"]} />
+      <RobotFace
+        size={22}
+        mood={isBumped ? "bumped" : "driving"}
+        className={classNames(frame["robot"], styles["robot"])}
+      />
+      <LineNote line="default" bump={bump} className={styles["note"]} />
       {given !== null && text !== null && (
-        <div className={styles["otherwiseAdvice"]}>
+        <div className={styles["advice"]}>
           <AdviceNote text={text} onHide={() => advice.hide(given)} />
         </div>
       )}

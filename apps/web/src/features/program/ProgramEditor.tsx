@@ -11,7 +11,7 @@ import { AddLine } from "./AddLine.tsx";
 import { AdviceNews } from "./AdviceNews.tsx";
 import { Otherwise } from "./Otherwise.tsx";
 import { addLine } from "./program-actions.ts";
-import styles from "./program.module.css";
+import styles from "./program-editor.module.css";
 import { ProgramHeader } from "./ProgramHeader.tsx";
 import { ProgramLine } from "./ProgramLine.tsx";
 import { useRunningLine } from "./use-running-line.ts";

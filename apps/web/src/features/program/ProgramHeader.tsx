@@ -11,7 +11,7 @@ import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
 import { useRights } from "../lessons/use-rights.ts";
 import { applyEdit } from "./program-actions.ts";
-import styles from "./program.module.css";
+import styles from "./program-header.module.css";
 
 const AlgorithmList = lazyPart(async () => (await import("./AlgorithmList.tsx")).AlgorithmList);
 

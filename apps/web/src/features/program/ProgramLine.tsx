@@ -16,13 +16,14 @@ import { adviceOn } from "./advice-store.ts";
 import { AdviceNote } from "./AdviceNote.tsx";
 import { ConditionMenu, ConditionNumber } from "./ConditionField.tsx";
 import { lineFeed } from "./line-feed.ts";
+import frame from "./line-frame.module.css";
 import { LineNote } from "./LineNotes.tsx";
 import { shownBump, truthAt } from "./line-state.ts";
 import { lineElementId } from "./focus-line.ts";
 import { LineTools } from "./LineTools.tsx";
 import { LineTruth } from "./LineTruth.tsx";
 import { applyEdit, deleteLine, moveLine, type RememberedNumbers } from "./program-actions.ts";
-import styles from "./program.module.css";
+import styles from "./program-line.module.css";
 import { takeMend } from "./take-mend.ts";
 import { useAdviceText } from "./use-advice-text.ts";
 import { useLineLabel } from "./use-line-label.ts";
@@ -118,21 +119,21 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex
       tabIndex={0}
       onKeyDown={onKeyDown}
-      className={classNames(styles["line"], isBumped && styles["bumped"])}
+      className={classNames(frame["frame"], styles["line"], isBumped && frame["bumped"])}
     >
       <div className={styles["gutter"]}>
-        <Badge tone={isBumped ? "bad" : "rest"} className={styles["badge"]}>
+        <Badge tone={isBumped ? "bad" : "rest"} className={isBumped ? undefined : styles["badge"]}>
           {line}
         </Badge>
-        <RobotFace size={22} mood={isBumped ? "bumped" : "driving"} className={styles["robot"]} />
+        <RobotFace size={22} mood={isBumped ? "bumped" : "driving"} className={frame["robot"]} />
       </div>
       <span className={classNames(styles["word"], styles["if"])}>
         {index === 0 ? t("program.if") : t("program.elseIf")}
       </span>
-      <div className={classNames(styles["ask"], rule.when?.than === "right" && styles["compares"])}>
+      <div className={styles["ask"]}>
         <ConditionMenu index={index} condition={rule.when} remembered={remembered} />
         {rule.when !== null && <ConditionNumber index={index} condition={rule.when} />}
-        <LineTruth feed={feed} condition={rule.when} truth={truth} />
+        <LineTruth feed={feed} condition={rule.when} truth={truth} className={styles["truth"]} />
       </div>
       <span className={classNames(styles["word"], styles["then"])}>{t("program.then")}</span>
       <div className={styles["do"]}>
