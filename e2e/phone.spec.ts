@@ -95,6 +95,19 @@ test("does the missions of the hand with a thumb, and every button is there whol
   await expect(runProgram).toHaveCount(0);
 });
 
+test("finds nothing below the screen in any tab", async ({ openWindow }) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { page } = corridor;
+  for (const name of ["Presets", "Drive", "Program"] as const) {
+    await tab(page, name).tap();
+    await atRest(page);
+    // What is out of sight in the sheet scrolls there, never the page under the finger.
+    const below = await page.evaluate(() => document.documentElement.scrollHeight - innerHeight);
+    expect(below, name).toBe(0);
+  }
+});
+
 test("reads a message without losing the maze from sight", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
   await corridor.open();
@@ -384,6 +397,7 @@ test("touches every field without the phone zooming in", async ({ openWindow }) 
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: "View" }).tap();
   await page.locator(":popover-open").getByRole("button", { name: "Resize" }).tap();
+  await expect(corridor.dialog("Resize the maze")).toBeVisible();
   await expectCalm("resize");
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: "More", exact: true }).tap();
