@@ -47,9 +47,43 @@ test("sees a delayed turn count down: the way, the turn and the way out", async 
   await expect(bar).toHaveAccessibleName(/^turns in \d+ cm$/);
   const left = async () => Number(/\d+/.exec((await bar.getAttribute("aria-label")) ?? "")?.[0]);
   const begun = await left();
+  const filled = async () =>
+    program.line(1).evaluate((line) => {
+      const widths = [...line.querySelectorAll<HTMLElement>("[aria-hidden=true]")];
+      return parseFloat(
+        widths.find(({ style }) => style.backgroundSize)?.style.backgroundSize ?? "",
+      );
+    });
+  const filledFirst = await filled();
   await expect.poll(left).toBeLessThan(begun);
+  await expect.poll(filled).toBeGreaterThan(filledFirst);
   await expect(note(/^\d+ degrees? to go$/)).toBeVisible();
   await expect(note(/^\d+ cm to go$/)).toBeVisible();
+});
+
+test("sees the tick of a line stay in its place while its number changes", async ({ corridor }) => {
+  const { program } = corridor;
+  await program.empty();
+  await program.addLine("front >", "50", "forward");
+  await corridor.run.click();
+  const seen = await program.line(1).evaluate(
+    (line) =>
+      new Promise<{ lengths: number[]; places: number[] }>((resolve) => {
+        const number = line.querySelector("[data-is] .live-box > span > span:last-child");
+        const tick = line.querySelector("[data-is] svg");
+        const [lengths, places] = [new Set<number>(), new Set<number>()];
+        const look = (): void => {
+          lengths.add(number?.textContent.length ?? 0);
+          places.add(tick?.getBoundingClientRect().left ?? 0);
+          if (lengths.size > 2) resolve({ lengths: [...lengths], places: [...places] });
+          else requestAnimationFrame(look);
+        };
+        look();
+      }),
+  );
+  // "250", "241.7" and "91.7" or so.
+  expect(seen.lengths).toContain(5);
+  expect(seen.places).toHaveLength(1);
 });
 
 test("sees how far the turn of otherwise is", async ({ corridor }) => {

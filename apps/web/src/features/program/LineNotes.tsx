@@ -71,7 +71,7 @@ function LineProgress({ line, className }: LineProgressProps) {
       if (isHidden) return;
       const { kind, left, of } = progress;
       const words = wordsOf[kind](left);
-      filled.style.transform = `scaleX(${(of - left) / of})`;
+      filled.style.backgroundSize = `${(100 * (of - left)) / of}%`;
       const widest = wordsOf[kind](of);
       if (label.dataset["widest"] !== widest) label.dataset["widest"] = widest;
       if (node.data !== words) node.data = words;
@@ -87,9 +87,7 @@ function LineProgress({ line, className }: LineProgressProps) {
     <div ref={note} className={className} hidden>
       <div className={styles["progress"]}>
         <progress ref={bar} />
-        <span className={styles["bar"]} aria-hidden="true">
-          <span ref={fill} />
-        </span>
+        <span ref={fill} className={styles["bar"]} aria-hidden="true" />
         <span ref={text} className={styles["words"]} aria-hidden="true">
           <span className="live-box" />
         </span>

@@ -64,7 +64,7 @@ export function LineTruth({ feed, condition, truth, className }: LineTruthProps)
           <span className={classNames("visually-hidden", styles["no"])}>{t("program.false")}</span>
           <LiveText of={feed} text={left} />
         </span>{" "}
-        <LiveText of={feed} text={right} />
+        <LiveText of={feed} text={right} className={styles["than"]} />
       </span>
     </span>
   );
