@@ -47,6 +47,19 @@ test("scrubs back to the bump and sees the robot, sensors, truths and line of th
   await expect(corridor.clock).toHaveText(/^Time 0:01\./);
 });
 
+test("reads no half of a word beside the way back to now", async ({ openWindow }) => {
+  const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
+  await corridor.open();
+  const scale = corridor.page.getByText("1 block = 100 cm");
+  await expect(scale).toBeVisible();
+  await turnSomeTimes(corridor);
+  await corridor.timeline.slider.press("Home");
+  await expect(corridor.timeline.inThePast).toBeVisible();
+  await expect(scale).toBeHidden();
+  await corridor.page.getByRole("button", { name: "Back to now" }).click();
+  await expect(scale).toBeVisible();
+});
+
 test("lays an earlier moment out by the maze that it had", async ({ corridor }) => {
   const { maze, timeline } = corridor;
   await turnSomeTimes(corridor);

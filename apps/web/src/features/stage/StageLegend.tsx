@@ -18,10 +18,11 @@ export function StageLegend({ view }: { view: StageViewStore }) {
   const { run } = useServices();
   const isDivided = useStore(view, ({ layout }) => layout !== null);
   const isKnown = useStore(run, ({ snapshot }) => snapshot !== null);
+  const isNow = useStore(run, (state) => state.view === "now");
   return (
-    <div className={styles["legend"]} data-ready={isDivided && isKnown}>
+    <div className={styles["legend"]} data-ready={isDivided && isKnown} data-now={isNow}>
       <ScaleBar view={view} />
-      <span>{t("stage.block")}</span>
+      <span className={styles["block"]}>{t("stage.block")}</span>
       <RobotPlace />
       <DescribeButton className={styles["describe"]} />
     </div>
