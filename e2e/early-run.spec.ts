@@ -61,6 +61,37 @@ test("presses Run before the page's own script has come, and the run goes on in 
   await expect.poll(() => corridor.robotX()).toBeGreaterThan(90);
 });
 
+test("gets the page also while the robot's own file does not come", async ({ page }) => {
+  let letCome = (): void => {};
+  const isComing = new Promise<void>((resolve) => (letCome = resolve));
+  await page.route(/\/assets\/simulator\.worker-[\w-]+\.js$/, async (route) => {
+    await isComing;
+    await route.continue();
+  });
+  const corridor = new CorridorPage(page);
+  await page.goto("/", { waitUntil: "commit" });
+  // Pressed at once: the page waits for the robot, but not for ever.
+  await corridor.run.click();
+  await expect(page.locator("[data-early]")).toHaveCount(0);
+  letCome();
+  await expect(corridor.pause).toBeVisible();
+  await expect.poll(() => corridor.robotX()).toBeGreaterThan(90);
+});
+
+test("has each file of the page fetched once, with the robot's first tick", async ({ page }) => {
+  const asked: string[] = [];
+  page.on("request", (request) => asked.push(new URL(request.url()).pathname));
+  const corridor = new CorridorPage(page);
+  await page.goto("/", { waitUntil: "commit" });
+  await corridor.run.click();
+  await corridor.isReady();
+  const scripts = asked.filter((path) => /\/assets\/(?:index|react)-[\w-]+\.js$/.test(path));
+  expect(scripts.map((path) => path.replace(/-[\w-]+\.js$/, "")).toSorted()).toEqual([
+    "/assets/index",
+    "/assets/react",
+  ]);
+});
+
 test("pauses and goes on before the page's own script has come", async ({ page }) => {
   const letCome = await holdScript(page);
   const corridor = new CorridorPage(page);

@@ -1,6 +1,7 @@
 /**
  * Tells the page's first script, which is no part of the bundle, the few words that it says, and where
- * the simulator worker and the page's own script are: it starts both. It is made as small as the rest.
+ * the simulator worker and the page's own script are: it fetches and starts both. It is made as small as
+ * the rest.
  */
 import { createRequire } from "node:module";
 import { fileURLToPath } from "node:url";
@@ -9,7 +10,9 @@ import type { en } from "../src/text/en/index.ts";
 import { languages } from "../src/text/languages.ts";
 
 const WORKER = /(?:^|\/)simulator\.worker-[\w-]+\.js$/;
-const SCRIPT = /<script type="module" crossorigin src="([^"]+)"><\/script>/;
+const SCRIPT = /\s*<script type="module" crossorigin src="([^"]+)"><\/script>/;
+const PART = /\s*<link rel="modulepreload" crossorigin href="[^"]+">/g;
+const FIRST = '<script src="/first.js"';
 
 const require = createRequire(import.meta.url);
 
@@ -27,8 +30,12 @@ export function firstWords(tag: string) {
 }
 
 function told(html: string, attribute: string, value: string): string {
-  const written = html.replace(attribute, () => `${attribute}="${value}"`);
-  if (written === html) throw new Error(`index.html has no script with ${attribute}`);
+  return replaced(html, attribute, `${attribute}="${value}"`);
+}
+
+function replaced(html: string, text: string, by: string): string {
+  const written = html.replace(text, () => by);
+  if (written === html) throw new Error(`index.html has no ${text}`);
   return written;
 }
 
@@ -70,11 +77,17 @@ export function firstScript(): Plugin {
         if (worker === undefined) throw new Error("the build has no simulator worker");
         const [tag, page] = SCRIPT.exec(worded) ?? [];
         if (tag === undefined || page === undefined) throw new Error("index.html has no script");
-        const preloaded = worded
-          .replace(tag, `<link rel="modulepreload" crossorigin href="${page}">`)
-          // The styles of the house, and the worker behind its Run, come first.
-          .replaceAll('rel="modulepreload"', 'rel="modulepreload" fetchpriority="low"');
-        return told(told(preloaded, "data-simulator", `/${worker}`), "data-page", page);
+        const parts = [`<link rel="modulepreload" crossorigin href="${page}">`];
+        const bare = worded.replace(tag, "").replaceAll(PART, (part) => {
+          parts.push(part.trim());
+          return "";
+        });
+        // What a template holds is not fetched before the script takes it out. The styles of the house,
+        // and the worker behind its Run, come first all the same.
+        const links = parts.join("").replaceAll(" crossorigin", ' fetchpriority="low" crossorigin');
+        const template = `<template id="parts">${links}</template>`;
+        const filled = replaced(bare, FIRST, `${template}\n    ${FIRST}`);
+        return told(told(filled, "data-simulator", `/${worker}`), "data-page", page);
       },
     },
   };

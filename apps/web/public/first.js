@@ -71,8 +71,14 @@
   const early = { worker, heard: [], failure: null };
   window.corridorSimulator = early;
   let isPressed = false;
+  // A script is read as soon as it arrives, which takes a core away from the worker that starts meanwhile:
+  // on a first visit the page's comes after the first tick, or, on a slow line, long before that.
+  const fetchPage = () => document.head.append(document.getElementById("parts").content);
+  if (isFirst) setTimeout(fetchPage, 100);
+  else fetchPage();
   let open = () => {
     open = () => {};
+    fetchPage();
     import(page).catch(() => window.corridorFailed());
   };
   // The house is painted before the rest of the page is run; who has pressed Run already sees the robot
