@@ -95,6 +95,26 @@ test("does the missions of the hand with a thumb, and every button is there whol
   await expect(runProgram).toHaveCount(0);
 });
 
+for (const [lang, begin, run] of [
+  ["de", "Mit Mission 1 beginnen", "Programm starten"],
+  ["fr", "Commencer la mission 1", "Lancer le programme"],
+] as const) {
+  test(`reads the whole task above the keys in ${lang}`, async ({ openWindow }) => {
+    const corridor = await openWindow(phone);
+    const { page } = corridor;
+    await page.goto(`/?lang=${lang}`);
+    await page.getByRole("button", { name: begin }).tap();
+    await expect(page.getByRole("button", { name: run })).toBeInViewport({ ratio: 1 });
+    const task = page.getByRole("region", { name: "Mission" }).getByRole("paragraph").first();
+    const whole = await task.evaluate((text) => {
+      const own = text.getBoundingClientRect();
+      const around = text.parentElement?.getBoundingClientRect();
+      return around !== undefined && own.top >= around.top && own.bottom <= around.bottom;
+    });
+    expect(whole).toBe(true);
+  });
+}
+
 test("finds nothing below the screen in any tab", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
   await corridor.open();
