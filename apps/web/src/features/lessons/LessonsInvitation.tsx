@@ -17,12 +17,19 @@ export function LessonsInvitation() {
   return (
     <section className={styles["invitation"]} aria-label={t("lessons.lessons")}>
       <p className={styles["words"]}>{t("lessons.invitation")}</p>
-      <Button size="small" kind="primary" onClick={() => void lessons.openMission(FIRST_MISSION)}>
-        {t("lessons.begin")}
-      </Button>
-      <IconButton label={t("lessons.notNow")} onClick={() => lessons.dismissInvitation()}>
-        <X aria-hidden="true" />
-      </IconButton>
+      <div className={styles["answers"]}>
+        <Button
+          size="small"
+          kind="primary"
+          className={styles["begin"]}
+          onClick={() => void lessons.openMission(FIRST_MISSION)}
+        >
+          {t("lessons.begin")}
+        </Button>
+        <IconButton label={t("lessons.notNow")} onClick={() => lessons.dismissInvitation()}>
+          <X aria-hidden="true" />
+        </IconButton>
+      </div>
     </section>
   );
 }

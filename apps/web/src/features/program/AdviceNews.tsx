@@ -1,9 +1,14 @@
-/** Tells advice that came up once to those who listen; those who look see it in its line. */
+/**
+ * Tells advice that came up once to those who listen; those who look see it in its line. Where the lines
+ * scroll, the one that is being edited comes into sight with what it was told.
+ */
+import { useLayoutEffect } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { useSay } from "../speech/use-say.ts";
 import { adviceOn } from "./advice-store.ts";
+import { lineElementId } from "./focus-line.ts";
 import { useAdviceText } from "./use-advice-text.ts";
 
 export function AdviceNews() {
@@ -19,6 +24,12 @@ export function AdviceNews() {
     line === "default" ? null : (program.rules[line]?.when ?? null),
   );
   const text = useAdviceText(news, when);
+  useLayoutEffect(() => {
+    if (news === null || news.line === "default") return;
+    const id = workspace.getState().lineIds[news.line];
+    const element = document.getElementById(lineElementId(id ?? -1));
+    if (element?.contains(document.activeElement)) element.scrollIntoView({ block: "nearest" });
+  }, [news, workspace]);
   useSay(
     text === null
       ? null

@@ -1,5 +1,5 @@
 /** What can be done from an earlier moment of the run: watch on from it, or go back to now. */
-import { History, Play, SkipForward } from "lucide-react";
+import { Play, SkipForward } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -13,14 +13,11 @@ export function PastBar() {
   const view = useStore(run, (state) => state.view);
   if (view === "now") return null;
   return (
-    <div className={styles["bar"]}>
-      <span className={styles["note"]}>
-        <History size={16} aria-hidden="true" />
-        {t(`timeline.${view}Note`)}
-      </span>
+    <div className={styles["bar"]} title={t(`timeline.${view}Note`)}>
       {view === "past" && (
         <Button
           size="small"
+          className={styles["button"]}
           icon={<Play aria-hidden="true" />}
           title={t("timeline.watchNote")}
           onClick={() => simulator.send({ type: "play" })}
@@ -30,6 +27,7 @@ export function PastBar() {
       )}
       <Button
         size="small"
+        className={styles["button"]}
         icon={<SkipForward aria-hidden="true" />}
         onClick={() => simulator.send({ type: "now" })}
       >

@@ -1,0 +1,115 @@
+/** What is wanted has its room: nothing lies over it, nothing pushes it out of its row, nothing moves it. */
+import type { Locator } from "playwright/test";
+import { expect, test } from "./fixtures.ts";
+import { Words } from "./support/words.ts";
+
+async function boxOf(part: Locator): Promise<DOMRect> {
+  return part.evaluate((element) => {
+    // Of a box that is wider than its words, the words.
+    const range = document.createRange();
+    range.selectNodeContents(element);
+    return (element instanceof SVGElement ? element : range).getBoundingClientRect().toJSON();
+  });
+}
+
+for (const [width, height] of [
+  [1440, 900],
+  [1024, 768],
+] as const) {
+  test(`reads scale and place of an earlier moment at ${width} x ${height}`, async ({
+    openWindow,
+  }) => {
+    const corridor = await openWindow({ viewport: { width, height } });
+    await corridor.open();
+    await corridor.run.click();
+    await expect(corridor.clock).not.toHaveText(/0:00\.0/);
+    await corridor.pause.click();
+    await corridor.timeline.slider.press("ArrowLeft");
+    const { backToNow, watch } = corridor.timeline;
+    await expect(backToNow).toBeVisible();
+    const from = (await watch.boundingBox())?.x ?? 0;
+    const box = await backToNow.boundingBox();
+    const to = (box?.x ?? 0) + (box?.width ?? 0);
+    const scale = await boxOf(corridor.page.locator("main svg:has(text)", { hasText: " cm" }));
+    const place = await boxOf(corridor.robotPlace);
+    expect(scale.right).toBeLessThan(from);
+    expect(to).toBeLessThan(place.left);
+  });
+
+  test(`sees nothing of the panel move while the page opens at ${width} x ${height}`, async ({
+    openWindow,
+  }) => {
+    const { page } = await openWindow({ viewport: { width, height } });
+    await page.addInitScript(() => {
+      const moved: string[] = [];
+      Reflect.set(window, "moved", moved);
+      new PerformanceObserver((list) => {
+        for (const entry of list.getEntries()) {
+          const sources: unknown = Reflect.get(entry, "sources");
+          if (!Array.isArray(sources)) continue;
+          for (const { node } of sources as { node: Node | null }[]) {
+            if (node instanceof Element && node.closest("aside")) moved.push(node.outerHTML);
+          }
+        }
+      }).observe({ type: "layout-shift", buffered: true });
+    });
+    await page.goto("/");
+    await expect(page.getByRole("combobox", { name: "Line 2, action" })).toBeVisible();
+    await expect(page.getByRole("button", { name: "Add line" })).toBeVisible();
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
+    expect(await page.evaluate(() => Reflect.get(window, "moved"))).toEqual([]);
+  });
+}
+
+test("sees the whole advice below the line that is edited, where the lines scroll", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
+  await corridor.open();
+  const { program } = corridor;
+  await program.action(2).focus();
+  await program.action(2).selectOption("delayed left 90");
+  const mend = program.button("Change to left 90");
+  await expect(mend).toBeInViewport({ ratio: 1 });
+  await expect(program.action(2)).toBeInViewport({ ratio: 1 });
+  await expect(program.action(2)).toBeFocused();
+});
+
+for (const lang of ["de", "ar"]) {
+  for (const width of [390, 320]) {
+    test(`has run, steps, reset and speed in one row at ${width} px, in ${lang}`, async ({
+      openWindow,
+    }) => {
+      const { page } = await openWindow({
+        viewport: { width, height: 700 },
+        hasTouch: true,
+        isMobile: true,
+      });
+      const words = Words.of(lang);
+      await page.goto(`/?lang=${lang}`);
+      const button = (path: string): Locator =>
+        page.getByRole("button", { name: words.t(path), exact: true });
+      const speed = page.getByRole("combobox", { name: words.t("shell.run.speed") });
+      /** How far apart the tops of these are; one that is pressed goes down by a pixel. */
+      const apart = async (...parts: Locator[]) => {
+        const tops = await Promise.all(
+          parts.map(async (part) => (await part.boundingBox())?.y ?? 0),
+        );
+        return Math.max(...tops) - Math.min(...tops);
+      };
+      const [step, back] = [button("shell.run.step"), button("timeline.stepBack")];
+      await speed.selectOption("0.25");
+      await button("shell.run.run").tap();
+      const pause = button("shell.run.pause");
+      await expect(pause).toBeVisible();
+      // Beside the button two lines, or one of their own.
+      const invitation = page.getByText(words.t("lessons.invitation"));
+      expect((await invitation.boundingBox())?.height).toBeLessThan(40);
+      expect(await apart(pause, step, speed)).toBeLessThan(4);
+      await pause.tap();
+      await speed.selectOption("max");
+      await expect(back).toBeVisible();
+      expect(await apart(button("shell.run.run"), back, step, speed)).toBeLessThan(4);
+    });
+  }
+}
