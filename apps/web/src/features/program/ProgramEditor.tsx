@@ -1,6 +1,6 @@
 /** The dropdown editor: the lines from the top, otherwise, and a new line. */
 import { MAX_RULES } from "@corridor/program";
-import { Fragment, useRef, useState, type RefObject } from "react";
+import { Fragment, useLayoutEffect, useRef, useState, type RefObject } from "react";
 import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -15,6 +15,7 @@ import styles from "./program-editor.module.css";
 import { ProgramHeader } from "./ProgramHeader.tsx";
 import { ProgramLine } from "./ProgramLine.tsx";
 import { useRunningLine } from "./use-running-line.ts";
+import { watchRoom } from "./watch-room.ts";
 
 export function ProgramEditor() {
   const { t } = useTranslation();
@@ -35,9 +36,16 @@ function ProgramLines() {
   const { workspace, screen } = useServices();
   const program = useStore(workspace, (state) => state.program);
   const lineIds = useStore(workspace, (state) => state.lineIds);
+  const body = useRef<HTMLDivElement>(null);
+  const rod = useRef<HTMLSpanElement>(null);
   const list = useRef<HTMLOListElement>(null);
   const otherwise = useRef<HTMLFieldSetElement>(null);
   const [remembered] = useState(() => new Map<number, number>());
+
+  useLayoutEffect(() => {
+    if (body.current && rod.current) return watchRoom(body.current, rod.current);
+    return undefined;
+  }, []);
 
   function add() {
     const id = flushSync(() => addLine(workspace));
@@ -49,7 +57,8 @@ function ProgramLines() {
   }
 
   return (
-    <div className={styles["body"]}>
+    <div ref={body} className={styles["body"]}>
+      <span ref={rod} className={styles["rod"]} />
       <ol ref={list} className={styles["lines"]}>
         {program.rules.map((rule, index) => {
           const id = lineIds[index];
