@@ -27,7 +27,8 @@ const words = Object.fromEntries(languages.map(({ tag }) => [tag, firstWords(tag
 
 /**
  * Runs `public/first.js` as index.html does, until the house is there.
- * @returns what it made of the page, the worker's name, and what the house says by the names of its words
+ * @returns what it made of the page, the worker's name, what the house says by the names of its words, and
+ *   when it lets the page's script be fetched
  */
 function open({
   pathname = "/",
@@ -44,6 +45,8 @@ function open({
     dataset: { word },
     append: (text: string) => (said[word] = text),
   }));
+  const timers: (() => void)[] = [];
+  let fetched = 0;
   let houseIsThere = () => {};
   const storage = (items: Record<string, string>) =>
     Object.defineProperty({ ...items }, "getItem", {
@@ -52,6 +55,7 @@ function open({
   runInNewContext(script, {
     document: {
       documentElement: root,
+      head: { append: () => (fetched += 1) },
       currentScript: {
         dataset: { words: JSON.stringify(words), simulator: "/worker.js", page: "/page.js" },
       },
@@ -61,6 +65,7 @@ function open({
       querySelectorAll: (wanted: string) => (wanted === "[data-word]" ? places : []),
     },
     window: {},
+    setTimeout: (action: () => void) => timers.push(action),
     location: { pathname, search, hash },
     navigator: { languages: preferred },
     localStorage: storage(kept),
@@ -80,8 +85,10 @@ function open({
       disconnect(): void {}
     },
   });
+  const fetchedAtOnce = fetched > 0;
   houseIsThere();
-  return { root, name: names[0] ?? "", said };
+  for (const timer of timers) timer();
+  return { root, name: names[0] ?? "", said, fetchedAtOnce, fetchedLater: fetched > 0 };
 }
 
 describe("a first visit", () => {
@@ -99,6 +106,11 @@ describe("a first visit", () => {
     { what: "the address is a robot's", pathname: "/r/robot" },
   ])("is none where $what: the worker waits for the page", (visit) => {
     expect(earlyWork(open(visit).name)).toBeNull();
+  });
+
+  it("fetches the page's script after the worker's start, later visits at once", () => {
+    expect(open({})).toMatchObject({ fetchedAtOnce: false, fetchedLater: true });
+    expect(open({ hash: "#abc" })).toMatchObject({ fetchedAtOnce: true });
   });
 
   it("is one for who only chose a theme", () => {
