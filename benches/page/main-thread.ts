@@ -19,7 +19,7 @@ export interface TraceEvent {
   args: Record<string, unknown>;
 }
 
-/** Milliseconds in each frame (a sixtieth of a second) of the time that was watched. */
+/** Milliseconds in each frame (from one turn of the screen to the next) of the time that was watched. */
 export interface Watched {
   /** tasks of the main thread: script, style, layout, paint, and what the browser does in between */
   mainThread: number[];
@@ -32,6 +32,8 @@ export interface Watched {
 }
 
 const FRAME_US = 1e6 / 60;
+/** So much sooner than usual a turn may come. */
+const EARLY_US = 2000;
 const MARK = "corridor-bench";
 const categories = ["devtools.timeline", "toplevel", "blink.user_timing"];
 
@@ -98,9 +100,10 @@ function readTrace(events: readonly TraceEvent[]): Watched {
         name === "FireAnimationFrame" && pid === begin.pid && tid !== begin.tid,
     )
     .toSorted((a, b) => a.ts - b.ts);
+  const from = firstFrame(ofMain, tasks, begin.ts);
   return {
-    mainThread: byFrame(tasks, begin.ts, end.ts),
-    script: byFrame(scripts, begin.ts, end.ts),
+    mainThread: byFrame(tasks, from, end.ts),
+    script: byFrame(scripts, from, end.ts),
     workerFrames: frames.map((frame) => spent(frame)),
     workerGaps: frames.slice(1).map(({ ts }, at) => (ts - (frames[at]?.ts ?? ts)) / 1000),
   };
@@ -131,7 +134,29 @@ function outermost(events: readonly TraceEvent[]): TraceEvent[] {
   });
 }
 
-/** Milliseconds in each sixtieth of a second. */
+/**
+ * When the first frame begins. Work has until the screen's next turn, so frames are counted from there: in
+ * a grid that lies anywhere, much of what is done for one picture would count for the picture before.
+ * @param tasks of the main thread, in order
+ */
+function firstFrame(
+  ofMain: readonly TraceEvent[],
+  tasks: readonly TraceEvent[],
+  from: number,
+): number {
+  const angles = ofMain
+    .filter(({ name }) => name === "Layerize")
+    .map(({ ts }) => tasks.findLast((task) => task.ts <= ts)?.ts ?? ts)
+    .map((ts) => (2 * Math.PI * (ts - from)) / FRAME_US);
+  if (angles.length === 0) return from;
+  const sum = (of: (angle: number) => number): number =>
+    angles.reduce((all, it) => all + of(it), 0);
+  const usual = Math.atan2(sum(Math.sin), sum(Math.cos)) / (2 * Math.PI);
+  const turn = usual * FRAME_US - EARLY_US;
+  return from + turn - FRAME_US * Math.floor(turn / FRAME_US);
+}
+
+/** Milliseconds in each frame. */
 function byFrame(events: readonly TraceEvent[], from: number, to: number): number[] {
   const frames: number[] = Array.from({ length: Math.floor((to - from) / FRAME_US) }, () => 0);
   for (const event of events) {
