@@ -28,6 +28,9 @@ export function LineNote({ line, bump, className }: LineNoteProps) {
   );
 }
 
+/** Of a few things and of many: words bend with their number, and no turn has more degrees. */
+const COUNTS = [5, 180];
+
 interface LineProgressProps {
   line: LineRef;
   className?: string | undefined;
@@ -61,6 +64,12 @@ function LineProgress({ line, className }: LineProgressProps) {
     if (!box || !progressBar || !filled || !label) return undefined;
     const node = new Text();
     label.firstElementChild?.replaceChildren(node);
+    let hasRoom = false;
+    const makeRoom = (): void => {
+      const all = Object.values(wordsOf).flatMap((words) => COUNTS.map((count) => words(count)));
+      label.dataset["longest"] = all.join("\n");
+      hasRoom = true;
+    };
     const look = (state: RunState): void => {
       const progress = shownProgress(line, state);
       const isMoving = state.snapshot?.state === "running";
@@ -69,11 +78,10 @@ function LineProgress({ line, className }: LineProgressProps) {
       // An attribute that is written is styled anew, though it says the same.
       if (box.hidden !== isHidden) box.hidden = isHidden;
       if (isHidden) return;
+      if (!hasRoom) makeRoom();
       const { kind, left, of } = progress;
       const words = wordsOf[kind](left);
       filled.style.backgroundSize = `${(100 * (of - left)) / of}%`;
-      const widest = wordsOf[kind](of);
-      if (label.dataset["widest"] !== widest) label.dataset["widest"] = widest;
       if (node.data !== words) node.data = words;
       if (!isTold) return;
       progressBar.max = of;

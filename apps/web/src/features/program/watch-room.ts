@@ -17,12 +17,14 @@ const ROOMS = [
  * @returns a function that ends it
  */
 export function watchRoom(lines: HTMLElement, rod: HTMLElement): () => void {
-  const observer = new ResizeObserver(([entry]) => {
-    if (entry === undefined) return;
-    const { width, height } = entry.contentRect;
+  const look = (): void => {
+    const { width, height } = rod.getBoundingClientRect();
     const rooms = ROOMS.filter(([, most]) => width <= most * height);
     lines.dataset["room"] = rooms.map(([name]) => name).join(" ");
-  });
+  };
+  // Before they are painted: the observer's first word may come after that.
+  look();
+  const observer = new ResizeObserver(look);
   observer.observe(rod);
   return () => observer.disconnect();
 }
