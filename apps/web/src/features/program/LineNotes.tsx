@@ -28,7 +28,7 @@ export function LineNote({ line, bump, className }: LineNoteProps) {
   );
 }
 
-/** Of a few things and of many: words bend with their number, and no turn has more degrees. */
+/** A few, and the most degrees of a turn: words bend with their number, and the longest make the room. */
 const COUNTS = [5, 180];
 
 interface LineProgressProps {
