@@ -34,6 +34,9 @@ test("scrubs back to the bump and sees the robot, sensors, truths and line of th
   await bump(corridor);
   await timeline.mark("bump").click();
   await expect(timeline.inThePast).toBeVisible();
+  await expect(
+    corridor.page.getByRole("group", { name: "You see an earlier moment of this run." }),
+  ).toContainText("Back to now");
   await expect(corridor.clock).toHaveText("Time 0:02.2");
   await expect(corridor.robotPlace).toHaveText("Robot at 275, 650, facing right");
   await expect(corridor.sensor("front")).toHaveText("25");

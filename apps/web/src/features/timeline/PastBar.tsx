@@ -12,8 +12,9 @@ export function PastBar() {
   const { run, simulator } = useServices();
   const view = useStore(run, (state) => state.view);
   if (view === "now") return null;
+  const note = t(`timeline.${view}Note`);
   return (
-    <div className={styles["bar"]} title={t(`timeline.${view}Note`)}>
+    <div className={styles["bar"]} role="group" aria-label={note} title={note}>
       {view === "past" && (
         <Button
           size="small"
