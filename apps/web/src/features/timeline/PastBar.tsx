@@ -14,7 +14,7 @@ export function PastBar() {
   if (view === "now") return null;
   const note = t(`timeline.${view}Note`);
   return (
-    <div className={styles["bar"]} role="group" aria-label={note} title={note}>
+    <fieldset className={styles["bar"]} aria-label={note} title={note}>
       {view === "past" && (
         <Button
           size="small"
@@ -34,6 +34,6 @@ export function PastBar() {
       >
         {t("timeline.backToNow")}
       </Button>
-    </div>
+    </fieldset>
   );
 }
