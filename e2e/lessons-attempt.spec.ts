@@ -1,0 +1,136 @@
+/** An attempt at a mission: what may be changed, when it is met, and what is said until then. */
+import { expect, test } from "./fixtures.ts";
+import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { atRest } from "./support/at-rest.ts";
+
+test("is told what failed, with the number, while the robot drives", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(8);
+  await corridor.program.action(1).selectOption("delayed left 90");
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(lessons.outcome).toHaveText(
+    /^Bump at 4\.\d s\. Line 1 chose “delayed left 90” with 50 cm in front\. .* needs 75 cm\.$/,
+  );
+  await corridor.program.action(1).selectOption("left 90");
+  await corridor.reset.click();
+  await corridor.run.click();
+  await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+});
+
+test("lets go of the key where the sensor says", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(2);
+  // Slow, so that a busy machine does not let go too late.
+  await corridor.speed.selectOption("0.5×");
+  await corridor.speed.blur();
+  await page.keyboard.press("w", { delay: 400 });
+  await expect(lessons.outcome).toHaveText(
+    /^The robot stopped where the sensor reads 6\d\d cm\. The nearest place that counts reads 170 cm\.$/,
+  );
+  await page.keyboard.down("w");
+  await expect
+    .poll(async () => Number(await corridor.sensor("front").textContent()), { intervals: [20] })
+    .toBeLessThan(165);
+  await page.keyboard.up("w");
+  await expect(lessons.outcome).toHaveText(/^Challenge met after \d\.\d s$/);
+  const solved = page.getByRole("region", { name: "Solved!" });
+  await expect(solved).toContainText(/^Solved!The robot stands where the sensor reads 1\d\d cm\./);
+  await solved.getByRole("button", { name: "Next mission" }).click();
+  await lessons.expectMission(3);
+});
+
+test("sees the robot beside the card of a mission at 1024 x 768", async ({ openWindow }) => {
+  const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
+  await corridor.open();
+  const { page } = corridor;
+  const lessons = new LessonsPanel(page);
+  const card = page.getByRole("region", { name: "Solved!" });
+  const overlap = async (): Promise<number> => {
+    await atRest(page);
+    const place = (await corridor.robotPlace.textContent()) ?? "";
+    const [x = 0, y = 0] = place.match(/\d+/g)?.map(Number) ?? [];
+    const robot = await corridor.maze.robotBox(x, y);
+    const box = await card.boundingBox();
+    if (box === null) throw new Error("there is no card");
+    const width = Math.min(robot.x + robot.side, box.x + box.width) - Math.max(robot.x, box.x);
+    const height = Math.min(robot.y + robot.side, box.y + box.height) - Math.max(robot.y, box.y);
+    return Math.max(0, width) * Math.max(0, height);
+  };
+  await lessons.openMission(2);
+  await page.keyboard.down("w");
+  await expect
+    .poll(async () => Number(await corridor.sensor("front").textContent()), { intervals: [20] })
+    .toBeLessThan(165);
+  await page.keyboard.up("w");
+  await expect(card).toBeVisible();
+  expect(await overlap(), "mission 2").toBe(0);
+  await lessons.openMission(3);
+  await corridor.program.action(1).selectOption("turn 180");
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(card).toBeVisible();
+  expect(await overlap(), "mission 3").toBe(0);
+});
+
+test("is told which maze fails", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(12);
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  const part = page.getByRole("region", { name: "Met in this maze. Now check all 3." });
+  await part.getByRole("button", { name: "Check in all 3 mazes" }).click();
+  await expect(part).toBeHidden();
+  await expect(lessons.outcome).toHaveText(/^Maze 2: The goal was not reached in 40 s/);
+  await expect(lessons.card).toContainText("Passes in 1 of 3 mazes.");
+  await lessons.button("Open maze 2").click();
+  await expect(lessons.button("Maze 2 fails")).toHaveAttribute("aria-pressed", "true");
+  await corridor.maze.expectSquare({ column: 5, row: 3 }, "open, goal");
+  // The right wall passes in all of them.
+  await corridor.program.button("Add line").click();
+  await corridor.program.condition(2).selectOption("right >");
+  await corridor.program.number(2).fill("60");
+  await corridor.program.action(2).selectOption("delayed right 90");
+  await lessons.button("Check in all 3 mazes").click();
+  await expect(lessons.outcome).toHaveText("Challenge met: 2 of 3 lines used");
+  const solved = page.getByRole("region", { name: "Solved!" });
+  await expect(solved).toContainText("Your program passes in all mazes: 3 of 3.");
+  await expect(solved.getByRole("button", { name: "Next mission" })).toBeVisible();
+});
+
+test("menus offer only what the mission allows", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  // Only the action can be chosen, from four.
+  await lessons.openMission(3);
+  await expect(corridor.program.action(1).getByRole("option")).toHaveText([
+    "forward",
+    "reverse",
+    "left 90",
+    "turn 180",
+  ]);
+  await expect(corridor.program.condition(1)).toBeDisabled();
+  await expect(corridor.program.number(1)).toBeDisabled();
+  // Given lines take the room that a button without use would.
+  await expect(corridor.program.button("Add line")).toHaveCount(0);
+  await expect(corridor.program.region).toContainText("The lines of this mission are given.");
+  // Only the number can be changed.
+  await lessons.openMission(5);
+  await expect(corridor.program.action(1)).toBeDisabled();
+  await expect(corridor.program.number(1)).toBeEnabled();
+  // One line, about front alone.
+  await lessons.openMission(6);
+  await corridor.program.button("Add line").click();
+  await expect(corridor.program.condition(1).getByRole("option")).toHaveText([
+    "[Do nothing]",
+    "front >",
+    "front <",
+  ]);
+  await expect(corridor.program.button("Add line")).toBeDisabled();
+  await expect(corridor.program.button("Add line")).toHaveAccessibleDescription(
+    "This mission allows 1 line.",
+  );
+  // The maze stays as it is, and says so.
+  await corridor.maze.click({ column: 3, row: 1 });
+  await expect(corridor.message(/The maze of this mission stays as it is/)).toBeVisible();
+  await corridor.maze.expectSquare({ column: 3, row: 1 }, "open");
+});

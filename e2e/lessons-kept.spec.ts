@@ -1,0 +1,91 @@
+/** What is kept of the lessons: what is done, in every tab, and the own maze that waits meanwhile. */
+import { expect, test } from "./fixtures.ts";
+import { CorridorPage } from "./pages/corridor-page.ts";
+import { LessonsPanel } from "./pages/lessons-panel.ts";
+
+test("keeps progress after a reload", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(3);
+  await corridor.program.action(1).selectOption("turn 180");
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+  await corridor.open();
+  await lessons.expectMission(3);
+  await expect(corridor.program.action(1)).toHaveValue("turn 180");
+  await lessons.openPath();
+  await expect(lessons.path.getByRole("button", { name: /^3\. / })).toContainText("Done");
+  await expect(lessons.path).toContainText("1 of 14 done");
+  await lessons.path.getByRole("button", { name: "Forget my progress" }).click();
+  await expect(lessons.path).toContainText("0 of 14 done");
+});
+
+test("comes back to a mission of the hand and drives on by the keyboard", async ({
+  corridor,
+  page,
+  context,
+}) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(2);
+  await corridor.reload();
+  await lessons.expectMission(2);
+  await expect(corridor.driver("Me")).toBeChecked();
+  // The same on another day, in another tab, and from the list of mazes.
+  const other = new CorridorPage(await context.newPage());
+  await other.open();
+  await expect(other.driver("Me")).toBeChecked();
+  await other.mazeMenu.click();
+  await other.page.getByRole("button", { name: /^New empty maze/ }).click();
+  await expect(other.driver("Me")).toBeChecked();
+  await other.letDrive("Program");
+  await other.mazeMenu.click();
+  await other.page
+    .getByRole("button", { name: /How far is the wall/ })
+    .first()
+    .click();
+  await expect(other.driver("Me")).toBeChecked();
+});
+
+test("keeps what is done in two tabs", async ({ corridor, page, context }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(3);
+  const other = new CorridorPage(await context.newPage());
+  await other.open();
+  const theirs = new LessonsPanel(other.page);
+  await theirs.openMission(4);
+  await other.program.line(2).focus();
+  await other.page.keyboard.press("Alt+ArrowUp");
+  await other.speed.selectOption("16×");
+  await other.run.click();
+  await expect(theirs.outcome).toHaveText("Challenge met: 2 of 2 lines used");
+  await page.bringToFront();
+  await corridor.program.action(1).selectOption("turn 180");
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+  await lessons.openPath();
+  await expect(lessons.path).toContainText("2 of 14 done");
+  await other.page.bringToFront();
+  await theirs.openPath();
+  await expect(theirs.path).toContainText("2 of 14 done");
+  await corridor.open();
+  await lessons.openPath();
+  await expect(lessons.path).toContainText("2 of 14 done");
+});
+
+test("goes back to the own maze", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await corridor.maze.click({ column: 2, row: 6 });
+  await corridor.program.action(1).selectOption("turn 180");
+  await lessons.openMission(6);
+  await corridor.program.button("Add line").click();
+  await expect(corridor.program.lines).toHaveCount(1);
+  await lessons.button("Back to my maze").click();
+  await expect(lessons.card).toBeHidden();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
+  await expect(corridor.program.action(1)).toHaveValue("turn 180");
+  // The attempt waits where it was left.
+  await lessons.openMission(6);
+  await expect(corridor.program.lines).toHaveCount(1);
+});

@@ -1,0 +1,89 @@
+/** A challenge goes from hand to hand: a mission that is shared, and one that a teacher wrote. */
+import type { ChallengeDocument } from "@corridor/challenge";
+import { encodeLink } from "@corridor/link";
+import { expect, test } from "./fixtures.ts";
+import { LessonsPanel } from "./pages/lessons-panel.ts";
+
+test("shares a challenge, and who opens the link has its bar, its rules and the way home", async ({
+  corridor,
+  page,
+  openWindow,
+}) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(7);
+  await page.getByRole("button", { name: "Share", exact: true }).click();
+  const dialog = corridor.dialog("Share this challenge");
+  await expect(dialog.getByRole("checkbox", { name: "Challenge" })).toBeChecked();
+  await expect(dialog).toContainText("Turn into the opening on the right");
+  const link = await dialog.getByRole("textbox", { name: "Link" }).inputValue();
+
+  const reader = await openWindow();
+  await reader.open(link);
+  const theirs = new LessonsPanel(reader.page);
+  await expect(theirs.card).toContainText("The side opening");
+  await expect(
+    reader.page.getByRole("main").getByText("Turn into the opening on the right"),
+  ).toBeVisible();
+  await expect(reader.program.number(1)).toBeDisabled();
+  await reader.program.action(1).selectOption("delayed right 90");
+  await reader.speed.selectOption("16×");
+  await reader.run.click();
+  await expect(theirs.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+  await reader.open();
+  await expect(theirs.card).toContainText("The side opening");
+  await theirs.button("Back to my maze").click();
+  await expect(theirs.card).toBeHidden();
+  await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+});
+
+/** As a teacher may write one: no mission, and another goal. */
+const everySquare: ChallengeDocument = {
+  format: "corridor/challenge",
+  version: 1,
+  name: "Sweep the corridor",
+  words: {
+    task: "Visit every square without a bump.",
+    short: "Visit every square in 1 line",
+    hints: ["Where does the robot turn round?"],
+  },
+  mazes: [
+    {
+      format: "corridor/maze",
+      version: 1,
+      name: "Sweep the corridor",
+      blocks: ["......"],
+      start: { column: 3, row: 0, heading: "east" },
+      goals: [],
+    },
+  ],
+  program: null,
+  goal: { kind: "visit" },
+  allowed: {
+    drivers: ["program"],
+    lines: 1,
+    conditions: null,
+    actions: null,
+    edits: ["condition", "number", "action", "otherwise", "lines"],
+    maze: false,
+  },
+  checks: { bumps: 0, seconds: 60 },
+  par: null,
+};
+
+test("meets a teacher's challenge from a link: every square in one line", async ({
+  openWindow,
+}) => {
+  const link = encodeLink({ challenge: everySquare });
+  if (!link.ok) throw new Error(link.code);
+  const corridor = await openWindow();
+  await corridor.open(`/#${link.text}`);
+  const lessons = new LessonsPanel(corridor.page);
+  await expect(lessons.card).toContainText("Visit every square without a bump.");
+  await expect(corridor.message("You opened a shared challenge.")).toBeVisible();
+  await corridor.program.addLine("front <", "50", "right 90");
+  await lessons.button("Check the program").click();
+  await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+  await corridor.program.number(1).fill("20");
+  await lessons.button("Check the program").click();
+  await expect(lessons.outcome).toHaveText(/^Bump at 2\.\d s, row 1, column 6: no line was true/);
+});

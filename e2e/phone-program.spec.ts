@@ -1,0 +1,95 @@
+/** Writes a program on a phone, mends it where it bumped, and goes back in its run. */
+import { expect, test } from "./fixtures.ts";
+import { Fingers } from "./support/fingers.ts";
+import { stickingOut } from "./support/layout.ts";
+import { boxOf, phone, smallest, tab } from "./support/phone.ts";
+
+test("writes a program on a phone", async ({ openWindow }) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { program, page } = corridor;
+  for (const left of [2, 1]) {
+    await expect(program.lines).toHaveCount(left);
+    await page.getByRole("button", { name: "Move or delete line 1" }).tap();
+    await page.getByRole("button", { name: "Delete line", exact: true }).tap();
+  }
+  await program.button("Add line").tap();
+  await program.condition(1).selectOption("front <");
+  await program.number(1).tap();
+  await program.number(1).fill("60");
+  await program.action(1).selectOption("turn 180");
+  await expect(program.line(1)).toHaveAccessibleName(/if front is less than 60, turn 180/);
+  await corridor.dismissMessages();
+  await corridor.speed.selectOption("4×");
+  await corridor.run.tap();
+  await expect(program.line(1)).toHaveAttribute("aria-current", "step");
+  await expect(corridor.robotPlace).toHaveText(/facing left/);
+  await expect(corridor.bumps).toHaveText("0 bumps");
+});
+
+test("moves and deletes a line behind its one button", async ({ openWindow }) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { program, page } = corridor;
+  await page.getByRole("button", { name: "Move or delete line 2" }).tap();
+  const menu = corridor.dialog("Move or delete line 2");
+  await expect(menu.getByRole("button", { name: "Move down" })).toBeDisabled();
+  await menu.getByRole("button", { name: "Move up" }).tap();
+  await expect(program.line(2)).toHaveAccessibleName(/if right is more than 60/);
+  await page.getByRole("button", { name: "Move or delete line 2" }).tap();
+  await menu.getByRole("button", { name: "Delete" }).tap();
+  await expect(program.lines).toHaveCount(1);
+  await corridor.messages.getByRole("button", { name: "Undo" }).tap();
+  await expect(program.lines).toHaveCount(2);
+});
+
+for (const device of [phone, smallest]) {
+  const { width, height } = device.viewport;
+  test(`reads the bump card and takes the mend at ${width} x ${height}`, async ({ openWindow }) => {
+    const corridor = await openWindow(device);
+    await corridor.open();
+    const { page, program } = corridor;
+    await program.action(2).selectOption("delayed left 90");
+    await corridor.speed.selectOption("4×");
+    await corridor.run.tap();
+    const card = page.getByRole("region", { name: "Bump: line 2 ran out of room" });
+    await expect(card).toBeVisible();
+    await expect(card).toContainText(/Only 2\d cm were free/);
+    // The whole maze stays in sight above it, and all of the card can be pressed.
+    const maze = await boxOf(corridor.maze.grid);
+    await expect
+      .poll(async () => (await boxOf(card)).y)
+      .toBeGreaterThanOrEqual(maze.y + maze.height);
+    await expect(card.getByRole("button", { name: "Close" })).toBeInViewport({ ratio: 1 });
+    const mend = card.getByRole("button", { name: "Change to left 90" });
+    await expect(mend).toBeInViewport({ ratio: 1 });
+    expect(await stickingOut(page)).toEqual([]);
+    await mend.tap();
+    await expect(card).toBeHidden();
+    await expect(program.action(2)).toHaveValue("left 90");
+  });
+}
+
+test("scrubs on a phone", async ({ openWindow }) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { page, timeline } = corridor;
+  await corridor.speed.selectOption("max");
+  await corridor.run.tap();
+  await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
+  await page.getByRole("region", { name: "Solved!" }).getByRole("button", { name: "Close" }).tap();
+  const end = await corridor.robotPlace.textContent();
+  const fingers = await Fingers.of(page);
+  await fingers.drag(await timeline.placeAt(0.9), await timeline.placeAt(0.3));
+  await expect(timeline.inThePast).toBeVisible();
+  await expect(corridor.robotPlace).not.toHaveText(end ?? "");
+  // The keys take the room of the transport only as long as nothing leads back. Right after a drag the
+  // browser takes a tap for its end.
+  await expect(async () => {
+    await tab(page, "Drive").tap();
+    await expect(tab(page, "Drive")).toHaveAttribute("aria-selected", "true", { timeout: 1000 });
+  }).toPass();
+  await timeline.backToNow.tap();
+  await expect(corridor.transport).toBeHidden();
+  await expect(corridor.robotPlace).toHaveText(end ?? "");
+});

@@ -1,0 +1,106 @@
+/** A phone's sheet and what stands over the maze: how far it opens, its presets, messages, blocks painted. */
+import { expect, test } from "./fixtures.ts";
+import { atRest } from "./support/at-rest.ts";
+import { Fingers, middleOf } from "./support/fingers.ts";
+import { boxOf, phone, smallest, tab } from "./support/phone.ts";
+
+for (const device of [phone, smallest]) {
+  const { width, height } = device.viewport;
+  test(`drags the sheet open and closed at ${width} x ${height}`, async ({ openWindow }) => {
+    const corridor = await openWindow(device);
+    await corridor.open();
+    const { page } = corridor;
+    const bar = page.getByRole("button", { name: /^Panel is / });
+    const fingers = await Fingers.of(page);
+    const pull = async (by: number) => {
+      const from = await middleOf(bar);
+      await fingers.drag(from, { x: from.x, y: from.y + by });
+      // The sheet moves to its place before the next finger can find what lies on it.
+      await corridor.frames(30);
+    };
+    // Half open, the maze is wholly in sight.
+    const maze = await boxOf(corridor.maze.grid);
+    expect(maze.y + maze.height).toBeLessThanOrEqual((await boxOf(corridor.transport)).y);
+    const lines = await boxOf(page.getByRole("tabpanel"));
+    await pull(-60);
+    await expect(bar).toHaveAccessibleName("Panel is open. Close it");
+    await expect
+      .poll(async () => (await boxOf(page.getByRole("tabpanel"))).height)
+      .toBeGreaterThan(lines.height);
+    await pull(60);
+    await expect(bar).toHaveAccessibleName("Panel is half open. Open it all");
+    await pull(60);
+    await expect(bar).toHaveAccessibleName("Panel is closed. Open it by half");
+    await expect(corridor.program.button("Add line")).toBeHidden();
+    await bar.click();
+    await expect(corridor.program.button("Add line")).toBeVisible();
+    // A tab of a closed sheet opens it. Pressed, the bar goes on from half to open to closed.
+    await bar.click();
+    await expect(bar).toHaveAccessibleName("Panel is open. Close it");
+    await bar.click();
+    await expect(bar).toHaveAccessibleName("Panel is closed. Open it by half");
+    await tab(page, "Drive").click();
+    await expect(corridor.driveKey("forward")).toBeVisible();
+  });
+}
+
+test("finds nothing below the screen in any tab", async ({ openWindow }) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { page } = corridor;
+  for (const name of ["Presets", "Drive", "Program"] as const) {
+    await tab(page, name).tap();
+    await atRest(page);
+    // What is out of sight in the sheet scrolls there, never the page under the finger.
+    const below = await page.evaluate(() => document.documentElement.scrollHeight - innerHeight);
+    expect(below, name).toBe(0);
+  }
+});
+
+test("reads a message without losing the maze from sight", async ({ openWindow }) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { page } = corridor;
+  await page.keyboard.press("i");
+  const message = corridor.messages.getByRole("button", { name: "Dismiss" });
+  await expect(message).toBeVisible();
+  await atRest(page);
+  const box = await boxOf(corridor.messages);
+  expect(box.y + box.height).toBeLessThanOrEqual((await boxOf(corridor.maze.grid)).y);
+});
+
+test("chooses a preset on a phone", async ({ openWindow }) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { page } = corridor;
+  await tab(page, "Presets").tap();
+  const cards = page.getByRole("list", { name: "Presets" }).getByRole("button");
+  const [first, second, third] = await Promise.all([0, 1, 2].map((at) => boxOf(cards.nth(at))));
+  // Two columns.
+  expect(second?.y).toBe(first?.y);
+  expect(third?.x).toBe(first?.x);
+  expect(third?.y).toBeGreaterThan((first?.y ?? 0) + (first?.height ?? 0));
+  const spiral = page.getByRole("button", { name: "Spiral right turns only" });
+  await spiral.tap();
+  await expect(spiral).toHaveAttribute("aria-current", "true");
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+});
+
+test("paints blocks with one finger, and nothing with two", async ({ openWindow }) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { page, maze } = corridor;
+  const box = await boxOf(maze.grid);
+  const side = box.width / 11;
+  const at = (column: number, row: number) => ({
+    x: box.x + (column + 0.5) * side,
+    y: box.y + (row + 0.5) * side,
+  });
+  const fingers = await Fingers.of(page);
+  await fingers.drag(at(6, 1), at(8, 1));
+  for (const column of [6, 7, 8]) await maze.expectSquare({ column, row: 1 }, "block");
+  await fingers.down(at(0, 0), at(2, 0));
+  await fingers.move(at(1, 0), at(1, 0));
+  await fingers.lift();
+  for (const column of [0, 1, 2]) await maze.expectSquare({ column, row: 0 }, "open");
+});
