@@ -21,6 +21,25 @@ test("a new student solves the first mission within a minute of the first visit"
   await lessons.expectMission(2);
 });
 
+test("rests where the mission is solved while the key is held, and drives on by a new press", async ({
+  corridor,
+  page,
+}) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(1);
+  await page.keyboard.down("w");
+  await expect(lessons.outcome).toHaveText(/^Challenge met after/);
+  // As a keyboard repeats what is held.
+  await page.keyboard.down("w");
+  await corridor.robotStands();
+  const goal = await corridor.robotX();
+  expect(Math.abs(goal - 525)).toBeLessThanOrEqual(2);
+  await page.keyboard.up("w");
+  await page.keyboard.down("w");
+  await expect.poll(() => corridor.robotX()).toBeGreaterThan(goal);
+  await page.keyboard.up("w");
+});
+
 test("a new student who presses Run first has made it move too", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await lessons.invitation.getByRole("button", { name: "Start with mission 1" }).click();

@@ -74,6 +74,10 @@ test("does the missions of the hand with a thumb, and every button is there whol
   const fingers = await Fingers.of(page);
   await fingers.down(await middleOf(corridor.driveKey("forward")));
   await expect(page.getByRole("note")).toHaveText(/^Challenge met after/);
+  // The thumb is still down: the robot rests where it is whole on the goal, and no button looks held.
+  await expect(corridor.driveKey("forward")).toHaveAttribute("aria-pressed", "false");
+  await corridor.robotStands();
+  expect(Math.abs((await corridor.robotX()) - 525)).toBeLessThanOrEqual(2);
   await fingers.lift();
   await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
   // The card's own, not one more that it lies over.

@@ -82,8 +82,10 @@ function listen(
     },
     { signal },
   );
-  const endWatch = run.subscribe(({ snapshot }, before) => {
+  const endWatch = run.subscribe(({ snapshot, moment }, before) => {
     if (before.snapshot?.driver === "me" && snapshot?.driver !== "me") hold.forget();
+    if (moment !== before.moment && moment?.kind === "goal" && moment.driver === "me")
+      hold.arrive();
   });
   return () => {
     end.abort();

@@ -236,6 +236,18 @@ describe("a hand", () => {
     expect(loop.snapshot()).toMatchObject({ driver: "program", state: "running" });
   });
 
+  it("rests at the goal under a key that is still held, and drives on at the next press", () => {
+    const loop = loopOf({ ...firstMaze, goals: [{ column: 2, row: 6 }] });
+    loop.hold("forward");
+    expect(pass(loop, 4000)).toMatchObject([{ kind: "goal", driver: "me" }]);
+    expect(loop.snapshot().state).toBe("paused");
+    const goal = loop.snapshot().pose.x;
+    loop.hold("stop");
+    loop.hold("forward");
+    pass(loop, 500);
+    expect(loop.snapshot().pose.x).toBeGreaterThan(goal);
+  });
+
   it("letting go of a key that was pressed before the program ran does not stop the program", () => {
     const loop = loopOf();
     loop.run();

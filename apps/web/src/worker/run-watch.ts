@@ -62,8 +62,8 @@ export class RunWatch {
     const isExplained = run.bumps > this.#bumps && this.#bumped(recording);
     if (run.goalTick === this.#goalTick) return isExplained;
     this.#moments.add("goal", run, line, driver);
-    // A script decides for itself what comes after the goal.
-    return isExplained || driver === "program";
+    // A script decides for itself what comes after the goal; under a hand the robot rests there like a program's.
+    return isExplained || driver !== "remote";
   }
 
   takeMoments(): Moment[] {

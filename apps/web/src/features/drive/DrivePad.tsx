@@ -6,7 +6,7 @@ import { useStore } from "zustand";
 import { classNames } from "../../ui/class-names.ts";
 import type { DriveKey } from "../../worker/worker-messages.ts";
 import styles from "./drive-pad.module.css";
-import { activeKey, type HoldStore } from "./hold-store.ts";
+import { activeKey, isHeldBy, type HoldStore } from "./hold-store.ts";
 
 /** Without a cap: the space bar, which has another name in each language. */
 const keys: readonly { key: DriveKey; cap: string | null; icon: ReactNode }[] = [
@@ -77,9 +77,9 @@ function holdHandlers(hold: HoldStore, key: DriveKey) {
     // the first presses, the second lets go.
     onClick: (event: React.MouseEvent) => {
       if (event.detail !== 0) return;
-      const isHeld = hold.getState().held.some(({ source }) => source === byClick);
-      if (isHeld) hold.release(byClick);
-      else hold.press(byClick, key);
+      const isHeld = isHeldBy(hold.getState(), byClick);
+      hold.release(byClick);
+      if (!isHeld) hold.press(byClick, key);
     },
   };
 }

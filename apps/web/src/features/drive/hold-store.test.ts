@@ -60,6 +60,28 @@ describe("holding drive keys", () => {
     expect(sent).toEqual(["forward", "right", "stop"]);
   });
 
+  it("rests at the goal until the key is let go and pressed anew", () => {
+    const { sent, hold } = setUp();
+    hold.press("w", "forward");
+    hold.arrive();
+    expect(activeKey(hold.getState())).toBeNull();
+    // A keyboard repeats what is held.
+    hold.press("w", "forward");
+    expect(sent).toEqual(["forward", "stop"]);
+    hold.release("w");
+    hold.press("w", "forward");
+    expect(sent).toEqual(["forward", "stop", "forward"]);
+  });
+
+  it("drives on from the goal by another key, and rests when that is let go", () => {
+    const { sent, hold } = setUp();
+    hold.press("w", "forward");
+    hold.arrive();
+    hold.press("s", "reverse");
+    hold.release("s");
+    expect(sent).toEqual(["forward", "stop", "reverse", "stop"]);
+  });
+
   it("says nothing when another driver has taken over", () => {
     const { sent, hold } = setUp();
     hold.press("w", "forward");
