@@ -13,6 +13,7 @@ test("a new student solves the first mission within a minute of the first visit"
   await lessons.invitation.getByRole("button", { name: "Start with mission 1" }).click();
   await lessons.expectMission(1);
   await expect(corridor.driver("Me")).toBeChecked();
+  await expect(lessons.card).toContainText("or hold W or ↑.");
   await page.keyboard.down("w");
   await expect(lessons.outcome).toHaveText(/^Challenge met after \d\.\d s$/);
   await page.keyboard.up("w");

@@ -71,6 +71,10 @@ test("does the missions of the hand with a thumb, and every button is there whol
   await atRest(page);
   await expect(runProgram).toBeInViewport({ ratio: 1 });
   expect(await unreadable(page), "mission 1").toEqual([]);
+  // There is no keyboard whose keys could be held.
+  await expect(page.getByRole("region", { name: "Mission" })).toHaveText(
+    "Hold the forward key until the robot stands on the green goal.",
+  );
   const fingers = await Fingers.of(page);
   await fingers.down(await middleOf(corridor.driveKey("forward")));
   await expect(page.getByRole("note")).toHaveText(/^Challenge met after/);

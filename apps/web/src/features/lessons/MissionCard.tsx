@@ -13,6 +13,7 @@ import { MissionMazes } from "./MissionMazes.tsx";
 import { MissionOutcome } from "./MissionOutcome.tsx";
 import styles from "./lessons.module.css";
 import { missionIds, nextMission } from "./missions/mission.ts";
+import { useTask } from "./use-task.ts";
 
 export interface MissionCardProps {
   /** slim: only the task and the way on, where the keys need the room */
@@ -38,6 +39,7 @@ function OpenMission({ service }: { service: LessonsService }) {
   const { challenge: store } = useServices();
   const challenge = useStore(store, (state) => state.challenge);
   const mission = useStore(store, (state) => state.mission);
+  const task = useTask();
   const [hintsShown, setHintsShown] = useState(0);
   const [isFolded, setFolded] = useState(false);
   if (challenge === null) return null;
@@ -81,11 +83,7 @@ function OpenMission({ service }: { service: LessonsService }) {
           {isFolded ? <ChevronDown aria-hidden="true" /> : <ChevronUp aria-hidden="true" />}
         </IconButton>
       </div>
-      {!isFolded && (
-        <p className={styles["task"]}>
-          {id === undefined ? challenge.words.task : t(`missions:missions.${id}.task`)}
-        </p>
-      )}
+      {!isFolded && <p className={styles["task"]}>{task}</p>}
       <MissionOutcome challenge={challenge} />
       <HintList hints={isFolded ? [] : hints.slice(0, hintsShown)} />
       <div className={styles["row"]}>
@@ -102,16 +100,12 @@ function SlimMission() {
   const challenge = useStore(store, (state) => state.challenge);
   const mission = useStore(store, (state) => state.mission);
   const isMet = useStore(store, (state) => state.result.state === "met");
+  const task = useTask();
   if (challenge === null) return null;
-  const id = missionIds.find((each) => each === mission);
   const next = nextMission(mission);
   return (
     <section className={styles["slim"]} aria-label={t("missions:card.label")}>
-      {!isMet && (
-        <p className={styles["task"]}>
-          {id === undefined ? challenge.words.task : t(`missions:missions.${id}.task`)}
-        </p>
-      )}
+      {!isMet && <p className={styles["task"]}>{task}</p>}
       <MissionOutcome challenge={challenge} />
       {isMet && next !== null && (
         <Button size="small" kind="primary" onClick={() => void lessons.openMission(next)}>

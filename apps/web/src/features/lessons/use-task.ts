@@ -1,0 +1,19 @@
+/**
+ * The task of the open challenge. The keys of a keyboard are named where there is one at hand, as the letters on
+ * the drive keys are: a mission's words may have a second task for that, with the context "keyboard".
+ */
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { useMediaQuery } from "../../ui/use-media-query.ts";
+import { missionIds } from "./missions/mission.ts";
+
+export function useTask(): string {
+  const { t } = useTranslation(["missions", "words"], { useSuspense: false });
+  const { challenge: store } = useServices();
+  const challenge = useStore(store, (state) => state.challenge);
+  const id = useStore(store, ({ mission }) => missionIds.find((each) => each === mission));
+  const hasKeyboard = useMediaQuery("(hover: hover) and (pointer: fine)");
+  if (id === undefined) return challenge?.words.task ?? "";
+  return t(`missions:missions.${id}.task`, hasKeyboard ? { context: "keyboard" } : {});
+}
