@@ -127,11 +127,8 @@ test("on a phone the task folds away, and both lines stand above the edge with R
 }) => {
   const corridor = await openWindow({ viewport: { width: 390, height: 844 } });
   await corridor.open();
-  const { page } = corridor;
-  const lessons = new LessonsPanel(page);
-  await page.getByRole("banner").getByRole("button", { name: "More" }).click();
-  await page.getByRole("dialog", { name: "More" }).getByRole("button", { name: "Lessons" }).click();
-  await lessons.path.getByRole("button", { name: /^4\. / }).click();
+  const lessons = new LessonsPanel(corridor.page);
+  await lessons.openMissionOnPhone(4);
   const task = lessons.card.getByText("Both lines are true at the wall");
   await expect(task).toBeVisible();
   await lessons.button("Hide the task").click();

@@ -1,5 +1,7 @@
 /** A phone's sheet and what stands over the maze: how far it opens, its presets, messages, blocks painted. */
 import { expect, test } from "./fixtures.ts";
+import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { StagePicture } from "./pages/stage-picture.ts";
 import { atRest } from "./support/at-rest.ts";
 import { Fingers, middleOf } from "./support/fingers.ts";
 import { boxOf, phone, smallest, tab } from "./support/phone.ts";
@@ -103,4 +105,21 @@ test("paints blocks with one finger, and nothing with two", async ({ openWindow 
   await fingers.move(at(1, 0), at(1, 0));
   await fingers.lift();
   for (const column of [0, 1, 2]) await maze.expectSquare({ column, row: 0 }, "open");
+});
+
+test("sees the flag of mission 3 beside the reading of the beam that ends at it", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { page } = corridor;
+  await new LessonsPanel(page).openMissionOnPhone(3);
+  const stage = new StagePicture(page);
+  await stage.taken();
+  // Left of the flag, above the beam and at the top of the goal's square: all of it is the goal's green.
+  const size = { width: 14, height: 8 };
+  const nearBeam = { x: 112, y: 132, ...size };
+  const onTop = { x: 112, y: 110, ...size };
+  expect(await stage.pixelsUnlike(nearBeam, onTop)).toBe(0);
+  expect(await stage.pixelsUnlike({ ...nearBeam, y: 30 }, onTop), "a block").toBeGreaterThan(0);
 });

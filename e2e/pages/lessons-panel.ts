@@ -29,6 +29,16 @@ export class LessonsPanel {
     await expect(this.path).toBeVisible();
   }
 
+  /** The path stands behind "More" on a phone, and the mission's number on its card alone. */
+  async openMissionOnPhone(number: number): Promise<void> {
+    await this.#page.getByRole("banner").getByRole("button", { name: "More" }).click();
+    const more = this.#page.getByRole("dialog", { name: "More" });
+    await more.getByRole("button", { name: "Lessons" }).click();
+    await this.path.getByRole("button", { name: new RegExp(`^${number}\\. `) }).click();
+    await expect(this.path).toBeHidden();
+    await expect(this.card).toBeVisible();
+  }
+
   async expectMission(number: number): Promise<void> {
     await expect(this.card).toContainText(`Mission ${number} of 14`);
   }

@@ -209,7 +209,7 @@ export class StageRenderer {
     if (change.kind === "replaced") {
       this.#stale.add("trail");
     } else if (scene.showTrail && !this.#stale.has("trail")) {
-      surface.clipped(viewport, () => {
+      surface.clipped(viewport.port, () => {
         drawTrail(surface.brush, viewport, scene.palette, change.points, "butt");
       });
     }
@@ -258,7 +258,7 @@ const layers = Object.keys(parts) as Layer[];
 
 function paintMaze(surface: Surface, scene: Scene, viewport: Viewport): void {
   surface.renew(scene);
-  surface.clipped(viewport, () => {
+  surface.clipped(viewport.port, () => {
     drawWalls(surface.brush, viewport, scene.palette, scene.maze);
     drawPlaces(surface.brush, viewport, scene.palette, scene.maze, scene);
   });
@@ -268,7 +268,7 @@ function paintMaze(surface: Surface, scene: Scene, viewport: Viewport): void {
 function paintTrail(surface: Surface, scene: Scene, viewport: Viewport, trail: Trail): void {
   surface.renew(scene);
   if (!scene.showTrail) return;
-  surface.clipped(viewport, () => {
+  surface.clipped(viewport.port, () => {
     drawTrail(surface.brush, viewport, scene.palette, trail.points(), "round");
   });
 }
@@ -281,7 +281,7 @@ function paintBumps(
   bumps: readonly BumpMark[],
 ): void {
   if (!scene.showTrail) return;
-  surface.clipped(viewport, () => drawBumps(surface.brush, viewport, scene.palette, bumps));
+  surface.clipped(viewport.port, () => drawBumps(surface.brush, viewport, scene.palette, bumps));
 }
 
 /** The newest bump. What the robot still wanted to drive is what was left right before it. */

@@ -2,9 +2,9 @@
 import type { Brush, LayerCanvas } from "./brush.ts";
 import { Dirt } from "./dirt.ts";
 import type { Scene } from "./scene.ts";
-import type { Viewport } from "./viewport.ts";
+import type { Box } from "./viewport.ts";
 
-/** Pixels around the port in which outlines of the frame may still show. */
+/** Pixels around that part in which outlines of the frame may still show. */
 const OUTLINE = 2;
 
 export class Surface {
@@ -35,17 +35,12 @@ export class Surface {
     this.dirt.wipe(this.brush, pixelRatio, layout.view);
   }
 
-  /** Draws inside the port only, so that a maze that is scrolled stays off the rulers. */
-  clipped({ port }: Viewport, draw: () => void): void {
+  /** Draws inside a part of the view only, so that a maze that is scrolled stays off the rulers. */
+  clipped({ x, y, width, height }: Box, draw: () => void): void {
     const { brush } = this;
     brush.save();
     brush.beginPath();
-    brush.rect(
-      port.x - OUTLINE,
-      port.y - OUTLINE,
-      port.width + 2 * OUTLINE,
-      port.height + 2 * OUTLINE,
-    );
+    brush.rect(x - OUTLINE, y - OUTLINE, width + 2 * OUTLINE, height + 2 * OUTLINE);
     brush.clip();
     draw();
     brush.restore();

@@ -55,6 +55,16 @@ describe("the readings", () => {
     expect(placed.find(({ name }) => name === "left")?.x).toBe(416);
   });
 
+  it("leave a flag at the end of their beam in sight, and cover it where nothing else is free", () => {
+    const beam = { origin: { x: 500, y: 300 }, ...directions.left };
+    const centres = readingCentres(beam, 120, 22, 36, 22);
+    const request = { name: "left", width: 36, height: 22, centres };
+    const flag: Box = { x: 389, y: 289, width: 22, height: 22 };
+    expect(placeTags([request], [], bounds, [flag])).toMatchObject([{ x: 338, y: 289 }]);
+    const corridor: Box = { x: 380, y: 280, width: 100, height: 40 };
+    expect(placeTags([request], [], corridor, [flag])).toMatchObject([{ x: 384, y: 289 }]);
+  });
+
   it("are all there for a robot in a corner", () => {
     const { placed } = readings(112, 78, 22, { front: 42, right: 800, back: 500, left: 42 });
     expect(placed.map(({ name }) => name)).toEqual([...sides]);

@@ -9,12 +9,13 @@ interface Point {
   y: number;
 }
 
-/** A tag that wants a place, and the centres that would suit it, best first. */
+/** A tag that wants a place, and the centres that would suit it. */
 export interface TagRequest<Name> {
   name: Name;
   width: number;
   height: number;
-  centres: readonly Point[];
+  /** best first; within a group, one that spares what should stay in sight comes before the others */
+  centres: readonly (readonly Point[])[];
 }
 
 export interface PlacedTag<Name> extends Box {
@@ -37,34 +38,34 @@ const GAP = 4;
  * covered robot would be worse, and every number of the stage stands in the panel too.
  * @param taken what no tag may touch
  * @param bounds where tags may stand
+ * @param spared what a tag covers only where it has no other place
  */
 export function placeTags<Name>(
   requests: readonly TagRequest<Name>[],
   taken: readonly Box[],
   bounds: Box,
+  spared: readonly Box[] = [],
 ): PlacedTag<Name>[] {
   const occupied = [...taken];
   const placed: PlacedTag<Name>[] = [];
+  const isFree = (box: Box): boolean =>
+    isWithin(box, bounds) && !occupied.some((other) => areTouching(box, other, GAP / 2));
+  const isSparing = (box: Box): boolean => !spared.some((other) => areTouching(box, other, 0));
   for (const { name, width, height, centres } of requests) {
-    const box = centres
-      .map(({ x, y }) => ({
-        x: Math.round(x - width / 2),
-        y: Math.round(y - height / 2),
-        width,
-        height,
-      }))
-      .find(
-        (each) => isWithin(each, bounds) && !occupied.some((other) => areTouching(each, other)),
-      );
-    if (box === undefined) continue;
-    occupied.push(box);
-    placed.push({ ...box, name });
+    for (const group of centres) {
+      const free = group.map((centre) => boxAround(centre, width, height)).filter(isFree);
+      const box = free.find(isSparing) ?? free[0];
+      if (box === undefined) continue;
+      occupied.push(box);
+      placed.push({ ...box, name });
+      break;
+    }
   }
   return placed;
 }
 
 /**
- * Places for a reading: on the beam before its wall, beyond the wall, beside the beam, beside the robot.
+ * Places for a reading: on the beam before its wall, beyond the wall, beside the beam; else beside the robot.
  * @param length pixels from the robot's centre to the wall
  * @param radius pixels around the robot's centre that it needs
  */
@@ -74,23 +75,22 @@ export function readingCentres(
   radius: number,
   width: number,
   height: number,
-): Point[] {
+): Point[][] {
   const { along: halfAlong, across: halfAcross } = halfExtents(beam, width, height);
   const beside = halfAcross + GAP + 4;
   const clear = radius + halfAcross + GAP + 2;
   const atWall = length - halfAlong;
-  const steps: readonly (readonly [along: number, across: number])[] = [
-    [atWall - GAP, 0],
-    [length + halfAlong + GAP + 2, 0],
-    [Math.max(atWall, 0), beside],
-    [Math.max(atWall, 0), -beside],
-    [atWall, clear],
-    [atWall, -clear],
-    [0, clear],
-    [0, -clear],
-    [radius + halfAlong + GAP, 0],
+  return [
+    [
+      pointOn(beam, atWall - GAP, 0),
+      pointOn(beam, length + halfAlong + GAP + 2, 0),
+      pointOn(beam, Math.max(atWall, 0), beside),
+      pointOn(beam, Math.max(atWall, 0), -beside),
+      pointOn(beam, atWall, clear),
+      pointOn(beam, atWall, -clear),
+    ],
+    [pointOn(beam, 0, clear), pointOn(beam, 0, -clear), pointOn(beam, radius + halfAlong + GAP, 0)],
   ];
-  return steps.map(([along, across]) => pointOn(beam, along, across));
 }
 
 /**
@@ -104,13 +104,14 @@ export function markCentres(
   reach: number,
   width: number,
   height: number,
-): Point[] {
+): Point[][] {
   const { along: halfAlong, across: halfAcross } = halfExtents(beam, width, height);
   const across = reach + halfAcross;
-  return [0, halfAlong - GAP, GAP - halfAlong].flatMap((shift) => [
+  const places = [0, halfAlong - GAP, GAP - halfAlong].flatMap((shift) => [
     pointOn(beam, distance + shift, across),
     pointOn(beam, distance + shift, -across),
   ]);
+  return [places];
 }
 
 /** Pixels from a beam's origin, which lies inside a box, to where the beam leaves it. */
@@ -142,6 +143,11 @@ function halfExtents(
   };
 }
 
+/** On whole pixels, so that its edges are sharp. */
+function boxAround({ x, y }: Point, width: number, height: number): Box {
+  return { x: Math.round(x - width / 2), y: Math.round(y - height / 2), width, height };
+}
+
 function isWithin(inner: Box, outer: Box): boolean {
   return (
     inner.x >= outer.x &&
@@ -151,11 +157,12 @@ function isWithin(inner: Box, outer: Box): boolean {
   );
 }
 
-function areTouching(a: Box, b: Box): boolean {
+/** Whether fewer pixels than `air` are between them. */
+function areTouching(a: Box, b: Box, air: number): boolean {
   return (
-    a.x < b.x + b.width + GAP / 2 &&
-    b.x < a.x + a.width + GAP / 2 &&
-    a.y < b.y + b.height + GAP / 2 &&
-    b.y < a.y + a.height + GAP / 2
+    a.x < b.x + b.width + air &&
+    b.x < a.x + a.width + air &&
+    a.y < b.y + b.height + air &&
+    b.y < a.y + a.height + air
   );
 }

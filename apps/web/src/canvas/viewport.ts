@@ -44,6 +44,8 @@ export interface Layout {
   origin: { x: number; y: number };
   /** the part of the view in which the maze may show */
   port: Box;
+  /** the port, and the paper around it that numbers of the maze may stand on */
+  paper: Box;
   /** whether only a part of the maze shows at a time, and the stage is scrolled */
   overflows: boolean;
   /** whether only a part of the maze shows at a time, and a camera goes with the robot */
@@ -57,6 +59,7 @@ export interface Viewport {
   originX: number;
   originY: number;
   port: Box;
+  paper: Box;
   columns: number;
   rows: number;
 }
@@ -87,6 +90,8 @@ export function layOut(
     x: padding.left + (isWide ? 0 : Math.floor((roomX - width) / 2)),
     y: padding.top + (isTall ? 0 : Math.floor((roomY - height) / 2)),
   };
+  // A maze that is cut begins at its padding, so the port does too, wherever it is scrolled.
+  const port = { ...origin, width: Math.min(width, roomX), height: Math.min(height, roomY) };
   return {
     columns,
     rows,
@@ -97,8 +102,8 @@ export function layOut(
       height: isTall ? height + padding.top + padding.bottom : view.height,
     },
     origin,
-    // A maze that is cut begins at its padding, so the port does too, wherever it is scrolled.
-    port: { ...origin, width: Math.min(width, roomX), height: Math.min(height, roomY) },
+    port,
+    paper: port,
     overflows: isWide || isTall,
     follows: false,
   };
@@ -116,7 +121,8 @@ export function layOutFollowing(
 ): Layout {
   const layout = layOut(maze, view, padding, cellPx);
   if (!layout.overflows) return layout;
-  return { ...layout, port: { x: 0, y: 0, ...view }, overflows: false, follows: true };
+  const port = { x: 0, y: 0, ...view };
+  return { ...layout, port, paper: port, overflows: false, follows: true };
 }
 
 /** The transformation at a scroll position. */
@@ -126,6 +132,7 @@ export function viewportAt(layout: Layout, scroll: Scroll): Viewport {
     originX: layout.origin.x - scroll.x,
     originY: layout.origin.y - scroll.y,
     port: layout.port,
+    paper: layout.paper,
     columns: layout.columns,
     rows: layout.rows,
   };

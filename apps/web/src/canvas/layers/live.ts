@@ -32,7 +32,7 @@ export function drawLive(
   shown: Shown | null,
 ): void {
   const { brush, dirt } = surface;
-  surface.clipped(viewport, () => {
+  surface.clipped(viewport.paper, () => {
     if (scene.ghost !== null) drawGhost(brush, viewport, scene.palette, scene.ghost, scene, dirt);
     if (shown !== null) drawRun(surface, viewport, scene, shown);
     if (scene.measured !== null) drawMeasure(brush, viewport, scene.palette, scene.measured, dirt);
@@ -63,5 +63,5 @@ function drawRun(surface: Surface, viewport: Viewport, scene: Scene, shown: Show
   if (!showBeams) return;
   const bumped = hit === null ? null : hitSensor(maze, hit, pose.heading);
   const limits = limitsOf(program, snapshot);
-  drawTags(brush, viewport, palette, snapshot, lit, limits, bumped, dirt);
+  drawTags(brush, viewport, palette, snapshot, dirt, { lit, limits, bumped, goals: maze.goals });
 }

@@ -13,6 +13,10 @@ export interface PlaceWords {
 
 /** Smallest square in which a word can be read. */
 const WORD_FROM_PX = 60;
+/** From the middle of a goal down to the middle of its word. */
+const WORD_DOWN_PX = 16;
+/** Side of the largest flag. */
+const FLAG_PX = 22;
 /** Lucide's "flag", in its 24 x 24 box, as in the tool strip. */
 const FLAG = "M5 21v-6.2M5 14.8c6.6-4.4 8.4 2.6 15 0V4.2c-6.6 2.6-8.4-4.4-15 0z";
 
@@ -51,6 +55,19 @@ export function cellBox(viewport: Viewport, cell: Cell): Box {
   };
 }
 
+/** What of a goal's cell has to be seen to know it: its flag, and its word. */
+export function goalPicture(cell: Box): Box {
+  const flag = Math.min(FLAG_PX, cell.width * 0.6);
+  const hasWord = cell.width >= WORD_FROM_PX;
+  const above = flag * (hasWord ? 0.95 : 0.5);
+  return {
+    x: cell.x + (cell.width - flag) / 2,
+    y: cell.y + cell.height / 2 - above,
+    width: flag,
+    height: above + (hasWord ? WORD_DOWN_PX + 6 : flag / 2),
+  };
+}
+
 /** A goal in one cell. */
 export function drawGoal(context: Pen, box: Box, palette: Palette, word: string): void {
   const inset = Math.max(1.5, box.width * 0.04);
@@ -68,12 +85,10 @@ export function drawGoal(context: Pen, box: Box, palette: Palette, word: string)
   context.lineWidth = 1.5;
   context.stroke();
   const hasWord = box.width >= WORD_FROM_PX;
-  const flag = Math.min(22, box.width * 0.6);
+  const picture = goalPicture(box);
+  const flag = picture.width;
   context.save();
-  context.translate(
-    box.x + box.width / 2 - flag / 2,
-    box.y + box.height / 2 - flag * (hasWord ? 0.95 : 0.5),
-  );
+  context.translate(picture.x, picture.y);
   context.scale(flag / 24, flag / 24);
   context.lineWidth = 2.2;
   context.lineJoin = "round";
@@ -82,7 +97,7 @@ export function drawGoal(context: Pen, box: Box, palette: Palette, word: string)
   context.stroke(pathOf(FLAG));
   context.restore();
   if (hasWord) {
-    label(context, palette, palette.goodInk, word, box, box.y + box.height / 2 + 16);
+    label(context, palette, palette.goodInk, word, box, box.y + box.height / 2 + WORD_DOWN_PX);
   }
 }
 

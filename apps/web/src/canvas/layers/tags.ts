@@ -2,6 +2,7 @@
  * The tags on the beams: the reading at each wall, and the numbers of the program's lines with the
  * line's badge, on a bar across the beam: whole where the beam reaches it, dashed where a wall is nearer.
  */
+import type { Cell } from "@corridor/maze";
 import { sensorNames, type SensorName, type Snapshot } from "@corridor/protocol";
 import type { Brush } from "../brush.ts";
 import type { Dirt } from "../dirt.ts";
@@ -18,23 +19,35 @@ import {
 } from "../tag-placement.ts";
 import { viewX, viewY, type Box, type Viewport } from "../viewport.ts";
 import { beamDirection } from "./beams.ts";
+import { cellBox, goalPicture } from "./places.ts";
 import { ROBOT_RADIUS } from "./robot.ts";
 
 const READING = { height: 22, padding: 7, font: 14 };
 const MARK = { height: 18, padding: 6, font: 12, badge: 16, reach: 13 };
+/** Of a maze full of goals, so many are looked at: a frame has no time for all. */
+const MAX_FLAGS = 16;
 /** Below this the maze has no room for all marks, pixels per unit. */
 const ALL_MARKS_FROM = 0.45;
 
-/** Draws readings and marks; `lit` are the sensors that the running line reads, `bumped` looks at a wall that was hit. */
+/** What the tags are drawn by, besides the robot. */
+interface TagScene {
+  /** the sensors that the running line reads */
+  lit: readonly SensorName[];
+  limits: readonly Limit[];
+  /** looks at a wall that was hit */
+  bumped: SensorName | null;
+  /** their flags stay in sight where a tag has another place */
+  goals: readonly Cell[];
+}
+
+/** Draws readings and marks. */
 export function drawTags(
   context: Brush,
   viewport: Viewport,
   palette: Palette,
   snapshot: Snapshot,
-  lit: readonly SensorName[],
-  limits: readonly Limit[],
-  bumped: SensorName | null,
   dirt: Dirt,
+  { lit, limits, bumped, goals }: TagScene,
 ): void {
   const origin = { x: viewX(viewport, snapshot.pose.x), y: viewY(viewport, snapshot.pose.y) };
   const beamOf = (sensor: SensorName): Beam => ({
@@ -65,7 +78,8 @@ export function drawTags(
     return { name, width, height, centres };
   });
   requests.sort((a, b) => Number(lit.includes(b.name)) - Number(lit.includes(a.name)));
-  const readings = placeTags(requests, [robot], viewport.port);
+  const flags = goals.slice(0, MAX_FLAGS).map((goal) => goalPicture(cellBox(viewport, goal)));
+  const readings = placeTags(requests, [robot], viewport.paper, flags);
 
   const shown = shownMarks(limits, viewport.scale, bumped !== null);
   drawMarks(context, viewport, palette, snapshot, shown, beamOf, [robot, ...readings], dirt);
@@ -155,7 +169,7 @@ function drawMarks(
     const centres = markCentres(beam, distance, MARK.reach, width, MARK.height);
     return { name: limit, width, height: MARK.height, centres };
   });
-  const tags = placeTags(requests, taken, viewport.port);
+  const tags = placeTags(requests, taken, viewport.paper);
   const isReached = ({ distance, sensor }: Limit): boolean => distance <= snapshot.sensors[sensor];
   for (const limit of limits) {
     // A bar without its number says nothing, but for the line that the panel shows as running.

@@ -56,6 +56,7 @@ export function mazeSvg(scene: PictureScene): { text: string; width: number; hei
     originX: left,
     originY: top,
     port,
+    paper: port,
     columns,
     rows,
   };

@@ -24,6 +24,13 @@ describe("stageLayout", () => {
     const layout = stageLayout(maze, { width, height }, true);
     expect(layout).toMatchObject({ cellPx, overflows: false });
     expect(hasRulers(width, true)).toBe(false);
+    // Small squares have no room for numbers: they stand beside the maze, too.
+    expect(layout.paper).toEqual({ x: 0, y: 0, width, height });
+  });
+
+  it("keeps numbers off the rulers", () => {
+    const { paper, port } = stageLayout(maze, { width: 1028, height: 644 }, true);
+    expect(paper).toEqual(port);
   });
 });
 

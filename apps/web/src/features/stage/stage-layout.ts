@@ -30,7 +30,11 @@ export function stageLayout(
   view: { width: number; height: number },
   showRulers: boolean,
 ): Layout {
-  if (view.width < COMPACT_BELOW_PX) return layOut(maze, view, compact, MIN_CELL_PX_COMPACT);
+  if (view.width < COMPACT_BELOW_PX) {
+    const layout = layOut(maze, view, compact, MIN_CELL_PX_COMPACT);
+    // Small squares leave no room for numbers beside the robot; the paper has no rulers on it here.
+    return layout.overflows ? layout : { ...layout, paper: { x: 0, y: 0, ...view } };
+  }
   return layOut(maze, view, showRulers ? withRulers : withoutRulers, MIN_CELL_PX);
 }
 
