@@ -2,6 +2,7 @@
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { atRest } from "./support/at-rest.ts";
 
 interface WrongAnswer {
   mission: number;
@@ -58,6 +59,13 @@ const wrongAnswers: readonly WrongAnswer[] = [
       /Maze 2: .*“otherwise” chose “left 90” .*left: 150 cm, right: 250 cm.* No line turns right\.$/,
   },
 ];
+
+const delayedLeft = ({ program }: CorridorPage) =>
+  program.action(1).selectOption("delayed left 90");
+
+function wrongAnswerTo(mission: number): WrongAnswer["make"] {
+  return wrongAnswers.find((each) => each.mission === mission)?.make ?? asGiven;
+}
 
 for (const { mission, make, reads } of wrongAnswers) {
   test(`mission ${mission}: the typical wrong answer is told its line and its numbers`, async ({
@@ -118,6 +126,38 @@ for (const viewport of sizes) {
       ]) {
         await expect(part).toBeInViewport({ ratio: 1 });
       }
+    }
+  });
+}
+
+for (const { mission, make, goal } of [
+  { mission: 6, make: wrongAnswerTo(6), goal: { column: 5, row: 3 } },
+  { mission: 7, make: wrongAnswerTo(7), goal: { column: 3, row: 3 } },
+  { mission: 8, make: delayedLeft, goal: { column: 5, row: 1 } },
+]) {
+  test(`mission ${mission}: the card at the bump leaves the robot and the goal in sight`, async ({
+    openWindow,
+  }) => {
+    const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
+    await corridor.open();
+    const { page, maze } = corridor;
+    await new LessonsPanel(page).openMission(mission);
+    await make(corridor);
+    await corridor.speed.selectOption("16×");
+    await corridor.run.click();
+    const card = page.getByRole("region", { name: /^Bump: / });
+    await expect(card).toBeVisible();
+    await atRest(page);
+    const shown = await card.evaluate((element) => element.getBoundingClientRect().toJSON());
+    const place = (await corridor.robotPlace.textContent()) ?? "";
+    const [x = 0, y = 0] = (place.match(/\d+/g) ?? []).map(Number);
+    for (const box of [await maze.squareBox(goal), await maze.robotBox(x, y)]) {
+      const isApart =
+        box.x + box.side < shown.left ||
+        box.x > shown.right ||
+        box.y + box.side < shown.top ||
+        box.y > shown.bottom;
+      expect(isApart).toBe(true);
     }
   });
 }

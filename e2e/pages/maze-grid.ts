@@ -92,6 +92,12 @@ export class MazeGrid {
     return { x: box.x + (x - 25) * scale, y: box.y + (y - 25) * scale, side: 50 * scale };
   }
 
+  /** Where a square is drawn on the screen. */
+  async squareBox({ column, row }: Square): Promise<{ x: number; y: number; side: number }> {
+    const { x, y, side } = await this.robotBox(100 * column + 50, 100 * row + 50);
+    return { x: x - side / 2, y: y - side / 2, side: 2 * side };
+  }
+
   async #middleOf({ column, row }: Square): Promise<{ x: number; y: number }> {
     const box = await this.grid.boundingBox();
     if (box === null) throw new Error("the maze is not on the screen");

@@ -46,9 +46,10 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
     ? mends.filter((each) => allowsMend(each, program.rules.length, rights))
     : [];
   const { cause, pose, line, tick } = moment;
+  const goals = useStore(workspace, (state) => state.maze.goals);
   const keepClear = useMemo(
-    () => (cause === null ? [] : [hitBlock(pose, cause.side)]),
-    [cause, pose],
+    () => [...(cause === null ? [] : [hitBlock(pose, cause.side)]), ...goals],
+    [cause, pose, goals],
   );
   if (cause === null) return null;
   const story = storyOfBump(cause);

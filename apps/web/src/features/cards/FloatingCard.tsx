@@ -71,7 +71,6 @@ export function FloatingCard(props: FloatingCardProps) {
         y: scroller?.scrollTop ?? 0,
         ...layout.view,
       };
-      const size = { width: element.offsetWidth, height: element.offsetHeight };
       const squares = keepClear.map(({ column, row }) =>
         boxOf(viewport, column * CELL + CELL / 2, row * CELL + CELL / 2, CELL / 2),
       );
@@ -80,12 +79,19 @@ export function FloatingCard(props: FloatingCardProps) {
       const inMaze = { ...port, x: area.x + port.x, y: area.y + port.y };
       // Over the legend as the last resort, where nothing scrolls below it.
       const stage = layout.overflows ? area : { ...area, height: area.height + LEGEND };
+      const shaped = (shape: "tall" | "wide") => {
+        element.dataset["shape"] = shape;
+        return { shape, width: element.offsetWidth, height: element.offsetHeight };
+      };
       const next =
         tone === "bad"
-          ? placeCard([area, stage], robot, size, squares)
-          : placeCardAway([inMaze, area, stage], robot, size, squares);
+          ? // Wider it is lower, and may stand where it could not.
+            placeCard([area, stage], robot, [shaped("tall"), shaped("wide")], squares)
+          : placeCardAway([inMaze, area, stage], robot, [shaped("tall")], squares);
+      if (next === null) return;
+      element.dataset["shape"] = next.shape.shape;
       const above = next.y - area.y;
-      const below = area.height - above - size.height + LEGEND;
+      const below = area.height - above - next.shape.height + LEGEND;
       setHalf(above > below ? "lower" : "upper");
       setPlace(next);
     };

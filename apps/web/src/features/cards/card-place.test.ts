@@ -1,10 +1,27 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import type { Box } from "../../canvas/viewport.ts";
-import { placeCard, placeCardAway } from "./card-place.ts";
+import * as cardPlace from "./card-place.ts";
 
 const area: Box = { x: 0, y: 0, width: 960, height: 600 };
 const card = { width: 360, height: 260 };
+
+type Place = (
+  areas: readonly Box[],
+  robot: Box,
+  shape: { width: number; height: number },
+  keepClear: readonly Box[],
+) => cardPlace.CardPlace;
+
+const placeCard: Place = (areas, robot, shape, keepClear) =>
+  placed(cardPlace.placeCard(areas, robot, [shape], keepClear));
+const placeCardAway: Place = (areas, robot, shape, keepClear) =>
+  placed(cardPlace.placeCardAway(areas, robot, [shape], keepClear));
+
+function placed<Found>(place: Found | null): Found {
+  if (place === null) throw new Error("a card has no place");
+  return place;
+}
 
 function robotAt(x: number, y: number): Box {
   return { x: x - 20, y: y - 20, width: 40, height: 40 };
@@ -42,6 +59,62 @@ describe("placeCard", () => {
     expect(place.y + place.tailAt).toBe(500);
   });
 
+  it("moves along the robot where a goal would be below it, and keeps its tail", () => {
+    const goal = { x: 300, y: 380, width: 80, height: 80 };
+    const place = placeCard([area], robotAt(100, 300), card, [goal]);
+    expect(place).toMatchObject({ x: 136, y: 104, tail: "left", covered: 0 });
+    expect(place.y + place.tailAt).toBe(300);
+  });
+
+  it("finds the one place between robot, block and goal", () => {
+    const hit = { x: 180, y: 260, width: 80, height: 80 };
+    const goals = [
+      { x: 0, y: 500, width: 80, height: 80 },
+      { x: 560, y: 20, width: 80, height: 80 },
+      { x: 860, y: 100, width: 80, height: 80 },
+    ];
+    const place = placeCard([area], robotAt(150, 300), card, [hit, ...goals]);
+    for (const each of [hit, ...goals]) expect(touches({ ...place, ...card }, each)).toBe(false);
+    expect(place.covered).toBe(0);
+  });
+
+  it("covers as little as may be where it cannot leave all in sight, and says how much", () => {
+    const low = { x: 0, y: 0, width: 500, height: 280 };
+    const goal = { x: 380, y: 100, width: 80, height: 80 };
+    const place = placeCard([low], robotAt(60, 140), card, [goal]);
+    expect(touches({ ...place, ...card }, robotAt(60, 140))).toBe(false);
+    expect(place.covered).toBeGreaterThan(0);
+  });
+
+  it("is wide and low where that alone leaves the goal in sight, and tall wherever it can be", () => {
+    const wide = { width: 440, height: 180 };
+    const goal = { x: 300, y: 340, width: 80, height: 80 };
+    const low = { x: 0, y: 0, width: 600, height: 600 };
+    const place = (goals: Box[]) =>
+      placed(cardPlace.placeCard([low], robotAt(100, 200), [card, wide], goals));
+    expect(place([goal])).toMatchObject({ shape: card, tail: "left", covered: 0 });
+    expect(place([goal, { ...goal, y: 0 }])).toMatchObject({ shape: wide, covered: 0 });
+  });
+
+  it("stands over the legend only where it would cover something otherwise", () => {
+    const low = { x: 0, y: 0, width: 640, height: 400 };
+    const withLegend = { ...low, height: 448 };
+    const goal = { x: 300, y: 20, width: 80, height: 80 };
+    const place = placeCard([low, withLegend], robotAt(100, 380), card, [goal]);
+    expect(place.y + card.height).toBeLessThanOrEqual(392);
+  });
+
+  it("finds its place in a maze that is full of goals", () => {
+    const goals = Array.from({ length: 256 }, (_, at) => ({
+      x: 60 * (at % 16),
+      y: 37 * Math.floor(at / 16),
+      width: 30,
+      height: 30,
+    }));
+    const robot = robotAt(470, 300);
+    expect(touches({ ...placeCard([area], robot, card, goals), ...card }, robot)).toBe(false);
+  });
+
   it("never covers the robot and stays in the stage wherever there is room", () => {
     fc.assert(
       fc.property(fc.integer({ min: 30, max: 930 }), fc.integer({ min: 30, max: 570 }), (x, y) => {
@@ -56,8 +129,12 @@ describe("placeCard", () => {
     );
   });
 
-  it("has no tail where the card had to be pushed away from the robot's height", () => {
-    expect(placeCard([area], robotAt(200, 20), card, []).tail).toBeNull();
+  it("has no tail where the card had to be pushed away from the robot on all sides", () => {
+    expect(placeCard([area], robotAt(20, 20), card, []).tail).toBeNull();
+  });
+
+  it("stands below a robot high up, where beside it there were no tail", () => {
+    expect(placeCard([area], robotAt(200, 20), card, [])).toMatchObject({ y: 56, tail: "top" });
   });
 
   it("begins at the stage's start where the stage is smaller than the card", () => {

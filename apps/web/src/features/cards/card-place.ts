@@ -4,14 +4,26 @@
  */
 import type { Box } from "../../canvas/viewport.ts";
 
-export interface CardPlace {
+export interface CardPlace<Shape extends Size = Size> {
   x: number;
   y: number;
   /** the card's side that the tail leaves from; null where the card stands away from the robot */
-  tail: "left" | "right" | "top" | "bottom" | null;
+  tail: Side | null;
   /** where on that side the tail is, pixels from its start */
   tailAt: number;
+  /** the shape that the card has there */
+  shape: Shape;
+  /** how much of what should stay in sight lies below it; 0 is what is wanted */
+  covered: number;
 }
+
+interface Size {
+  width: number;
+  height: number;
+}
+
+type Side = "left" | "right" | "top" | "bottom";
+type Spot = Pick<CardPlace, "x" | "y" | "tail" | "tailAt">;
 
 /** Between the robot and the card. */
 const GAP = 16;
@@ -20,31 +32,24 @@ const EDGE = 8;
 /** A tail keeps clear of the card's round corners. */
 const CORNER = 24;
 
+/** So many things that should stay in sight are looked past; a maze may be full of goals. */
+const LOOKED_PAST = 6;
+
 const ways = ["left", "right", "top", "bottom"] as const;
 
 /**
  * @param areas where the card may stand: the first where that leaves all in sight, then the next
  * @param robot the robot's box
- * @param card the size that the card takes
+ * @param shapes the sizes that the card can take, the one that is liked best first
  * @param keepClear what the card should not cover besides the robot
  */
-export function placeCard(
+export function placeCard<Shape extends Size>(
   areas: readonly Box[],
   robot: Box,
-  card: { width: number; height: number },
+  shapes: readonly Shape[],
   keepClear: readonly Box[],
-): CardPlace {
-  const clump = around(robot, keepClear);
-  const places = areas.flatMap((area) => {
-    // The roomier half first: right of a robot that stands on the left, and the other way round.
-    const order = isFarRight(robot, area) ? (["right", "left", "top", "bottom"] as const) : ways;
-    return [
-      ...order.map((tail) => beside(tail, area, robot, robot, card)),
-      ...order.map((tail) => beside(tail, area, robot, clump, card)),
-      ...corners(area, card),
-    ];
-  });
-  return leastCovering(places, robot, card, keepClear);
+): CardPlace<Shape> | null {
+  return leastCovering(areas, shapes, robot, keepClear, spotsBeside);
 }
 
 /**
@@ -53,42 +58,77 @@ export function placeCard(
  * @param areas whose corners come first, such as the maze's: where that is little larger than the card, only
  *   those of the stage leave the robot and the goal free
  */
-export function placeCardAway(
+export function placeCardAway<Shape extends Size>(
   areas: readonly Box[],
   robot: Box,
-  card: { width: number; height: number },
+  shapes: readonly Shape[],
   keepClear: readonly Box[],
-): CardPlace {
-  const places = areas.flatMap((area) => {
+): CardPlace<Shape> | null {
+  return leastCovering(areas, shapes, robot, keepClear, (area, card, seen) => {
     const fromLeft = corners(area, card);
-    return isFarRight(robot, area) ? fromLeft : [...fromLeft.slice(2), ...fromLeft.slice(0, 2)];
+    return [
+      ...(isFarRight(robot, area) ? fromLeft : [...fromLeft.slice(2), ...fromLeft.slice(0, 2)]),
+      ...between(area, [robot, ...seen], card),
+    ];
   });
-  return leastCovering(places, robot, card, keepClear);
 }
 
 function isFarRight(robot: Box, area: Box): boolean {
   return robot.x + robot.width / 2 > area.x + area.width / 2;
 }
 
-/** The first of the places that cover least of what should stay in sight. */
-function leastCovering(
-  places: readonly CardPlace[],
+/** All places around the robot in the order in which they are liked, and then all others. */
+function spotsBeside(area: Box, card: Size, seen: readonly Box[], robot: Box): Spot[] {
+  const clump = around(robot, seen);
+  // The roomier half first: right of a robot that stands on the left, and the other way round.
+  const order = isFarRight(robot, area) ? (["right", "left", "top", "bottom"] as const) : ways;
+  const sides = [robot, clump].flatMap((from) => order.map((tail) => ({ from, tail })));
+  return [
+    ...sides.map(({ from, tail }) => beside(tail, area, robot, from, card, null)),
+    // Its tail still at the robot, but no longer in its middle.
+    ...sides.flatMap(({ from, tail }) =>
+      startsBeside(seen, isUpright(tail) ? "y" : "x", card).map((start) =>
+        beside(tail, area, robot, from, card, start),
+      ),
+    ),
+    ...corners(area, card),
+    ...between(area, [robot, ...seen], card),
+  ];
+}
+
+/** The first of the places that cover least of what should stay in sight: with a tail, if an area has any. */
+function leastCovering<Shape extends Size>(
+  areas: readonly Box[],
+  shapes: readonly Shape[],
   robot: Box,
-  card: { width: number; height: number },
   keepClear: readonly Box[],
-): CardPlace {
-  let best: CardPlace | undefined;
-  let least = Number.POSITIVE_INFINITY;
-  for (const place of places) {
-    const box = { x: place.x, y: place.y, ...card };
-    const covered =
-      10 * overlap(box, robot) + keepClear.reduce((sum, each) => sum + overlap(box, each), 0);
-    if (covered < least) {
-      least = covered;
-      best = place;
+  spotsIn: (area: Box, card: Size, seen: readonly Box[], robot: Box) => Spot[],
+): CardPlace<Shape> | null {
+  let best: CardPlace<Shape> | null = null;
+  for (const area of areas) {
+    const seen = keepClear.filter((each) => overlap(each, area) > 0).slice(0, LOOKED_PAST);
+    let inArea: CardPlace<Shape> | null = null;
+    for (const shape of shapes) {
+      for (const spot of spotsIn(area, shape, seen, robot)) {
+        const covered = coveredBy({ ...spot, ...shape }, robot, keepClear);
+        if (inArea === null || isBetter(spot, covered, inArea)) {
+          inArea = { ...spot, shape, covered };
+        }
+      }
     }
+    if (best === null || (inArea !== null && inArea.covered < best.covered)) best = inArea;
   }
-  return best ?? { x: 0, y: 0, tail: null, tailAt: 0 };
+  return best;
+}
+
+function isBetter(spot: Spot, covered: number, than: CardPlace): boolean {
+  if (covered !== than.covered) return covered < than.covered;
+  return than.tail === null && spot.tail !== null;
+}
+
+/** The robot counts most. */
+function coveredBy(box: Box, robot: Box, keepClear: readonly Box[]): number {
+  return 10 * overlap(box, robot) + keepClear.reduce((sum, each) => sum + overlap(box, each), 0);
 }
 
 /** The robot with what it touches of what should not be covered: the block that it hit. */
@@ -111,56 +151,89 @@ function around(robot: Box, keepClear: readonly Box[]): Box {
 }
 
 /**
- * The card beside a box, pushed into the area, its tail at the height of the robot. `tail` is the card's
- * side that faces the robot.
+ * The card beside a box, pushed into the area, its tail at the height of the robot.
+ * @param tail the card's side that faces the robot
+ * @param start where that side begins; null where the robot is to be in its middle
  */
 function beside(
-  tail: "left" | "right" | "top" | "bottom",
+  tail: Side,
   area: Box,
   robot: Box,
   from: Box,
-  card: { width: number; height: number },
-): CardPlace {
+  card: Size,
+  start: number | null,
+): Spot {
   const middleX = robot.x + robot.width / 2;
   const middleY = robot.y + robot.height / 2;
-  const isBeside = tail === "left" || tail === "right";
-  const x = isBeside
-    ? tail === "left"
+  const x =
+    tail === "left"
       ? from.x + from.width + GAP
-      : from.x - GAP - card.width
-    : middleX - card.width / 2;
-  const y = isBeside
-    ? middleY - card.height / 2
-    : tail === "top"
+      : tail === "right"
+        ? from.x - GAP - card.width
+        : (start ?? middleX - card.width / 2);
+  const y =
+    tail === "top"
       ? from.y + from.height + GAP
-      : from.y - GAP - card.height;
-  const inX = within(x, area.x + EDGE, area.x + area.width - EDGE - card.width);
-  const inY = within(y, area.y + EDGE, area.y + area.height - EDGE - card.height);
-  const length = isBeside ? card.height : card.width;
-  const at = isBeside ? middleY - inY : middleX - inX;
-  const isPushed = isBeside ? inX !== x : inY !== y;
+      : tail === "bottom"
+        ? from.y - GAP - card.height
+        : (start ?? middleY - card.height / 2);
+  const put = pushedInto(area, { x, y }, card);
+  const length = isUpright(tail) ? card.height : card.width;
+  const at = isUpright(tail) ? middleY - put.y : middleX - put.x;
+  const isPushed = isUpright(tail) ? put.x !== x : put.y !== y;
   return {
-    x: inX,
-    y: inY,
+    ...put,
     tail: isPushed || at < CORNER || at > length - CORNER ? null : tail,
     tailAt: at,
   };
 }
 
+function isUpright(side: Side): boolean {
+  return side === "left" || side === "right";
+}
+
+/** Before and behind each of these, along one axis. */
+function startsBeside(boxes: readonly Box[], axis: "x" | "y", card: Size): number[] {
+  const length = axis === "x" ? "width" : "height";
+  return boxes.flatMap((each) => [
+    each[axis] - GAP - card[length],
+    each[axis] + each[length] + GAP,
+  ]);
+}
+
+/** Wherever a card stands close to what it should not cover: if there is room for it, it is at one of these. */
+function between(area: Box, boxes: readonly Box[], card: Size): Spot[] {
+  const most = { x: area.x + area.width, y: area.y + area.height };
+  const xs = [area.x, most.x, ...startsBeside(boxes, "x", card)];
+  const ys = [area.y, most.y, ...startsBeside(boxes, "y", card)];
+  return xs.flatMap((x) =>
+    ys.map((y): Spot => ({ ...pushedInto(area, { x, y }, card), tail: null, tailAt: 0 })),
+  );
+}
+
+/** A card that is larger than its area begins at the area's start. */
+function pushedInto(
+  area: Box,
+  { x, y }: { x: number; y: number },
+  card: Size,
+): { x: number; y: number } {
+  const within = (value: number, from: number, room: number, length: number) =>
+    Math.max(from + EDGE, Math.min(value, from + room - EDGE - length));
+  return {
+    x: within(x, area.x, area.width, card.width),
+    y: within(y, area.y, area.height, card.height),
+  };
+}
+
 /** Upper and lower left, then upper and lower right. */
-function corners(area: Box, card: { width: number; height: number }): CardPlace[] {
+function corners(area: Box, card: Size): Spot[] {
   const left = area.x + EDGE;
   const right = Math.max(left, area.x + area.width - EDGE - card.width);
   const top = area.y + EDGE;
   const bottom = Math.max(top, area.y + area.height - EDGE - card.height);
   return [left, right].flatMap((x) =>
-    [top, bottom].map((y): CardPlace => ({ x, y, tail: null, tailAt: 0 })),
+    [top, bottom].map((y): Spot => ({ x, y, tail: null, tailAt: 0 })),
   );
-}
-
-/** A card that is larger than its area begins at the area's start. */
-function within(value: number, least: number, most: number): number {
-  return Math.max(least, Math.min(value, most));
 }
 
 function overlap(a: Box, b: Box): number {
