@@ -16,25 +16,34 @@ for (const [width, height] of [
   [1440, 900],
   [1024, 768],
 ] as const) {
-  test(`reads scale and place of an earlier moment at ${width} x ${height}`, async ({
-    openWindow,
-  }) => {
-    const corridor = await openWindow({ viewport: { width, height } });
-    await corridor.open();
-    await corridor.run.click();
-    await expect(corridor.clock).not.toHaveText(/0:00\.0/);
-    await corridor.pause.click();
-    await corridor.timeline.slider.press("ArrowLeft");
-    const { backToNow, watch } = corridor.timeline;
-    await expect(backToNow).toBeVisible();
-    const from = (await watch.boundingBox())?.x ?? 0;
-    const box = await backToNow.boundingBox();
-    const to = (box?.x ?? 0) + (box?.width ?? 0);
-    const scale = await boxOf(corridor.page.locator("main svg:has(text)", { hasText: " cm" }));
-    const place = await boxOf(corridor.robotPlace);
-    expect(scale.right).toBeLessThan(from);
-    expect(to).toBeLessThan(place.left);
-  });
+  for (const lang of ["en", "de", "fr", "ar"]) {
+    test(`reads scale and place of an earlier moment at ${width} x ${height}, in ${lang}`, async ({
+      openWindow,
+    }) => {
+      const { page } = await openWindow({ viewport: { width, height } });
+      const words = Words.of(lang);
+      const button = (path: string): Locator =>
+        page.getByRole("button", { name: words.t(path), exact: true });
+      await page.goto(`/?lang=${lang}`);
+      await button("shell.run.run").click();
+      const slider = page.getByRole("slider", { name: words.t("timeline.name") });
+      await expect(page.locator("section[data-view]")).not.toContainText(/0:00[.,]0/);
+      await button("shell.run.pause").click();
+      await slider.press("ArrowLeft");
+      await expect(button("timeline.backToNow")).toBeVisible();
+      const pastBar = page.getByRole("group", { name: words.t("timeline.pastNote") });
+      const bar = await pastBar.evaluate((element) => element.getBoundingClientRect().toJSON());
+      const scale = await boxOf(page.locator("main svg:has(text)", { hasText: /00/ }));
+      // "Robot at {{x}}, {{y}}", up to the first number.
+      const [robotAt = ""] = words.t("stage.robotAt", { x: "|" }).split(/[\u2068|]/);
+      const place = await boxOf(page.locator("main").getByText(robotAt));
+      expect(scale.right).toBeLessThan(bar.left);
+      expect(bar.right).toBeLessThan(place.left);
+      // It stands beside the button that describes the robot, whichever way its words run.
+      const describe = await button("speech.describe.button").boundingBox();
+      expect(Math.abs((describe?.x ?? 0) - place.right)).toBeLessThan(16);
+    });
+  }
 
   test(`sees nothing of the panel move while the page opens at ${width} x ${height}`, async ({
     openWindow,
