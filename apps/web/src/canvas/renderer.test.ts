@@ -47,9 +47,9 @@ const scene: Scene = {
   isCalm: false,
 };
 
-function snapshotAt(x: number, y: number): Snapshot {
+function snapshotAt(x: number, y: number, state: Snapshot["state"] = "running"): Snapshot {
   const sensors = { front: 250, right: 250, back: 50, left: 50 };
-  return snapshotOf({ driver: "program", line: 0, sensors, pose: { x, y, heading: 90 } });
+  return snapshotOf({ driver: "program", line: 0, sensors, state, pose: { x, y, heading: 90 } });
 }
 
 /** A canvas that counts how often it is emptied as a whole and in part, clipped for a picture, and stroked. */
@@ -109,12 +109,14 @@ function newStage() {
   renderer.attach(canvases);
   paint();
   requestFrame.mockClear();
-  const drive = (x: number, y: number, isReset = false): void => {
-    const corners = isReset ? [x, y] : [];
-    frame = frameOf({ snapshot: snapshotAt(x, y), corners, trailReset: isReset });
+  const show = (snapshot: Snapshot, corners: number[], trailReset: boolean): void => {
+    frame = frameOf({ snapshot, corners, trailReset });
     renderer.frameArrived();
     paint();
   };
+  const drive = (x: number, y: number, isReset = false): void =>
+    show(snapshotAt(x, y), isReset ? [x, y] : [], isReset);
+  const rest = (x: number, y: number): void => show(snapshotAt(x, y, "paused"), [], false);
   /** How often each layer has been drawn anew since the last call; the robot's is wiped in part for it. */
   const redrawn = (): { maze: number; trail: number; live: number } => {
     const now = {
@@ -125,7 +127,7 @@ function newStage() {
     for (const { counts } of Object.values(layers)) counts.cleared = counts.pictures = 0;
     return now;
   };
-  return { renderer, layers, canvases, requestFrame, paint, drive, redrawn, scrolls };
+  return { renderer, layers, canvases, requestFrame, paint, drive, rest, redrawn, scrolls };
 }
 
 beforeEach(() => {
@@ -214,6 +216,19 @@ describe("the stage", () => {
     redrawn();
     drive(50, 50, true);
     expect(redrawn()).toMatchObject({ maze: 0, trail: 1 });
+  });
+
+  it("draws the trail as one line when the robot comes to rest, and leaves it then", () => {
+    const { renderer, drive, rest, redrawn } = newStage();
+    renderer.show(scene);
+    drive(50, 50, true);
+    drive(80, 50);
+    redrawn();
+    rest(80, 50);
+    expect(redrawn()).toMatchObject({ maze: 0, trail: 1 });
+    rest(80, 50);
+    drive(81, 50);
+    expect(redrawn()).toMatchObject({ maze: 0, trail: 0 });
   });
 
   it("draws nothing while it has no canvases, and all on the next ones", () => {

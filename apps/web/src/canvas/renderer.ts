@@ -1,7 +1,7 @@
 /**
- * Paints the stage on three canvases, each redrawn only when what it shows has changed:
- * the still maze (once a maze, size, theme or scroll position), the trail (each frame appends the
- * new piece), and the robot with its beams. One animation frame is asked for at a time, and none
+ * Paints the stage on three canvases, each redrawn only when what it shows has changed: the still maze
+ * (once a maze, size, theme or scroll position), the trail (each frame appends the new piece; at rest it
+ * is one line), and the robot with its beams. One animation frame is asked for at a time, and none
  * while nothing changes. Knows neither page nor worker: it runs in both.
  */
 import type { Snapshot } from "@corridor/protocol";
@@ -204,6 +204,9 @@ export class StageRenderer {
     if (!scene.isCalm && before !== null && !frame.trailReset && frame.view !== "past") {
       this.#startNudge(scene, frame, before);
     }
+    // Its pieces overlap, and their soft edges add up: what was drawn piece by piece is broader.
+    const hasStopped = before?.snapshot.state === "running" && frame.snapshot.state !== "running";
+    if (hasStopped && scene.showTrail) this.#stale.add("trail");
     if (change.kind === "none") return;
     this.#follow(scene.layout, frame.snapshot.pose);
     if (change.kind === "replaced") {
@@ -293,6 +296,4 @@ function hitOf({ bumps, snapshot }: Frame, before: Frame | null): Hit {
   return { pose: { x, y, heading: snapshot.pose.heading }, wanted };
 }
 
-function isSame(a: Scroll, b: Scroll): boolean {
-  return a.x === b.x && a.y === b.y;
-}
+const isSame = (a: Scroll, b: Scroll): boolean => a.x === b.x && a.y === b.y;
