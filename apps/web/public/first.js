@@ -111,6 +111,10 @@
     if (document.getElementById("wordmark") === null) return;
     watch.disconnect();
     document.querySelector("[data-early]").setAttribute("aria-label", text.controls);
+    const { content } = document.getElementById("invitation");
+    for (const place of document.querySelectorAll("[data-invites]")) {
+      place.append(content.cloneNode(true));
+    }
     for (const each of document.querySelectorAll("[data-word]")) {
       each.append(text[each.dataset.word]);
     }
