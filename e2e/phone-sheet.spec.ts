@@ -59,7 +59,29 @@ test("finds nothing below the screen in any tab", async ({ openWindow }) => {
   }
 });
 
-test("reads a message without losing the maze from sight", async ({ openWindow }) => {
+for (const device of [phone, { ...phone, viewport: { width: 320, height: 640 } }]) {
+  const { width, height } = device.viewport;
+  test(`reads a message over the bar, and uses tools, lines and maze meanwhile at ${width} x ${height}`, async ({
+    openWindow,
+  }) => {
+    const corridor = await openWindow(device);
+    await corridor.open();
+    const { page, program } = corridor;
+    await page.getByRole("button", { name: "Move or delete line 2" }).tap();
+    await corridor.dialog("Move or delete line 2").getByRole("button", { name: "Delete" }).tap();
+    await expect(corridor.message("Line 2 deleted.")).toBeVisible();
+    await atRest(page);
+    const box = await boxOf(corridor.messages);
+    const tools = page.getByRole("group", { name: "Tool" });
+    expect(box.y + box.height).toBeLessThanOrEqual((await boxOf(tools)).y);
+    await page.getByRole("radio", { name: "Goal" }).tap();
+    await expect(page.getByRole("radio", { name: "Goal" })).toBeChecked();
+    await corridor.messages.getByRole("button", { name: "Undo" }).tap();
+    await expect(program.lines).toHaveCount(2);
+  });
+}
+
+test("is told a long sentence without losing the maze from sight", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
   await corridor.open();
   const { page } = corridor;
