@@ -91,25 +91,50 @@ test("does the missions of the hand with a thumb, and every button is there whol
   await expect(runProgram).toHaveCount(0);
 });
 
+const low = { ...phone, viewport: { width: 320, height: 640 } };
 for (const [lang, begin, run] of [
+  ["en", "Start with mission 1", "Run program"],
   ["de", "Mit Mission 1 beginnen", "Programm starten"],
   ["fr", "Commencer la mission 1", "Lancer le programme"],
 ] as const) {
-  test(`reads the whole task above the keys in ${lang}`, async ({ openWindow }) => {
-    const corridor = await openWindow(phone);
-    const { page } = corridor;
-    await page.goto(`/?lang=${lang}`);
-    await page.getByRole("button", { name: begin }).tap();
-    await expect(page.getByRole("button", { name: run })).toBeInViewport({ ratio: 1 });
-    const task = page.getByRole("region", { name: "Mission" }).getByRole("paragraph").first();
-    const whole = await task.evaluate((text) => {
-      const own = text.getBoundingClientRect();
-      const around = text.parentElement?.getBoundingClientRect();
-      return around !== undefined && own.top >= around.top && own.bottom <= around.bottom;
+  for (const device of [phone, low]) {
+    const { width, height } = device.viewport;
+    test(`reads the whole task above the keys in ${lang} at ${width} x ${height}, nothing scrolls`, async ({
+      openWindow,
+    }) => {
+      const corridor = await openWindow(device);
+      const { page } = corridor;
+      await page.goto(`/?lang=${lang}`);
+      await page.getByRole("button", { name: begin }).tap();
+      await expect(page.getByRole("button", { name: run })).toBeInViewport({ ratio: 1 });
+      const task = page.getByRole("region", { name: "Mission" }).getByRole("paragraph").first();
+      const whole = await task.evaluate((text) => {
+        const own = text.getBoundingClientRect();
+        const around = text.parentElement?.getBoundingClientRect();
+        return around !== undefined && own.top >= around.top && own.bottom <= around.bottom;
+      });
+      expect(whole).toBe(true);
+      const tabPanel = page.getByRole("tabpanel");
+      expect(await tabPanel.evaluate((panel) => panel.scrollHeight - panel.clientHeight)).toBe(0);
     });
-    expect(whole).toBe(true);
-  });
+  }
 }
+
+test("reads the number below the robot beside the small map on a low stage", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow(low);
+  await corridor.open();
+  const { page } = corridor;
+  await page.getByRole("button", { name: "Start with mission 1" }).tap();
+  await expect(smallMap(page)).toBeVisible();
+  await atRest(page);
+  const grid = await boxOf(corridor.maze.grid);
+  const map = await boxOf(smallMap(page));
+  // The robot stands in the second square; beside the wall below it is the reading.
+  const robotX = grid.x + 150 * SCALE;
+  expect(map.x).toBeGreaterThan(robotX + 30);
+});
 
 test("sees the whole maze again, and follows the robot again", async ({ openWindow }) => {
   const corridor = await openWindow(phone);

@@ -10,14 +10,14 @@ import { CELL, viewX, viewY, viewportAt, centredScroll } from "../../canvas/view
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import { MazePicture } from "../presets/MazePicture.tsx";
 import styles from "./camera-view.module.css";
+import { mapSide } from "./map-side.ts";
 import type { StageViewStore } from "./stage-view.ts";
 
 /** The picture's longer side, in CSS pixels. */
 const LONGEST_PX = 96;
 const ROBOT_PX = 12;
-/** A robot that is so near to the map's corner, as shares of the view, would stand under it. */
-const NEAR_X = 0.45;
-const NEAR_Y = 0.5;
+/** Around the picture: padding and border, on both sides together. */
+const FRAME_PX = 10;
 
 export function SmallMap({ view }: { view: StageViewStore }) {
   const { workspace, run } = useServices();
@@ -25,7 +25,8 @@ export function SmallMap({ view }: { view: StageViewStore }) {
   const maze = useStore(run, ({ shownMaze }) => shownMaze) ?? ownMaze;
   const { columns, rows } = sizeOf(maze);
   const scale = LONGEST_PX / Math.max(columns, rows);
-  const side = useSide(view);
+  const picture = { width: columns * scale, height: rows * scale };
+  const side = useSide(view, picture);
   const robot = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const place = ({ snapshot } = run.getState()): void => {
@@ -39,7 +40,7 @@ export function SmallMap({ view }: { view: StageViewStore }) {
   }, [run, scale]);
   return (
     <div className={styles["map"]} data-side={side} data-map="" aria-hidden="true">
-      <div className={styles["picture"]} style={{ width: columns * scale, height: rows * scale }}>
+      <div className={styles["picture"]} style={picture}>
         <MazePicture maze={maze} showStart={false} />
         <div ref={robot} className={styles["robot"]}>
           <RobotFace size={ROBOT_PX} />
@@ -49,17 +50,15 @@ export function SmallMap({ view }: { view: StageViewStore }) {
   );
 }
 
-/** The lower corner that the robot is not in: left and right as in the maze, in every language. */
-function useSide(view: StageViewStore): "left" | "right" {
+/** The lower corner that the robot is not in. */
+function useSide(view: StageViewStore, picture: { width: number; height: number }) {
   const { run } = useServices();
   const layout = useStore(view, (state) => state.layout);
+  const map = { width: picture.width + FRAME_PX, height: picture.height + FRAME_PX };
   return useStore(run, ({ snapshot }) => {
     if (layout === null || snapshot === null) return "left";
     const { x, y } = snapshot.pose;
     const viewport = viewportAt(layout, centredScroll(layout, x, y));
-    const { width, height } = layout.view;
-    const isNear = viewX(viewport, x) / width < NEAR_X;
-    const isLow = viewY(viewport, y) / height > NEAR_Y;
-    return isLow && isNear ? "right" : "left";
+    return mapSide({ x: viewX(viewport, x), y: viewY(viewport, y) }, layout.view, map);
   });
 }
