@@ -56,6 +56,32 @@ test("sees the words of filled buttons and the chosen driver in forced colours",
   expect((await chosen.evaluate(colours)).ground).not.toBe((await other.evaluate(colours)).ground);
 });
 
+test("reads the number of the sensor that touches a wall in forced colours", async ({
+  corridor,
+  page,
+}) => {
+  await page.emulateMedia({ forcedColors: "active" });
+  await corridor.program.action(2).selectOption("delayed left 90");
+  await corridor.speed.selectOption("4×");
+  await corridor.run.click();
+  await expect(page.getByRole("region", { name: /^Bump: line 2/ })).toBeVisible();
+  const reading = corridor.sensor("front");
+  await expect(reading).toHaveText("25");
+  const [text, ground] = await reading.evaluate((element) => {
+    const { color, backgroundColor } = getComputedStyle(element);
+    return [color, backgroundColor];
+  });
+  expect(text).not.toBe(ground);
+  // Or the browser paints the number on a ground of its own, which has the number's colour here.
+  await expect(reading).toHaveCSS("forced-color-adjust", "none");
+});
+
+test("sees where a dialog ends in forced colours", async ({ corridor, page }) => {
+  await page.emulateMedia({ forcedColors: "active" });
+  await corridor.share.click();
+  await expect(corridor.dialog("Share this maze")).toHaveCSS("border-top-style", "solid");
+});
+
 test("sees the maze on dark ground where the forced colours are dark", async ({
   corridor,
   page,
