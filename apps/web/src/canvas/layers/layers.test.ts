@@ -1,8 +1,11 @@
 import type { MazeDocument } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
+import type { Pen } from "../brush.ts";
+import { readPalette } from "../palette.ts";
 import { beamDirection } from "./beams.ts";
 import { bumpMark } from "./bumps.ts";
 import { isOnReachedGoal } from "./joy.ts";
+import { drawStart } from "./places.ts";
 import { faceOf } from "./robot.ts";
 import { numberStep } from "./rulers.ts";
 import { shownMarks } from "./tags.ts";
@@ -63,6 +66,25 @@ describe("the rays of a reached goal", () => {
     { name: "wait until it is reached", x: 210, y: 150, goalReached: false, shine: false },
   ])("$name", ({ x, y, goalReached, shine }) => {
     expect(isOnReachedGoal({ goals }, { goalReached, pose: { x, y, heading: 0 } })).toBe(shine);
+  });
+});
+
+describe("the word of the start", () => {
+  it.each([
+    { name: "stands below the robot in a large square", side: 84, words: ["Start"] },
+    { name: "is left out where the robot would cover half of it", side: 60, words: [] },
+  ])("$name", ({ side, words }) => {
+    const written: string[] = [];
+    const pen = new Proxy(
+      {},
+      {
+        get: (_, name) => (text: string) => void (name === "fillText" && written.push(text)),
+        set: () => true,
+      },
+    ) as Pen;
+    const palette = readPalette(() => "black");
+    drawStart(pen, { x: 0, y: 0, width: side, height: side }, palette, maze.start, "Start");
+    expect(written).toEqual(words);
   });
 });
 
