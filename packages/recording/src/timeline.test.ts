@@ -87,6 +87,18 @@ describe("what happened", () => {
   });
 });
 
+it("a page is told of what is forgotten where the run ends at the tick that it knows", () => {
+  const worker = timelineOf([6, "me"]);
+  const page = new Timeline();
+  worker.reachedTick(6);
+  const known = worker.take();
+  if (known !== null) page.merge(known);
+  worker.forgetAfter(6);
+  const news = worker.take();
+  if (news !== null) page.merge(news);
+  expect(stretchesOf(page)).toEqual(stretchesOf(worker));
+});
+
 it("a page that takes the news in, however seldom, has the worker's timeline", () => {
   const who = fc.constantFrom<Exclude<Who, "mixed">>("me", "remote", "default", 0, 1, 2);
   fc.assert(

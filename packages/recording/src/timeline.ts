@@ -73,7 +73,10 @@ export class Timeline {
   readonly #eventCodes = new GrowingArray("int16");
   readonly #eventWhos = new GrowingArray("int16");
   #endTick = 0;
+  /** as they were at the last `take`: what was cut since then leaves nothing new behind */
   #takenEndTick = -1;
+  #takenStretches = 0;
+  #takenEvents = 0;
   #shortest = SHORTEST;
   /** stretches and events that are as they were at the last `take` */
   #sameStretches = 0;
@@ -195,6 +198,8 @@ export class Timeline {
     const isSame =
       this.#sameStretches === this.#ticks.length &&
       this.#sameEvents === this.#eventTicks.length &&
+      this.#takenStretches === this.#ticks.length &&
+      this.#takenEvents === this.#eventTicks.length &&
       this.#takenEndTick === this.#endTick;
     if (isSame) return null;
     const news: TimelineNews = {
@@ -209,6 +214,8 @@ export class Timeline {
     };
     this.#sameStretches = this.#ticks.length;
     this.#sameEvents = this.#eventTicks.length;
+    this.#takenStretches = this.#ticks.length;
+    this.#takenEvents = this.#eventTicks.length;
     this.#takenEndTick = this.#endTick;
     return news;
   }
