@@ -2,11 +2,13 @@
 import express, { Router, type Express } from "express";
 import type { Logger } from "pino";
 import type { Clock } from "./clock.ts";
-import type { Health } from "./routes/answers.ts";
+import type { Entrance } from "./entrance/entrance.ts";
+import type { Readiness } from "./readiness.ts";
 import { commandRoutes } from "./routes/commands.ts";
 import { descriptionRoutes } from "./routes/description.ts";
 import { eventRoutes } from "./routes/events.ts";
 import { notFound, problemAnswers } from "./routes/fallbacks.ts";
+import { healthRoutes } from "./routes/health.ts";
 import { robotRoutes } from "./routes/robots.ts";
 import { openToAllSites, securityHeaders } from "./routes/security-headers.ts";
 import { sensorRoutes } from "./routes/sensors.ts";
@@ -16,8 +18,8 @@ export interface AppDependencies {
   hub: SessionHub;
   clock: Clock;
   log: Logger;
-  /** origin under which the service is reached from outside; null: what each request says */
-  publicOrigin: string | null;
+  entrance: Entrance;
+  readiness: Readiness;
   /** serves the page */
   page: Router;
   isDevelopment: boolean;
@@ -25,21 +27,23 @@ export interface AppDependencies {
 
 /** Builds the application from its parts. */
 export function createApp(dependencies: AppDependencies): Express {
-  const { hub, clock, log, publicOrigin, page, isDevelopment } = dependencies;
+  const { hub, clock, log, entrance, readiness, page, isDevelopment } = dependencies;
   const app = express();
   app.disable("x-powered-by");
   app.set("query parser", "simple");
   app.set("etag", false);
   app.use(securityHeaders(isDevelopment));
 
-  app.get("/healthz", (_request, response) => {
-    const health: Health = { status: "ok" };
-    response.set("Cache-Control", "no-store").json(health);
+  // Before the check of the name: machines that watch over this one ask by its bare address.
+  app.use(healthRoutes(readiness));
+  app.use((request, _response, next) => {
+    entrance.checkHost(request);
+    next();
   });
   app.use(descriptionRoutes());
   const api = Router();
   api.use(openToAllSites);
-  api.use(robotRoutes(hub, publicOrigin));
+  api.use(robotRoutes(hub, entrance));
   api.use(sensorRoutes(hub));
   api.use(commandRoutes(hub));
   api.use(eventRoutes(hub, clock));

@@ -10,6 +10,8 @@ describe("readConfig", () => {
         host: null,
         dataDir: "data",
         publicOrigin: null,
+        allowedHosts: null,
+        trustedProxies: 0,
         logLevel: "warn",
       },
     });
@@ -21,11 +23,20 @@ describe("readConfig", () => {
       HOST: "127.0.0.1",
       DATA_DIR: "/var/lib/corridor",
       PUBLIC_URL: "https://robots.example.org/",
+      ALLOWED_HOSTS: "Robots.example.org, localhost, [::1]",
+      TRUSTED_PROXIES: "127.0.0.1, 10.0.0.0/8,fd00::/8",
       LOG_LEVEL: "info",
     };
     expect(readConfig(environment)).toMatchObject({
-      config: { port: 0, host: "127.0.0.1", publicOrigin: "https://robots.example.org" },
+      config: {
+        port: 0,
+        host: "127.0.0.1",
+        publicOrigin: "https://robots.example.org",
+        allowedHosts: ["robots.example.org", "localhost", "[::1]"],
+        trustedProxies: ["127.0.0.1", "10.0.0.0/8", "fd00::/8"],
+      },
     });
+    expect(readConfig({ TRUSTED_PROXIES: "2" })).toMatchObject({ config: { trustedProxies: 2 } });
   });
 
   it.each([
@@ -35,6 +46,15 @@ describe("readConfig", () => {
     { name: "PUBLIC_URL", value: "robots.example.org" },
     { name: "PUBLIC_URL", value: "ftp://robots.example.org" },
     { name: "PUBLIC_URL", value: "https://robots.example.org/path" },
+    { name: "ALLOWED_HOSTS", value: "robots.example.org," },
+    { name: "ALLOWED_HOSTS", value: "robots.example.org:443" },
+    { name: "ALLOWED_HOSTS", value: "https://robots.example.org" },
+    { name: "ALLOWED_HOSTS", value: "*.example.org" },
+    { name: "TRUSTED_PROXIES", value: "10" },
+    { name: "TRUSTED_PROXIES", value: "true" },
+    { name: "TRUSTED_PROXIES", value: "10.0.0.0/33" },
+    { name: "TRUSTED_PROXIES", value: "10.0.0.1, proxy.local" },
+    { name: "TRUSTED_PROXIES", value: "fe80::1/129" },
     { name: "LOG_LEVEL", value: "loud" },
   ])("names a wrong $name: $value", ({ name, value }) => {
     const result = readConfig({ [name]: value });

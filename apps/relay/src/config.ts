@@ -1,16 +1,29 @@
 /** Settings of the relay: the environment, checked once at the start. Every problem is named. */
 import { describeProblem, readValue, type FieldProblem } from "@corridor/protocol";
 import { z } from "zod";
+import { readNetwork, type TrustedProxies } from "./entrance/trusted-proxies.ts";
 
 const DEFAULT_PORT = 8080;
 const portError = "a port number from 0 to 65535 (0: any free port)";
 const urlError = "an address without a path, such as https://robots.example.org";
+const hostsError = "host names with commas between them, such as robots.example.org, localhost";
+const proxiesError =
+  "the number of proxies in front, from 0 to 9, or their addresses and networks, such as 127.0.0.1, 10.0.0.0/8";
 const LOG_LEVELS = ["fatal", "error", "warn", "info", "debug", "silent"] as const;
 
 function isOrigin(text: string): boolean {
   if (!URL.canParse(text)) return false;
   const { origin, protocol, href } = new URL(text);
   return /^https?:$/.test(protocol) && href === `${origin}/`;
+}
+
+function words(text: string): string[] {
+  return text.split(",").map((word) => word.trim());
+}
+
+function isHostName(text: string): boolean {
+  if (!/^[\w.:[\]-]+$/.test(text) || !URL.canParse(`http://${text}`)) return false;
+  return new URL(`http://${text}`).hostname === text;
 }
 
 const environmentSchema = z.object({
@@ -28,6 +41,22 @@ const environmentSchema = z.object({
     .refine(isOrigin, { error: urlError })
     .transform((url) => new URL(url).origin)
     .optional(),
+  /** the names of this service; a request for another is refused */
+  ALLOWED_HOSTS: z
+    .string()
+    .transform((text) => words(text.toLowerCase()))
+    .refine((names) => names.every(isHostName), { error: hostsError })
+    .optional(),
+  /** whose X-Forwarded-* headers count */
+  TRUSTED_PROXIES: z
+    .string()
+    .transform((text): TrustedProxies => (/^\d$/.test(text) ? Number(text) : words(text)))
+    .refine(
+      (proxies) =>
+        typeof proxies === "number" || proxies.every((proxy) => readNetwork(proxy) !== null),
+      { error: proxiesError },
+    )
+    .default(0),
   LOG_LEVEL: z.enum(LOG_LEVELS, { error: `one of ${LOG_LEVELS.join(", ")}` }).default("warn"),
 });
 
@@ -39,6 +68,9 @@ export interface Config {
   dataDir: string;
   /** origin under which the service is reached from outside; null: what each request says */
   publicOrigin: string | null;
+  /** null: any name will do */
+  allowedHosts: readonly string[] | null;
+  trustedProxies: TrustedProxies;
   logLevel: (typeof LOG_LEVELS)[number];
 }
 
@@ -54,7 +86,8 @@ export function readConfig(
   );
   const result = readValue(environmentSchema, given);
   if (!result.ok) return result;
-  const { PORT, HOST, DATA_DIR, PUBLIC_URL, LOG_LEVEL } = result.value;
+  const { PORT, HOST, DATA_DIR, PUBLIC_URL, ALLOWED_HOSTS, TRUSTED_PROXIES, LOG_LEVEL } =
+    result.value;
   return {
     ok: true,
     config: {
@@ -62,6 +95,8 @@ export function readConfig(
       host: HOST ?? null,
       dataDir: DATA_DIR,
       publicOrigin: PUBLIC_URL ?? null,
+      allowedHosts: ALLOWED_HOSTS ?? null,
+      trustedProxies: TRUSTED_PROXIES,
       logLevel: LOG_LEVEL,
     },
   };

@@ -41,6 +41,9 @@ it("a full disk is answered with 507, loses nothing that was acknowledged, and p
     type: "/problems/storage-full",
   });
   expect((await fetch(`${relay.origin}/healthz`)).status).toBe(200);
+  // It still serves who is there: a balancer must not take it away.
+  const ready = await fetch(`${relay.origin}/readyz`);
+  expect([ready.status, await ready.json()]).toEqual([200, { status: "degraded" }]);
   const log = await relay.ask(robot, "/commands");
   expect(await log.json()).toMatchObject({
     commands: Array.from({ length: stored }, (_, n) => ({ seq: n + 1, state: "accepted" })),

@@ -3,6 +3,7 @@
  * HTTP request and a WebSocket message, and it never tells more than the client may know.
  */
 import type { FieldProblem, ProblemDocument } from "@corridor/protocol";
+import { isDiskFull } from "./store/disk-full.ts";
 
 interface Kind {
   status: number;
@@ -22,11 +23,14 @@ export const problemKinds = {
   "no-snapshot": { status: 409, title: "The robot has not reported yet" },
   "too-large": { status: 413, title: "The body is too large" },
   "not-json": { status: 415, title: "The body is not JSON" },
+  "wrong-host": { status: 421, title: "This service has another name" },
   "queue-full": { status: 429, title: "Too many commands wait" },
   "too-fast": { status: 429, title: "Too many requests" },
   "too-many-readers": { status: 429, title: "Too many connections" },
   internal: { status: 500, title: "The relay made a mistake" },
   "page-not-built": { status: 503, title: "The page has not been built" },
+  restarting: { status: 503, title: "The relay is being restarted" },
+  "no-store": { status: 503, title: "The relay's store does not answer" },
   "storage-full": { status: 507, title: "The relay's disk is full" },
 } as const satisfies Record<string, Kind>;
 
@@ -71,11 +75,18 @@ export function retryAfter(milliseconds: number): Record<string, string> {
   return { "Retry-After": String(Math.max(1, Math.ceil(milliseconds / 1000))) };
 }
 
+/** The answer to whoever asks while the relay ends. */
+export function restarting(): Refusal {
+  return new Refusal("restarting", "It comes back by itself. Send this again in a moment.", {
+    headers: retryAfter(2_000),
+  });
+}
+
 /** Turns whatever was thrown into a refusal; what is not ours becomes "internal" without a detail. */
 export function asRefusal(error: unknown): Refusal {
   if (error instanceof Refusal) return error;
-  // SQLITE_FULL: the disk, not the request, is at fault, and waiting may help.
-  if (error instanceof Error && "errcode" in error && error.errcode === 13) {
+  // The disk, not the request, is at fault, and waiting may help.
+  if (isDiskFull(error)) {
     return new Refusal("storage-full", "Nothing was stored. Try again in a minute.", {
       headers: retryAfter(60_000),
     });

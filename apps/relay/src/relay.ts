@@ -7,7 +7,9 @@ import type { Logger } from "pino";
 import { createApp } from "./app.ts";
 import type { Clock } from "./clock.ts";
 import type { Config } from "./config.ts";
+import { Entrance } from "./entrance/entrance.ts";
 import { WebSocketGateway } from "./gateways/websocket-gateway.ts";
+import { Readiness } from "./readiness.ts";
 import { builtPage } from "./routes/built-page.ts";
 import { developmentPage, HOT_RELOAD_PREFIX } from "./routes/development-page.ts";
 import { SessionHub } from "./sessions/session-hub.ts";
@@ -17,7 +19,7 @@ import { SqliteStore } from "./store/sqlite-store.ts";
 const SHUTDOWN_MS = 5_000;
 
 export interface RelayOptions {
-  config: Pick<Config, "port" | "host" | "dataDir" | "publicOrigin">;
+  config: Omit<Config, "logLevel">;
   clock: Clock;
   log: Logger;
   /** folder of the web app, with `dist` when it was built */
@@ -41,7 +43,9 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   const { config, clock, log, webRoot, isDevelopment } = options;
   const store = new SqliteStore(join(config.dataDir, "corridor.sqlite"));
   const hub = new SessionHub(store, clock, log);
-  const gateway = new WebSocketGateway({ hub, clock, log, publicOrigin: config.publicOrigin });
+  const entrance = new Entrance(config);
+  const readiness = new Readiness(store, clock, log);
+  const gateway = new WebSocketGateway({ hub, clock, log, entrance });
   const server = createServer({
     // Old HTTP clients offer "Upgrade: h2c"; that is an ordinary request, not a WebSocket.
     shouldUpgradeCallback: (request) => request.headers.upgrade?.toLowerCase() === "websocket",
@@ -51,8 +55,8 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   });
   const development = isDevelopment ? await developmentPage(webRoot, server) : null;
   const page: Router = development?.router ?? builtPage(join(webRoot, "dist"));
-  const { publicOrigin } = config;
-  server.on("request", createApp({ hub, clock, log, publicOrigin, page, isDevelopment }));
+  const parts = { hub, clock, log, entrance, readiness };
+  server.on("request", createApp({ ...parts, page, isDevelopment }));
   server.on("upgrade", (request, socket, head) => {
     // Vite listens for its own socket by itself.
     const protocol = request.headers["sec-websocket-protocol"] ?? "";
@@ -61,6 +65,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   });
 
   const close = async (): Promise<void> => {
+    readiness.drain();
     gateway.close();
     await hub.close();
     await development?.close();

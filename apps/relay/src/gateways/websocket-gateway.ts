@@ -20,6 +20,7 @@ import type { Logger } from "pino";
 import { WebSocketServer, type WebSocket } from "ws";
 import { clientName } from "../client-name.ts";
 import type { Clock } from "../clock.ts";
+import type { Entrance } from "../entrance/entrance.ts";
 import { asRefusal, Refusal, type ProblemKind } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
@@ -50,8 +51,7 @@ export interface GatewayOptions {
   hub: SessionHub;
   clock: Clock;
   log: Logger;
-  /** origin of the service where it stands behind a proxy, or null */
-  publicOrigin: string | null;
+  entrance: Entrance;
 }
 
 export class WebSocketGateway {
@@ -72,18 +72,11 @@ export class WebSocketGateway {
 
   /** Takes an upgrade request of the HTTP server; a wrong one gets a problem document. */
   upgrade(request: IncomingMessage, socket: Duplex, head: Buffer): void {
-    const id = PATH.exec((request.url ?? "").split("?")[0] ?? "")?.[1];
-    if (id === undefined) {
-      return refuseUpgrade(
-        socket,
-        new Refusal("not-found", "WebSockets are at /api/v1/robots/ID/socket only."),
-      );
-    }
-    if (!this.#isAllowedOrigin(request)) {
-      return refuseUpgrade(
-        socket,
-        new Refusal("forbidden", "Pages of other sites cannot open this socket. Use the HTTP API."),
-      );
+    let id: string;
+    try {
+      id = this.#admit(request);
+    } catch (error) {
+      return refuseUpgrade(socket, asRefusal(error));
     }
     this.#server.handleUpgrade(request, socket, head, (webSocket) => {
       this.#welcome(webSocket, request, id);
@@ -97,16 +90,26 @@ export class WebSocketGateway {
     this.#server.close();
   }
 
-  /** Browsers always send Origin; without one it is a program, which needs a key anyway. */
-  #isAllowedOrigin({ headers }: IncomingMessage): boolean {
-    if (headers.origin === undefined) return true;
-    if (headers.origin === this.#options.publicOrigin) return true;
-    return URL.canParse(headers.origin) && new URL(headers.origin).host === headers.host;
+  /** @returns the robot's id in the address @throws Refusal when no socket may be opened there */
+  #admit(request: IncomingMessage): string {
+    const { entrance } = this.#options;
+    entrance.checkHost(request);
+    const id = PATH.exec((request.url ?? "").split("?")[0] ?? "")?.[1];
+    if (id === undefined) {
+      throw new Refusal("not-found", "WebSockets are at /api/v1/robots/ID/socket only.");
+    }
+    if (!entrance.isOwnPage(request)) {
+      throw new Refusal(
+        "forbidden",
+        "Pages of other sites cannot open this socket. Use the HTTP API.",
+      );
+    }
+    return id;
   }
 
   #welcome(socket: WebSocket, request: IncomingMessage, id: string): void {
-    const { clock } = this.#options;
-    const address = request.socket.remoteAddress ?? "";
+    const { clock, entrance } = this.#options;
+    const address = entrance.addressOf(request);
     const guest: Guest = {
       socket,
       port: wsPort(socket, clock),

@@ -8,7 +8,12 @@ import {
 } from "@corridor/protocol";
 import { z } from "zod";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
-import { commandLogSchema, healthSchema, heldSessionSchema } from "../routes/answers.ts";
+import {
+  commandLogSchema,
+  healthSchema,
+  heldSessionSchema,
+  readySchema,
+} from "../routes/answers.ts";
 import { idempotencyHeader, logQuery, newerQuery, seqPath, waitQuery } from "../routes/reading.ts";
 import { answer, location, parameters, refusals } from "./parts.ts";
 
@@ -144,6 +149,17 @@ export const calls: ZodOpenApiPathsObject = {
       summary: "Ask whether the service answers",
       security: [],
       responses: { 200: answer("It does.", healthSchema) },
+    },
+  },
+  "/readyz": {
+    get: {
+      operationId: "checkReadiness",
+      summary: "Ask whether the service should be sent work",
+      security: [],
+      responses: {
+        200: answer("It should.", readySchema),
+        ...refusals("restarting", "no-store"),
+      },
     },
   },
 };

@@ -11,7 +11,12 @@ import {
   snapshotSchema,
 } from "@corridor/protocol";
 import { createDocument, type oas31 } from "zod-openapi";
-import { commandLogSchema, healthSchema, heldSessionSchema } from "../routes/answers.ts";
+import {
+  commandLogSchema,
+  healthSchema,
+  heldSessionSchema,
+  readySchema,
+} from "../routes/answers.ts";
 import { calls } from "./calls.ts";
 import { describeByExpectation } from "./describe-by-expectation.ts";
 
@@ -44,6 +49,7 @@ export function describeApi(): oas31.OpenAPIObject {
           Health: healthSchema,
           HeldSession: heldSessionSchema,
           Problem: problemSchema,
+          Ready: readySchema,
           Registration: registrationSchema,
           Snapshot: snapshotSchema,
         },

@@ -21,6 +21,7 @@ const retryAfter: oas31.HeadersObject = {
 const headersByStatus: Partial<Record<number, oas31.HeadersObject>> = {
   401: { "WWW-Authenticate": { required: true, schema: { type: "string", const: "Bearer" } } },
   429: retryAfter,
+  503: retryAfter,
   507: retryAfter,
 };
 

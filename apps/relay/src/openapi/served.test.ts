@@ -4,12 +4,14 @@ import { Router, type Express } from "express";
 import { pino } from "pino";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { createApp } from "../app.ts";
+import { Entrance } from "../entrance/entrance.ts";
+import { Readiness } from "../readiness.ts";
 import { systemClock } from "../clock.ts";
 import { SessionHub } from "../sessions/session-hub.ts";
 import { SqliteStore } from "../store/sqlite-store.ts";
 import { DescribedRelay, describedCalls, METHODS } from "../testing/described-relay.ts";
 import { completed } from "../testing/messages.ts";
-import { startTestRelay, testFolder } from "../testing/test-relay.ts";
+import { defaults, startTestRelay, testFolder } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 
 const ROBOT = "/api/v1/robots/{id}";
@@ -41,7 +43,9 @@ function appWithoutPage(): Express {
     await hub.close();
     await store.close();
   });
-  const parts = { hub, clock: systemClock, log, publicOrigin: null, page: Router() };
+  const entrance = new Entrance(defaults());
+  const readiness = new Readiness(store, systemClock, log);
+  const parts = { hub, clock: systemClock, log, entrance, readiness, page: Router() };
   return createApp({ ...parts, isDevelopment: false });
 }
 

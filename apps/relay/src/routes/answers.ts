@@ -11,6 +11,13 @@ import { limits } from "../sessions/limits.ts";
 export const healthSchema = z.strictObject({ status: z.literal("ok") });
 export type Health = z.infer<typeof healthSchema>;
 
+export const readySchema = z.strictObject({
+  status: z
+    .enum(["ready", "degraded"])
+    .describe("degraded: the disk is full, so that nothing new can be stored"),
+});
+export type Ready = z.infer<typeof readySchema>;
+
 export const commandLogSchema = z.strictObject({
   /** in the order of their numbers */
   commands: z.array(commandRecordSchema).max(limits.logPage),

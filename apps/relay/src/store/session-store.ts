@@ -93,5 +93,11 @@ export interface SessionStore {
   command(id: string, seq: number): Promise<CommandRecord | null>;
   /** Commands with a higher seq, in order. */
   commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]>;
+  /**
+   * Whether the store can be written, found out by writing.
+   * @returns full: it answers, and has no room left
+   * @throws Error when it does not answer
+   */
+  check(): Promise<"ok" | "full">;
   close(): Promise<void>;
 }

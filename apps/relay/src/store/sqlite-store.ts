@@ -10,6 +10,7 @@ import { dirname } from "node:path";
 import { DatabaseSync, type SQLInputValue, type StatementSync } from "node:sqlite";
 import { commandRecordSchema, type CommandRecord, type Ending } from "@corridor/protocol";
 import { z } from "zod";
+import { isDiskFull, takeRoom } from "./disk-full.ts";
 import type {
   AddResult,
   NewCommand,
@@ -204,6 +205,16 @@ export class SqliteStore implements SessionStore {
       `SELECT ${COLUMNS} FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?`,
       [id, seq, limit],
     );
+  }
+
+  async check(): Promise<"ok" | "full"> {
+    try {
+      this.#transaction(() => takeRoom(this.#db));
+      return "ok";
+    } catch (error) {
+      if (isDiskFull(error)) return "full";
+      throw error;
+    }
   }
 
   async close(): Promise<void> {

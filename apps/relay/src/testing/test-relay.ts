@@ -6,6 +6,7 @@ import { registrationSchema, type Registration } from "@corridor/protocol";
 import { pino } from "pino";
 import { onTestFinished } from "vitest";
 import { systemClock, type Clock } from "../clock.ts";
+import { readConfig, type Config } from "../config.ts";
 import { startRelay } from "../relay.ts";
 
 export interface TestRelay {
@@ -31,13 +32,26 @@ export function testFolder(): string {
   return folder;
 }
 
+/** The settings of a relay that was told nothing. */
+export function defaults(): Config {
+  const settings = readConfig({});
+  if (!settings.ok) throw new Error("the settings have no defaults");
+  return settings.config;
+}
+
 /** Starts a relay that ends with the test. */
 export async function startTestRelay(
-  options: { clock?: Clock; dataDir?: string; webRoot?: string; isDevelopment?: boolean } = {},
+  options: {
+    config?: Partial<Config>;
+    clock?: Clock;
+    dataDir?: string;
+    webRoot?: string;
+    isDevelopment?: boolean;
+  } = {},
 ): Promise<TestRelay> {
   const dataDir = options.dataDir ?? testFolder();
   const relay = await startRelay({
-    config: { port: 0, host: "127.0.0.1", dataDir, publicOrigin: null },
+    config: { ...defaults(), port: 0, host: "127.0.0.1", dataDir, ...options.config },
     clock: options.clock ?? systemClock,
     log: pino({ level: "silent" }),
     webRoot: options.webRoot ?? dataDir,

@@ -212,6 +212,13 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
   });
 
   describe(`${name}: sessions`, () => {
+    it("answers that it can be written, as often as it is asked", async () => {
+      const { store, add, states } = await withRobot();
+      await add(LEFT);
+      expect([await store.check(), await store.check()]).toEqual(["ok", "ok"]);
+      expect(await states()).toEqual(["1 accepted"]);
+    });
+
     it("still has everything after a restart", async () => {
       const { add, store, reopen } = await withRobot();
       await add(LEFT, "key-0001");
