@@ -54,6 +54,9 @@ const allowed: Record<string, readonly string[]> = {
     "node:",
   ],
   "apps/relay": [
+    "@corridor/challenge/document",
+    "@corridor/maze",
+    "@corridor/program",
     "@corridor/protocol",
     "express",
     "helmet",

@@ -2,10 +2,12 @@
 import express, { Router, type Express } from "express";
 import type { Logger } from "pino";
 import type { Clock } from "./clock.ts";
+import type { DocumentShelf } from "./documents/document-shelf.ts";
 import type { Entrance } from "./entrance/entrance.ts";
 import type { Readiness } from "./readiness.ts";
 import { commandRoutes } from "./routes/commands.ts";
 import { descriptionRoutes } from "./routes/description.ts";
+import { documentRoutes } from "./routes/documents.ts";
 import { eventRoutes } from "./routes/events.ts";
 import { notFound, problemAnswers } from "./routes/fallbacks.ts";
 import { healthRoutes } from "./routes/health.ts";
@@ -16,6 +18,7 @@ import type { SessionHub } from "./sessions/session-hub.ts";
 
 export interface AppDependencies {
   hub: SessionHub;
+  documents: DocumentShelf;
   clock: Clock;
   log: Logger;
   entrance: Entrance;
@@ -27,7 +30,7 @@ export interface AppDependencies {
 
 /** Builds the application from its parts. */
 export function createApp(dependencies: AppDependencies): Express {
-  const { hub, clock, log, entrance, readiness, page, isDevelopment } = dependencies;
+  const { hub, documents, clock, log, entrance, readiness, page, isDevelopment } = dependencies;
   const app = express();
   app.disable("x-powered-by");
   app.set("query parser", "simple");
@@ -47,6 +50,7 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(sensorRoutes(hub));
   api.use(commandRoutes(hub));
   api.use(eventRoutes(hub, clock));
+  api.use(documentRoutes(documents, entrance));
   api.use(notFound);
   app.use("/api/v1", api);
 

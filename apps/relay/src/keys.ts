@@ -1,8 +1,9 @@
-/** Robot ids and bearer keys: 128 random bits each. Keys are stored only as their SHA-256. */
+/** Ids and bearer keys: random bits, 128 for robots and keys. Keys are stored only as their SHA-256. */
 import { createHash, randomBytes, timingSafeEqual } from "node:crypto";
 import type { KeyKind, StoredKey } from "./store/session-store.ts";
 
-const PREFIX: Record<KeyKind, string> = { own: "own_", drive: "drv_" };
+/** delete: take back what a short link leads to. */
+const PREFIX: Record<KeyKind | "delete", string> = { own: "own_", drive: "drv_", delete: "del_" };
 
 function randomText(): string {
   return randomBytes(16).toString("base64url");
@@ -13,8 +14,13 @@ export function mintId(): string {
   return randomText();
 }
 
+/** A new id of a short link: 72 bits as 12 characters, short enough to be written on a board. */
+export function mintLinkId(): string {
+  return randomBytes(9).toString("base64url");
+}
+
 /** A new key, with a prefix that names its kind. */
-export function mintKey(kind: KeyKind): string {
+export function mintKey(kind: keyof typeof PREFIX): string {
   return PREFIX[kind] + randomText();
 }
 

@@ -17,6 +17,7 @@ export const problemKinds = {
   forbidden: { status: 403, title: "This key does not allow that" },
   "not-found": { status: 404, title: "There is nothing here" },
   "no-robot": { status: 404, title: "There is no such robot" },
+  "no-document": { status: 404, title: "There is no such short link" },
   "no-command": { status: 404, title: "There is no such command" },
   "method-not-allowed": { status: 405, title: "This address does not know the method" },
   "key-conflict": { status: 409, title: "The idempotency key was used for another command" },
@@ -68,6 +69,11 @@ export class Refusal extends Error {
 /** A refusal of input that breaks a schema. */
 export function badRequest(what: string, errors: FieldProblem[]): Refusal {
   return new Refusal("bad-request", `${what} See "errors" for each field.`, { errors });
+}
+
+/** A refusal for want of a valid key. @param detail which key to send, and how */
+export function notAuthorised(detail: string): Refusal {
+  return new Refusal("not-authorised", detail, { headers: { "WWW-Authenticate": "Bearer" } });
 }
 
 /** "Come back in so many seconds." */

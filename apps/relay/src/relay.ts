@@ -7,12 +7,14 @@ import type { Logger } from "pino";
 import { createApp } from "./app.ts";
 import type { Clock } from "./clock.ts";
 import type { Config } from "./config.ts";
+import { DocumentShelf } from "./documents/document-shelf.ts";
 import { Entrance } from "./entrance/entrance.ts";
 import { WebSocketGateway } from "./gateways/websocket-gateway.ts";
 import { Readiness } from "./readiness.ts";
 import { builtPage } from "./routes/built-page.ts";
 import { developmentPage, HOT_RELOAD_PREFIX } from "./routes/development-page.ts";
 import { SessionHub } from "./sessions/session-hub.ts";
+import { SqliteDocumentStore } from "./store/sqlite-document-store.ts";
 import { SqliteStore } from "./store/sqlite-store.ts";
 
 /** Requests that are still open after this are cut off. */
@@ -41,7 +43,9 @@ export interface Relay {
  */
 export async function startRelay(options: RelayOptions): Promise<Relay> {
   const { config, clock, log, webRoot, isDevelopment } = options;
-  const store = new SqliteStore(join(config.dataDir, "corridor.sqlite"));
+  const file = join(config.dataDir, "corridor.sqlite");
+  const store = new SqliteStore(file);
+  const documents = new DocumentShelf(new SqliteDocumentStore(file), clock, log);
   const hub = new SessionHub(store, clock, log);
   const entrance = new Entrance(config);
   const readiness = new Readiness(store, clock, log);
@@ -55,7 +59,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   });
   const development = isDevelopment ? await developmentPage(webRoot, server) : null;
   const page: Router = development?.router ?? builtPage(join(webRoot, "dist"));
-  const parts = { hub, clock, log, entrance, readiness };
+  const parts = { hub, documents, clock, log, entrance, readiness };
   server.on("request", createApp({ ...parts, page, isDevelopment }));
   server.on("upgrade", (request, socket, head) => {
     // Vite listens for its own socket by itself.
@@ -70,6 +74,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     await hub.close();
     await development?.close();
     await closeServer(server);
+    await documents.close();
     await store.close();
   };
   try {

@@ -146,7 +146,7 @@ const shape = z.strictObject(
 export type ChallengeDocument = z.infer<typeof shape>;
 
 /** The document with its rules between fields. */
-const challengeSchema = shape.check((context) => {
+export const challengeSchema = shape.check((context) => {
   const { mazes, goal: to, allowed: may, checks: checked, program } = context.value;
   const refuse = (path: (string | number)[], message: string): void => {
     context.issues.push({ code: "custom", path, message, input: context.value });

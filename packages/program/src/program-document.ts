@@ -41,24 +41,28 @@ const againstRight = z.strictObject({
 export type Condition = z.infer<typeof againstNumber> | z.infer<typeof againstRight>;
 
 // Not z.union: its errors name no field. Which of the two is meant shows in `than`.
-const condition = z.unknown().transform((input, context): Condition => {
-  const isAgainstRight =
-    typeof input === "object" && input !== null && "than" in input && input.than === "right";
-  const result = (isAgainstRight ? againstRight : againstNumber).safeParse(input);
-  if (result.success) return result.data;
-  for (const issue of result.error.issues) {
-    const fields = issue.code === "unrecognized_keys" ? issue.keys : [undefined];
-    for (const field of fields) {
-      context.issues.push({
-        code: "custom",
-        input,
-        path: field === undefined ? issue.path : [...issue.path, field],
-        message: field === undefined ? issue.message : "no field of this name",
-      });
+const condition = z
+  .unknown()
+  .transform((input, context): Condition => {
+    const isAgainstRight =
+      typeof input === "object" && input !== null && "than" in input && input.than === "right";
+    const result = (isAgainstRight ? againstRight : againstNumber).safeParse(input);
+    if (result.success) return result.data;
+    for (const issue of result.error.issues) {
+      const fields = issue.code === "unrecognized_keys" ? issue.keys : [undefined];
+      for (const field of fields) {
+        context.issues.push({
+          code: "custom",
+          input,
+          path: field === undefined ? issue.path : [...issue.path, field],
+          message: field === undefined ? issue.message : "no field of this name",
+        });
+      }
     }
-  }
-  return z.NEVER;
-});
+    return z.NEVER;
+    // What comes out is one of the two, for those who describe a program from its schema.
+  })
+  .pipe(z.union([againstNumber, againstRight]));
 
 const action = z.enum(plainActions, { error: `one of ${plainActions.join(", ")}` });
 

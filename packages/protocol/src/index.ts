@@ -40,6 +40,12 @@ export {
 export { problemSchema, type ProblemDocument } from "./problem.ts";
 export { driverSchema, type DriverName, type Pose, type SensorReadings } from "./quantities.ts";
 export { registrationSchema, robotIdSchema, type Registration } from "./registration.ts";
+export {
+  MAX_DOCUMENT_BYTES,
+  shortLinkIdSchema,
+  shortLinkSchema,
+  type ShortLink,
+} from "./short-link.ts";
 export { snapshotSchema, type LineRef, type RobotReport, type Snapshot } from "./snapshot.ts";
 export type { SocketEvents, SocketFactory, SocketPort } from "./socket-port.ts";
 export { PROTOCOL_VERSION } from "./version.ts";

@@ -40,16 +40,21 @@ describe("the description of the API", () => {
     expect(references.filter((reference) => typeof at(reference) !== "object")).toEqual([]);
   });
 
-  it.each(["Command", "CommandRecord", "Snapshot", "Registration", "Problem"])(
-    "says what a %s is in one place, and refers to it",
-    (name) => {
-      const reference = `#/components/schemas/${name}`;
-      const uses = [...nodes(document)].filter(({ $ref }) => $ref === reference);
-      expect(uses.length).toBeGreaterThan(0);
-      const text = JSON.stringify(at(reference));
-      expect(JSON.stringify(document).split(text)).toHaveLength(2);
-    },
-  );
+  it.each([
+    "Command",
+    "CommandRecord",
+    "Snapshot",
+    "Registration",
+    "ShortLink",
+    "SharedDocument",
+    "Problem",
+  ])("says what a %s is in one place, and refers to it", (name) => {
+    const reference = `#/components/schemas/${name}`;
+    const uses = [...nodes(document)].filter(({ $ref }) => $ref === reference);
+    expect(uses.length).toBeGreaterThan(0);
+    const text = JSON.stringify(at(reference));
+    expect(JSON.stringify(document).split(text)).toHaveLength(2);
+  });
 
   it("gives every call a name of its own", () => {
     const names = calls.map(({ operation }) => operation.operationId);

@@ -8,9 +8,11 @@ import {
   problemSchema,
   PROTOCOL_VERSION,
   registrationSchema,
+  shortLinkSchema,
   snapshotSchema,
 } from "@corridor/protocol";
 import { createDocument, type oas31 } from "zod-openapi";
+import { documentSchema } from "../documents/document-schema.ts";
 import {
   commandLogSchema,
   healthSchema,
@@ -51,9 +53,16 @@ export function describeApi(): oas31.OpenAPIObject {
           Problem: problemSchema,
           Ready: readySchema,
           Registration: registrationSchema,
+          SharedDocument: documentSchema,
+          ShortLink: shortLinkSchema,
           Snapshot: snapshotSchema,
         },
         securitySchemes: {
+          deleteKey: {
+            type: "http",
+            scheme: "bearer",
+            description: "The key that came with a short link: deletes what it leads to.",
+          },
           driverKey: {
             type: "http",
             scheme: "bearer",

@@ -1,15 +1,20 @@
+import { shortLinkSchema } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { join } from "node:path";
 import { Router, type Express } from "express";
 import { pino } from "pino";
 import { describe, expect, it, onTestFinished } from "vitest";
+import type { oas31 } from "zod-openapi";
 import { createApp } from "../app.ts";
 import { Entrance } from "../entrance/entrance.ts";
 import { Readiness } from "../readiness.ts";
 import { systemClock } from "../clock.ts";
+import { DocumentShelf } from "../documents/document-shelf.ts";
 import { SessionHub } from "../sessions/session-hub.ts";
+import { SqliteDocumentStore } from "../store/sqlite-document-store.ts";
 import { SqliteStore } from "../store/sqlite-store.ts";
 import { DescribedRelay, describedCalls, METHODS } from "../testing/described-relay.ts";
+import { challenge, maze, program } from "../testing/sample-documents.ts";
 import { completed } from "../testing/messages.ts";
 import { defaults, startTestRelay, testFolder } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
@@ -17,6 +22,8 @@ import { TestSocket } from "../testing/test-socket.ts";
 const ROBOT = "/api/v1/robots/{id}";
 const COMMANDS = `${ROBOT}/commands`;
 const RECORD = `${COMMANDS}/{seq}`;
+const DOCUMENTS = "/api/v1/mazes";
+const DOCUMENT = `${DOCUMENTS}/{id}`;
 const SENSORS = `${ROBOT}/sensors`;
 
 /** What Express keeps of a route or of a router that was mounted. */
@@ -36,16 +43,20 @@ function servedCalls(layers: Layer[], prefix = ""): string[] {
 }
 
 function appWithoutPage(): Express {
-  const store = new SqliteStore(join(testFolder(), "corridor.sqlite"));
+  const file = join(testFolder(), "corridor.sqlite");
+  const store = new SqliteStore(file);
   const log = pino({ level: "silent" });
   const hub = new SessionHub(store, systemClock, log);
+  const documents = new DocumentShelf(new SqliteDocumentStore(file), systemClock, log);
   onTestFinished(async () => {
+    await documents.close();
     await hub.close();
     await store.close();
   });
   const entrance = new Entrance(defaults());
   const readiness = new Readiness(store, systemClock, log);
-  const parts = { hub, clock: systemClock, log, entrance, readiness, page: Router() };
+  const served = { hub, documents, entrance, readiness };
+  const parts = { ...served, clock: systemClock, log, page: Router() };
   return createApp({ ...parts, isDevelopment: false });
 }
 
@@ -122,6 +133,29 @@ describe("real answers are as described", () => {
     expect((await api.call("get", ROBOT, { key })).body).toMatchObject({ snapshot: snapshotOf() });
     expect((await api.call("delete", ROBOT, { key })).status).toBe(204);
     expect((await api.call("get", SENSORS)).status).toBe(404);
+  });
+
+  it.each([
+    { name: "a maze", document: maze },
+    { name: "a program", document: program },
+    { name: "a challenge", document: challenge },
+  ])("from the short link of $name to its end", async ({ document }) => {
+    const api = await DescribedRelay.start();
+    const asked = api.document.paths?.[DOCUMENTS]?.post?.requestBody as oas31.RequestBodyObject;
+    const schema = api.schemaOf({ description: "", content: asked.content });
+    expect(schema.safeParse(document).success).toBe(true);
+    expect(schema.safeParse({ ...document, format: "corridor/run" }).success).toBe(false);
+    const { status, body } = await api.callAt("post", DOCUMENTS, { body: document });
+    expect(status).toBe(201);
+    const { id, deleteKey } = shortLinkSchema.parse(body);
+    expect((await api.callAt("get", DOCUMENT, { id })).body).toEqual(document);
+    expect((await api.callAt("delete", DOCUMENT, { id })).status).toBe(401);
+    expect((await api.callAt("delete", DOCUMENT, { id, key: deleteKey })).status).toBe(204);
+    expect((await api.callAt("get", DOCUMENT, { id })).status).toBe(404);
+    expect((await api.callAt("post", DOCUMENTS, { body: {} })).status).toBe(400);
+    expect((await api.callAt("post", DOCUMENTS)).status).toBe(415);
+    const tooLarge = { ...program, name: "x".repeat(70_000) };
+    expect((await api.callAt("post", DOCUMENTS, { body: tooLarge })).status).toBe(413);
   });
 
   const post = ["post", COMMANDS] as const;

@@ -6,7 +6,7 @@ import { Refusal } from "../problems.ts";
 import { preferCompressed, tellEncoding } from "./compressed-files.ts";
 
 /** Addresses at which the page shows itself; everything else is a file or nothing. */
-const PAGE_PATHS = ["/", "/r/:id"];
+export const PAGE_PATHS = ["/", "/r/:id", "/m/:id"];
 
 /** @param folder where the build is, with index.html */
 export function builtPage(folder: string): Router {

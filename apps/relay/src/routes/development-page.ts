@@ -3,6 +3,7 @@ import type { Server } from "node:http";
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { Router } from "express";
+import { PAGE_PATHS } from "./built-page.ts";
 
 /** How the subprotocols of the hot-reload sockets of the page begin. */
 export const HOT_RELOAD_PREFIX = "vite-";
@@ -25,7 +26,7 @@ export async function developmentPage(
   });
   const router = Router();
   router.use(vite.middlewares);
-  router.get(["/", "/r/:id"], async (request, response) => {
+  router.get(PAGE_PATHS, async (request, response) => {
     const html = await readFile(join(root, "index.html"), "utf8");
     response.type("html").send(await vite.transformIndexHtml(request.originalUrl, html));
   });

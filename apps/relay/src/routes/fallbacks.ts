@@ -40,7 +40,8 @@ function sendProblem(response: Response, { problem, headers }: Refusal): void {
 function refusalOf(error: unknown): Refusal {
   const status = error instanceof Error && "status" in error ? error.status : undefined;
   if (status === 413) {
-    return new Refusal("too-large", "A body may have 16 KiB at most.");
+    const limit = error instanceof Error && "limit" in error ? Number(error.limit) : 0;
+    return new Refusal("too-large", `A body may have ${limit / 1024} KiB at most here.`);
   }
   if (status === 415) {
     return new Refusal("not-json", "Send the body as plain JSON in UTF-8, not compressed.");

@@ -91,9 +91,12 @@ export function readClient(request: Request): string {
   return clientName(request.get("user-agent"));
 }
 
-/** Takes the body in as text; what is not JSON or too large is refused by the error handler. */
-export function jsonText(): RequestHandler {
-  const text = express.text({ type: isJson, limit: MAX_FRAME_BYTES, inflate: false });
+/**
+ * Takes the body in as text; what is not JSON or too large is refused by the error handler.
+ * @param limit in bytes
+ */
+export function jsonText(limit: number = MAX_FRAME_BYTES): RequestHandler {
+  const text = express.text({ type: isJson, limit, inflate: false });
   return (request, response, next) => {
     if (request.headers["content-type"] === undefined || !isJson(request)) {
       throw new Refusal(
@@ -110,13 +113,26 @@ function isJson(request: { headers: Record<string, string | string[] | undefined
   return type.split(";")[0]?.trim().toLowerCase() === "application/json";
 }
 
+/**
+ * What the body holds.
+ * @param what a sentence for when it breaks the schema, such as "The command is wrong."
+ */
+export function readBody<T>(
+  request: Request,
+  schema: z.ZodType<T>,
+  maxLength: number,
+  what: string,
+): T {
+  const body: unknown = request.body;
+  const result = readJson(schema, typeof body === "string" ? body : "", maxLength);
+  if (!result.ok) throw badRequest(what, result.problems);
+  return result.value;
+}
+
 /** The command in the body, and the idempotency key in the header. */
 export function readCommandRequest(request: Request): { key: string | null; command: Command } {
-  const body: unknown = request.body;
-  const text = typeof body === "string" ? body : "";
-  const command = readJson(commandSchema, text, MAX_FRAME_BYTES);
-  if (!command.ok) throw badRequest("The command is wrong.", command.problems);
-  return { key: readIdempotencyKey(request), command: command.value };
+  const command = readBody(request, commandSchema, MAX_FRAME_BYTES, "The command is wrong.");
+  return { key: readIdempotencyKey(request), command };
 }
 
 /** The header Idempotency-Key; null when there is none. */

@@ -190,9 +190,9 @@ describe("the page", () => {
     return webRoot;
   }
 
-  it("is served at / and at each robot's address, under a strict policy", async () => {
+  it("is served at /, at each robot's address and at each short link, under a strict policy", async () => {
     const relay = await startTestRelay({ webRoot: builtWeb() });
-    for (const path of ["/", "/r/AAAAAAAAAAAAAAAAAAAAAA"]) {
+    for (const path of ["/", "/r/AAAAAAAAAAAAAAAAAAAAAA", "/m/AAAAAAAAAAAA"]) {
       const answer = await fetch(relay.origin + path);
       expect(await answer.text()).toContain("Corridor");
       const policy = answer.headers.get("content-security-policy") ?? "";

@@ -12,6 +12,11 @@ export const limits = {
   stopRate: { perSecond: 5, burst: 20 },
   /** registrations from one address: a class of 40 shares one, and everybody reloads at once */
   registrationRate: { perSecond: 0.5, burst: 200 },
+  /** documents stored from one address: a class of 40 makes two short links each at once */
+  documentRate: { perSecond: 1 / 30, burst: 80 },
+  /** a document is in use for so long after the last time; a use is written down at most once a day */
+  documentIdleMs: 180 * 24 * 60 * 60 * 1000,
+  documentNoteMs: 24 * 60 * 60 * 1000,
   /** open sockets and event streams of one driver key */
   readersPerKey: 4,
   /** open sockets, event streams and waiting requests of one robot */

@@ -6,7 +6,7 @@ import type { Registration } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../clock.ts";
 import { hashKey, mintId, mintKey } from "../keys.ts";
-import { Refusal, retryAfter } from "../problems.ts";
+import { notAuthorised, Refusal, retryAfter } from "../problems.ts";
 import type { KeyKind, SessionStore, StoredKey } from "../store/session-store.ts";
 import { limits } from "./limits.ts";
 import { noRobot, Session } from "./session.ts";
@@ -75,10 +75,8 @@ export class SessionHub {
     if (session === null) throw noRobot();
     const stored = key === null ? null : session.grantOf(key);
     if (stored === null) {
-      throw new Refusal(
-        "not-authorised",
+      throw notAuthorised(
         "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY",
-        { headers: { "WWW-Authenticate": "Bearer" } },
       );
     }
     if (!kinds.includes(stored.kind)) {

@@ -1,7 +1,7 @@
-/** Tables of the SQLite store, and the pragmas that its promises rest on. */
-import type { DatabaseSync } from "node:sqlite";
-
-const SCHEMA_VERSION = 1;
+/** Tables of the SQLite stores, and the pragmas that their promises rest on. */
+import { mkdirSync } from "node:fs";
+import { dirname } from "node:path";
+import { DatabaseSync } from "node:sqlite";
 
 /**
  * The commands that have not ended: the table by their index, and the condition of that index. A query
@@ -10,7 +10,7 @@ const SCHEMA_VERSION = 1;
 export const OPEN_COMMANDS = "commands INDEXED BY commands_open";
 export const IS_OPEN = "state IN ('accepted', 'delivered', 'started')";
 
-const TABLES = `
+const SESSIONS = `
 CREATE TABLE sessions (
   id TEXT PRIMARY KEY,
   epoch INTEGER NOT NULL DEFAULT 0,
@@ -42,14 +42,39 @@ CREATE TABLE commands (
 CREATE UNIQUE INDEX commands_by_key ON commands (robot, driver, key) WHERE key IS NOT NULL;
 CREATE INDEX commands_open ON commands (robot, state, seq)
   WHERE ${IS_OPEN};
-PRAGMA user_version = ${SCHEMA_VERSION};
 `;
+
+const DOCUMENTS = `
+CREATE TABLE documents (
+  id TEXT PRIMARY KEY,
+  hash TEXT NOT NULL UNIQUE,
+  text TEXT NOT NULL,
+  last_used_at INTEGER NOT NULL
+) STRICT;
+CREATE INDEX documents_by_use ON documents (last_used_at);
+CREATE TABLE document_keys (
+  document TEXT NOT NULL REFERENCES documents (id) ON DELETE CASCADE,
+  hash TEXT NOT NULL,
+  PRIMARY KEY (document, hash)
+) STRICT, WITHOUT ROWID;
+`;
+
+/** What each version added to the one before it: the first leads from an empty file to version 1. */
+const STEPS: readonly string[] = [SESSIONS, DOCUMENTS];
+
+/** Opens a database, made with its folder when it is missing. @throws as `prepareDatabase` does */
+export function openDatabase(file: string): DatabaseSync {
+  mkdirSync(dirname(file), { recursive: true });
+  const db = new DatabaseSync(file);
+  prepareDatabase(db);
+  return db;
+}
 
 /**
  * Brings an open database to the schema of this version.
  * @throws Error when the file was written by a newer version
  */
-export function prepareDatabase(db: DatabaseSync): void {
+function prepareDatabase(db: DatabaseSync): void {
   // FULL: an acknowledged command survives a power cut. secure_delete: deleted means gone from the file.
   db.exec(`
     PRAGMA journal_mode = WAL;
@@ -59,11 +84,13 @@ export function prepareDatabase(db: DatabaseSync): void {
     PRAGMA busy_timeout = 2000;
   `);
   const version = Number(db.prepare("PRAGMA user_version").get()?.["user_version"] ?? 0);
-  if (version > SCHEMA_VERSION) {
+  if (version > STEPS.length) {
     throw new Error(
-      `The database was written by a newer Corridor (schema ${version}, this one knows ${SCHEMA_VERSION}). ` +
+      `The database was written by a newer Corridor (schema ${version}, this one knows ${STEPS.length}). ` +
         "Update Corridor, or set DATA_DIR to another folder.",
     );
   }
-  if (version === 0) db.exec(`BEGIN IMMEDIATE; ${TABLES} COMMIT;`);
+  for (let next = version; next < STEPS.length; next++) {
+    db.exec(`BEGIN IMMEDIATE; ${STEPS[next] ?? ""} PRAGMA user_version = ${next + 1}; COMMIT;`);
+  }
 }

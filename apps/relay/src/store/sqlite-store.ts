@@ -5,9 +5,7 @@
  * short on purpose: rows of one robot by index. Only the sweep for sessions that ran out, once a
  * minute, reads through the sessions (not their commands).
  */
-import { mkdirSync } from "node:fs";
-import { dirname } from "node:path";
-import { DatabaseSync, type SQLInputValue, type StatementSync } from "node:sqlite";
+import type { DatabaseSync, SQLInputValue, StatementSync } from "node:sqlite";
 import { commandRecordSchema, type CommandRecord, type Ending } from "@corridor/protocol";
 import { z } from "zod";
 import { isDiskFull, takeRoom } from "./disk-full.ts";
@@ -18,7 +16,7 @@ import type {
   SessionStore,
   StoredSession,
 } from "./session-store.ts";
-import { IS_OPEN, OPEN_COMMANDS, prepareDatabase } from "./sqlite-schema.ts";
+import { IS_OPEN, OPEN_COMMANDS, openDatabase } from "./sqlite-schema.ts";
 
 const sessionRow = z.object({
   id: z.string(),
@@ -48,9 +46,7 @@ export class SqliteStore implements SessionStore {
 
   /** @param file path of the database, made with its folder when it is missing */
   constructor(file: string) {
-    mkdirSync(dirname(file), { recursive: true });
-    this.#db = new DatabaseSync(file);
-    prepareDatabase(this.#db);
+    this.#db = openDatabase(file);
   }
 
   async create({ id, createdAt, keys }: Omit<StoredSession, "epoch" | "lastUsedAt">) {

@@ -62,6 +62,30 @@ export class DescribedRelay {
     return { status: answer.status, body };
   }
 
+  /**
+   * Makes a call to any other path and checks it likewise.
+   * @throws Error when the answer is not as described
+   */
+  async callAt(
+    method: Method,
+    path: string,
+    { id = "", key, body }: { id?: string; key?: string; body?: unknown } = {},
+  ): Promise<{ status: number; body: unknown }> {
+    const answer = await fetch(this.relay.origin + path.replace("{id}", id), {
+      method: method.toUpperCase(),
+      headers: {
+        ...(key !== undefined && { Authorization: `Bearer ${key}` }),
+        ...(body !== undefined && { "Content-Type": "application/json" }),
+      },
+      ...(body !== undefined && { body: JSON.stringify(body) }),
+    });
+    const described = this.answerOf(method, path, answer.status);
+    return {
+      status: answer.status,
+      body: await this.#check(`${method} ${path}`, described, answer),
+    };
+  }
+
   /** What is described for a status. @throws Error when nothing is */
   answerOf(method: Method, path: string, status: number): oas31.ResponseObject {
     const answer: unknown = this.document.paths?.[path]?.[method]?.responses?.[String(status)];

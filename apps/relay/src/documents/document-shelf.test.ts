@@ -1,0 +1,28 @@
+import { join } from "node:path";
+import { pino } from "pino";
+import { expect, it, onTestFinished } from "vitest";
+import { SqliteDocumentStore } from "../store/sqlite-document-store.ts";
+import { FakeClock } from "../testing/fake-clock.ts";
+import { maze, program } from "../testing/sample-documents.ts";
+import { testFolder } from "../testing/test-relay.ts";
+import { DocumentShelf } from "./document-shelf.ts";
+
+const DAY_MS = 24 * 60 * 60 * 1000;
+
+it("forgets a document 180 days after its last use, and no other", async () => {
+  const clock = new FakeClock();
+  const store = new SqliteDocumentStore(join(testFolder(), "corridor.sqlite"));
+  const shelf = new DocumentShelf(store, clock, pino({ level: "silent" }));
+  onTestFinished(() => shelf.close());
+  const { id: used } = await shelf.add(maze, "here", "http://host");
+  const { id: unused } = await shelf.add(program, "here", "http://host");
+  await clock.pass(170 * DAY_MS);
+  expect(JSON.parse(await shelf.read(used))).toEqual(maze);
+  await clock.pass(11 * DAY_MS);
+  await expect(shelf.read(unused)).rejects.toMatchObject({ kind: "no-document" });
+  expect(JSON.parse(await shelf.read(used))).toEqual(maze);
+  await clock.pass(179 * DAY_MS);
+  expect(JSON.parse(await shelf.read(used))).toEqual(maze);
+  await clock.pass(181 * DAY_MS);
+  await expect(shelf.read(used)).rejects.toMatchObject({ kind: "no-document" });
+});

@@ -1,0 +1,84 @@
+/** Bodies that are no document for a short link, each with the field that the answer must name. */
+import { challenge, maze, program } from "./sample-documents.ts";
+
+const text = (document: object, change: object): string =>
+  JSON.stringify({ ...document, ...change });
+/** The maze with a start of whatever JSON text. */
+const startingAt = (start: string): string =>
+  JSON.stringify(maze).replace(JSON.stringify(maze.start), start);
+
+export const badDocuments: { name: string; body: string; path: string }[] = [
+  { name: "an empty body", body: "", path: "" },
+  { name: "text that is not JSON", body: "#####", path: "" },
+  { name: "JSON that is cut off", body: JSON.stringify(maze).slice(0, -2), path: "" },
+  { name: "null", body: "null", path: "" },
+  { name: "a list of documents", body: JSON.stringify([maze]), path: "" },
+  { name: "an empty object", body: "{}", path: "format" },
+  { name: "a run", body: '{"format":"corridor/run","version":1}', path: "format" },
+  { name: "a format from the prototype", body: text(maze, { format: "toString" }), path: "format" },
+  { name: "a newer version", body: text(maze, { version: 2 }), path: "version" },
+  { name: "a name too long", body: text(maze, { name: "x".repeat(101) }), path: "name" },
+  { name: "rows of two lengths", body: text(maze, { blocks: ["#####", "#"] }), path: "blocks[1]" },
+  {
+    name: "a start outside",
+    body: text(maze, { start: { column: 9, row: 1, heading: "east" } }),
+    path: "start.column",
+  },
+  {
+    name: "a start at NaN",
+    body: startingAt('{"column":NaN,"row":1,"heading":"east"}'),
+    path: "",
+  },
+  {
+    name: "a start at a number without end",
+    body: startingAt('{"column":1e999,"row":1,"heading":"east"}'),
+    path: "start.column",
+  },
+  {
+    name: "a start at a huge whole number",
+    body: startingAt('{"column":9007199254740993,"row":1,"heading":"east"}'),
+    path: "start.column",
+  },
+  { name: "a field too many", body: text(maze, { author: "me" }), path: "author" },
+  {
+    name: "a __proto__ field",
+    body: JSON.stringify(maze).replace("{", '{"__proto__":{"a":1},'),
+    path: "__proto__",
+  },
+  { name: "a constructor field", body: text(maze, { constructor: 1 }), path: "constructor" },
+  {
+    name: "a field that stands twice",
+    body: JSON.stringify(maze).replace("{", '{"name":"One",'),
+    path: "",
+  },
+  {
+    name: "a program that flies",
+    body: text(program, { rules: [{ when: null, do: "fly" }] }),
+    path: "rules[0].do",
+  },
+  {
+    name: "a condition on a sensor that does not exist",
+    body: text(program, {
+      rules: [{ when: { sensor: "nose", is: ">", than: 1 }, do: "forward" }],
+    }),
+    path: "rules[0].when.sensor",
+  },
+  {
+    name: "a challenge without a goal to reach",
+    body: text(challenge, { mazes: [{ ...maze, goals: [] }] }),
+    path: "mazes[0].goals",
+  },
+  {
+    name: "JSON of great depth",
+    body: `${"[".repeat(30_000)}${"]".repeat(30_000)}`,
+    path: "",
+  },
+  {
+    name: "depth inside of a document",
+    body: text(maze, { goals: "DEEP" }).replace(
+      '"DEEP"',
+      `${"[".repeat(20_000)}${"]".repeat(20_000)}`,
+    ),
+    path: "goals[0]",
+  },
+];
