@@ -62,6 +62,7 @@ const allowed: Record<string, readonly string[]> = {
     "helmet",
     "node:",
     "pino",
+    "prom-client",
     "vite",
     "ws",
     "zod",

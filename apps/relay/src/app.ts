@@ -4,6 +4,7 @@ import type { Logger } from "pino";
 import type { Clock } from "./clock.ts";
 import type { DocumentShelf } from "./documents/document-shelf.ts";
 import type { Entrance } from "./entrance/entrance.ts";
+import type { Metrics } from "./metrics/metrics.ts";
 import type { Readiness } from "./readiness.ts";
 import { commandRoutes } from "./routes/commands.ts";
 import { descriptionRoutes } from "./routes/description.ts";
@@ -23,6 +24,7 @@ export interface AppDependencies {
   log: Logger;
   entrance: Entrance;
   readiness: Readiness;
+  metrics: Metrics;
   /** serves the page */
   page: Router;
   isDevelopment: boolean;
@@ -30,7 +32,8 @@ export interface AppDependencies {
 
 /** Builds the application from its parts. */
 export function createApp(dependencies: AppDependencies): Express {
-  const { hub, documents, clock, log, entrance, readiness, page, isDevelopment } = dependencies;
+  const { hub, documents, clock, log, entrance, readiness, metrics, page, isDevelopment } =
+    dependencies;
   const app = express();
   app.disable("x-powered-by");
   app.set("query parser", "simple");
@@ -56,6 +59,6 @@ export function createApp(dependencies: AppDependencies): Express {
 
   app.use(page);
   app.use(notFound);
-  app.use(problemAnswers(log));
+  app.use(problemAnswers(log, (kind) => metrics.refused(kind)));
   return app;
 }

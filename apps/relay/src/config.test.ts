@@ -12,6 +12,8 @@ describe("readConfig", () => {
         publicOrigin: null,
         allowedHosts: null,
         trustedProxies: 0,
+        metricsPort: null,
+        metricsHost: "127.0.0.1",
         logLevel: "warn",
       },
     });
@@ -55,6 +57,7 @@ describe("readConfig", () => {
     { name: "TRUSTED_PROXIES", value: "10.0.0.0/33" },
     { name: "TRUSTED_PROXIES", value: "10.0.0.1, proxy.local" },
     { name: "TRUSTED_PROXIES", value: "fe80::1/129" },
+    { name: "METRICS_PORT", value: "on" },
     { name: "LOG_LEVEL", value: "loud" },
   ])("names a wrong $name: $value", ({ name, value }) => {
     const result = readConfig({ [name]: value });

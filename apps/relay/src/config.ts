@@ -26,15 +26,17 @@ function isHostName(text: string): boolean {
   return new URL(`http://${text}`).hostname === text;
 }
 
+const port = z
+  .string()
+  .regex(/^\d{1,5}$/, { error: portError })
+  .transform(Number)
+  .refine((number) => number <= 65_535, { error: portError });
+const host = z.string().min(1, { error: "an address of this machine, such as 127.0.0.1" });
+
 const environmentSchema = z.object({
-  PORT: z
-    .string()
-    .regex(/^\d{1,5}$/, { error: portError })
-    .transform(Number)
-    .refine((port) => port <= 65_535, { error: portError })
-    .default(DEFAULT_PORT),
+  PORT: port.default(DEFAULT_PORT),
   /** address to listen on; unset: every address of this machine, so that a class can join */
-  HOST: z.string().min(1, { error: "an address of this machine, such as 127.0.0.1" }).optional(),
+  HOST: host.optional(),
   DATA_DIR: z.string().min(1, { error: "a folder" }).default("data"),
   PUBLIC_URL: z
     .string()
@@ -57,6 +59,9 @@ const environmentSchema = z.object({
       { error: proxiesError },
     )
     .default(0),
+  /** unset: no figures */
+  METRICS_PORT: port.optional(),
+  METRICS_HOST: host.default("127.0.0.1"),
   LOG_LEVEL: z.enum(LOG_LEVELS, { error: `one of ${LOG_LEVELS.join(", ")}` }).default("warn"),
 });
 
@@ -71,6 +76,10 @@ export interface Config {
   /** null: any name will do */
   allowedHosts: readonly string[] | null;
   trustedProxies: TrustedProxies;
+  /** port of /metrics; null: there is none */
+  metricsPort: number | null;
+  /** address that /metrics is served on */
+  metricsHost: string;
   logLevel: (typeof LOG_LEVELS)[number];
 }
 
@@ -86,18 +95,19 @@ export function readConfig(
   );
   const result = readValue(environmentSchema, given);
   if (!result.ok) return result;
-  const { PORT, HOST, DATA_DIR, PUBLIC_URL, ALLOWED_HOSTS, TRUSTED_PROXIES, LOG_LEVEL } =
-    result.value;
+  const { value } = result;
   return {
     ok: true,
     config: {
-      port: PORT,
-      host: HOST ?? null,
-      dataDir: DATA_DIR,
-      publicOrigin: PUBLIC_URL ?? null,
-      allowedHosts: ALLOWED_HOSTS ?? null,
-      trustedProxies: TRUSTED_PROXIES,
-      logLevel: LOG_LEVEL,
+      port: value.PORT,
+      host: value.HOST ?? null,
+      dataDir: value.DATA_DIR,
+      publicOrigin: value.PUBLIC_URL ?? null,
+      allowedHosts: value.ALLOWED_HOSTS ?? null,
+      trustedProxies: value.TRUSTED_PROXIES,
+      metricsPort: value.METRICS_PORT ?? null,
+      metricsHost: value.METRICS_HOST,
+      logLevel: value.LOG_LEVEL,
     },
   };
 }

@@ -12,16 +12,22 @@ function fail(sentence: string, code: number): never {
   process.exit(code);
 }
 
-function describeStart(error: unknown, { port, host }: Config): string {
+function describeStart(error: unknown, config: Config): string {
+  // The metrics have a port and a host of their own, which may be the one that is taken.
+  const taken = error instanceof Error && "port" in error ? error.port : config.port;
+  const isMetrics = taken === config.metricsPort && taken !== config.port;
+  const name = isMetrics ? "METRICS_PORT" : "PORT";
+  const port = (isMetrics ? config.metricsPort : config.port) ?? config.port;
+  const host = isMetrics ? config.metricsHost : config.host;
   const code = error instanceof Error && "code" in error ? error.code : undefined;
   if (code === "EADDRINUSE") {
-    return `Corridor cannot start: port ${port} is in use. End the other program, or choose another port: PORT=${port + 1} npm start`;
+    return `Corridor cannot start: port ${port} is in use. End the other program, or choose another port: ${name}=${port + 1} npm start`;
   }
   if (code === "EACCES" && port < 1024) {
-    return `Corridor cannot start: port ${port} is reserved for the system. Choose one above 1023: PORT=8080 npm start`;
+    return `Corridor cannot start: port ${port} is reserved for the system. Choose one above 1023: ${name}=8080 npm start`;
   }
   if (code === "EADDRNOTAVAIL" || code === "ENOTFOUND") {
-    return `Corridor cannot start: ${host ?? ""} is no address of this machine. Check HOST.`;
+    return `Corridor cannot start: ${host ?? ""} is no address of this machine. Check ${isMetrics ? "METRICS_HOST" : "HOST"}.`;
   }
   return `Corridor cannot start: ${error instanceof Error ? error.message : String(error)}`;
 }

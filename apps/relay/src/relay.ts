@@ -10,12 +10,15 @@ import type { Config } from "./config.ts";
 import { DocumentShelf } from "./documents/document-shelf.ts";
 import { Entrance } from "./entrance/entrance.ts";
 import { WebSocketGateway } from "./gateways/websocket-gateway.ts";
+import { metricsServer } from "./metrics/metrics-server.ts";
+import { Metrics } from "./metrics/metrics.ts";
 import { Readiness } from "./readiness.ts";
 import { builtPage } from "./routes/built-page.ts";
 import { developmentPage, HOT_RELOAD_PREFIX } from "./routes/development-page.ts";
 import { SessionHub } from "./sessions/session-hub.ts";
 import { SqliteDocumentStore } from "./store/sqlite-document-store.ts";
 import { SqliteStore } from "./store/sqlite-store.ts";
+import { timedStore } from "./store/timed-store.ts";
 
 /** Requests that are still open after this are cut off. */
 const SHUTDOWN_MS = 5_000;
@@ -33,6 +36,8 @@ export interface RelayOptions {
 export interface Relay {
   /** the port it listens on */
   port: number;
+  /** the port of /metrics, or null */
+  metricsPort: number | null;
   /** Tells everyone, ends what is open and closes the store. */
   close(): Promise<void>;
 }
@@ -44,12 +49,13 @@ export interface Relay {
 export async function startRelay(options: RelayOptions): Promise<Relay> {
   const { config, clock, log, webRoot, isDevelopment } = options;
   const file = join(config.dataDir, "corridor.sqlite");
-  const store = new SqliteStore(file);
+  const metrics = new Metrics();
+  const store = timedStore(new SqliteStore(file), (seconds) => metrics.committed(seconds));
   const documents = new DocumentShelf(new SqliteDocumentStore(file), clock, log);
-  const hub = new SessionHub(store, clock, log);
+  const hub = new SessionHub(store, clock, log, metrics);
   const entrance = new Entrance(config);
   const readiness = new Readiness(store, clock, log);
-  const gateway = new WebSocketGateway({ hub, clock, log, entrance });
+  const gateway = new WebSocketGateway({ hub, clock, log, entrance, metrics });
   const server = createServer({
     // Old HTTP clients offer "Upgrade: h2c"; that is an ordinary request, not a WebSocket.
     shouldUpgradeCallback: (request) => request.headers.upgrade?.toLowerCase() === "websocket",
@@ -59,7 +65,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   });
   const development = isDevelopment ? await developmentPage(webRoot, server) : null;
   const page: Router = development?.router ?? builtPage(join(webRoot, "dist"));
-  const parts = { hub, documents, clock, log, entrance, readiness };
+  const parts = { hub, documents, clock, log, entrance, readiness, metrics };
   server.on("request", createApp({ ...parts, page, isDevelopment }));
   server.on("upgrade", (request, socket, head) => {
     // Vite listens for its own socket by itself.
@@ -68,22 +74,33 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     if (!isHotReload) gateway.upgrade(request, socket, head);
   });
 
+  const figures = metricsServer(metrics, log);
+
   const close = async (): Promise<void> => {
     readiness.drain();
     gateway.close();
     await hub.close();
     await development?.close();
     await closeServer(server);
+    await closeServer(figures);
     await documents.close();
     await store.close();
   };
   try {
+    if (config.metricsPort !== null) {
+      metrics.watch(() => hub.census());
+      await listen(figures, config.metricsPort, config.metricsHost);
+    }
     await listen(server, config.port, config.host);
   } catch (error) {
     await close();
     throw error;
   }
-  return { port: (server.address() as AddressInfo).port, close };
+  return { port: portOf(server) ?? config.port, metricsPort: portOf(figures), close };
+}
+
+function portOf(server: Server): number | null {
+  return (server.address() as AddressInfo | null)?.port ?? null;
 }
 
 function listen(server: Server, port: number, host: string | null): Promise<void> {

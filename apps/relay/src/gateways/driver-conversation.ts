@@ -8,7 +8,7 @@ import {
   type RelayToDriver,
   type SocketPort,
 } from "@corridor/protocol";
-import { asRefusal, badRequest } from "../problems.ts";
+import { asRefusal, badRequest, type ProblemKind } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import type { ReaderSink } from "../sessions/reader-feed.ts";
 import type { Grant } from "../sessions/session-hub.ts";
@@ -18,6 +18,7 @@ export class DriverConversation implements Conversation {
   readonly #grant: Grant;
   readonly #port: SocketPort;
   readonly #client: string;
+  readonly #refused: (kind: ProblemKind) => void;
   readonly #leave: () => void;
   #badFrames = 0;
   #tooFastInARow = 0;
@@ -25,14 +26,22 @@ export class DriverConversation implements Conversation {
   /**
    * Joins the session as a reader and says welcome.
    * @param client the script's language, such as "Python"
+   * @param refused is told of every message that is refused
    * @throws Refusal when too many read already
    */
-  constructor(grant: Grant, port: SocketPort, client: string) {
+  constructor(
+    grant: Grant,
+    port: SocketPort,
+    client: string,
+    refused: (kind: ProblemKind) => void,
+  ) {
     this.#grant = grant;
     this.#port = port;
     this.#client = client;
+    this.#refused = refused;
     const { session, key } = grant;
     const sink: ReaderSink = {
+      door: "websocket",
       snapshot: (snapshot) => this.#send({ type: "snapshot", snapshot }),
       state: (record) => this.#send({ type: "state", record }),
       over: (reason) => closeWith(port, closeReasons[reason]),
@@ -56,6 +65,7 @@ export class DriverConversation implements Conversation {
       });
     } catch (error) {
       const refusal = asRefusal(error);
+      if (refusal.kind !== "internal") this.#refused(refusal.kind);
       this.#send({ type: "problem", problem: refusal.problem, key });
       if (refusal.kind === "too-fast") this.#countTooFast();
       // A mistake of the relay goes on to whoever writes the log.
@@ -73,6 +83,7 @@ export class DriverConversation implements Conversation {
 
   #refuse(refusal: ReturnType<typeof badRequest>): void {
     this.#badFrames += 1;
+    this.#refused(refusal.kind);
     this.#send({ type: "problem", problem: refusal.problem, key: null });
     if (this.#badFrames >= limits.badFrames) closeWith(this.#port, closeReasons.badFrame);
   }

@@ -21,6 +21,7 @@ import { WebSocketServer, type WebSocket } from "ws";
 import { clientName } from "../client-name.ts";
 import type { Clock } from "../clock.ts";
 import type { Entrance } from "../entrance/entrance.ts";
+import type { Metrics } from "../metrics/metrics.ts";
 import { asRefusal, Refusal, type ProblemKind } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
@@ -52,6 +53,7 @@ export interface GatewayOptions {
   clock: Clock;
   log: Logger;
   entrance: Entrance;
+  metrics: Metrics;
 }
 
 export class WebSocketGateway {
@@ -76,7 +78,9 @@ export class WebSocketGateway {
     try {
       id = this.#admit(request);
     } catch (error) {
-      return refuseUpgrade(socket, asRefusal(error));
+      const refusal = asRefusal(error);
+      this.#options.metrics.refused(refusal.kind);
+      return refuseUpgrade(socket, refusal);
     }
     this.#server.handleUpgrade(request, socket, head, (webSocket) => {
       this.#welcome(webSocket, request, id);
@@ -108,7 +112,7 @@ export class WebSocketGateway {
   }
 
   #welcome(socket: WebSocket, request: IncomingMessage, id: string): void {
-    const { clock, entrance } = this.#options;
+    const { clock, entrance, metrics } = this.#options;
     const address = entrance.addressOf(request);
     const guest: Guest = {
       socket,
@@ -138,7 +142,8 @@ export class WebSocketGateway {
     socket.on("pong", () => (guest.heardAt = clock.now()));
     // Too large a message or broken framing: ws closes the socket itself, with 1009 or 1002.
     socket.on("error", (error) => this.#options.log.debug({ err: error }, "a socket broke"));
-    socket.on("close", () => {
+    socket.on("close", (code) => {
+      metrics.socketClosed(code);
       cancelTimer();
       this.#guests.delete(guest);
       guest.conversation?.closed();
@@ -161,7 +166,9 @@ export class WebSocketGateway {
     guest.conversation =
       role === "own"
         ? new PageConversation(grant.session, port)
-        : new DriverConversation(grant, port, clientName(request.headers["user-agent"]));
+        : new DriverConversation(grant, port, clientName(request.headers["user-agent"]), (kind) =>
+            this.#options.metrics.refused(kind),
+          );
   }
 
   #hear(guest: Guest, text: string): void {
@@ -170,6 +177,7 @@ export class WebSocketGateway {
 
   #refuse({ socket }: Guest, error: unknown): void {
     const refusal = asRefusal(error);
+    this.#options.metrics.refused(refusal.kind);
     const reason = closeReasonByProblem.get(refusal.kind) ?? closeReasons.busy;
     if (reason === closeReasons.busy) this.#options.log.error({ err: error }, "a message failed");
     closeWith(socket, reason);

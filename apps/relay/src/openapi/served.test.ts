@@ -7,6 +7,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import type { oas31 } from "zod-openapi";
 import { createApp } from "../app.ts";
 import { Entrance } from "../entrance/entrance.ts";
+import { Metrics } from "../metrics/metrics.ts";
 import { Readiness } from "../readiness.ts";
 import { systemClock } from "../clock.ts";
 import { DocumentShelf } from "../documents/document-shelf.ts";
@@ -55,7 +56,7 @@ function appWithoutPage(): Express {
   });
   const entrance = new Entrance(defaults());
   const readiness = new Readiness(store, systemClock, log);
-  const served = { hub, documents, entrance, readiness };
+  const served = { hub, documents, entrance, readiness, metrics: new Metrics() };
   const parts = { ...served, clock: systemClock, log, page: Router() };
   return createApp({ ...parts, isDevelopment: false });
 }

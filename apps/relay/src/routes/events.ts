@@ -30,6 +30,7 @@ export function eventRoutes(hub: SessionHub, clock: Clock): Router {
       const send = (event: string, data: unknown): void =>
         write(`event: ${event}\ndata: ${JSON.stringify(data)}\n\n`);
       const leave = session.join(key, {
+        door: "events",
         snapshot: (snapshot) => send("snapshot", snapshot),
         state: (record) => send("state", record),
         over,

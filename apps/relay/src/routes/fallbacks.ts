@@ -1,7 +1,7 @@
 /** Answers where no route has one: unknown address, unknown method, and whatever went wrong. */
 import type { ErrorRequestHandler, RequestHandler, Response } from "express";
 import type { Logger } from "pino";
-import { asRefusal, Refusal } from "../problems.ts";
+import { asRefusal, Refusal, type ProblemKind } from "../problems.ts";
 
 /** @param allowed the methods that the address knows, such as "GET, DELETE" */
 export function methodNotAllowed(allowed: string): RequestHandler {
@@ -19,9 +19,13 @@ export const notFound: RequestHandler = () => {
 };
 
 /** Answers everything that was thrown with a problem document; only our own mistakes are logged. */
-export function problemAnswers(log: Logger): ErrorRequestHandler {
+export function problemAnswers(
+  log: Logger,
+  refused: (kind: ProblemKind) => void,
+): ErrorRequestHandler {
   return (error: unknown, request, response, next) => {
     const refusal = refusalOf(error);
+    refused(refusal.kind);
     if (refusal.kind === "internal") {
       log.error({ err: error, method: request.method }, "a request failed");
     }

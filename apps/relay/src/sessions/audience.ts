@@ -14,6 +14,9 @@ interface Listener {
   over(reason: "over" | "restart"): void;
 }
 
+/** The ways in which a robot is followed. */
+export type ReaderDoor = "websocket" | "events" | "long-poll";
+
 /** How long somebody waits, and what makes them stop earlier. */
 export interface Patience {
   milliseconds: number;
@@ -23,7 +26,7 @@ export interface Patience {
 export class Audience {
   readonly #clock: Clock;
   /** with the key that counts for the limit, or null for a request that waits */
-  readonly #entries = new Set<{ listener: Listener; key: string | null }>();
+  readonly #entries = new Set<{ listener: Listener; key: string | null; door: ReaderDoor }>();
 
   constructor(clock: Clock) {
     this.#clock = clock;
@@ -33,13 +36,19 @@ export class Audience {
     return this.#entries.size === 0;
   }
 
+  count(): Record<ReaderDoor, number> {
+    const counts = { websocket: 0, events: 0, "long-poll": 0 };
+    for (const { door } of this.#entries) counts[door] += 1;
+    return counts;
+  }
+
   /**
    * Adds the feed of a connected script.
    * @param key hash of the script's key
    * @returns a function that lets it go; false from it: it was gone already
    * @throws Refusal when too many read already, with this key or at this robot
    */
-  join(listener: Listener, key: string): () => boolean {
+  join(listener: Listener, key: string, door: ReaderDoor): () => boolean {
     const ofKey = [...this.#entries].filter((entry) => entry.key === key).length;
     if (ofKey >= limits.readersPerKey) {
       throw new Refusal(
@@ -48,7 +57,7 @@ export class Audience {
         { headers: retryAfter(5000) },
       );
     }
-    return this.#add(listener, key);
+    return this.#add(listener, key, door);
   }
 
   /**
@@ -63,7 +72,11 @@ export class Audience {
     if (milliseconds === 0 || signal.aborted) return;
     const { promise, resolve } = Promise.withResolvers<void>();
     const deaf = { snapshot: () => undefined, state: () => undefined };
-    const leave = this.#add({ ...deaf, ...listen(resolve), over: () => resolve() }, null);
+    const leave = this.#add(
+      { ...deaf, ...listen(resolve), over: () => resolve() },
+      null,
+      "long-poll",
+    );
     const cancelTimer = this.#clock.after(milliseconds, resolve);
     signal.addEventListener("abort", () => resolve(), { once: true });
     await promise;
@@ -87,7 +100,7 @@ export class Audience {
     this.#entries.clear();
   }
 
-  #add(listener: Listener, key: string | null): () => boolean {
+  #add(listener: Listener, key: string | null, door: ReaderDoor): () => boolean {
     if (this.#entries.size >= limits.readersPerRobot) {
       throw new Refusal(
         "too-many-readers",
@@ -95,7 +108,7 @@ export class Audience {
         { headers: retryAfter(5000) },
       );
     }
-    const entry = { listener, key };
+    const entry = { listener, key, door };
     this.#entries.add(entry);
     return () => this.#entries.delete(entry);
   }

@@ -4,10 +4,12 @@
  */
 import type { CommandRecord, Snapshot } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
+import type { ReaderDoor } from "./audience.ts";
 import { limits } from "./limits.ts";
 
 /** Where the reader is, in whichever dialect it speaks. */
 export interface ReaderSink {
+  readonly door: Exclude<ReaderDoor, "long-poll">;
   snapshot(snapshot: Snapshot): void;
   state(record: CommandRecord): void;
   /** the session is over, or the relay stops */

@@ -8,12 +8,21 @@ import type { Clock } from "../clock.ts";
 import { hashKey, mintId, mintKey } from "../keys.ts";
 import { notAuthorised, Refusal, retryAfter } from "../problems.ts";
 import type { KeyKind, SessionStore, StoredKey } from "../store/session-store.ts";
+import type { ReaderDoor } from "./audience.ts";
 import { limits } from "./limits.ts";
 import { noRobot, Session } from "./session.ts";
 import { TokenBucket } from "./token-bucket.ts";
+import { noWitness, type Witness } from "./witness.ts";
 
 const LIFE_CHECK_MS = 1_000;
 const EXPIRY_CHECK_MS = 60_000;
+
+/** Who is there at this moment. */
+export interface Census {
+  /** robots that have a page */
+  pages: number;
+  readers: Record<ReaderDoor, number>;
+}
 
 export interface Grant {
   session: Session;
@@ -24,16 +33,18 @@ export class SessionHub {
   readonly #store: SessionStore;
   readonly #clock: Clock;
   readonly #log: Logger;
+  readonly #witness: Witness;
   readonly #sessions = new Map<string, Promise<Session | null>>();
   /** by address; kept in memory only */
   readonly #registrations = new Map<string, TokenBucket>();
   #cancelTimer: () => void;
   #expiryAt: number;
 
-  constructor(store: SessionStore, clock: Clock, log: Logger) {
+  constructor(store: SessionStore, clock: Clock, log: Logger, witness = noWitness) {
     this.#store = store;
     this.#clock = clock;
     this.#log = log;
+    this.#witness = witness;
     this.#expiryAt = clock.now();
     this.#cancelTimer = clock.after(LIFE_CHECK_MS, () => void this.#check());
   }
@@ -90,6 +101,20 @@ export class SessionHub {
     return { session, key: stored };
   }
 
+  async census(): Promise<Census> {
+    const census: Census = { pages: 0, readers: { websocket: 0, events: 0, "long-poll": 0 } };
+    for (const found of this.#sessions.values()) {
+      const session = await found.catch(() => null);
+      if (session === null) continue;
+      if (session.hasPage) census.pages += 1;
+      const { websocket, events, "long-poll": waiting } = session.readers;
+      census.readers.websocket += websocket;
+      census.readers.events += events;
+      census.readers["long-poll"] += waiting;
+    }
+    return census;
+  }
+
   /** Deletes a session with all that is stored of it, and sends everyone away. */
   async remove(session: Session): Promise<void> {
     session.close("over");
@@ -119,7 +144,7 @@ export class SessionHub {
 
   async #load(id: string): Promise<Session | null> {
     const stored = await this.#store.find(id);
-    return stored === null ? null : new Session(stored, this.#store, this.#clock);
+    return stored === null ? null : new Session(stored, this.#store, this.#clock, this.#witness);
   }
 
   async #check(): Promise<void> {

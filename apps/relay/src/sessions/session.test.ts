@@ -93,6 +93,7 @@ describe("a robot session: delivery", () => {
       snapshot: () => undefined,
       state: ({ state }) => said.push(state),
       over: () => undefined,
+      door: "websocket",
       waitingBytes: () => 0,
     });
     await robot.session.submit(robot.key, { key: null, command: LEFT }, ({ state }) =>
@@ -238,6 +239,7 @@ describe("a robot session: what scripts see", () => {
       snapshot: ({ seq }) => seen.push(seq),
       state: () => undefined,
       over: () => undefined,
+      door: "websocket",
       waitingBytes: () => 0,
     });
     for (let seq = 1; seq <= 100; seq++) {
@@ -260,6 +262,7 @@ describe("a robot session: what scripts see", () => {
       snapshot: ({ seq }) => seen.push(seq),
       state: () => undefined,
       over: (reason) => over.push(reason),
+      door: "websocket",
       waitingBytes: () => waiting,
     });
     for (let seq = 1; seq <= 5; seq++) await host.report({ seq });
@@ -282,6 +285,7 @@ describe("a robot session: what scripts see", () => {
       snapshot: ({ seq }) => said.push(`snapshot ${seq}`),
       state: ({ state }) => said.push(state),
       over: () => undefined,
+      door: "websocket",
       waitingBytes: () => 0,
     });
     await host.report({ seq: 1 });

@@ -20,13 +20,14 @@ import type { Clock } from "../clock.ts";
 import { matchKey } from "../keys.ts";
 import { Refusal, retryAfter } from "../problems.ts";
 import type { SessionStore, StoredKey, StoredSession } from "../store/session-store.ts";
-import { Audience, type Patience } from "./audience.ts";
+import { Audience, type Patience, type ReaderDoor } from "./audience.ts";
 import { DriverRoster } from "./driver-roster.ts";
 import { limits } from "./limits.ts";
 import type { PageLink } from "./page-link.ts";
 import { ReaderFeed, type ReaderSink } from "./reader-feed.ts";
 import { RobotView } from "./robot-view.ts";
 import { TokenBucket } from "./token-bucket.ts";
+import { noWitness, type Witness } from "./witness.ts";
 
 interface Page {
   link: PageLink;
@@ -40,6 +41,7 @@ export class Session {
   readonly #keys: readonly StoredKey[];
   readonly #store: SessionStore;
   readonly #clock: Clock;
+  readonly #witness: Witness;
   readonly #view = new RobotView();
   readonly #audience: Audience;
   /** by key, one for commands and one for stops */
@@ -53,7 +55,7 @@ export class Session {
   #work: Promise<unknown> = Promise.resolve();
   #isOver = false;
 
-  constructor(stored: StoredSession, store: SessionStore, clock: Clock) {
+  constructor(stored: StoredSession, store: SessionStore, clock: Clock, witness = noWitness) {
     this.id = stored.id;
     this.createdAt = stored.createdAt;
     this.#keys = stored.keys;
@@ -61,6 +63,7 @@ export class Session {
     this.#touchedAt = stored.lastUsedAt;
     this.#store = store;
     this.#clock = clock;
+    this.#witness = witness;
     this.#audience = new Audience(clock);
     this.#awaySince = clock.now();
     this.roster = new DriverRoster(clock, (drivers) => {
@@ -82,6 +85,15 @@ export class Session {
 
   get lastUsedAt(): number {
     return this.#lastUsedAt;
+  }
+
+  get hasPage(): boolean {
+    return this.#page !== null;
+  }
+
+  /** How many follow the robot, by the way in which they do. */
+  get readers(): Record<ReaderDoor, number> {
+    return this.#audience.count();
   }
 
   get newest(): Snapshot | null {
@@ -113,7 +125,7 @@ export class Session {
       link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch });
       for (const { seq } of resume.endings) link.send({ type: "stored", seq });
       link.send({ type: "drivers", ...this.roster.now() });
-      this.#audience.tellStates(taken.changed);
+      this.#tellStates(taken.changed);
       await this.#deliver();
     });
   }
@@ -146,7 +158,10 @@ export class Session {
 
   async #started(seq: number): Promise<void> {
     const record = await this.#store.start(this.id, seq);
-    if (record !== null) this.#audience.tellStates([record]);
+    if (record !== null) {
+      this.#witness.started(this.#secondsSince(Date.parse(record.acceptedAt)));
+      this.#tellStates([record]);
+    }
     await this.#deliver();
   }
 
@@ -154,7 +169,7 @@ export class Session {
     const record = await this.#store.end(this.id, ending);
     // Also when it had ended before: the page need not tell it again.
     link.send({ type: "stored", seq: ending.seq });
-    if (record !== null) this.#audience.tellStates([record]);
+    if (record !== null) this.#tellStates([record]);
     await this.#deliver();
   }
 
@@ -172,7 +187,7 @@ export class Session {
       const type = command.action === "stop" ? "stop" : "command";
       link.send({ type, seq, key, command, acceptedAt });
     }
-    this.#audience.tellStates(records);
+    this.#tellStates(records);
   }
 
   // --- scripts ---
@@ -189,6 +204,7 @@ export class Session {
     request: { key: string | null; command: Command },
     acknowledge: (record: CommandRecord) => void,
   ): Promise<void> {
+    const cameAt = this.#clock.now();
     const isStop = request.command.action === "stop";
     const tooFast = this.#takeToken(grant, isStop);
     if (tooFast !== null && !isStop) throw tooFast;
@@ -226,8 +242,9 @@ export class Session {
           return acknowledge({ ...result.record, duplicate: true });
         case "stored":
           this.#newestStop = isStop ? result.record.seq : null;
+          this.#witness.stored(this.#secondsSince(cameAt));
           acknowledge(result.record);
-          this.#audience.tellStates(result.ended);
+          this.#tellStates(result.ended);
           return this.#deliver();
       }
     });
@@ -285,7 +302,7 @@ export class Session {
    */
   join(grant: StoredKey, sink: ReaderSink): () => void {
     const feed = new ReaderFeed(sink, this.#clock);
-    const leave = this.#audience.join(feed, grant.hash);
+    const leave = this.#audience.join(feed, grant.hash, sink.door);
     this.roster.connected(1);
     return () => {
       feed.close();
@@ -335,7 +352,7 @@ export class Session {
     await this.#inOrder(async () => {
       if (this.#page !== null) return;
       this.#awaySince = null;
-      this.#audience.tellStates(await this.#store.cancelOpen(this.id, "the robot's page is gone"));
+      this.#tellStates(await this.#store.cancelOpen(this.id, "the robot's page is gone"));
     });
   }
 
@@ -357,6 +374,15 @@ export class Session {
 
   #used(): void {
     this.#lastUsedAt = Math.max(this.#lastUsedAt, this.#clock.now());
+  }
+
+  #tellStates(records: readonly CommandRecord[]): void {
+    for (const { state } of records) if (hasEnded(state)) this.#witness.ended(state);
+    this.#audience.tellStates(records);
+  }
+
+  #secondsSince(time: number): number {
+    return Math.max(0, this.#clock.now() - time) / 1000;
   }
 
   #tellSnapshot(): void {

@@ -11,6 +11,8 @@ import { startRelay } from "../relay.ts";
 
 export interface TestRelay {
   origin: string;
+  /** the port of /metrics, or null */
+  metricsPort: number | null;
   register(): Promise<Registration>;
   /** A request with a key, to a path below the robot. */
   ask(robot: Registration, path: string, request?: AskOptions): Promise<Response>;
@@ -67,6 +69,7 @@ export async function startTestRelay(
   const origin = `http://127.0.0.1:${relay.port}`;
   return {
     origin,
+    metricsPort: relay.metricsPort,
     close,
     register: async () => {
       const answer = await fetch(`${origin}/api/v1/robots`, { method: "POST" });

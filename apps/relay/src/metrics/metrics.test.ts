@@ -1,0 +1,104 @@
+import { once } from "node:events";
+import { createServer } from "node:net";
+import type { AddressInfo } from "node:net";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { completed } from "../testing/messages.ts";
+import { startRelayProcess } from "../testing/relay-process.ts";
+import { startTestRelay, type TestRelay } from "../testing/test-relay.ts";
+import { TestSocket } from "../testing/test-socket.ts";
+import { Metrics } from "./metrics.ts";
+
+const config = { metricsPort: 0 };
+
+async function figures({ metricsPort }: TestRelay): Promise<string> {
+  const answer = await fetch(`http://127.0.0.1:${metricsPort}/metrics`);
+  expect(answer.headers.get("content-type")).toMatch(/^text\/plain; version=0\.0\.4/);
+  return answer.text();
+}
+
+/** The value of one figure; null when it is not there. */
+function valueOf(text: string, name: string): number | null {
+  const line = text.split("\n").find((each) => each.startsWith(`${name} `));
+  return line === undefined ? null : Number(line.slice(name.length + 1));
+}
+
+describe("/metrics", () => {
+  it("tells what happened, and nothing of whom it happened to", async () => {
+    const relay = await startTestRelay({ config });
+    const robot = await relay.register();
+    const { socket: page, epoch } = await TestSocket.page(relay, robot);
+    const script = await TestSocket.driver(relay, robot);
+    const stop = new AbortController();
+    const events = await relay.ask(robot, "/events", { signal: stop.signal });
+    const post = { method: "POST", headers: { "Idempotency-Key": "a-key-of-the-script" } };
+    await relay.ask(robot, "/commands", { ...post, body: { action: "left 90" } });
+    await relay.ask(robot, "/commands", { ...post, body: { action: "right 90" } });
+    await relay.ask(robot, "/commands", { key: "drv_nobody" });
+    script.sendRaw("no JSON");
+    await script.next("problem");
+    await page.next("command");
+    page.send({ type: "started", epoch, seq: 1 });
+    page.send({ type: "ended", epoch, ...completed(1) });
+    await page.next("stored");
+    const stranger = await TestSocket.open(relay, robot.id);
+    stranger.sendRaw("hello");
+    await stranger.closed;
+
+    const text = await figures(relay);
+    const expected = {
+      corridor_robots_with_page: 1,
+      'corridor_readers{door="websocket"}': 1,
+      'corridor_readers{door="events"}': 1,
+      'corridor_readers{door="long-poll"}': 0,
+      'corridor_commands_ended_total{state="completed"}': 1,
+      'corridor_refusals_total{problem="key-conflict"}': 1,
+      'corridor_refusals_total{problem="not-authorised"}': 1,
+      'corridor_refusals_total{problem="bad-request"}': 1,
+      'corridor_sockets_closed_total{code="4401"}': 1,
+      corridor_post_to_stored_seconds_count: 1,
+      corridor_post_to_started_seconds_count: 1,
+    };
+    const found = Object.keys(expected).map((name) => [name, valueOf(text, name)]);
+    expect(Object.fromEntries(found)).toEqual(expected);
+    expect(valueOf(text, "corridor_store_commit_seconds_count")).toBeGreaterThan(4);
+    expect(valueOf(text, "process_resident_memory_bytes")).toBeGreaterThan(0);
+    for (const secret of [robot.id, robot.driverKey, robot.ownerKey, "a-key-of", "127.0.0.1"]) {
+      expect(text).not.toContain(secret);
+    }
+    stop.abort();
+    await events.text().catch(() => undefined);
+  });
+
+  it("is not on the port that everybody reaches", async () => {
+    const relay = await startTestRelay({ config });
+    expect((await fetch(`${relay.origin}/metrics`)).status).toBe(404);
+    expect((await fetch(`http://127.0.0.1:${relay.metricsPort}/`)).status).toBe(404);
+    const post = { method: "POST" };
+    expect((await fetch(`http://127.0.0.1:${relay.metricsPort}/metrics`, post)).status).toBe(405);
+    await relay.close();
+    await expect(figures(relay)).rejects.toThrow(/fetch failed/);
+  });
+
+  it("is nowhere unless it is asked for", async () => {
+    expect((await startTestRelay()).metricsPort).toBeNull();
+  });
+
+  it("says which port is in use when it is this one", async () => {
+    const other = createServer().listen(0, "127.0.0.1");
+    onTestFinished(() => void other.close());
+    await once(other, "listening");
+    const { port } = other.address() as AddressInfo;
+    const relay = startRelayProcess({ METRICS_PORT: String(port) });
+    expect(await relay.ended()).toBe(1);
+    expect(relay.output()).toContain(`port ${port} is in use`);
+    expect(relay.output()).toContain(`METRICS_PORT=${port + 1}`);
+  });
+
+  it("keeps few figures, whatever codes sockets are closed with", async () => {
+    const metrics = new Metrics();
+    for (let code = 3000; code < 5000; code++) metrics.socketClosed(code);
+    const { text } = await metrics.report();
+    expect(text).toContain('{code="other"}');
+    expect(text.match(/corridor_sockets_closed_total\{/g)?.length).toBeLessThan(20);
+  });
+});

@@ -1,0 +1,119 @@
+/**
+ * What the relay counts, for Prometheus. A label is always one of a few fixed words: no id, key, name or
+ * address ever gets into a figure.
+ */
+import { closeReasons, type CommandRecord } from "@corridor/protocol";
+import { collectDefaultMetrics, Counter, Gauge, Histogram, Registry } from "prom-client";
+import type { ProblemKind } from "../problems.ts";
+import type { Census } from "../sessions/session-hub.ts";
+import type { Witness } from "../sessions/witness.ts";
+
+/** A client may close with any of thousands of codes; those that mean something here are told apart. */
+const KNOWN_CODES = new Set<number>([
+  1000,
+  1001,
+  1005,
+  1006,
+  1009,
+  ...Object.values(closeReasons).map(({ code }) => code),
+]);
+
+const SECONDS = [0.001, 0.002, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10];
+
+export class Metrics implements Witness {
+  readonly #registry = new Registry();
+  readonly #pages = new Gauge({
+    name: "corridor_robots_with_page",
+    help: "Robots whose page is connected.",
+    registers: [this.#registry],
+  });
+  readonly #readers = new Gauge({
+    name: "corridor_readers",
+    help: "Scripts that follow a robot, by the way in which they do.",
+    labelNames: ["door"] as const,
+    registers: [this.#registry],
+  });
+  readonly #ended = new Counter({
+    name: "corridor_commands_ended_total",
+    help: "Commands by the state in which they ended.",
+    labelNames: ["state"] as const,
+    registers: [this.#registry],
+  });
+  readonly #refusals = new Counter({
+    name: "corridor_refusals_total",
+    help: "Requests and messages that were refused, by kind of problem.",
+    labelNames: ["problem"] as const,
+    registers: [this.#registry],
+  });
+  readonly #closed = new Counter({
+    name: "corridor_sockets_closed_total",
+    help: "WebSockets that were closed, by close code.",
+    labelNames: ["code"] as const,
+    registers: [this.#registry],
+  });
+  readonly #stored = this.#seconds(
+    "corridor_post_to_stored",
+    "From a command's arrival to its commit.",
+  );
+  readonly #started = this.#seconds(
+    "corridor_post_to_started",
+    "From a command's arrival to its start.",
+  );
+  readonly #commits = this.#seconds(
+    "corridor_store_commit",
+    "Steps of the store that end in a commit.",
+  );
+
+  #count: (() => Promise<Census>) | null = null;
+
+  stored(seconds: number): void {
+    this.#stored.observe(seconds);
+  }
+
+  started(seconds: number): void {
+    this.#started.observe(seconds);
+  }
+
+  ended(state: CommandRecord["state"]): void {
+    this.#ended.inc({ state });
+  }
+
+  committed(seconds: number): void {
+    this.#commits.observe(seconds);
+  }
+
+  refused(problem: ProblemKind): void {
+    this.#refusals.inc({ problem });
+  }
+
+  socketClosed(code: number): void {
+    this.#closed.inc({ code: KNOWN_CODES.has(code) ? String(code) : "other" });
+  }
+
+  /** Adds the figures that cost something to keep: those of the process, and who is there. */
+  watch(count: () => Promise<Census>): void {
+    collectDefaultMetrics({ register: this.#registry });
+    this.#count = count;
+  }
+
+  /** All figures in the text format of Prometheus. */
+  async report(): Promise<{ type: string; text: string }> {
+    const census = await this.#count?.();
+    if (census !== undefined) {
+      this.#pages.set(census.pages);
+      for (const [door, number] of Object.entries(census.readers)) {
+        this.#readers.set({ door }, number);
+      }
+    }
+    return { type: this.#registry.contentType, text: await this.#registry.metrics() };
+  }
+
+  #seconds(name: string, help: string): Histogram {
+    return new Histogram({
+      name: `${name}_seconds`,
+      help,
+      buckets: SECONDS,
+      registers: [this.#registry],
+    });
+  }
+}
