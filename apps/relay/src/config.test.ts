@@ -14,6 +14,7 @@ describe("readConfig", () => {
         trustedProxies: 0,
         metricsPort: null,
         metricsHost: "127.0.0.1",
+        drainSeconds: 0,
         logLevel: "warn",
       },
     });
@@ -57,6 +58,7 @@ describe("readConfig", () => {
     { name: "TRUSTED_PROXIES", value: "10.0.0.0/33" },
     { name: "TRUSTED_PROXIES", value: "10.0.0.1, proxy.local" },
     { name: "TRUSTED_PROXIES", value: "fe80::1/129" },
+    { name: "DRAIN_SECONDS", value: "61" },
     { name: "METRICS_PORT", value: "on" },
     { name: "LOG_LEVEL", value: "loud" },
   ])("names a wrong $name: $value", ({ name, value }) => {

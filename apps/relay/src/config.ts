@@ -9,6 +9,7 @@ const urlError = "an address without a path, such as https://robots.example.org"
 const hostsError = "host names with commas between them, such as robots.example.org, localhost";
 const proxiesError =
   "the number of proxies in front, from 0 to 9, or their addresses and networks, such as 127.0.0.1, 10.0.0.0/8";
+const drainError = "whole seconds from 0 to 60";
 const LOG_LEVELS = ["fatal", "error", "warn", "info", "debug", "silent"] as const;
 
 function isOrigin(text: string): boolean {
@@ -62,6 +63,11 @@ const environmentSchema = z.object({
   /** unset: no figures */
   METRICS_PORT: port.optional(),
   METRICS_HOST: host.default("127.0.0.1"),
+  DRAIN_SECONDS: z
+    .string()
+    .regex(/^([0-9]|[1-5][0-9]|60)$/, { error: drainError })
+    .transform(Number)
+    .default(0),
   LOG_LEVEL: z.enum(LOG_LEVELS, { error: `one of ${LOG_LEVELS.join(", ")}` }).default("warn"),
 });
 
@@ -80,6 +86,8 @@ export interface Config {
   metricsPort: number | null;
   /** address that /metrics is served on */
   metricsHost: string;
+  /** seconds between "not ready" and the end, on SIGTERM */
+  drainSeconds: number;
   logLevel: (typeof LOG_LEVELS)[number];
 }
 
@@ -107,6 +115,7 @@ export function readConfig(
       trustedProxies: value.TRUSTED_PROXIES,
       metricsPort: value.METRICS_PORT ?? null,
       metricsHost: value.METRICS_HOST,
+      drainSeconds: value.DRAIN_SECONDS,
       logLevel: value.LOG_LEVEL,
     },
   };

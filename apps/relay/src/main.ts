@@ -6,6 +6,7 @@ import { addressToOpen, describeConfigProblems, readConfig, type Config } from "
 import { startRelay, type Relay } from "./relay.ts";
 
 const PARENT_CHECK_MS = 1_000;
+const SAME_PRESS_MS = 500;
 
 function fail(sentence: string, code: number): never {
   process.stderr.write(`${sentence}\n`);
@@ -32,21 +33,34 @@ function describeStart(error: unknown, config: Config): string {
   return `Corridor cannot start: ${error instanceof Error ? error.message : String(error)}`;
 }
 
-/** Ends the relay once, on a signal or when npm, its parent, is gone. */
-function endOrderly(relay: Relay): void {
-  let isEnding = false;
-  const end = (): void => {
-    if (isEnding) return;
-    isEnding = true;
-    void relay.close().then(() => process.exit(0));
+/**
+ * Ends the relay on a signal or when npm, its parent, is gone. Ctrl+C does not wait for balancers, and a
+ * second signal waits for nobody.
+ */
+function endOrderly(relay: Relay, noticeMs: number): void {
+  let endingSince: number | null = null;
+  const end = (notice: number): void => {
+    const now = performance.now();
+    if (endingSince !== null) {
+      // Under npm one press of Ctrl+C comes twice: from the terminal and from npm.
+      if (now - endingSince > SAME_PRESS_MS) process.exit(1);
+      return;
+    }
+    endingSince = now;
+    relay.close(notice).then(
+      () => process.exit(0),
+      (error: unknown) => fail(`Corridor did not end in order: ${String(error)}`, 1),
+    );
   };
-  process.on("SIGTERM", end);
-  process.on("SIGINT", end);
+  process.on("SIGTERM", () => end(noticeMs));
+  process.on("SIGINT", () => end(0));
   if (process.env["npm_lifecycle_event"] === undefined) return;
   // npm passes SIGTERM to a shell that does not pass it on: the parent goes, this process would stay.
   const parent = process.ppid;
-  setInterval(() => {
-    if (process.ppid !== parent) end();
+  const timer = setInterval(() => {
+    if (process.ppid === parent) return;
+    clearInterval(timer);
+    if (endingSince === null) end(noticeMs);
   }, PARENT_CHECK_MS);
 }
 
@@ -61,7 +75,7 @@ try {
     webRoot: join(import.meta.dirname, "../../web"),
     isDevelopment: process.argv.includes("--dev"),
   });
-  endOrderly(relay);
+  endOrderly(relay, config.drainSeconds * 1000);
   process.stdout.write(`Corridor is ready: ${addressToOpen(config, relay.port)}\n`);
 } catch (error) {
   fail(describeStart(error, config), 1);

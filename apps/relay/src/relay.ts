@@ -1,6 +1,5 @@
 /** A whole relay: store, sessions, HTTP and WebSockets on one port, from start to shutdown. */
-import { createServer, type Server } from "node:http";
-import type { AddressInfo } from "node:net";
+import { createServer } from "node:http";
 import { join } from "node:path";
 import type { Router } from "express";
 import type { Logger } from "pino";
@@ -10,6 +9,7 @@ import type { Config } from "./config.ts";
 import { DocumentShelf } from "./documents/document-shelf.ts";
 import { Entrance } from "./entrance/entrance.ts";
 import { WebSocketGateway } from "./gateways/websocket-gateway.ts";
+import { closeServer, listen, portOf } from "./listening.ts";
 import { metricsServer } from "./metrics/metrics-server.ts";
 import { Metrics } from "./metrics/metrics.ts";
 import { Readiness } from "./readiness.ts";
@@ -20,7 +20,7 @@ import { SqliteDocumentStore } from "./store/sqlite-document-store.ts";
 import { SqliteStore } from "./store/sqlite-store.ts";
 import { timedStore } from "./store/timed-store.ts";
 
-/** Requests that are still open after this are cut off. */
+/** Whoever has not ended so long after being told is cut off: process managers kill after 10 s. */
 const SHUTDOWN_MS = 5_000;
 
 export interface RelayOptions {
@@ -38,8 +38,11 @@ export interface Relay {
   port: number;
   /** the port of /metrics, or null */
   metricsPort: number | null;
-  /** Tells everyone, ends what is open and closes the store. */
-  close(): Promise<void>;
+  /**
+   * Says that it is not ready, then tells everyone, ends what is open and closes the store.
+   * @param noticeMs how long all goes on as before, so that a balancer sees it and sends nobody new
+   */
+  close(noticeMs?: number): Promise<void>;
 }
 
 /**
@@ -75,14 +78,14 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   });
 
   const figures = metricsServer(metrics, log);
-
-  const close = async (): Promise<void> => {
+  const close = async (noticeMs = 0): Promise<void> => {
     readiness.drain();
+    if (noticeMs > 0) await new Promise<void>((resolve) => clock.after(noticeMs, resolve));
     gateway.close();
     await hub.close();
     await development?.close();
-    await closeServer(server);
-    await closeServer(figures);
+    await closeServer(server, SHUTDOWN_MS, () => gateway.cut());
+    await closeServer(figures, 0, () => undefined);
     await documents.close();
     await store.close();
   };
@@ -97,30 +100,4 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     throw error;
   }
   return { port: portOf(server) ?? config.port, metricsPort: portOf(figures), close };
-}
-
-function portOf(server: Server): number | null {
-  return (server.address() as AddressInfo | null)?.port ?? null;
-}
-
-function listen(server: Server, port: number, host: string | null): Promise<void> {
-  return new Promise((resolve, reject) => {
-    server.once("error", reject);
-    server.listen({ port, ...(host !== null && { host }) }, () => {
-      server.off("error", reject);
-      resolve();
-    });
-  });
-}
-
-function closeServer(server: Server): Promise<void> {
-  if (!server.listening) return Promise.resolve();
-  return new Promise((resolve) => {
-    const timer = setTimeout(() => server.closeAllConnections(), SHUTDOWN_MS);
-    server.close(() => {
-      clearTimeout(timer);
-      resolve();
-    });
-    server.closeIdleConnections();
-  });
 }

@@ -38,6 +38,7 @@ const closeReasonByProblem = new Map<ProblemKind, CloseReason>([
   ["not-authorised", closeReasons.notAuthorised],
   ["forbidden", closeReasons.forbidden],
   ["too-many-readers", closeReasons.tooMany],
+  ["restarting", closeReasons.restart],
 ]);
 
 interface Guest {
@@ -92,6 +93,11 @@ export class WebSocketGateway {
     this.#cancelTimer();
     for (const { socket } of this.#guests) closeWith(socket, closeReasons.restart);
     this.#server.close();
+  }
+
+  /** Cuts those off who did not answer the goodbye. */
+  cut(): void {
+    for (const { socket } of this.#guests) socket.terminate();
   }
 
   /** @returns the robot's id in the address @throws Refusal when no socket may be opened there */

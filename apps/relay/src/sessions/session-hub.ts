@@ -6,7 +6,7 @@ import type { Registration } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../clock.ts";
 import { hashKey, mintId, mintKey } from "../keys.ts";
-import { notAuthorised, Refusal, retryAfter } from "../problems.ts";
+import { notAuthorised, Refusal, retryAfter, restarting } from "../problems.ts";
 import type { KeyKind, SessionStore, StoredKey } from "../store/session-store.ts";
 import type { ReaderDoor } from "./audience.ts";
 import { limits } from "./limits.ts";
@@ -39,6 +39,7 @@ export class SessionHub {
   readonly #registrations = new Map<string, TokenBucket>();
   #cancelTimer: () => void;
   #expiryAt: number;
+  #isClosing = false;
 
   constructor(store: SessionStore, clock: Clock, log: Logger, witness = noWitness) {
     this.#store = store;
@@ -55,6 +56,7 @@ export class SessionHub {
    * @param origin of the service as its users see it, such as https://host
    */
   async register(from: string, origin: string): Promise<Registration> {
+    if (this.#isClosing) throw restarting();
     const now = this.#clock.now();
     const bucket = this.#registrations.get(from) ?? new TokenBucket(limits.registrationRate, now);
     this.#registrations.set(from, bucket);
@@ -79,10 +81,12 @@ export class SessionHub {
 
   /**
    * Finds the session and checks that the key may do one of the given things there.
-   * @throws Refusal no-robot, not-authorised or forbidden
+   * @throws Refusal no-robot, not-authorised, forbidden or restarting
    */
   async authorise(id: string, key: string | null, kinds: readonly KeyKind[]): Promise<Grant> {
     const session = await this.#find(id);
+    // A key that is not known any more would be given up for good; a restart is not the key's fault.
+    if (this.#isClosing) throw restarting();
     if (session === null) throw noRobot();
     const stored = key === null ? null : session.grantOf(key);
     if (stored === null) {
@@ -124,10 +128,11 @@ export class SessionHub {
 
   /** Sends everyone away because the relay stops; what is stored stays. */
   async close(): Promise<void> {
+    this.#isClosing = true;
     this.#cancelTimer();
     const sessions = [...this.#sessions.values()];
     this.#sessions.clear();
-    for (const session of await Promise.all(sessions)) session?.close("restart");
+    for (const found of sessions) (await found.catch(() => null))?.close("restart");
   }
 
   async #find(id: string): Promise<Session | null> {

@@ -386,3 +386,14 @@ describe("a robot session: its end", () => {
     expect(host.closed).toEqual([closeReasons.over.code]);
   });
 });
+
+describe("a relay that ends", () => {
+  it("asks for another try, and never calls a robot or a key unknown", async () => {
+    const { hub, robot, submit } = await withRobot();
+    await hub.close();
+    const restarting = expect.objectContaining({ kind: "restarting" });
+    await expect(submit(LEFT)).rejects.toEqual(restarting);
+    await expect(hub.authorise(robot.id, robot.driverKey, ["drive"])).rejects.toEqual(restarting);
+    await expect(hub.register("10.0.0.1", "http://localhost")).rejects.toEqual(restarting);
+  });
+});

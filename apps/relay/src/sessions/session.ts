@@ -18,7 +18,7 @@ import {
 } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import { matchKey } from "../keys.ts";
-import { Refusal, retryAfter } from "../problems.ts";
+import { Refusal, restarting, retryAfter } from "../problems.ts";
 import type { SessionStore, StoredKey, StoredSession } from "../store/session-store.ts";
 import { Audience, type Patience, type ReaderDoor } from "./audience.ts";
 import { DriverRoster } from "./driver-roster.ts";
@@ -53,7 +53,7 @@ export class Session {
   #lastUsedAt: number;
   #touchedAt: number;
   #work: Promise<unknown> = Promise.resolve();
-  #isOver = false;
+  #end: "over" | "restart" | null = null;
 
   constructor(stored: StoredSession, store: SessionStore, clock: Clock, witness = noWitness) {
     this.id = stored.id;
@@ -73,14 +73,14 @@ export class Session {
 
   /** The stored key that belongs to a bearer key; null when it is none of this robot's. */
   grantOf(key: string): StoredKey | null {
-    if (this.#isOver) return null;
+    if (this.isOver) return null;
     const grant = matchKey(key, this.#keys);
     if (grant !== null) this.#used();
     return grant;
   }
 
   get isOver(): boolean {
-    return this.#isOver;
+    return this.#end !== null;
   }
 
   get lastUsedAt(): number {
@@ -116,7 +116,7 @@ export class Session {
   async takePage(link: PageLink, resume: Resume): Promise<void> {
     await this.#inOrder(async () => {
       const taken = await this.#store.takeOver(this.id, resume);
-      if (taken === null || this.#isOver) return link.close(closeReasons.over);
+      if (taken === null || this.isOver) return link.close(closeReasons[this.#end ?? "over"]);
       this.#page?.link.close(closeReasons.replaced);
       this.#page = { link, epoch: taken.epoch };
       this.#awaySince = null;
@@ -209,7 +209,7 @@ export class Session {
     const tooFast = this.#takeToken(grant, isStop);
     if (tooFast !== null && !isStop) throw tooFast;
     await this.#inOrder(async () => {
-      if (this.#isOver) throw noRobot();
+      if (this.#end !== null) throw this.#end === "restart" ? restarting() : noRobot();
       if (tooFast !== null) {
         const stop = await this.#openStop();
         // Whoever sends another key counts on a record of its own, and will try again for it.
@@ -365,7 +365,7 @@ export class Session {
 
   /** Ends the session for everyone who is connected. */
   close(reason: "over" | "restart"): void {
-    this.#isOver = true;
+    this.#end = reason;
     this.roster.close();
     this.#page?.link.close(closeReasons[reason]);
     this.#page = null;

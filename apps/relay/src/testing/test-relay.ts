@@ -9,13 +9,16 @@ import { systemClock, type Clock } from "../clock.ts";
 import { readConfig, type Config } from "../config.ts";
 import { startRelay } from "../relay.ts";
 
-export interface TestRelay {
+export interface Requests {
   origin: string;
-  /** the port of /metrics, or null */
-  metricsPort: number | null;
   register(): Promise<Registration>;
   /** A request with a key, to a path below the robot. */
   ask(robot: Registration, path: string, request?: AskOptions): Promise<Response>;
+}
+
+export interface TestRelay extends Requests {
+  /** the port of /metrics, or null */
+  metricsPort: number | null;
   close(): Promise<void>;
 }
 
@@ -67,10 +70,13 @@ export async function startTestRelay(
   };
   onTestFinished(close);
   const origin = `http://127.0.0.1:${relay.port}`;
+  return { ...requestsTo(origin), metricsPort: relay.metricsPort, close };
+}
+
+/** The requests of tests to any relay. */
+export function requestsTo(origin: string): Requests {
   return {
     origin,
-    metricsPort: relay.metricsPort,
-    close,
     register: async () => {
       const answer = await fetch(`${origin}/api/v1/robots`, { method: "POST" });
       return registrationSchema.parse(await answer.json());

@@ -2,7 +2,7 @@
 import type { Registration } from "@corridor/protocol";
 import { onTestFinished } from "vitest";
 import { WebSocket } from "ws";
-import type { TestRelay } from "./test-relay.ts";
+import type { Requests } from "./test-relay.ts";
 
 export interface Message {
   type: string;
@@ -32,7 +32,7 @@ export class TestSocket {
   }
 
   static async open(
-    relay: TestRelay,
+    relay: Requests,
     id: string,
     headers: Record<string, string> = {},
     options: { autoPong?: boolean } = {},
@@ -49,7 +49,7 @@ export class TestSocket {
 
   /** Connects as the robot's page and waits for the welcome. */
   static async page(
-    relay: TestRelay,
+    relay: Requests,
     robot: Registration,
     resume: Record<string, unknown> = {},
   ): Promise<{ socket: TestSocket; epoch: number }> {
@@ -61,7 +61,7 @@ export class TestSocket {
   }
 
   /** Connects as a script and waits for the welcome. */
-  static async driver(relay: TestRelay, robot: Registration): Promise<TestSocket> {
+  static async driver(relay: Requests, robot: Registration): Promise<TestSocket> {
     const socket = await TestSocket.open(relay, robot.id, { "User-Agent": "Python-urllib/3.11" });
     socket.send({ type: "hello", version: 1, role: "drive", key: robot.driverKey });
     await socket.next("welcome");
