@@ -12,6 +12,7 @@ import { documentRoutes } from "./routes/documents.ts";
 import { eventRoutes } from "./routes/events.ts";
 import { notFound, problemAnswers } from "./routes/fallbacks.ts";
 import { healthRoutes } from "./routes/health.ts";
+import { requestLog } from "./routes/request-log.ts";
 import { robotRoutes } from "./routes/robots.ts";
 import { openToAllSites, securityHeaders } from "./routes/security-headers.ts";
 import { sensorRoutes } from "./routes/sensors.ts";
@@ -42,6 +43,7 @@ export function createApp(dependencies: AppDependencies): Express {
 
   // Before the check of the name: machines that watch over this one ask by its bare address.
   app.use(healthRoutes(readiness));
+  app.use(requestLog(log, clock));
   app.use((request, _response, next) => {
     entrance.checkHost(request);
     next();

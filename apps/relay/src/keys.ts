@@ -29,6 +29,11 @@ export function hashKey(key: string): string {
   return createHash("sha256").update(key).digest("base64url");
 }
 
+/** What a log may show of a key: enough to tell two apart, too little to find the hash. */
+export function markOf(key: string | null): string | null {
+  return key === null ? null : hashKey(key).slice(0, 6);
+}
+
 /** Finds the stored key that belongs to the given one, in a time that does not depend on the match. */
 export function matchKey(key: string, stored: readonly StoredKey[]): StoredKey | null {
   const given = Buffer.from(hashKey(key));

@@ -20,6 +20,7 @@ import type { Logger } from "pino";
 import { WebSocketServer, type WebSocket } from "ws";
 import { clientName } from "../client-name.ts";
 import type { Clock } from "../clock.ts";
+import { markOf } from "../keys.ts";
 import type { Entrance } from "../entrance/entrance.ts";
 import type { Metrics } from "../metrics/metrics.ts";
 import { asRefusal, Refusal, type ProblemKind } from "../problems.ts";
@@ -46,6 +47,8 @@ interface Guest {
   port: SocketPort;
   address: string;
   heardAt: number;
+  /** what the log may show of its key */
+  key: string | null;
   conversation: Conversation | null;
 }
 
@@ -125,6 +128,7 @@ export class WebSocketGateway {
       port: wsPort(socket, clock),
       address,
       heardAt: clock.now(),
+      key: null,
       conversation: null,
     };
     this.#guests.add(guest);
@@ -150,6 +154,7 @@ export class WebSocketGateway {
     socket.on("error", (error) => this.#options.log.debug({ err: error }, "a socket broke"));
     socket.on("close", (code) => {
       metrics.socketClosed(code);
+      this.#options.log.info({ code, key: guest.key }, "a socket was closed");
       cancelTimer();
       this.#guests.delete(guest);
       guest.conversation?.closed();
@@ -167,12 +172,16 @@ export class WebSocketGateway {
     if (!hello.ok) return closeWith(socket, closeReasons.notAuthorised);
     if (!robotIdSchema.safeParse(id).success) return closeWith(socket, closeReasons.noRobot);
     const { role, key } = hello.value;
-    const grant = await this.#options.hub.authorise(id, key, [role]);
+    const { hub, log } = this.#options;
+    const client = clientName(request.headers["user-agent"]);
+    const grant = await hub.authorise(id, key, [role]);
     if (socket.readyState !== socket.OPEN) return;
+    guest.key = markOf(key);
+    log.info({ role, client, key: guest.key }, "a socket said hello");
     guest.conversation =
       role === "own"
         ? new PageConversation(grant.session, port)
-        : new DriverConversation(grant, port, clientName(request.headers["user-agent"]), (kind) =>
+        : new DriverConversation(grant, port, client, (kind) =>
             this.#options.metrics.refused(kind),
           );
   }

@@ -3,7 +3,7 @@ import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { registrationSchema, type Registration } from "@corridor/protocol";
-import { pino } from "pino";
+import { pino, type Logger } from "pino";
 import { onTestFinished } from "vitest";
 import { systemClock, type Clock } from "../clock.ts";
 import { readConfig, type Config } from "../config.ts";
@@ -49,6 +49,7 @@ export async function startTestRelay(
   options: {
     config?: Partial<Config>;
     clock?: Clock;
+    log?: Logger;
     dataDir?: string;
     webRoot?: string;
     isDevelopment?: boolean;
@@ -58,7 +59,7 @@ export async function startTestRelay(
   const relay = await startRelay({
     config: { ...defaults(), port: 0, host: "127.0.0.1", dataDir, ...options.config },
     clock: options.clock ?? systemClock,
-    log: pino({ level: "silent" }),
+    log: options.log ?? pino({ level: "silent" }),
     webRoot: options.webRoot ?? dataDir,
     isDevelopment: options.isDevelopment ?? false,
   });

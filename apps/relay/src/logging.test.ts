@@ -1,0 +1,78 @@
+import { createHash } from "node:crypto";
+import { pino } from "pino";
+import { describe, expect, it } from "vitest";
+import { WebSocket } from "ws";
+import { startTestRelay } from "./testing/test-relay.ts";
+import { TestSocket } from "./testing/test-socket.ts";
+
+/** A relay, and everything that it logs at a level. */
+async function withLog(level: string) {
+  const lines: string[] = [];
+  const log = pino({ level }, { write: (line: string) => void lines.push(line) });
+  return { lines, relay: await startTestRelay({ log }) };
+}
+
+describe("the log", () => {
+  it("holds no key, wherever a careless client has put it, and no address", async () => {
+    const { lines, relay } = await withLog("debug");
+    const robot = await relay.register();
+    const { driverKey, ownerKey, id } = robot;
+    const page = await TestSocket.page(relay, robot);
+    const script = await TestSocket.driver(relay, robot);
+    script.send({ type: "command", command: { action: "left 90" }, key: "a-key-0001" });
+    await page.socket.next("command");
+    script.sendRaw(driverKey);
+    await script.next("problem");
+    const post = { method: "POST", body: { action: "left 90" } };
+    const statuses = [
+      await relay.ask(robot, "/commands", post),
+      await relay.ask(robot, "/commands", { ...post, key: ownerKey }),
+      await relay.ask(robot, "/commands", { ...post, body: driverKey }),
+      await relay.ask(robot, `/commands?key=${driverKey}`, { key: `${driverKey}x` }),
+      await relay.ask(robot, `/${driverKey}`, { headers: { "User-Agent": driverKey } }),
+      await fetch(`${relay.origin}/r/${id}?key=${ownerKey}`),
+      await fetch(`${relay.origin}/r/${driverKey}%E0%A4%A`),
+    ].map(({ status }) => status);
+    expect(statuses).toEqual([202, 403, 400, 401, 404, 503, 400]);
+    const base = relay.origin.replace("http", "ws");
+    const lost = new WebSocket(`${base}/api/v1/robots/${driverKey}/socket?key=${ownerKey}`);
+    await new Promise((resolve) => lost.once("open", resolve));
+    lost.send("x".repeat(20_000));
+    await new Promise((resolve) => lost.once("close", resolve));
+    await relay.close();
+
+    const text = lines.join("");
+    for (const key of [driverKey, ownerKey]) {
+      const hash = createHash("sha256").update(key).digest("base64url");
+      expect(text).not.toContain(key.slice(4));
+      expect(text).toContain(`"key":"${hash.slice(0, 6)}"`);
+      expect(text).not.toContain(hash.slice(0, 7));
+    }
+    expect(text).not.toContain("127.0.0.1");
+    expect(text).toContain("a socket broke");
+  });
+
+  it("has one line for each request and socket at level info, and none for health", async () => {
+    const { lines, relay } = await withLog("info");
+    const robot = await relay.register();
+    await (await relay.ask(robot, "/commands/7")).text();
+    await (await fetch(`${relay.origin}/healthz`)).text();
+    const script = await TestSocket.driver(relay, robot);
+    script.close();
+    await script.closed;
+    await relay.close();
+    expect(lines.map((line) => JSON.parse(line) as unknown)).toMatchObject([
+      { method: "POST", route: "/robots", status: 201, key: null, msg: "answered" },
+      { method: "GET", route: "/robots/:id/commands/:seq", status: 404, msg: "answered" },
+      { role: "drive", client: "Python", msg: "a socket said hello" },
+      { code: 1005, msg: "a socket was closed" },
+    ]);
+  });
+
+  it("is silent about requests at the level that is the default", async () => {
+    const { lines, relay } = await withLog("warn");
+    await relay.register();
+    await relay.close();
+    expect(lines).toEqual([]);
+  });
+});
