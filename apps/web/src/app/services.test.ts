@@ -19,6 +19,7 @@ function openPage() {
     words: createI18n(en),
     screen: createScreenStore(),
     reader: new WorkReader(),
+    nextFrame: (work) => work(),
   });
   const hear = (data: FromWorker) => worker.onmessage?.({ data } as MessageEvent<FromWorker>);
   return { ...services, hear };

@@ -13,6 +13,7 @@ import { createCameraStore, type CameraStore } from "../stores/camera-store.ts";
 import { createCardStore, explain, forgetAfter, type CardStore } from "../stores/card-store.ts";
 import { createChallengeStore, type ChallengeStore } from "../stores/challenge-store.ts";
 import { createMomentTeller } from "../stores/moment-teller.ts";
+import { LateRun } from "../stores/late-run.ts";
 import { createRemoteStore, type RemoteStore } from "../stores/remote-store.ts";
 import { createRunStore, type RunStore } from "../stores/run-store.ts";
 import { tell, type ScreenStore } from "../stores/screen-store.ts";
@@ -33,6 +34,8 @@ import { WorkShelf, type KeyValueStorage } from "./works.ts";
 
 /** What the page is given by the browser; tests give other ones. */
 export interface Browser {
+  /** does something when the frame that is prepared now has been shown */
+  nextFrame: (work: () => void) => void;
   worker: WorkerPort;
   /** localStorage: what stays on the device */
   device: KeyValueStorage;
@@ -49,6 +52,8 @@ export interface Services {
   simulator: SimulatorClient;
   workspace: WorkspaceStore;
   run: RunStore;
+  /** the run for what is laid out anew with it: see late-run.ts */
+  lateRun: RunStore;
   /** what there is to explain of the run */
   cards: CardStore;
   timeline: TimelineStore;
@@ -74,7 +79,8 @@ export interface Services {
 }
 
 /** Builds everything and connects it: documents flow to the worker, what it tells flows to the stores. */
-export function createServices({ worker, device, tab, words, screen, reader }: Browser): Services {
+export function createServices(browser: Browser): Services {
+  const { worker, device, tab, words, screen, reader, nextFrame } = browser;
   const shelf = new WorkShelf(device, () => reader.read);
   const first = firstWork(words);
   const current = new CurrentWork(
@@ -86,6 +92,7 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
   const simulator = new SimulatorClient(worker);
   const workspace = createWorkspaceStore(maze, program);
   const run = createRunStore();
+  const late = new LateRun(run, nextFrame);
   const cards = createCardStore();
   const camera = createCameraStore();
   const remote = createRemoteStore();
@@ -102,7 +109,8 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
         const { snapshot, progress, view, nowTick, nowDriver } = message.frame;
         shownRun.add(message.frame);
         run.setState({ snapshot, progress, view, nowTick, nowDriver });
-        if (message.timeline !== null) timeline.take(message.timeline);
+        const news = message.timeline;
+        if (news !== null) late.after(() => timeline.take(news));
         return;
       }
       case "forgotten":
@@ -191,6 +199,7 @@ export function createServices({ worker, device, tab, words, screen, reader }: B
     simulator,
     workspace,
     run,
+    lateRun: late.store,
     timeline,
     remote,
     screen,

@@ -42,7 +42,7 @@ interface LineProgressProps {
  */
 function LineProgress({ line, className }: LineProgressProps) {
   const { t } = useTranslation();
-  const { run } = useServices();
+  const { lateRun: run } = useServices();
   const note = useRef<HTMLDivElement>(null);
   const bar = useRef<HTMLProgressElement>(null);
   const fill = useRef<HTMLSpanElement>(null);

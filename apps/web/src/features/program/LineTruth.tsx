@@ -24,17 +24,21 @@ export function LineTruth({ feed, condition, truth, className }: LineTruthProps)
   const { t, i18n } = useTranslation();
   const { language } = i18n;
   const element = useRef<HTMLSpanElement>(null);
-  const { is, left, right } = useMemo(() => {
+  const { is, word, left, right } = useMemo(() => {
     const side =
       (of: "left" | "right") =>
       ({ snapshot }: RunState): string =>
         localNumber(truth(snapshot)?.[of] ?? "", language);
     return {
       is: ({ snapshot }: RunState): string => String(truth(snapshot)?.isTrue),
+      word: ({ snapshot }: RunState): string => {
+        const isTrue = truth(snapshot)?.isTrue;
+        return isTrue === undefined ? "" : t(isTrue ? "program.true" : "program.false");
+      },
       left: side("left"),
       right: side("right"),
     };
-  }, [language, truth]);
+  }, [language, t, truth]);
   // Its look follows the attribute: both pictures are there, and nothing is drawn again by React.
   useLayoutEffect(
     () => followText(feed, is, (next) => element.current?.setAttribute("data-is", next)),
@@ -60,9 +64,12 @@ export function LineTruth({ feed, condition, truth, className }: LineTruthProps)
         <span className={styles["mark"]}>
           <Check className={styles["yes"]} size={14} aria-hidden="true" />
           <X className={styles["no"]} size={14} aria-hidden="true" />
-          <span className={classNames("visually-hidden", styles["yes"])}>{t("program.true")}</span>
-          <span className={classNames("visually-hidden", styles["no"])}>{t("program.false")}</span>
-          <LiveText of={feed} text={left} />
+          <LiveText
+            of={feed}
+            text={word}
+            className={classNames("visually-hidden", styles["word"])}
+          />
+          <LiveText of={feed} text={left} className={styles["left"]} />
         </span>{" "}
         <LiveText of={feed} text={right} className={styles["than"]} />
       </span>

@@ -17,7 +17,7 @@ export function useRunningLine(
   list: RefObject<HTMLOListElement | null>,
   otherwise: RefObject<HTMLElement | null>,
 ): void {
-  const { run, workspace } = useServices();
+  const { lateRun: run, workspace } = useServices();
   const { t } = useTranslation();
   // Marked anew when lines came, went or moved; the elements are there by then.
   const lineIds = useStore(workspace, (state) => state.lineIds);

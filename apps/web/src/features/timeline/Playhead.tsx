@@ -18,7 +18,7 @@ interface PlayheadProps {
 }
 
 export function Playhead({ scale, event }: PlayheadProps) {
-  const { run } = useServices();
+  const { lateRun: run } = useServices();
   const head = useRef<HTMLDivElement>(null);
   const isNow = useStore(run, ({ view }) => view === "now");
   const isBumping = useStore(run, ({ snapshot }) => snapshot?.bumping === true);
@@ -57,7 +57,7 @@ export function Playhead({ scale, event }: PlayheadProps) {
 
 /** The number of the line in charge, else a picture of who drives; the bent arrow is "otherwise": past all lines. */
 function DriverMark() {
-  const { run } = useServices();
+  const { lateRun: run } = useServices();
   const line = useStore(run, ({ snapshot }) => snapshot?.line ?? null);
   const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
   if (driver === "me") return <User size={14} aria-hidden="true" />;

@@ -10,7 +10,7 @@ import { momentAt, type ShownMoment } from "./shown-moment.ts";
 const SECOND = 60;
 
 export function useShownMoment(): ShownMoment {
-  const { run, timeline } = useServices();
+  const { lateRun: run, timeline } = useServices();
   const [store] = useState(() => createStore<ShownMoment>(() => BEGINNING));
   useEffect(() => {
     let shown: ShownMoment | null = null;
