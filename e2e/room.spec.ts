@@ -45,29 +45,41 @@ for (const [width, height] of [
     });
   }
 
-  test(`sees nothing of the panel move while the page opens at ${width} x ${height}`, async ({
-    openWindow,
-  }) => {
-    const { page } = await openWindow({ viewport: { width, height } });
-    await page.addInitScript(() => {
-      const moved: string[] = [];
-      Reflect.set(window, "moved", moved);
-      new PerformanceObserver((list) => {
-        for (const entry of list.getEntries()) {
-          const sources: unknown = Reflect.get(entry, "sources");
-          if (!Array.isArray(sources)) continue;
-          for (const { node } of sources as { node: Node | null }[]) {
-            if (node instanceof Element && node.closest("aside")) moved.push(node.outerHTML);
+  for (const [late, milliseconds] of [
+    ["at once", 0],
+    ["late", 700],
+  ] as const) {
+    test(`sees nothing of the panel move while the page opens at ${width} x ${height} and its simulator comes ${late}`, async ({
+      openWindow,
+    }) => {
+      const { page } = await openWindow({ viewport: { width, height } });
+      await page.route(/simulator\.worker/, async (route) => {
+        await new Promise((done) => setTimeout(done, milliseconds));
+        await route.continue();
+      });
+      await page.addInitScript(() => {
+        const moved: string[] = [];
+        Reflect.set(window, "moved", moved);
+        new PerformanceObserver((list) => {
+          for (const entry of list.getEntries()) {
+            const sources: unknown = Reflect.get(entry, "sources");
+            if (!Array.isArray(sources)) continue;
+            for (const { node } of sources as { node: Node | null }[]) {
+              if (node instanceof Element && node.closest("aside")) moved.push(node.outerHTML);
+            }
           }
-        }
-      }).observe({ type: "layout-shift", buffered: true });
+        }).observe({ type: "layout-shift", buffered: true });
+      });
+      await page.goto("/");
+      await expect(page.getByRole("combobox", { name: "Line 2, action" })).toBeVisible();
+      await expect(page.getByRole("button", { name: "Add line" })).toBeVisible();
+      await expect(page.getByText("> 60", { exact: true })).toBeVisible();
+      await page.evaluate(
+        () => new Promise((done) => requestAnimationFrame(() => setTimeout(done))),
+      );
+      expect(await page.evaluate(() => Reflect.get(window, "moved"))).toEqual([]);
     });
-    await page.goto("/");
-    await expect(page.getByRole("combobox", { name: "Line 2, action" })).toBeVisible();
-    await expect(page.getByRole("button", { name: "Add line" })).toBeVisible();
-    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
-    expect(await page.evaluate(() => Reflect.get(window, "moved"))).toEqual([]);
-  });
+  }
 }
 
 test("sees the whole advice below the line that is edited, where the lines scroll", async ({
