@@ -25,6 +25,8 @@ export function LineTruth({ feed, condition, truth, className }: LineTruthProps)
   const { language } = i18n;
   const element = useRef<HTMLSpanElement>(null);
   const { is, word, left, right } = useMemo(() => {
+    const yes = t("program.true");
+    const no = t("program.false");
     const side =
       (of: "left" | "right") =>
       ({ snapshot }: RunState): string =>
@@ -33,7 +35,7 @@ export function LineTruth({ feed, condition, truth, className }: LineTruthProps)
       is: ({ snapshot }: RunState): string => String(truth(snapshot)?.isTrue),
       word: ({ snapshot }: RunState): string => {
         const isTrue = truth(snapshot)?.isTrue;
-        return isTrue === undefined ? "" : t(isTrue ? "program.true" : "program.false");
+        return isTrue === undefined ? "" : isTrue ? yes : no;
       },
       left: side("left"),
       right: side("right"),

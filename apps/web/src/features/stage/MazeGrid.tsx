@@ -18,7 +18,7 @@ import type { Facing } from "./robot-place.ts";
 import { cellAtPoint, tapeWords } from "./tape.ts";
 import type { StageController } from "./stage-controller.ts";
 import styles from "./stage.module.css";
-import { useRobotSquare } from "./use-robot-square.ts";
+import { robotSquare, useRobotSquare } from "./use-robot-square.ts";
 
 interface MazeGridProps {
   controller: StageController;
@@ -34,21 +34,25 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
   const maze = useStore(run, (state) => state.shownMaze) ?? newestMaze;
   const layout = useStore(controller.view, (view) => view.layout);
   const chosen = useStore(controller.view, (view) => view.cursor);
-  const robot = useRobotSquare();
   const helpId = useId();
   const size = sizeOf(maze);
   const isMeasuring = useStore(screen, ({ tool }) => tool === "measure");
   const tape = useStore(controller.view, (view) => view.tape);
   const cursor = clampCell(chosen ?? maze.start, size);
+  const robot = useRobotSquare(cursor);
   const side = layout?.cellPx ?? 0;
-  const labelOf = (cell: Cell): string => cellLabel(t, maze, cell, robotFacingOn(robot, cell));
+  const labelOf = (cell: Cell, at: string): string =>
+    cellLabel(t, maze, cell, robotFacingOn(at, cell));
+  const robotNow = () => robotSquare(run.getState());
 
   // What a tape measures is told when it lies still, not at each square on its way.
   const tapeNews =
     tape === null
       ? null
       : tape.isOpen
-        ? t("stage.measured.from", { square: labelOf(clampCell(cellAtPoint(tape.from), size)) })
+        ? t("stage.measured.from", {
+            square: labelOf(clampCell(cellAtPoint(tape.from), size), robotNow()),
+          })
         : joinSentences(
             t,
             tapeWords(t, i18n.language, tape).map((words) => asSentence(t, words)),
@@ -65,7 +69,7 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
         return;
       }
       controller.editor.press(cursor);
-      const is = cellLabel(t, workspace.getState().maze, cursor, robotFacingOn(robot, cursor));
+      const is = cellLabel(t, workspace.getState().maze, cursor, robotFacingOn(robotNow(), cursor));
       speech.tell(is, "square");
       return;
     }
@@ -106,7 +110,7 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
                 <td
                   key={column}
                   aria-colindex={column + 1}
-                  aria-label={labelOf({ column, row })}
+                  aria-label={labelOf({ column, row }, robot)}
                   tabIndex={column === cursor.column && row === cursor.row ? 0 : -1}
                   className={styles["cell"]}
                   style={{ left: column * side, top: row * side, width: side, height: side }}

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { around, clampCell, moveCursor } from "./grid-cursor.ts";
+import { around, clampCell, moveCursor, isAround } from "./grid-cursor.ts";
 
 const size = { columns: 11, rows: 30 };
 const from = { column: 5, row: 15 };
@@ -41,6 +41,21 @@ describe("moveCursor", () => {
 describe("clampCell", () => {
   it("comes along when the maze becomes smaller", () => {
     expect(clampCell(from, { columns: 1, rows: 3 })).toEqual({ column: 0, row: 2 });
+  });
+});
+
+describe("isAround", () => {
+  it("tells of the same cells as around", () => {
+    const cursor = { column: 0, row: 3 };
+    const size = { columns: 5, rows: 5 };
+    for (let row = 0; row < size.rows; row++) {
+      for (let column = 0; column < size.columns; column++) {
+        const exists =
+          around(cursor.row, size.rows).includes(row) &&
+          around(cursor.column, size.columns).includes(column);
+        expect(isAround(cursor, { column, row })).toBe(exists);
+      }
+    }
   });
 });
 

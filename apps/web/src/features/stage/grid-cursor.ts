@@ -56,6 +56,11 @@ export function moveCursor(cell: Cell, key: KeyFacts, size: Size): Cell | null {
   }
 }
 
+/** Whether a cell is the cursor's or next to it, so that it exists in the page. */
+export function isAround(cursor: Cell, { column, row }: Cell): boolean {
+  return Math.abs(column - cursor.column) <= 1 && Math.abs(row - cursor.row) <= 1;
+}
+
 /** Indices from `at - 1` to `at + 1` inside `0..count - 1`: what exists in the page around the cursor. */
 export function around(at: number, count: number): number[] {
   return [at - 1, at, at + 1].filter((index) => index >= 0 && index < count);
