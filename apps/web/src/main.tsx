@@ -67,7 +67,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
     words,
     screen,
     reader,
-    nextFrame: (work) => requestAnimationFrame(() => requestAnimationFrame(work)),
+    nextFrame: (work) => requestAnimationFrame(work),
   });
   services.simulator.catchUp(heardBefore());
 

@@ -34,7 +34,7 @@ import { WorkShelf, type KeyValueStorage } from "./works.ts";
 
 /** What the page is given by the browser; tests give other ones. */
 export interface Browser {
-  /** does something when the frame that is prepared now has been shown */
+  /** does something when the browser prepares the next frame */
   nextFrame: (work: () => void) => void;
   worker: WorkerPort;
   /** localStorage: what stays on the device */
@@ -52,7 +52,7 @@ export interface Services {
   simulator: SimulatorClient;
   workspace: WorkspaceStore;
   run: RunStore;
-  /** the run for what is laid out anew with it: see late-run.ts */
+  /** the run for what moves other parts of the page: see late-run.ts */
   lateRun: RunStore;
   /** what there is to explain of the run */
   cards: CardStore;

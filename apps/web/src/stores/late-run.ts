@@ -1,6 +1,6 @@
 /**
- * The run for the parts that have the page laid out anew: the mark of the line that drives, its note, the
- * timeline. Of a turn of the program they hear one frame after the numbers: on a slow computer both
+ * The run for what moves other parts of the page: the words below the line that drives, the timeline. Of a
+ * turn of the program they hear after the numbers, each in a frame of its own: on a slow computer all
  * together are longer than a frame, and the stage would stand still.
  */
 import { createRunStore, type RunState, type RunStore } from "./run-store.ts";
@@ -10,36 +10,35 @@ export class LateRun {
   readonly #nextFrame: (work: () => void) => void;
   #waiting: (() => void)[] = [];
 
-  /** @param nextFrame does something when the frame that the browser prepares now has been shown */
+  /** @param nextFrame does something when the browser prepares the next frame: requestAnimationFrame */
   constructor(run: RunStore, nextFrame: (work: () => void) => void) {
     this.#nextFrame = nextFrame;
     run.subscribe((state, before) => {
       this.#catchUp();
       const follow = () => this.store.setState(state, true);
-      if (isTurn(before, state)) this.#wait(follow);
+      if (isTurn(before, state)) this.#wait([follow]);
       else follow();
     });
   }
 
   /** Does what belongs to the newest state: where that waits, after it, and in a frame of its own. */
   after(work: () => void): void {
-    if (this.#waiting.length > 0) this.#wait(work);
+    if (this.#waiting.length > 0) this.#waiting.push(work);
     else work();
   }
 
-  #wait(work: () => void): void {
-    this.#waiting.push(work);
-    if (this.#waiting.length === 1) this.#goOn();
+  #wait(works: (() => void)[]): void {
+    this.#waiting = works;
+    // The frame that is prepared next has the numbers.
+    this.#nextFrame(() => this.#goOn(works));
   }
 
-  #goOn(): void {
-    const [first] = this.#waiting;
+  /** @param works what waited then: news that came since have done it, and wait for themselves */
+  #goOn(works: (() => void)[]): void {
     this.#nextFrame(() => {
-      // What newer news have overtaken is done.
-      if (first === undefined || this.#waiting[0] !== first) return;
-      this.#waiting.shift();
-      first();
-      if (this.#waiting.length > 0) this.#goOn();
+      if (this.#waiting !== works) return;
+      works.shift()?.();
+      if (works.length > 0) this.#goOn(works);
     });
   }
 

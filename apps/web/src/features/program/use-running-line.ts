@@ -3,6 +3,7 @@
  * others were not read, and keeps it in sight. Written straight to the page: React would draw two lines
  * again at every turn of the robot.
  */
+import type { LineRef } from "@corridor/protocol";
 import { useLayoutEffect, useRef, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -17,7 +18,7 @@ export function useRunningLine(
   list: RefObject<HTMLOListElement | null>,
   otherwise: RefObject<HTMLElement | null>,
 ): void {
-  const { lateRun: run, workspace } = useServices();
+  const { run, lateRun, workspace } = useServices();
   const { t } = useTranslation();
   // Marked anew when lines came, went or moved; the elements are there by then.
   const lineIds = useStore(workspace, (state) => state.lineIds);
@@ -25,27 +26,37 @@ export function useRunningLine(
   const wasRunning = useRef(false);
 
   useLayoutEffect(() => {
+    const elementOf = (deciding: LineRef | null): HTMLElement | null =>
+      deciding === "default"
+        ? otherwise.current
+        : document.getElementById(lineElementId(lineIds[deciding ?? -1] ?? -1));
+
     let marked: HTMLElement | null = null;
     const mark = (line: HTMLElement | null): void => {
+      if (line === marked) return;
       marked?.removeAttribute("aria-current");
-      sayBelow(marked, "");
       line?.setAttribute("aria-current", "step");
-      sayBelow(line, t("program.notRead"));
       marked = line;
+    };
+    const lookAtOnce = ({ snapshot }: RunState): void => mark(elementOf(decidingLine(snapshot)));
+
+    let told: HTMLElement | null = null;
+    const tell = (line: HTMLElement | null): void => {
+      if (line === told) return;
+      sayBelow(told, "");
+      sayBelow(line, t("program.notRead"));
+      told = line;
     };
     const look = ({ snapshot }: RunState): void => {
       const deciding = decidingLine(snapshot);
-      const line =
-        deciding === "default"
-          ? otherwise.current
-          : document.getElementById(lineElementId(lineIds[deciding ?? -1] ?? -1));
-      const isMarked = line === marked;
-      if (!isMarked) mark(line);
+      const line = elementOf(deciding);
+      const isTold = line === told;
+      tell(line);
       const isRunning = snapshot?.state === "running" && snapshot.tick > 0;
       const begins = isRunning && !wasRunning.current;
       wasRunning.current = isRunning;
       if (begins) follower.current ??= load(list);
-      if (isMarked && !begins) return;
+      if (isTold && !begins) return;
       follower.current?.then(
         (it) => {
           it.show(deciding === "default" ? null : line);
@@ -55,13 +66,15 @@ export function useRunningLine(
         () => undefined,
       );
     };
-    look(run.getState());
-    const end = run.subscribe(look);
+    lookAtOnce(run.getState());
+    look(lateRun.getState());
+    const ends = [run.subscribe(lookAtOnce), lateRun.subscribe(look)];
     return () => {
-      end();
+      for (const end of ends) end();
       mark(null);
+      tell(null);
     };
-  }, [run, lineIds, list, otherwise, t]);
+  }, [run, lateRun, lineIds, list, otherwise, t]);
 
   useLayoutEffect(
     () => () => {
