@@ -70,6 +70,7 @@ const allowed: Record<string, readonly string[]> = {
   ],
   "apps/web": [
     "@corridor/challenge",
+    "@corridor/challenge/document",
     "@corridor/client",
     "@corridor/client/host",
     "@corridor/coach",

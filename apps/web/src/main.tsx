@@ -96,7 +96,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   flushWhenHidden({ flush }, life);
   guardLeaving(screen, window);
 
-  const isAsked = () => location.hash.length > 1 || location.pathname.startsWith("/r/");
+  const isAsked = () => location.hash.length > 1 || /^\/[rm]\//.test(location.pathname);
   const follow = async (): Promise<void> => {
     if (!isAsked()) return;
     const { followPageAddress } = await import("./app/follow-page-address.ts");

@@ -41,7 +41,9 @@ export { problemSchema, type ProblemDocument } from "./problem.ts";
 export { driverSchema, type DriverName, type Pose, type SensorReadings } from "./quantities.ts";
 export { registrationSchema, robotIdSchema, type Registration } from "./registration.ts";
 export {
+  keptLinksSchema,
   MAX_DOCUMENT_BYTES,
+  MAX_KEPT_LINKS,
   shortLinkIdSchema,
   shortLinkSchema,
   type ShortLink,

@@ -20,3 +20,7 @@ export const shortLinkSchema = z.strictObject({
   deleteKey: keySchema,
 });
 export type ShortLink = z.infer<typeof shortLinkSchema>;
+
+/** The links that one device has made and can delete: the newest ones. */
+export const MAX_KEPT_LINKS = 200;
+export const keptLinksSchema = z.array(shortLinkSchema).max(MAX_KEPT_LINKS);

@@ -9,6 +9,10 @@ export async function followPageAddress(services: Services, words: i18n): Promis
     ...services,
     words,
     loadLinks: () => import("@corridor/link"),
+    readShortLink: async (id) => {
+      const { readShortLink } = await import("./short-link.ts");
+      return readShortLink(id, (url) => fetch(url));
+    },
     maze: () => services.workspace.getState().maze,
     location,
     replaceAddress: (address) => history.replaceState(history.state, "", address),

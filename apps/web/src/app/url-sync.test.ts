@@ -1,7 +1,7 @@
 import type { ChallengeDocument } from "@corridor/challenge";
 import { decodeLink, encodeLink, type LinkContent } from "@corridor/link";
 import type { RunDocument } from "@corridor/recording";
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { createScreenStore } from "../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze } from "../stores/workspace-store.ts";
 import { en } from "../text/en/index.ts";
@@ -10,6 +10,7 @@ import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "../worker/first-work.ts";
 import { readWork } from "./read-work.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
+import type { ShortLinkResult } from "./short-link.ts";
 import { followAddress } from "./url-sync.ts";
 import { WorksService } from "./works-service.ts";
 import { WorkShelf } from "./works.ts";
@@ -48,6 +49,8 @@ function openPage(
   const addresses: string[] = [];
   const emptied: string[] = [];
   const runs: string[] = [];
+  const asked: string[] = [];
+  const shelved = new Map<string, ShortLinkResult>();
   /** what the address was replaced by before the run was there */
   const runAddresses: string[] = [];
   const challenges: [string, string | null][] = [];
@@ -55,6 +58,13 @@ function openPage(
     followAddress({
       works,
       loadLinks,
+      readShortLink: (id) => {
+        asked.push(id);
+        const result = shelved.get(id);
+        return result === undefined
+          ? Promise.reject(new Error("offline"))
+          : Promise.resolve(result);
+      },
       screen,
       words,
       maze: () => workspace.getState().maze,
@@ -90,6 +100,8 @@ function openPage(
     emptied,
     runs,
     runAddresses,
+    asked,
+    shelved,
     challenges,
     go,
     rename,
@@ -283,6 +295,54 @@ describe("opening the link of a run", () => {
       tone: "bad",
       text: "This run cannot be repeated: found a, expected b. Ask for it again.",
     });
+  });
+});
+
+describe("opening a short link", () => {
+  const address = "/m/AAAAAAAAAAAA";
+
+  it("shows the maze beside the reader's own work, and leads back", async () => {
+    const page = openPage(new MemoryStorage());
+    page.rename("Mine");
+    page.shelved.set("AAAAAAAAAAAA", { ok: true, value: { maze: sharedMaze } });
+    await page.go(address, "");
+    expect(page.asked).toEqual(["AAAAAAAAAAAA"]);
+    expect(page.shown()).toBe("Shared");
+    expect(page.names()).toEqual(["Mine", "Shared"]);
+    expect(page.addresses).toEqual(["/"]);
+    page.message()?.action?.run();
+    expect(page.shown()).toBe("Mine");
+  });
+
+  it("brings a program to the reader's own maze", async () => {
+    const page = openPage(new MemoryStorage());
+    page.rename("Mine");
+    page.shelved.set("AAAAAAAAAAAA", { ok: true, value: { program: sharedProgram } });
+    await page.go(address, "");
+    expect(page.shown()).toBe("Mine");
+    expect(page.workspace.getState().program.name).toBe("Shared rules");
+  });
+
+  it("says that it leads nowhere, keeps the work and offers an empty maze", async () => {
+    const page = openPage(new MemoryStorage());
+    page.rename("Mine");
+    page.shelved.set("AAAAAAAAAAAA", { ok: false, sentence: "share.shortLink.gone" });
+    await page.go(address, "");
+    expect(page.message()?.text).toContain("nobody opened it for 180 days");
+    expect(page.shown()).toBe("Mine");
+    expect(page.addresses).toEqual(["/"]);
+    page.message()?.action?.run();
+    expect(page.emptied).toEqual(["empty"]);
+  });
+
+  it("stays in the address where the service does not answer, and can be tried again", async () => {
+    const page = openPage(new MemoryStorage());
+    await page.go(address, "");
+    expect(page.addresses).toEqual([]);
+    page.shelved.set("AAAAAAAAAAAA", { ok: true, value: { maze: sharedMaze } });
+    page.message()?.action?.run();
+    await vi.waitFor(() => expect(page.shown()).toBe("Shared"));
+    expect(page.asked).toHaveLength(2);
   });
 });
 

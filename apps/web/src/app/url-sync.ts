@@ -1,6 +1,6 @@
 /**
- * What the address bar asks for: a shared link, a recorded run or a challenge opens as a new work
- * beside the reader's own, and a robot's address is taken out of sight, since it ends in a key.
+ * What the address bar asks for: a shared link, long or short, a recorded run or a challenge opens as
+ * a new work beside the reader's own, and a robot's address is taken out of sight, since it ends in a key.
  */
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { decodeLink, LinkContent } from "@corridor/link";
@@ -10,12 +10,15 @@ import type { ProgramDocument } from "@corridor/program";
 import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import { dismiss, tell, type ScreenStore } from "../stores/screen-store.ts";
+import type { ShortLinkResult } from "./short-link.ts";
 import type { WorksService } from "./works-service.ts";
 
 export interface UrlPorts {
   works: Pick<WorksService, "beginShared" | "list">;
   /** brings what reads links, which only an address with a link needs; may fail as files may */
   loadLinks: () => Promise<{ decodeLink: typeof decodeLink }>;
+  /** fetches what a short link leads to; may fail as files may */
+  readShortLink: (id: string) => Promise<ShortLinkResult>;
   /** the maze on the screen, for links that bring only a program */
   maze: () => MazeDocument;
   screen: ScreenStore;
@@ -48,6 +51,7 @@ export async function followAddress(ports: UrlPorts): Promise<void> {
     tell(screen, { tone: "info", text: words.t("share.robotAddress") });
     return;
   }
+  if (location.pathname.startsWith("/m/")) return followShortLink(ports);
   const { hash } = location;
   if (hash === "" || hash === "#") return;
   const { pathname, search } = location;
@@ -67,29 +71,64 @@ export async function followAddress(ports: UrlPorts): Promise<void> {
   }
   if (result.ok && result.value.challenge !== undefined) {
     const { challenge, program = null } = result.value;
-    const isOwner = hasOwnWork(ports);
-    // One that did not come stays in the address: a reload asks for it again.
-    if (!(await ports.openChallenge(challenge, program))) return;
-    if (location.hash === hash) replaceAddress(pathname + search);
-    const key = isOwner ? "share.openedChallengeBeside" : "share.openedChallenge";
-    tell(screen, { tone: "info", text: words.t(key) });
+    await openShownChallenge(ports, challenge, program, () => {
+      if (location.hash === hash) replaceAddress(pathname + search);
+    });
     return;
   }
   replaceAddress(pathname + search);
   if (result.ok) openShared(ports, result.value);
-  else {
-    const id = tell(screen, {
-      tone: "bad",
-      text: words.t(`share.linkProblems.${result.code}`),
-      action: {
-        label: words.t("share.emptyMaze"),
-        run: () => {
-          dismiss(screen, id);
-          ports.openEmptyMaze();
-        },
-      },
-    });
+  else tellBadLink(ports, words.t(`share.linkProblems.${result.code}`));
+}
+
+async function followShortLink(ports: UrlPorts): Promise<void> {
+  const { location, replaceAddress, words } = ports;
+  const { pathname, search } = location;
+  let result: ShortLinkResult;
+  try {
+    result = await ports.readShortLink(pathname.slice("/m/".length));
+  } catch {
+    return tellNotLoaded(ports);
   }
+  const clean = () => {
+    if (location.pathname === pathname) replaceAddress(`/${search}`);
+  };
+  if (result.ok && result.value.challenge !== undefined) {
+    return openShownChallenge(ports, result.value.challenge, null, clean);
+  }
+  clean();
+  if (result.ok) openShared(ports, result.value);
+  else tellBadLink(ports, words.t(result.sentence));
+}
+
+/** @param clean takes the link out of the address */
+async function openShownChallenge(
+  ports: UrlPorts,
+  challenge: ChallengeDocument,
+  program: ProgramDocument | null,
+  clean: () => void,
+): Promise<void> {
+  const isOwner = hasOwnWork(ports);
+  // One that did not come stays in the address: a reload asks for it again.
+  if (!(await ports.openChallenge(challenge, program))) return;
+  clean();
+  const key = isOwner ? "share.openedChallengeBeside" : "share.openedChallenge";
+  tell(ports.screen, { tone: "info", text: ports.words.t(key) });
+}
+
+function tellBadLink(ports: UrlPorts, text: string): void {
+  const { screen, words } = ports;
+  const id = tell(screen, {
+    tone: "bad",
+    text,
+    action: {
+      label: words.t("share.emptyMaze"),
+      run: () => {
+        dismiss(screen, id);
+        ports.openEmptyMaze();
+      },
+    },
+  });
 }
 
 function tellNotLoaded(ports: UrlPorts): void {

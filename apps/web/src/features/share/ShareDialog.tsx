@@ -13,6 +13,8 @@ import { LinkField } from "./LinkField.tsx";
 import { QrCard } from "./QrCard.tsx";
 import { RunChoice } from "./RunChoice.tsx";
 import styles from "./share.module.css";
+import { ShortLinkChoice } from "./ShortLinkChoice.tsx";
+import { useShortLink } from "./use-short-link.ts";
 import { useSavedRun } from "./use-saved-run.ts";
 
 export interface ShareDialogProps {
@@ -74,12 +76,19 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
   const isTooLong = withRun && (run === null ? saved !== null : !result.ok);
   const { origin, pathname, search } = location;
   const link = result.ok ? `${origin}${pathname}${sharedSearch(search)}#${result.text}` : null;
+  const isMore = withProgram || withRun;
+  const short = useShortLink(task ?? maze);
+  const { link: made } = short;
+  const shown = isMore || made === null ? link : made.address + sharedSearch(search);
   const tooBig = t("share.tooBig", { limit: MAX_LINK_LENGTH });
   const tooLong = t(run === null ? "timeline.share.tooMuch" : "timeline.share.tooLong");
   return (
     <div className={styles["columns"]}>
       <div className={styles["main"]}>
-        <LinkField link={isTooLong ? null : link} tooBig={withRun ? tooLong : tooBig} />
+        <div className={styles["link"]}>
+          <LinkField link={isTooLong ? null : shown} tooBig={withRun ? tooLong : tooBig} />
+          <ShortLinkChoice short={short} isMore={isMore} />
+        </div>
         <fieldset className={styles["choices"]}>
           <legend className={styles["label"]}>{t("share.carries")}</legend>
           <Checkbox
@@ -108,7 +117,7 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
           <RunChoice isChosen={withRun} onChange={setWithRun} saved={saved} />
         </fieldset>
       </div>
-      {link !== null && !isTooLong && <QrCard link={link} name={maze.name} />}
+      {shown !== null && !isTooLong && <QrCard link={shown} name={maze.name} />}
     </div>
   );
 }

@@ -1,0 +1,46 @@
+import { mazePresets } from "@corridor/maze";
+import { programPresets } from "@corridor/program";
+import { expect, it, vi } from "vitest";
+import { readShortLink } from "./short-link.ts";
+
+const id = "AAAAAAAAAAAA";
+const maze = mazePresets[0]?.maze;
+const program = programPresets[0]?.program;
+
+const answers = (status: number, body: unknown) => () =>
+  Promise.resolve({
+    ok: status === 200,
+    status,
+    text: () => Promise.resolve(typeof body === "string" ? body : JSON.stringify(body)),
+  });
+
+it.each([
+  { what: "a maze", document: maze, value: { maze } },
+  { what: "a program", document: program, value: { program } },
+])("brings $what", async ({ document, value }) => {
+  expect(await readShortLink(id, answers(200, document))).toEqual({ ok: true, value });
+});
+
+it("tells what was deleted or forgotten from what cannot be read", async () => {
+  const gone = { ok: false, sentence: "share.shortLink.gone" };
+  expect(await readShortLink(id, answers(404, {}))).toEqual(gone);
+  const unknown = { ok: false, sentence: "share.linkProblems.unknown-version" };
+  for (const body of ["<html>", "{}", { ...maze, version: 2 }, `${" ".repeat(70_000)}{}`]) {
+    expect(await readShortLink(id, answers(200, body))).toEqual(unknown);
+  }
+});
+
+it("asks the service for nothing that can be no short link", async () => {
+  const get = vi.fn<ReturnType<typeof answers>>(answers(200, maze));
+  for (const wrong of ["", "short", "../../healthz", "AAAAAAAAAAAA/x", "é".repeat(12)]) {
+    expect(await readShortLink(wrong, get)).toMatchObject({ sentence: "share.shortLink.gone" });
+  }
+  expect(get).not.toHaveBeenCalled();
+});
+
+it("throws where the service does not answer, so that it can be tried again", async () => {
+  await expect(readShortLink(id, answers(503, ""))).rejects.toThrow("503");
+  await expect(readShortLink(id, () => Promise.reject(new Error("offline")))).rejects.toThrow(
+    "offline",
+  );
+});

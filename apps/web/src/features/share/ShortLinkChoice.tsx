@@ -1,0 +1,42 @@
+/** One press makes the link short, another one deletes what the service keeps for it. */
+import { Link2, Trash2 } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { Button } from "../../ui/Button.tsx";
+import styles from "./share.module.css";
+import type { ShortLinkState } from "./use-short-link.ts";
+
+interface ShortLinkChoiceProps {
+  short: ShortLinkState;
+  /** a program or a run goes along, which a short link does not carry */
+  isMore: boolean;
+}
+
+export function ShortLinkChoice({ short, isMore }: ShortLinkChoiceProps) {
+  const { t } = useTranslation();
+  const { isOffered, link, isBusy, outcome } = short;
+  if (!isOffered) return null;
+  const isShown = link !== null && !isMore;
+  const rest = isMore ? t("share.shortLink.alone") : isShown ? t("share.shortLink.note") : "";
+  const said = outcome === null || isMore ? "" : t(`share.shortLink.${outcome}`);
+  // The button stays where it is: what comes in its place could be hit by a double click.
+  return (
+    <div className={styles["short"]}>
+      <Button
+        icon={<Link2 aria-hidden="true" />}
+        className={isShown ? styles["done"] : undefined}
+        disabled={isMore}
+        aria-disabled={isBusy || isShown}
+        onClick={short.make}
+      >
+        {t("share.shortLink.make")}
+      </Button>
+      {isShown && (
+        <Button icon={<Trash2 aria-hidden="true" />} aria-disabled={isBusy} onClick={short.remove}>
+          {t("share.shortLink.delete")}
+        </Button>
+      )}
+      {rest !== "" && <p className={styles["note"]}>{rest}</p>}
+      <output className={outcome === "made" ? "visually-hidden" : styles["note"]}>{said}</output>
+    </div>
+  );
+}

@@ -1,0 +1,77 @@
+/** The short link of what is shared: whether there can be one, its making and its end. */
+import type { ChallengeDocument } from "@corridor/challenge";
+import type { MazeDocument } from "@corridor/maze";
+import type { ShortLink } from "@corridor/protocol";
+import { useEffect, useState } from "react";
+import { storageOrNone } from "../../app/works.ts";
+import { ShortLinkService } from "./short-link-service.ts";
+
+export interface ShortLinkState {
+  /** there is a service that makes some */
+  isOffered: boolean;
+  /** of the very document that is shared now; null while there is none */
+  link: ShortLink | null;
+  isBusy: boolean;
+  /** what has come of the last press */
+  outcome: "made" | "failed" | "deleted" | "notDeleted" | null;
+  make: () => void;
+  remove: () => void;
+}
+
+type Shared = MazeDocument | ChallengeDocument;
+
+export function useShortLink(document: Shared): ShortLinkState {
+  const [service] = useState(
+    () =>
+      new ShortLinkService(
+        (url, init) => fetch(url, init),
+        storageOrNone(() => localStorage),
+      ),
+  );
+  const [isOffered, setOffered] = useState(false);
+  const [made, setMade] = useState<{ document: Shared; link: ShortLink } | null>(null);
+  const [isBusy, setBusy] = useState(false);
+  const [outcome, setOutcome] = useState<ShortLinkState["outcome"]>(null);
+  useEffect(() => {
+    let isOver = false;
+    void service.answers().then((does) => {
+      if (!isOver) setOffered(does);
+    });
+    return () => {
+      isOver = true;
+    };
+  }, [service]);
+  const link = made?.document === document ? made.link : null;
+
+  async function make(): Promise<void> {
+    setBusy(true);
+    setOutcome(null);
+    const answer = await service.make(document);
+    if (answer !== null) setMade({ document, link: answer });
+    setOutcome(answer === null ? "failed" : "made");
+    setBusy(false);
+  }
+
+  async function remove({ id }: ShortLink): Promise<void> {
+    setBusy(true);
+    setOutcome(null);
+    const isGone = await service.delete(id);
+    if (isGone) setMade(null);
+    setOutcome(isGone ? "deleted" : "notDeleted");
+    setBusy(false);
+  }
+
+  return {
+    isOffered,
+    link,
+    isBusy,
+    outcome,
+    // A second press, before or after the answer, changes nothing.
+    make: () => {
+      if (!isBusy && link === null) void make();
+    },
+    remove: () => {
+      if (!isBusy && link !== null) void remove(link);
+    },
+  };
+}
