@@ -3,6 +3,7 @@ import type { DatabaseSync, SQLInputValue } from "node:sqlite";
 import { isDiskFull } from "./disk-full.ts";
 import type { DocumentStore, NewDocument, RemoveResult } from "./document-store.ts";
 import { openDatabase } from "./sqlite-schema.ts";
+import { forgetDeleted, inTransaction } from "./sqlite-writing.ts";
 
 export class SqliteDocumentStore implements DocumentStore {
   readonly #db: DatabaseSync;
@@ -13,7 +14,7 @@ export class SqliteDocumentStore implements DocumentStore {
   }
 
   async add({ id, hash, text, keyHash, now }: NewDocument): Promise<string> {
-    return this.#transaction(() => {
+    return inTransaction(this.#db, () => {
       this.#run(
         `INSERT INTO documents (id, hash, text, last_used_at) VALUES (?, ?, ?, ?)
          ON CONFLICT (hash) DO UPDATE SET last_used_at = max(last_used_at, excluded.last_used_at)`,
@@ -34,7 +35,7 @@ export class SqliteDocumentStore implements DocumentStore {
   }
 
   async remove(id: string, keyHash: string): Promise<RemoveResult> {
-    const result = this.#transaction((): RemoveResult => {
+    const result = inTransaction(this.#db, (): RemoveResult => {
       if (this.#text("SELECT id AS found FROM documents WHERE id = ?", [id]) === null) {
         return "no-document";
       }
@@ -47,13 +48,13 @@ export class SqliteDocumentStore implements DocumentStore {
       );
       return "removed";
     });
-    if (result === "removed") this.#forgetDeleted();
+    if (result === "removed") forgetDeleted(this.#db);
     return result;
   }
 
   async removeUnused(before: number): Promise<number> {
     const count = this.#run("DELETE FROM documents WHERE last_used_at < ?", [before]);
-    if (count > 0) this.#forgetDeleted();
+    if (count > 0) forgetDeleted(this.#db);
     return count;
   }
 
@@ -81,23 +82,5 @@ export class SqliteDocumentStore implements DocumentStore {
 
   #run(sql: string, values: SQLInputValue[]): number {
     return Number(this.#db.prepare(sql).run(...values).changes);
-  }
-
-  #transaction<T>(work: () => T): T {
-    this.#db.exec("BEGIN IMMEDIATE");
-    try {
-      const result = work();
-      this.#db.exec("COMMIT");
-      return result;
-    } catch (error) {
-      // A full disk may have rolled back already; then there is nothing left to undo.
-      if (this.#db.isTransaction) this.#db.exec("ROLLBACK");
-      throw error;
-    }
-  }
-
-  /** Deleted rows were overwritten in the pages; this takes their copies out of the log as well. */
-  #forgetDeleted(): void {
-    this.#db.exec("PRAGMA wal_checkpoint(TRUNCATE)");
   }
 }

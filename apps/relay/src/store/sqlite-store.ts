@@ -17,6 +17,7 @@ import type {
   StoredSession,
 } from "./session-store.ts";
 import { IS_OPEN, OPEN_COMMANDS, openDatabase } from "./sqlite-schema.ts";
+import { forgetDeleted, inTransaction } from "./sqlite-writing.ts";
 
 const sessionRow = z.object({
   id: z.string(),
@@ -50,7 +51,7 @@ export class SqliteStore implements SessionStore {
   }
 
   async create({ id, createdAt, keys }: Omit<StoredSession, "epoch" | "lastUsedAt">) {
-    this.#transaction(() => {
+    inTransaction(this.#db, () => {
       this.#run("INSERT INTO sessions (id, created_at, last_used_at) VALUES (?, ?, ?)", [
         id,
         createdAt,
@@ -81,7 +82,7 @@ export class SqliteStore implements SessionStore {
 
   async remove(id: string): Promise<boolean> {
     const removed = this.#run("DELETE FROM sessions WHERE id = ?", [id]) > 0;
-    if (removed) this.#forgetDeleted();
+    if (removed) forgetDeleted(this.#db);
     return removed;
   }
 
@@ -90,13 +91,13 @@ export class SqliteStore implements SessionStore {
       "DELETE FROM sessions WHERE last_used_at < ? OR created_at < ? RETURNING id",
       [before.lastUsedAt, before.createdAt],
     );
-    if (rows.length > 0) this.#forgetDeleted();
+    if (rows.length > 0) forgetDeleted(this.#db);
     return rows.map((row) => z.object({ id: z.string() }).parse(row).id);
   }
 
   async add(id: string, command: NewCommand): Promise<AddResult> {
     const text = JSON.stringify(command.command);
-    return this.#transaction((): AddResult => {
+    return inTransaction(this.#db, (): AddResult => {
       const session = this.#session(id);
       if (session === null) return { outcome: "no-session" };
       const earlier = this.#records(
@@ -129,7 +130,7 @@ export class SqliteStore implements SessionStore {
   }
 
   async deliver(id: string, epoch: number, window: number): Promise<CommandRecord[]> {
-    return this.#transaction(() => {
+    return inTransaction(this.#db, () => {
       const free = Math.max(0, window - this.#count(id, "delivered"));
       return this.#records(
         `UPDATE ${OPEN_COMMANDS} SET state = 'delivered', epoch = ?1
@@ -165,7 +166,7 @@ export class SqliteStore implements SessionStore {
   }
 
   async takeOver(id: string, page: PageState) {
-    return this.#transaction(() => {
+    return inTransaction(this.#db, () => {
       const session = this.#session(id);
       if (session === null) return null;
       const epoch = session.epoch + 1;
@@ -205,7 +206,7 @@ export class SqliteStore implements SessionStore {
 
   async check(): Promise<"ok" | "full"> {
     try {
-      this.#transaction(() => takeRoom(this.#db));
+      inTransaction(this.#db, () => takeRoom(this.#db));
       return "ok";
     } catch (error) {
       if (isDiskFull(error)) return "full";
@@ -283,24 +284,6 @@ export class SqliteStore implements SessionStore {
       this.#statements.set(sql, statement);
     }
     return statement;
-  }
-
-  #transaction<T>(work: () => T): T {
-    this.#db.exec("BEGIN IMMEDIATE");
-    try {
-      const result = work();
-      this.#db.exec("COMMIT");
-      return result;
-    } catch (error) {
-      // A full disk may have rolled back already; then there is nothing left to undo.
-      if (this.#db.isTransaction) this.#db.exec("ROLLBACK");
-      throw error;
-    }
-  }
-
-  /** Deleted rows were overwritten in the pages; this takes their copies out of the log as well. */
-  #forgetDeleted(): void {
-    this.#db.exec("PRAGMA wal_checkpoint(TRUNCATE)");
   }
 }
 
