@@ -88,6 +88,14 @@ export function restarting(): Refusal {
   });
 }
 
+/** The answer where no session has the id. */
+export function noRobot(): Refusal {
+  return new Refusal(
+    "no-robot",
+    "There is no robot with this id. Robots are forgotten after 2 hours without use: open the page and copy the new address.",
+  );
+}
+
 /** Turns whatever was thrown into a refusal; what is not ours becomes "internal" without a detail. */
 export function asRefusal(error: unknown): Refusal {
   if (error instanceof Refusal) return error;

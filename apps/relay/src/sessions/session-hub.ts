@@ -6,11 +6,11 @@ import type { Registration } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../clock.ts";
 import { hashKey, mintId, mintKey } from "../keys.ts";
-import { notAuthorised, Refusal, retryAfter, restarting } from "../problems.ts";
+import { noRobot, notAuthorised, Refusal, retryAfter, restarting } from "../problems.ts";
 import type { KeyKind, SessionStore, StoredKey } from "../store/session-store.ts";
 import type { ReaderDoor } from "./audience.ts";
 import { limits } from "./limits.ts";
-import { noRobot, Session } from "./session.ts";
+import { Session } from "./session.ts";
 import { TokenBucket } from "./token-bucket.ts";
 import { noWitness, type Witness } from "./witness.ts";
 

@@ -1,0 +1,255 @@
+/**
+ * The life of one robot's commands, between the scripts that send them and the page that does them.
+ *
+ * Whatever changes commands goes through one queue, so the order in the store is the order on the
+ * line. A command is marked delivered before it is sent; from then on only the robot ends it, or the
+ * relay once the page is away for good.
+ */
+import {
+  closeReasons,
+  hasEnded,
+  PROTOCOL_VERSION,
+  type Command,
+  type CommandRecord,
+  type Ending,
+  type PageToRelay,
+  type Resume,
+} from "@corridor/protocol";
+import type { Clock } from "../clock.ts";
+import { noRobot, Refusal, restarting, retryAfter } from "../problems.ts";
+import type { SessionStore, StoredKey } from "../store/session-store.ts";
+import type { Audience, Patience } from "./audience.ts";
+import { DriverAllowance } from "./driver-allowance.ts";
+import { limits } from "./limits.ts";
+import { OrderedWork } from "./ordered-work.ts";
+import type { PageLink } from "./page-link.ts";
+import type { PageSeat } from "./page-seat.ts";
+import type { Witness } from "./witness.ts";
+
+export interface CommandLifeParts {
+  robot: string;
+  store: SessionStore;
+  clock: Clock;
+  witness: Witness;
+  audience: Audience;
+  seat: PageSeat;
+}
+
+export class CommandLife {
+  readonly #robot: string;
+  readonly #store: SessionStore;
+  readonly #clock: Clock;
+  readonly #witness: Witness;
+  readonly #audience: Audience;
+  readonly #seat: PageSeat;
+  readonly #allowance: DriverAllowance;
+  readonly #work = new OrderedWork();
+  /** seq of the newest command while that is a stop */
+  #newestStop: number | null = null;
+  #end: "over" | "restart" | null = null;
+
+  constructor({ robot, store, clock, witness, audience, seat }: CommandLifeParts) {
+    this.#robot = robot;
+    this.#store = store;
+    this.#clock = clock;
+    this.#witness = witness;
+    this.#audience = audience;
+    this.#seat = seat;
+    this.#allowance = new DriverAllowance(clock);
+  }
+
+  // --- the page ---
+
+  /**
+   * A page takes the robot; the page before it is sent away.
+   * @param seated is called once it has, before anything is delivered to it
+   */
+  async takePage(link: PageLink, resume: Resume, seated: () => void): Promise<void> {
+    await this.#work.run(async () => {
+      const taken = await this.#store.takeOver(this.#robot, resume);
+      if (taken === null || this.#end !== null)
+        return link.close(closeReasons[this.#end ?? "over"]);
+      this.#seat.page?.link.close(closeReasons.replaced);
+      this.#seat.take({ link, epoch: taken.epoch });
+      link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch });
+      for (const { seq } of resume.endings) link.send({ type: "stored", seq });
+      seated();
+      this.#tellStates(taken.changed);
+      await this.#deliver();
+    });
+  }
+
+  /** The page says what became of a command. */
+  async hearPage(
+    link: PageLink,
+    message: Exclude<PageToRelay, { type: "snapshot" }>,
+  ): Promise<void> {
+    await this.#work.run(async () => {
+      if (!this.#seat.isHeldBy(link)) return;
+      if (message.type === "started") return this.#started(message.seq);
+      const { type: _type, epoch: _epoch, ...ending } = message;
+      await this.#ended(link, ending);
+    });
+  }
+
+  /** Ends what a page has left behind, unless one is there again. */
+  async pageIsGone(): Promise<void> {
+    await this.#work.run(async () => {
+      if (this.#seat.page !== null) return;
+      this.#seat.settleAway();
+      this.#tellStates(await this.#store.cancelOpen(this.#robot, "the robot's page is gone"));
+    });
+  }
+
+  async #started(seq: number): Promise<void> {
+    const record = await this.#store.start(this.#robot, seq);
+    if (record !== null) {
+      this.#witness.started(this.#secondsSince(Date.parse(record.acceptedAt)));
+      this.#tellStates([record]);
+    }
+    await this.#deliver();
+  }
+
+  async #ended(link: PageLink, ending: Ending): Promise<void> {
+    const record = await this.#store.end(this.#robot, ending);
+    // Also when it had ended before: the page need not tell it again.
+    link.send({ type: "stored", seq: ending.seq });
+    if (record !== null) this.#tellStates([record]);
+    await this.#deliver();
+  }
+
+  async #deliver(): Promise<void> {
+    const { page } = this.#seat;
+    if (page === null) return;
+    const { link, epoch } = page;
+    let records: CommandRecord[];
+    try {
+      records = await this.#store.deliver(this.#robot, epoch, limits.deliveredWindow);
+    } catch {
+      // What is stored stays stored; the page comes back in a moment and gets it then.
+      return link.close(closeReasons.busy);
+    }
+    for (const { seq, key, command, acceptedAt } of records) {
+      const type = command.action === "stop" ? "stop" : "command";
+      link.send({ type, seq, key, command, acceptedAt });
+    }
+    this.#tellStates(records);
+  }
+
+  // --- scripts ---
+
+  /**
+   * Stores a command and sends it on when its turn comes. A stop overtakes everything. One that
+   * comes too fast, without a key, is not lost while the stop before it is open: that one answers.
+   * @param acknowledge gets the record once it is stored, before anything else is said about it;
+   *   `duplicate` when the key and the command were stored before
+   * @throws Refusal when it comes too fast, too many wait, or the key had another command
+   */
+  async submit(
+    grant: StoredKey,
+    request: { key: string | null; command: Command },
+    acknowledge: (record: CommandRecord) => void,
+  ): Promise<void> {
+    const cameAt = this.#clock.now();
+    const isStop = request.command.action === "stop";
+    const tooFast = this.#allowance.take(grant.hash, isStop);
+    if (tooFast !== null && !isStop) throw tooFast;
+    await this.#work.run(async () => {
+      if (this.#end !== null) throw this.#end === "restart" ? restarting() : noRobot();
+      if (tooFast !== null) {
+        const stop = await this.#openStop();
+        // Whoever sends another key counts on a record of its own, and will try again for it.
+        const mayShare = request.key === null || request.key === stop?.key;
+        if (stop === null || !mayShare) throw tooFast;
+        return acknowledge({ ...stop, duplicate: true });
+      }
+      const result = await this.#store.add(this.#robot, {
+        ...request,
+        driver: grant.hash,
+        acceptedAt: this.#clock.now(),
+        maxWaiting: limits.waitingCommands,
+        keep: limits.keptCommands,
+      });
+      switch (result.outcome) {
+        case "no-session":
+          throw noRobot();
+        case "full":
+          throw new Refusal(
+            "queue-full",
+            `${limits.waitingCommands} commands wait at this robot. Wait until one has ended, then send this one again.`,
+            { headers: retryAfter(1000) },
+          );
+        case "conflict":
+          throw new Refusal(
+            "key-conflict",
+            `This key belongs to command ${result.record.seq} (${result.record.action}). Use a new key for each command.`,
+          );
+        case "duplicate":
+          return acknowledge({ ...result.record, duplicate: true });
+        case "stored":
+          this.#newestStop = isStop ? result.record.seq : null;
+          this.#witness.stored(this.#secondsSince(cameAt));
+          acknowledge(result.record);
+          this.#tellStates(result.ended);
+          return this.#deliver();
+      }
+    });
+  }
+
+  /** The stop that has not ended and after which nothing came: another would change nothing. */
+  async #openStop(): Promise<CommandRecord | null> {
+    if (this.#newestStop === null) return null;
+    const record = await this.#store.command(this.#robot, this.#newestStop);
+    return record === null || hasEnded(record.state) ? null : record;
+  }
+
+  // --- the log ---
+
+  /** @throws Refusal when there is no command with this number */
+  async command(seq: number): Promise<CommandRecord> {
+    const record = await this.#store.command(this.#robot, seq);
+    if (record !== null) return record;
+    throw new Refusal(
+      "no-command",
+      `This robot has no command ${seq}. GET .../commands lists those that it has.`,
+    );
+  }
+
+  async commandsAfter(seq: number): Promise<CommandRecord[]> {
+    return this.#store.commandsAfter(this.#robot, seq, limits.logPage);
+  }
+
+  /** Waits for the command to end. @returns its record then, whether it has ended or not */
+  async endOf(seq: number, patience: Patience): Promise<CommandRecord> {
+    // Begun between two changes, so that no ending falls between asking and listening.
+    const { record, end } = await this.#work.run(async () => {
+      const now = await this.command(seq);
+      return { record: now, end: hasEnded(now.state) ? null : this.#nextEnd(seq, patience) };
+    });
+    if (end === null) return record;
+    await end;
+    return this.command(seq);
+  }
+
+  /** Takes and delivers nothing any more. */
+  close(reason: "over" | "restart"): void {
+    this.#end = reason;
+  }
+
+  #nextEnd(seq: number, patience: Patience): Promise<void> {
+    return this.#audience.until(patience, (done) => ({
+      state: (changed) => {
+        if (changed.seq === seq && hasEnded(changed.state)) done();
+      },
+    }));
+  }
+
+  #tellStates(records: readonly CommandRecord[]): void {
+    for (const { state } of records) if (hasEnded(state)) this.#witness.ended(state);
+    this.#audience.tellStates(records);
+  }
+
+  #secondsSince(time: number): number {
+    return Math.max(0, this.#clock.now() - time) / 1000;
+  }
+}
