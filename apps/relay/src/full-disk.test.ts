@@ -1,35 +1,28 @@
-import { DatabaseSync } from "node:sqlite";
-import { problemSchema } from "@corridor/protocol";
-import { expect, it, onTestFinished, vi } from "vitest";
-import { startTestRelay } from "./testing/test-relay.ts";
+import { problemSchema, type Registration } from "@corridor/protocol";
+import { expect, it, vi } from "vitest";
+import { completed } from "./testing/messages.ts";
+import { realSmallDisk, withPageLimit } from "./testing/small-disk.ts";
+import { startTestRelay, type TestRelay } from "./testing/test-relay.ts";
 import { TestSocket } from "./testing/test-socket.ts";
 
 /** More than the free room of one database page takes, no more than may be sent at once. */
 const MOST_POSTS = 40;
+/** within which a relay has to see that there is room again */
+const RECOVERY = { timeout: 10_000, interval: 200 };
 
-/** A relay whose database can be kept from growing, by the limit that SQLite itself has for that. */
-async function withSmallDisk() {
-  const exec = vi.spyOn(DatabaseSync.prototype, "exec");
-  onTestFinished(() => exec.mockRestore());
-  const relay = await startTestRelay();
-  const db = exec.mock.contexts[0];
-  if (!(db instanceof DatabaseSync)) throw new Error("the relay opened no database");
-  return {
-    relay,
-    fill: () => db.exec("PRAGMA max_page_count = 1"),
-    makeRoom: () => db.exec("PRAGMA max_page_count = 100000"),
-  };
-}
-
-it("a full disk is answered with 507, loses nothing that was acknowledged, and passes", async () => {
-  const { relay, fill, makeRoom } = await withSmallDisk();
-  const robot = await relay.register();
-  const post = (n: number) =>
+function posts(relay: TestRelay, robot: Registration) {
+  return (n: number) =>
     relay.ask(robot, "/commands", {
       method: "POST",
       body: { action: "left 90" },
       headers: { "Idempotency-Key": `${"k".repeat(50)}-${n}` },
     });
+}
+
+it("a full disk is answered with 507, loses nothing that was acknowledged, and passes", async () => {
+  const { opened: relay, fill, makeRoom } = await withPageLimit(() => startTestRelay());
+  const robot = await relay.register();
+  const post = posts(relay, robot);
   fill();
   let stored = 0;
   let answer = await post(stored + 1);
@@ -50,9 +43,41 @@ it("a full disk is answered with 507, loses nothing that was acknowledged, and p
   });
 
   makeRoom();
-  const retry = await post(stored + 1);
-  expect(retry.status).toBe(202);
+  const retry = await vi.waitFor(async () => {
+    const again = await post(stored + 1);
+    expect(again.status).toBe(202);
+    return again;
+  }, RECOVERY);
   expect(await retry.json()).toMatchObject({ seq: stored + 1, duplicate: false });
   const { socket: page } = await TestSocket.page(relay, robot);
   expect(await page.next("command")).toMatchObject({ seq: 1 });
+});
+
+it("on a real disk that is full the robot ends what it runs, and people can delete", async ({
+  skip,
+}) => {
+  const disk = realSmallDisk(10);
+  if (disk === null) return skip("only root may have a disk of its own here");
+  const relay = await startTestRelay({ dataDir: disk.folder });
+  const robot = await relay.register();
+  const other = await relay.register();
+  const post = posts(relay, robot);
+  await post(1);
+  const { socket: page, epoch } = await TestSocket.page(relay, robot);
+  await page.next("command");
+
+  disk.fill();
+  await vi.waitFor(async () => expect((await post(2)).status).toBe(507), RECOVERY);
+  page.send({ type: "started", epoch, seq: 1 });
+  page.send({ type: "ended", epoch, ...completed(1) });
+  expect(await page.next("stored")).toMatchObject({ seq: 1 });
+  const stop = await relay.ask(robot, "/commands", { method: "DELETE" });
+  expect(stop.status).toBe(202);
+  const gone = await relay.ask(other, "", { method: "DELETE", key: other.ownerKey });
+  expect(gone.status).toBe(204);
+
+  disk.makeRoom();
+  await vi.waitFor(async () => expect((await post(3)).status).toBe(202), RECOVERY);
+  const log = await relay.ask(robot, "/commands/1");
+  expect(await log.json()).toMatchObject({ seq: 1, state: "completed" });
 });

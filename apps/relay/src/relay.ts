@@ -17,6 +17,7 @@ import { builtPage } from "./routes/built-page.ts";
 import { developmentPage, HOT_RELOAD_PREFIX } from "./routes/development-page.ts";
 import { SessionHub } from "./sessions/session-hub.ts";
 import { SqliteDocumentStore } from "./store/sqlite-document-store.ts";
+import { SqliteFile } from "./store/sqlite-file.ts";
 import { SqliteStore } from "./store/sqlite-store.ts";
 import { timedStore } from "./store/timed-store.ts";
 
@@ -51,7 +52,7 @@ export interface Relay {
  */
 export async function startRelay(options: RelayOptions): Promise<Relay> {
   const { config, clock, log, webRoot, isDevelopment } = options;
-  const file = join(config.dataDir, "corridor.sqlite");
+  const file = new SqliteFile(join(config.dataDir, "corridor.sqlite"));
   const metrics = new Metrics();
   const store = timedStore(new SqliteStore(file), (seconds) => metrics.committed(seconds));
   const documents = new DocumentShelf(new SqliteDocumentStore(file), clock, log);

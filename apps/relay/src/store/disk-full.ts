@@ -1,9 +1,15 @@
-/** A disk without room, as SQLite tells it, and how to find out whether it has some again. */
+/** A store without room, as databases tell it, and how to find out whether SQLite has some again. */
 import type { DatabaseSync } from "node:sqlite";
 
 const SQLITE_FULL = 13;
 
+/** Nothing new is stored until somebody makes room. */
+export class StoreFull extends Error {
+  override readonly name = "StoreFull";
+}
+
 export function isDiskFull(error: unknown): boolean {
+  if (error instanceof StoreFull) return true;
   return error instanceof Error && "errcode" in error && error.errcode === SQLITE_FULL;
 }
 
@@ -13,7 +19,13 @@ export function isDiskFull(error: unknown): boolean {
  * @throws the error of SQLite when there is no room
  */
 export function takeRoom(db: DatabaseSync): void {
-  db.exec(
-    "CREATE TABLE room (bytes BLOB); INSERT INTO room VALUES (zeroblob(16384)); DROP TABLE room",
-  );
+  db.exec("BEGIN IMMEDIATE");
+  try {
+    db.exec(
+      "CREATE TABLE room (bytes BLOB); INSERT INTO room VALUES (zeroblob(16384)); DROP TABLE room; COMMIT",
+    );
+  } finally {
+    // A full disk may have rolled back already; then there is nothing left to undo.
+    if (db.isTransaction) db.exec("ROLLBACK");
+  }
 }

@@ -1,86 +1,84 @@
-/** Documents behind short links in the relay's SQLite file, by a connection of their own. */
-import type { DatabaseSync, SQLInputValue } from "node:sqlite";
+/** Documents behind short links in the relay's SQLite file. */
 import { isDiskFull } from "./disk-full.ts";
 import type { DocumentStore, NewDocument, RemoveResult } from "./document-store.ts";
-import { openDatabase } from "./sqlite-schema.ts";
-import { forgetDeleted, inTransaction } from "./sqlite-writing.ts";
+import { SqliteFile } from "./sqlite-file.ts";
+import type { Statements } from "./statements.ts";
 
 export class SqliteDocumentStore implements DocumentStore {
-  readonly #db: DatabaseSync;
+  readonly #file: SqliteFile;
 
-  /** @param file path of the database, made with its folder when it is missing */
-  constructor(file: string) {
-    this.#db = openDatabase(file);
+  /** @param file or its path; closing the store closes it */
+  constructor(file: SqliteFile | string) {
+    this.#file = typeof file === "string" ? new SqliteFile(file) : file;
   }
 
   async add({ id, hash, text, keyHash, now }: NewDocument): Promise<string> {
-    return inTransaction(this.#db, () => {
-      this.#run(
+    const { writing } = this.#file;
+    return this.#file.growingStep(() => {
+      writing.run(
         `INSERT INTO documents (id, hash, text, last_used_at) VALUES (?, ?, ?, ?)
          ON CONFLICT (hash) DO UPDATE SET last_used_at = max(last_used_at, excluded.last_used_at)`,
         [id, hash, text, now],
       );
-      const stored = this.#text("SELECT id AS found FROM documents WHERE hash = ?", [hash]);
+      const stored = found(writing, "SELECT id AS found FROM documents WHERE hash = ?", hash);
       if (stored === null) throw new Error("SQLite did not keep the document");
-      this.#run("INSERT INTO document_keys (document, hash) VALUES (?, ?)", [stored, keyHash]);
+      writing.run("INSERT INTO document_keys (document, hash) VALUES (?, ?)", [stored, keyHash]);
       return stored;
     });
   }
 
   async read(id: string, now: number, noteMs: number): Promise<string | null> {
-    const text = this.#text("SELECT text AS found FROM documents WHERE id = ?", [id]);
+    const sql = "SELECT text AS found FROM documents WHERE id = ?";
+    const text = found(this.#file.reading, sql, id);
     if (text === null) return null;
-    this.#noteUse(id, now, noteMs);
+    await this.#noteUse(id, now, noteMs);
     return text;
   }
 
   async remove(id: string, keyHash: string): Promise<RemoveResult> {
-    const result = inTransaction(this.#db, (): RemoveResult => {
-      if (this.#text("SELECT id AS found FROM documents WHERE id = ?", [id]) === null) {
+    const { writing } = this.#file;
+    const work = (): RemoveResult => {
+      if (found(writing, "SELECT id AS found FROM documents WHERE id = ?", id) === null) {
         return "no-document";
       }
       const key = "DELETE FROM document_keys WHERE document = ? AND hash = ?";
-      if (this.#run(key, [id, keyHash]) === 0) return "wrong-key";
-      this.#run(
+      if (writing.run(key, [id, keyHash]) === 0) return "wrong-key";
+      writing.run(
         `DELETE FROM documents WHERE id = ?1
          AND NOT EXISTS (SELECT 1 FROM document_keys WHERE document = ?1)`,
         [id],
       );
       return "removed";
-    });
-    if (result === "removed") forgetDeleted(this.#db);
-    return result;
+    };
+    return this.#file.forget(work, (result) => result === "removed");
   }
 
   async removeUnused(before: number): Promise<number> {
-    const count = this.#run("DELETE FROM documents WHERE last_used_at < ?", [before]);
-    if (count > 0) forgetDeleted(this.#db);
-    return count;
+    const sql = "DELETE FROM documents WHERE last_used_at < ?";
+    return this.#file.forget(
+      () => this.#file.writing.run(sql, [before]),
+      (count) => count > 0,
+    );
   }
 
   async close(): Promise<void> {
-    this.#db.close();
+    this.#file.close();
   }
 
-  #noteUse(id: string, now: number, noteMs: number): void {
+  async #noteUse(id: string, now: number, noteMs: number): Promise<void> {
+    const isDue = "SELECT id AS found FROM documents WHERE id = ? AND last_used_at < ? - ?";
+    if (this.#file.reading.all(isDue, [id, now, noteMs]).length === 0) return;
+    const sql = "UPDATE documents SET last_used_at = ?1 WHERE id = ?2 AND last_used_at < ?1 - ?3";
     try {
-      this.#run("UPDATE documents SET last_used_at = ?1 WHERE id = ?2 AND last_used_at < ?1 - ?3", [
-        now,
-        id,
-        noteMs,
-      ]);
+      await this.#file.growingStep(() => this.#file.writing.run(sql, [now, id, noteMs]));
     } catch (error) {
       // A full disk must not keep anybody from reading; the next reader's use is noted instead.
       if (!isDiskFull(error)) throw error;
     }
   }
+}
 
-  #text(sql: string, values: SQLInputValue[]): string | null {
-    const found = this.#db.prepare(sql).get(...values)?.["found"];
-    return typeof found === "string" ? found : null;
-  }
-
-  #run(sql: string, values: SQLInputValue[]): number {
-    return Number(this.#db.prepare(sql).run(...values).changes);
-  }
+function found(statements: Statements, sql: string, value: string): string | null {
+  const [row] = statements.all(sql, [value]);
+  return typeof row?.["found"] === "string" ? row["found"] : null;
 }

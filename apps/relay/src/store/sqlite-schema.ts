@@ -70,6 +70,11 @@ export function openDatabase(file: string): DatabaseSync {
   return db;
 }
 
+/** Opens another connection to a prepared database: it sees what is committed, and changes nothing. */
+export function openForReading(file: string): DatabaseSync {
+  return new DatabaseSync(file, { readOnly: true });
+}
+
 /**
  * Brings an open database to the schema of this version.
  * @throws Error when the file was written by a newer version

@@ -1,14 +1,13 @@
 /**
  * The default store: one SQLite file, by the SQLite that is built into Node.
  *
- * The calls are synchronous inside, so each transaction is over before anything else runs. They are
- * short on purpose: rows of one robot by index. Only the sweep for sessions that ran out, once a
- * minute, reads through the sessions (not their commands).
+ * The calls are synchronous inside, so each step is over before anything else runs; it is answered
+ * once the group that it is in is on disk. They are short on purpose: rows of one robot by index. Only
+ * the sweep for sessions that ran out, once a minute, reads through the sessions (not their commands).
  */
-import type { DatabaseSync, SQLInputValue, StatementSync } from "node:sqlite";
+import type { SQLInputValue } from "node:sqlite";
 import { commandRecordSchema, type CommandRecord, type Ending } from "@corridor/protocol";
 import { z } from "zod";
-import { isDiskFull, takeRoom } from "./disk-full.ts";
 import type {
   AddResult,
   NewCommand,
@@ -16,8 +15,9 @@ import type {
   SessionStore,
   StoredSession,
 } from "./session-store.ts";
-import { IS_OPEN, OPEN_COMMANDS, openDatabase } from "./sqlite-schema.ts";
-import { forgetDeleted, inTransaction } from "./sqlite-writing.ts";
+import { SqliteFile } from "./sqlite-file.ts";
+import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
+import type { Statements } from "./statements.ts";
 
 const sessionRow = z.object({
   id: z.string(),
@@ -38,20 +38,21 @@ const commandRow = z.object({
   distance: z.number().nullable(),
 });
 
+const actionOf = z.object({ action: z.string() });
+
 const COLUMNS = "seq, key, command, state, reason, accepted_at, pose, distance";
 const STOP = '{"action":"stop"}';
 
 export class SqliteStore implements SessionStore {
-  readonly #db: DatabaseSync;
-  readonly #statements = new Map<string, StatementSync>();
+  readonly #file: SqliteFile;
 
-  /** @param file path of the database, made with its folder when it is missing */
-  constructor(file: string) {
-    this.#db = openDatabase(file);
+  /** @param file or its path; closing the store closes it */
+  constructor(file: SqliteFile | string) {
+    this.#file = typeof file === "string" ? new SqliteFile(file) : file;
   }
 
   async create({ id, createdAt, keys }: Omit<StoredSession, "epoch" | "lastUsedAt">) {
-    inTransaction(this.#db, () => {
+    await this.#file.growingStep(() => {
       this.#run("INSERT INTO sessions (id, created_at, last_used_at) VALUES (?, ?, ?)", [
         id,
         createdAt,
@@ -64,9 +65,10 @@ export class SqliteStore implements SessionStore {
   }
 
   async find(id: string): Promise<StoredSession | null> {
-    const row = this.#session(id);
+    const { reading } = this.#file;
+    const row = sessionIn(reading, id);
     if (row === null) return null;
-    const keys = this.#all("SELECT hash, kind FROM keys WHERE robot = ?", [id]);
+    const keys = reading.all("SELECT hash, kind FROM keys WHERE robot = ?", [id]);
     return {
       id,
       epoch: row.epoch,
@@ -77,28 +79,30 @@ export class SqliteStore implements SessionStore {
   }
 
   async touch(id: string, now: number): Promise<void> {
-    this.#run("UPDATE sessions SET last_used_at = max(last_used_at, ?) WHERE id = ?", [now, id]);
+    const sql = "UPDATE sessions SET last_used_at = max(last_used_at, ?) WHERE id = ?";
+    await this.#file.step(() => this.#run(sql, [now, id]));
   }
 
   async remove(id: string): Promise<boolean> {
-    const removed = this.#run("DELETE FROM sessions WHERE id = ?", [id]) > 0;
-    if (removed) forgetDeleted(this.#db);
-    return removed;
+    return this.#file.forget(
+      () => this.#run("DELETE FROM sessions WHERE id = ?", [id]) > 0,
+      (removed) => removed,
+    );
   }
 
   async removeExpired(before: { lastUsedAt: number; createdAt: number }): Promise<string[]> {
-    const rows = this.#all(
-      "DELETE FROM sessions WHERE last_used_at < ? OR created_at < ? RETURNING id",
-      [before.lastUsedAt, before.createdAt],
+    const sql = "DELETE FROM sessions WHERE last_used_at < ? OR created_at < ? RETURNING id";
+    const rows = await this.#file.forget(
+      () => this.#all(sql, [before.lastUsedAt, before.createdAt]),
+      ({ length }) => length > 0,
     );
-    if (rows.length > 0) forgetDeleted(this.#db);
-    return rows.map((row) => z.object({ id: z.string() }).parse(row).id);
+    return rows.map((row) => String(row["id"]));
   }
 
   async add(id: string, command: NewCommand): Promise<AddResult> {
     const text = JSON.stringify(command.command);
-    return inTransaction(this.#db, (): AddResult => {
-      const session = this.#session(id);
+    const work = (): AddResult => {
+      const session = sessionIn(this.#file.writing, id);
       if (session === null) return { outcome: "no-session" };
       const earlier = this.#records(
         `SELECT ${COLUMNS} FROM commands WHERE robot = ? AND driver = ? AND key = ?`,
@@ -126,11 +130,13 @@ export class SqliteStore implements SessionStore {
         [id, seq - command.keep],
       );
       return { outcome: "stored", record, ended };
-    });
+    };
+    // A robot can be stopped on a full disk, too.
+    return text === STOP ? this.#file.step(work) : this.#file.growingStep(work);
   }
 
   async deliver(id: string, epoch: number, window: number): Promise<CommandRecord[]> {
-    return inTransaction(this.#db, () => {
+    return this.#file.step(() => {
       const free = Math.max(0, window - this.#count(id, "delivered"));
       return this.#records(
         `UPDATE ${OPEN_COMMANDS} SET state = 'delivered', epoch = ?1
@@ -144,30 +150,34 @@ export class SqliteStore implements SessionStore {
   }
 
   async start(id: string, seq: number): Promise<CommandRecord | null> {
-    const [record] = this.#records(
-      `UPDATE commands SET state = 'started'
-       WHERE robot = ? AND seq = ? AND state = 'delivered' RETURNING ${COLUMNS}`,
-      [id, seq],
-    );
-    return record ?? null;
+    return this.#file.step(() => {
+      const [record] = this.#records(
+        `UPDATE commands SET state = 'started'
+         WHERE robot = ? AND seq = ? AND state = 'delivered' RETURNING ${COLUMNS}`,
+        [id, seq],
+      );
+      return record ?? null;
+    });
   }
 
   async end(id: string, ending: Ending): Promise<CommandRecord | null> {
-    return this.#end(id, ending);
+    return this.#file.step(() => this.#end(id, ending));
   }
 
   async cancelOpen(id: string, reason: string): Promise<CommandRecord[]> {
-    return this.#records(
-      `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = ?
-       WHERE robot = ? AND state IN ('delivered', 'started') AND ${IS_OPEN}
-       RETURNING ${COLUMNS}`,
-      [reason, id],
+    return this.#file.step(() =>
+      this.#records(
+        `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = ?
+         WHERE robot = ? AND state IN ('delivered', 'started') AND ${IS_OPEN}
+         RETURNING ${COLUMNS}`,
+        [reason, id],
+      ),
     );
   }
 
   async takeOver(id: string, page: PageState) {
-    return inTransaction(this.#db, () => {
-      const session = this.#session(id);
+    return this.#file.step(() => {
+      const session = sessionIn(this.#file.writing, id);
       if (session === null) return null;
       const epoch = session.epoch + 1;
       // A page that knows of later commands than this file saw a store that lost its newest rows.
@@ -190,33 +200,21 @@ export class SqliteStore implements SessionStore {
   }
 
   async command(id: string, seq: number): Promise<CommandRecord | null> {
-    const [record] = this.#records(`SELECT ${COLUMNS} FROM commands WHERE robot = ? AND seq = ?`, [
-      id,
-      seq,
-    ]);
-    return record ?? null;
+    const sql = `SELECT ${COLUMNS} FROM commands WHERE robot = ? AND seq = ?`;
+    return recordsIn(this.#file.reading, sql, [id, seq])[0] ?? null;
   }
 
   async commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
-    return this.#records(
-      `SELECT ${COLUMNS} FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?`,
-      [id, seq, limit],
-    );
+    const sql = `SELECT ${COLUMNS} FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?`;
+    return recordsIn(this.#file.reading, sql, [id, seq, limit]);
   }
 
   async check(): Promise<"ok" | "full"> {
-    try {
-      inTransaction(this.#db, () => takeRoom(this.#db));
-      return "ok";
-    } catch (error) {
-      if (isDiskFull(error)) return "full";
-      throw error;
-    }
+    return this.#file.check();
   }
 
   async close(): Promise<void> {
-    this.#statements.clear();
-    this.#db.close();
+    this.#file.close();
   }
 
   /** What ran in a page that is gone, and what a later stop had overtaken, can only end here. */
@@ -257,40 +255,36 @@ export class SqliteStore implements SessionStore {
     return Number(this.#all(sql, [id])[0]?.["n"] ?? 0);
   }
 
-  #session(id: string): z.infer<typeof sessionRow> | null {
-    const [row] = this.#all("SELECT * FROM sessions WHERE id = ?", [id]);
-    return row === undefined ? null : sessionRow.parse(row);
-  }
-
   #records(sql: string, values: SQLInputValue[]): CommandRecord[] {
-    // RETURNING gives rows in no promised order.
-    return this.#all(sql, values)
-      .map(readRecord)
-      .toSorted((a, b) => a.seq - b.seq);
+    return recordsIn(this.#file.writing, sql, values);
   }
 
   #all(sql: string, values: SQLInputValue[]) {
-    return this.#statement(sql).all(...values);
+    return this.#file.writing.all(sql, values);
   }
 
   #run(sql: string, values: SQLInputValue[]): number {
-    return Number(this.#statement(sql).run(...values).changes);
+    return this.#file.writing.run(sql, values);
   }
+}
 
-  #statement(sql: string): StatementSync {
-    let statement = this.#statements.get(sql);
-    if (statement === undefined) {
-      statement = this.#db.prepare(sql);
-      this.#statements.set(sql, statement);
-    }
-    return statement;
-  }
+function sessionIn(statements: Statements, id: string): z.infer<typeof sessionRow> | null {
+  const [row] = statements.all("SELECT * FROM sessions WHERE id = ?", [id]);
+  return row === undefined ? null : sessionRow.parse(row);
+}
+
+function recordsIn(statements: Statements, sql: string, values: SQLInputValue[]): CommandRecord[] {
+  // RETURNING gives rows in no promised order.
+  return statements
+    .all(sql, values)
+    .map(readRecord)
+    .toSorted((a, b) => a.seq - b.seq);
 }
 
 function readRecord(row: unknown): CommandRecord {
   const { command, pose, accepted_at, ...rest } = commandRow.parse(row);
   const parsed: unknown = JSON.parse(command);
-  const action = z.object({ action: z.string() }).parse(parsed).action;
+  const { action } = actionOf.parse(parsed);
   return commandRecordSchema.parse({
     ...rest,
     action,

@@ -38,7 +38,10 @@ export class FakeClock implements Clock {
   }
 }
 
-/** All promises that could go on have gone on. */
-export function settled(): Promise<void> {
-  return new Promise((resolve) => setImmediate(resolve));
+/** More than a chain of steps has that one timer starts. */
+const TURNS = 4;
+
+/** All promises that could go on have gone on; a step of the store takes a turn of the event loop. */
+export async function settled(): Promise<void> {
+  for (let turn = 0; turn < TURNS; turn++) await new Promise((resolve) => setImmediate(resolve));
 }

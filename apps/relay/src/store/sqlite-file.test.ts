@@ -1,0 +1,85 @@
+import { join } from "node:path";
+import type { Command } from "@corridor/protocol";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { completed } from "../testing/messages.ts";
+import { withPageLimit } from "../testing/small-disk.ts";
+import { testFolder } from "../testing/test-relay.ts";
+import type { Ballast } from "./ballast.ts";
+import { isDiskFull } from "./disk-full.ts";
+import { SqliteFile } from "./sqlite-file.ts";
+import { SqliteStore } from "./sqlite-store.ts";
+
+const ID = "AAAAAAAAAAAAAAAAAAAAAA";
+const LONG_REASON = "x".repeat(200);
+
+/** A robot with commands that wait and run, on a disk that is full but for the ballast. */
+async function onFullDisk() {
+  const ballast = { isHeld: true, hasRoom: false, giveUp: () => false };
+  const holder: Ballast = {
+    giveUp: () => ballast.giveUp(),
+    hold: () => ballast.isHeld || ballast.hasRoom,
+  };
+  const path = join(testFolder(), "corridor.sqlite");
+  const { opened, fill, makeRoom } = await withPageLimit(() => new SqliteFile(path, holder));
+  const store = new SqliteStore(opened);
+  onTestFinished(() => store.close());
+  await store.create({ id: ID, createdAt: 1, keys: [] });
+  const add = (command: Command, key: string | null = null) =>
+    store.add(ID, { driver: "d", key, command, acceptedAt: 1, maxWaiting: 10_000, keep: 20_000 });
+  for (let n = 0; n < 50; n++) await add({ action: "left 90" });
+  await store.deliver(ID, 1, 50);
+  ballast.giveUp = () => {
+    const wasHeld = ballast.isHeld;
+    ballast.isHeld = false;
+    if (wasHeld) fill(40);
+    return wasHeld;
+  };
+  fill();
+  let stored = 0;
+  const fails = await (async () => {
+    for (;;) {
+      try {
+        await add({ action: "left 90" }, `${"k".repeat(50)}-${stored}`);
+        stored += 1;
+      } catch (error) {
+        return error;
+      }
+    }
+  })();
+  const hasRoomAgain = (): void => {
+    makeRoom();
+    ballast.hasRoom = true;
+  };
+  return { store, add, fails, hasRoomAgain };
+}
+
+describe("a full disk", () => {
+  it("refuses what is new, and says so when it is asked", async () => {
+    const { store, add, fails } = await onFullDisk();
+    expect(isDiskFull(fails)).toBe(true);
+    await expect(add({ action: "left 90" })).rejects.toSatisfy(isDiskFull);
+    await expect(store.create({ id: "B", createdAt: 1, keys: [] })).rejects.toSatisfy(isDiskFull);
+    expect(await store.check()).toBe("full");
+  });
+
+  it("still lets robots start, end and be stopped, pages come, and people delete", async () => {
+    const { store, add } = await onFullDisk();
+    for (let seq = 1; seq <= 50; seq++) {
+      expect(await store.start(ID, seq)).toMatchObject({ seq, state: "started" });
+      const ending = { ...completed(seq), reason: LONG_REASON };
+      expect(await store.end(ID, ending)).toMatchObject({ seq, state: "completed" });
+    }
+    expect(await add({ action: "stop" })).toMatchObject({ outcome: "stored" });
+    const page = { lastApplied: 50, fresh: false, endings: [] };
+    expect(await store.takeOver(ID, page)).toMatchObject({ epoch: 1 });
+    expect(await store.remove(ID)).toBe(true);
+    expect(await store.find(ID)).toBeNull();
+  });
+
+  it("takes new commands by itself once there is as much room as it holds back", async () => {
+    const { store, add, hasRoomAgain } = await onFullDisk();
+    hasRoomAgain();
+    expect(await store.check()).toBe("ok");
+    expect(await add({ action: "left 90" })).toMatchObject({ outcome: "stored" });
+  });
+});

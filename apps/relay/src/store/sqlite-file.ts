@@ -1,0 +1,123 @@
+/**
+ * One SQLite file that several stores share: how it is read, how it is written, and what happens when
+ * its disk is full.
+ *
+ * Reads have a connection of their own, so that nobody is told of a step that is not on disk yet. On a
+ * full disk the ballast is given up: what ends or deletes something still works, what is new is refused
+ * until there is as much room again.
+ */
+import type { DatabaseSync } from "node:sqlite";
+import { BallastFile, type Ballast } from "./ballast.ts";
+import { isDiskFull, StoreFull, takeRoom } from "./disk-full.ts";
+import { GroupCommit } from "./group-commit.ts";
+import { openDatabase, openForReading } from "./sqlite-schema.ts";
+import { Statements } from "./statements.ts";
+
+/** While the disk is full, it is looked at for room no more often. */
+const LOOK_MS = 1_000;
+
+export class SqliteFile {
+  readonly #db: DatabaseSync;
+  readonly #readOnly: DatabaseSync;
+  readonly #commits: GroupCommit;
+  readonly #ballast: Ballast;
+  /** for steps */
+  readonly writing: Statements;
+  /** for what only reads: sees what is on disk */
+  readonly reading: Statements;
+  #isFull: boolean;
+  #lookedAt = -Infinity;
+
+  /**
+   * @param path of the database, made with its folder when it is missing
+   * @param ballast default: a file beside the database
+   */
+  constructor(path: string, ballast: Ballast = new BallastFile(`${path}-ballast`)) {
+    this.#db = openDatabase(path);
+    this.#readOnly = openForReading(path);
+    this.#commits = new GroupCommit(this.#db);
+    this.writing = new Statements(this.#db);
+    this.reading = new Statements(this.#readOnly);
+    this.#ballast = ballast;
+    this.#isFull = !ballast.hold();
+  }
+
+  /** One atomic step that ends, moves or deletes something. It may use the ballast's room. */
+  async step<T>(work: () => T): Promise<T> {
+    try {
+      return await this.#commits.run(work);
+    } catch (error) {
+      if (!this.#gaveUpBallast(error)) throw error;
+      return this.#commits.run(work);
+    }
+  }
+
+  /**
+   * One atomic step that adds something.
+   * @throws StoreFull, or the error of SQLite, when the disk is full
+   */
+  async growingStep<T>(work: () => T): Promise<T> {
+    if (this.#isFull && !this.#findRoom()) throw new StoreFull();
+    try {
+      return await this.#commits.run(work);
+    } catch (error) {
+      this.#gaveUpBallast(error);
+      throw error;
+    }
+  }
+
+  /**
+   * A step that deletes. Deleted rows are overwritten in the pages; after this their copies are gone
+   * from the log as well.
+   * @param work returns how much was deleted
+   */
+  async forget<T>(work: () => T, hasDeleted: (result: T) => boolean): Promise<T> {
+    const result = await this.step(work);
+    if (hasDeleted(result)) {
+      this.#commits.alone(() => this.#db.exec("PRAGMA wal_checkpoint(TRUNCATE)"));
+    }
+    return result;
+  }
+
+  /** Whether it can be written, found out by writing. @throws the error of SQLite when it does not answer */
+  check(): "ok" | "full" {
+    try {
+      if (this.#isFull) return this.#findRoom(0) ? "ok" : "full";
+      this.#commits.alone(() => takeRoom(this.#db));
+      return "ok";
+    } catch (error) {
+      if (!isDiskFull(error)) throw error;
+      this.#gaveUpBallast(error);
+      return "full";
+    }
+  }
+
+  close(): void {
+    if (!this.#db.isOpen) return;
+    this.#commits.flush();
+    this.#readOnly.close();
+    this.#db.close();
+  }
+
+  #gaveUpBallast(error: unknown): boolean {
+    if (!isDiskFull(error)) return false;
+    this.#isFull = true;
+    return this.#ballast.giveUp();
+  }
+
+  #findRoom(everyMs = LOOK_MS): boolean {
+    const now = performance.now();
+    if (now - this.#lookedAt < everyMs) return false;
+    this.#lookedAt = now;
+    if (!this.#ballast.hold()) return false;
+    try {
+      this.#commits.alone(() => takeRoom(this.#db));
+    } catch (error) {
+      if (!isDiskFull(error)) throw error;
+      this.#ballast.giveUp();
+      return false;
+    }
+    this.#isFull = false;
+    return true;
+  }
+}

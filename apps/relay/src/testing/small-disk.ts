@@ -1,0 +1,56 @@
+/** Disks that can be filled: by the limit of pages that SQLite itself has, or a real one of a few MiB. */
+import { spawnSync } from "node:child_process";
+import { rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { DatabaseSync } from "node:sqlite";
+import { onTestFinished, vi } from "vitest";
+import { testFolder } from "./test-relay.ts";
+
+const PLENTY = 100_000;
+
+/**
+ * The database that `open` opens first, kept from growing at will.
+ * @param open whatever opens it
+ */
+export async function withPageLimit<T>(open: () => T | Promise<T>) {
+  const exec = vi.spyOn(DatabaseSync.prototype, "exec");
+  onTestFinished(() => exec.mockRestore());
+  const opened = await open();
+  const db = exec.mock.contexts[0];
+  if (!(db instanceof DatabaseSync)) throw new Error("no database was opened");
+  const limit = (pages: number): void => db.exec(`PRAGMA max_page_count = ${pages}`);
+  const size = (): number => Number(db.prepare("PRAGMA page_count").get()?.["page_count"]);
+  return {
+    opened,
+    /** @param spare how many pages are still free */
+    fill: (spare = 0) => limit(size() + spare),
+    makeRoom: () => limit(PLENTY),
+  };
+}
+
+/** A disk of its own in memory that goes with the test; null where this user may not have one. */
+export function realSmallDisk(mebibytes: number) {
+  const folder = testFolder();
+  if (!mount(folder, mebibytes)) return null;
+  onTestFinished(() => void spawnSync("umount", [folder]));
+  const filler = join(folder, "filler");
+  return {
+    folder,
+    fill: () => {
+      for (let size = mebibytes * 1024 * 1024; size >= 512; size /= 2) {
+        try {
+          writeFileSync(filler, Buffer.alloc(size), { flag: "a" });
+        } catch {
+          // Not so much; perhaps half of it.
+        }
+      }
+    },
+    makeRoom: () => rmSync(filler),
+  };
+}
+
+function mount(folder: string, mebibytes: number): boolean {
+  if (process.platform !== "linux" || process.getuid?.() !== 0) return false;
+  const words = ["-t", "tmpfs", "-o", `size=${mebibytes}m`, "tmpfs", folder];
+  return spawnSync("mount", words, { stdio: "ignore" }).status === 0;
+}
