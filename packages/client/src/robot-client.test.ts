@@ -7,21 +7,31 @@ import { ADDRESS, record } from "./testing/messages.ts";
 
 async function connected() {
   const platform = new FakePlatform();
+  /** of the newest state */
+  let n = 0;
   const opening = RobotClient.connect(ADDRESS, { platform });
-  const welcome = (): void => {
+  const welcome = (stream = "k3J9x2aB"): void => {
     platform.socket.open();
-    platform.socket.receive({ type: "welcome", version: 1, snapshot: null });
+    platform.socket.receive({ type: "welcome", version: 1, stream, n, snapshot: null });
   };
   welcome();
   const robot = await opening;
   /** What was sent since the greeting of the newest socket. */
   const sent = () =>
-    platform.socket.sent.slice(1) as unknown as { key: string; command: Command }[];
+    platform.socket.sent.filter(({ type }) => type === "command") as unknown as {
+      key: string;
+      command: Command;
+    }[];
   const tell = (type: "ack" | "state", seq: number, change: Partial<CommandRecord> = {}): void => {
     const { key, command } = keyed.get(seq) ??
       sent().at(-1) ?? { key: "", command: { action: "stop" } };
     keyed.set(seq, { key, command });
-    platform.socket.receive({ type, record: record(seq, key, command, change) });
+    if (type === "state") n += 1;
+    platform.socket.receive({
+      type,
+      ...(type === "state" && { n }),
+      record: record(seq, key, command, change),
+    });
   };
   const keyed = new Map<number, { key: string; command: Command }>();
   return { platform, robot, sent, tell, welcome };
@@ -74,14 +84,45 @@ describe("RobotClient", () => {
     expect((await both).map(({ seq }) => seq)).toEqual([1, 2]);
   });
 
-  it("asks again with the same keys, in order, after a lost line", async () => {
+  it("comes back with the last state that it was told, and goes on from there", async () => {
+    const { platform, robot, sent, tell, welcome } = await connected();
+    const left = robot.left90();
+    tell("ack", 1);
+    tell("state", 1, { state: "started" });
+    platform.socket.cut(1006);
+    platform.pass(10_000);
+    welcome();
+    expect(platform.socket.sent[0]).toMatchObject({ type: "hello", since: "k3J9x2aB-1" });
+    expect(sent()).toEqual([]);
+    tell("state", 1, { state: "completed" });
+    expect(await left).toMatchObject({ state: "completed" });
+  });
+
+  it("asks again for what is open when states are not kept any more", async () => {
+    const { platform, robot, sent, tell } = await connected();
+    const left = robot.left90();
+    tell("ack", 1);
+    platform.socket.receive({ type: "gap", n: 2_000, open: [] });
+    expect(sent()).toHaveLength(2);
+    expect(sent()[0]).toEqual(sent()[1]);
+    tell("ack", 1, { state: "completed", duplicate: true });
+    expect(await left).toMatchObject({ state: "completed" });
+  });
+
+  it("tells the relay what it has seen, so that no old snapshots wait for it", async () => {
+    const { platform } = await connected();
+    platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 41 }) });
+    expect(platform.socket.sent.at(-1)).toEqual({ type: "seen", seq: 41 });
+  });
+
+  it("asks again with the same keys, in order, when the relay was restarted", async () => {
     const { platform, robot, sent, tell, welcome } = await connected();
     const all = Promise.all([robot.left90(), robot.right90()]);
     tell("ack", 1);
     const keys = sent().map(({ key }) => key);
     platform.socket.cut(1006);
     platform.pass(10_000);
-    welcome();
+    welcome("another1");
     expect(sent().map(({ key }) => key)).toEqual([keys[0]]);
     tell("ack", 1, { state: "completed", duplicate: true });
     expect(sent().map(({ key }) => key)).toEqual(keys);

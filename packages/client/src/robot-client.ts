@@ -14,6 +14,7 @@ import {
   PROTOCOL_VERSION,
   readValue,
   relayToDriverSchema,
+  sinceOf,
   type CloseReason,
   type Command,
   type CommandRecord,
@@ -64,6 +65,9 @@ export class RobotClient {
   #queue: Pending[] = [];
   /** acknowledged and not yet done, by seq */
   readonly #running = new Map<number, Pending>();
+  /** the last state that was told: this series of numbers, and the number */
+  #stream = "";
+  #since: string | null = null;
   #cancelRetry: () => void = () => undefined;
   #end: ClientError | null = null;
 
@@ -76,9 +80,7 @@ export class RobotClient {
     this.#connection = new Connection({
       url: socketUrl(origin, id),
       platform: this.#platform,
-      greeting: () => [
-        encodeFrame({ type: "hello", version: PROTOCOL_VERSION, role: "drive", key }),
-      ],
+      greeting: () => [this.#hello(key)],
       decode: (text) => decodeFrame(relayToDriverSchema, text),
       received: (message) => this.#received(message),
       changed: (status) => this.#changed(status),
@@ -222,6 +224,11 @@ export class RobotClient {
     });
   }
 
+  #hello(key: string): string {
+    const since = this.#since === null ? {} : { since: this.#since };
+    return encodeFrame({ type: "hello", version: PROTOCOL_VERSION, role: "drive", key, ...since });
+  }
+
   #sendFirst(): void {
     const [first] = this.#queue;
     if (first === undefined) return;
@@ -249,19 +256,39 @@ export class RobotClient {
   #received(message: RelayToDriver): void {
     switch (message.type) {
       case "welcome":
+        // A relay that counts anew has forgotten what this client was told; one that goes on tells the rest.
+        if (message.stream !== this.#stream) this.#askAgain();
+        this.#stream = message.stream;
+        if (message.n !== null) this.#told(message.n);
         if (message.snapshot !== null) this.#inbox.put(message.snapshot);
         return;
       case "snapshot":
-        return this.#inbox.put(message.snapshot);
+        this.#inbox.put(message.snapshot);
+        return this.#connection.send(encodeFrame({ type: "seen", seq: message.snapshot.seq }));
       case "ack":
         return this.#acknowledged(message.record);
       case "state":
+        this.#told(message.n);
         return this.#progressed(message.record);
+      case "gap":
+        this.#told(message.n);
+        this.#askAgain();
+        return this.#sendFirst();
       case "problem":
         return this.#refused(message.problem, message.key);
       case "heartbeat":
         return;
     }
+  }
+
+  #told(n: number): void {
+    this.#since = sinceOf(this.#stream, n);
+  }
+
+  /** States were missed: asking again with the same key gives each record as it is now. */
+  #askAgain(): void {
+    this.#queue = [...this.#running.values(), ...this.#queue];
+    this.#running.clear();
   }
 
   #acknowledged(record: CommandRecord): void {
@@ -306,9 +333,7 @@ export class RobotClient {
     if (status.kind === "over") return this.#finish(errorOf(status.reason));
     if (status.kind !== "connected") return;
     this.#welcomed();
-    // The line may have lost answers: asking again with the same key gives the record as it is now.
-    this.#queue = [...this.#running.values(), ...this.#queue];
-    this.#running.clear();
+    // The answer to what was on its way may be lost. What was acknowledged is told from `since` on.
     this.#sendFirst();
   }
 

@@ -19,6 +19,16 @@ export {
   type ReadResult,
 } from "./document-reader.ts";
 export {
+  eventPageSchema,
+  KEPT_EVENTS_MS,
+  MAX_KEPT_EVENTS,
+  sinceOf,
+  sinceSchema,
+  type EventGap,
+  type EventPage,
+  type StateEvent,
+} from "./events.ts";
+export {
   driversSchema,
   driverToRelaySchema,
   helloSchema,

@@ -7,6 +7,7 @@
 import { z } from "zod";
 import { commandRecordSchema, endingStates, idempotencyKeySchema } from "./command-record.ts";
 import { commandSchema } from "./command.ts";
+import { eventGapSchema, eventStreamSchema, sinceSchema, stateEventSchema } from "./events.ts";
 import { problemSchema } from "./problem.ts";
 import { poseSchema } from "./quantities.ts";
 import { keySchema } from "./registration.ts";
@@ -44,6 +45,8 @@ export const helloSchema = z.strictObject({
   /** own: the page that is the robot; drive: a script */
   role: z.enum(["own", "drive"], { error: "one of own, drive" }),
   key: keySchema,
+  /** a script that comes back: the last state that it was told */
+  since: sinceSchema.optional(),
 });
 export type Hello = z.infer<typeof helloSchema>;
 
@@ -117,8 +120,10 @@ export const driverToRelaySchema = z.discriminatedUnion(
       key: idempotencyKeySchema.optional(),
       command: commandSchema,
     }),
+    /** all that came up to this snapshot was read; at most 2 are on their way at a time */
+    z.strictObject({ type: z.literal("seen"), seq: count }),
   ],
-  { error: "command" },
+  { error: "one of command, seen" },
 );
 export type DriverToRelay = z.infer<typeof driverToRelaySchema>;
 
@@ -128,13 +133,19 @@ export const relayToDriverSchema = z.discriminatedUnion(
     z.strictObject({
       type: z.literal("welcome"),
       version,
+      /** with the `n` of a state, as STREAM-n, what to come back with as `since` */
+      stream: eventStreamSchema,
+      /** states after this one follow; null when states were missed: a `gap` follows */
+      n: count.nullable(),
       /** the newest snapshot; null while the robot has not reported */
       snapshot: snapshotSchema.nullable(),
     }),
     /** the command is stored: the answer to `command` */
     z.strictObject({ type: z.literal("ack"), record: commandRecordSchema }),
     /** a command of this robot, whoever sent it, has a new state */
-    z.strictObject({ type: z.literal("state"), record: commandRecordSchema }),
+    stateEventSchema.extend({ type: z.literal("state") }),
+    /** states before this are not kept any more: what is open now, in their place */
+    eventGapSchema.extend({ type: z.literal("gap") }),
     z.strictObject({ type: z.literal("snapshot"), snapshot: snapshotSchema }),
     /** the message could not be served; `key` is that of the command, where it had one */
     z.strictObject({
@@ -144,6 +155,6 @@ export const relayToDriverSchema = z.discriminatedUnion(
     }),
     heartbeat,
   ],
-  { error: "one of welcome, ack, state, snapshot, problem, heartbeat" },
+  { error: "one of welcome, ack, state, gap, snapshot, problem, heartbeat" },
 );
 export type RelayToDriver = z.infer<typeof relayToDriverSchema>;

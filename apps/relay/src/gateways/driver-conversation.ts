@@ -6,57 +6,58 @@ import {
   encodeFrame,
   PROTOCOL_VERSION,
   type RelayToDriver,
-  type SocketPort,
 } from "@corridor/protocol";
 import { asRefusal, badRequest, type ProblemKind } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import type { ReaderSink } from "../sessions/reader-feed.ts";
 import type { Grant } from "../sessions/session-hub.ts";
+import type { JoinedReader } from "../sessions/session.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
+import type { ReaderLine } from "./reader-line.ts";
+
+export interface DriverOptions {
+  grant: Grant;
+  line: ReaderLine;
+  /** the script's language, such as "Python" */
+  client: string;
+  /** the last state that it was told on an earlier line */
+  since: string | null;
+  /** is told of every message that is refused */
+  refused(kind: ProblemKind): void;
+}
 
 export class DriverConversation implements Conversation {
-  readonly #grant: Grant;
-  readonly #port: SocketPort;
-  readonly #client: string;
-  readonly #refused: (kind: ProblemKind) => void;
-  readonly #leave: () => void;
+  readonly #options: DriverOptions;
+  readonly #reader: JoinedReader;
   #badFrames = 0;
   #tooFastInARow = 0;
 
   /**
-   * Joins the session as a reader and says welcome.
-   * @param client the script's language, such as "Python"
-   * @param refused is told of every message that is refused
+   * Joins the session as a reader, which says welcome.
    * @throws Refusal when too many read already
    */
-  constructor(
-    grant: Grant,
-    port: SocketPort,
-    client: string,
-    refused: (kind: ProblemKind) => void,
-  ) {
-    this.#grant = grant;
-    this.#port = port;
-    this.#client = client;
-    this.#refused = refused;
-    const { session, key } = grant;
+  constructor(options: DriverOptions) {
+    this.#options = options;
+    const { grant, line, client, since } = options;
     const sink: ReaderSink = {
       door: "websocket",
+      flow: line.flow,
+      began: (start) => this.#send({ type: "welcome", version: PROTOCOL_VERSION, ...start }),
       snapshot: (snapshot) => this.#send({ type: "snapshot", snapshot }),
-      state: (record) => this.#send({ type: "state", record }),
-      over: (reason) => closeWith(port, closeReasons[reason]),
-      waitingBytes: () => port.waitingBytes,
+      state: (event) => this.#send({ type: "state", ...event }),
+      gap: (gap) => this.#send({ type: "gap", ...gap }),
+      over: (reason) => closeWith(line, closeReasons[reason]),
     };
-    this.#leave = session.join(key, sink);
-    session.heard(client);
-    this.#send({ type: "welcome", version: PROTOCOL_VERSION, snapshot: session.newest });
+    this.#reader = grant.session.join(grant.key, sink, since);
+    grant.session.heard(client);
   }
 
   async received(text: string): Promise<void> {
-    const { session, key: grant } = this.#grant;
+    const { session, key: grant } = this.#options.grant;
     const message = decodeFrame(driverToRelaySchema, text);
     if (!message.ok) return this.#refuse(badRequest("The message is wrong.", message.problems));
-    session.heard(this.#client);
+    session.heard(this.#options.client);
+    if (message.value.type === "seen") return this.#reader.seen(message.value.seq);
     const { key = null, command } = message.value;
     try {
       await session.submit(grant, { key, command }, (record) => {
@@ -65,7 +66,7 @@ export class DriverConversation implements Conversation {
       });
     } catch (error) {
       const refusal = asRefusal(error);
-      if (refusal.kind !== "internal") this.#refused(refusal.kind);
+      if (refusal.kind !== "internal") this.#options.refused(refusal.kind);
       this.#send({ type: "problem", problem: refusal.problem, key });
       if (refusal.kind === "too-fast") this.#countTooFast();
       // A mistake of the relay goes on to whoever writes the log.
@@ -78,27 +79,27 @@ export class DriverConversation implements Conversation {
   }
 
   closed(): void {
-    this.#leave();
+    this.#reader.leave();
   }
 
   #refuse(refusal: ReturnType<typeof badRequest>): void {
     this.#badFrames += 1;
-    this.#refused(refusal.kind);
+    this.#options.refused(refusal.kind);
     this.#send({ type: "problem", problem: refusal.problem, key: null });
-    if (this.#badFrames >= limits.badFrames) closeWith(this.#port, closeReasons.badFrame);
+    if (this.#badFrames >= limits.badFrames) closeWith(this.#options.line, closeReasons.badFrame);
   }
 
   #countTooFast(): void {
     this.#tooFastInARow += 1;
     if (this.#tooFastInARow < limits.tooFastInARow) return;
     closeWith(
-      this.#port,
+      this.#options.line,
       closeReasons.badFrame,
       "Too many commands came too fast. Wait for the ack of each before the next.",
     );
   }
 
   #send(message: RelayToDriver): void {
-    this.#port.send(encodeFrame(message));
+    this.#options.line.send(encodeFrame(message));
   }
 }

@@ -14,7 +14,6 @@ import {
   MAX_HELLO_BYTES,
   robotIdSchema,
   type CloseReason,
-  type SocketPort,
 } from "@corridor/protocol";
 import type { Logger } from "pino";
 import { WebSocketServer, type WebSocket } from "ws";
@@ -29,6 +28,7 @@ import type { SessionHub } from "../sessions/session-hub.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
 import { DriverConversation } from "./driver-conversation.ts";
 import { PageConversation } from "./page-conversation.ts";
+import type { ReaderLine } from "./reader-line.ts";
 import { refuseUpgrade } from "./refuse-upgrade.ts";
 import { wsPort } from "./ws-port.ts";
 
@@ -44,7 +44,7 @@ const closeReasonByProblem = new Map<ProblemKind, CloseReason>([
 
 interface Guest {
   socket: WebSocket;
-  port: SocketPort;
+  port: ReaderLine;
   address: string;
   heardAt: number;
   /** what the log may show of its key */
@@ -171,7 +171,7 @@ export class WebSocketGateway {
     const hello = decodeFrame(helloSchema, text, MAX_HELLO_BYTES);
     if (!hello.ok) return closeWith(socket, closeReasons.notAuthorised);
     if (!robotIdSchema.safeParse(id).success) return closeWith(socket, closeReasons.noRobot);
-    const { role, key } = hello.value;
+    const { role, key, since = null } = hello.value;
     const { hub, log } = this.#options;
     const client = clientName(request.headers["user-agent"]);
     const grant = await hub.authorise(id, key, [role]);
@@ -181,9 +181,13 @@ export class WebSocketGateway {
     guest.conversation =
       role === "own"
         ? new PageConversation(grant.session, port)
-        : new DriverConversation(grant, port, client, (kind) =>
-            this.#options.metrics.refused(kind),
-          );
+        : new DriverConversation({
+            grant,
+            line: port,
+            client,
+            since,
+            refused: (kind) => this.#options.metrics.refused(kind),
+          });
   }
 
   #hear(guest: Guest, text: string): void {

@@ -2,6 +2,7 @@
 import {
   commandRecordSchema,
   commandSchema,
+  eventPageSchema,
   registrationSchema,
   robotIdSchema,
   shortLinkIdSchema,
@@ -17,7 +18,14 @@ import {
   heldSessionSchema,
   readySchema,
 } from "../routes/answers.ts";
-import { idempotencyHeader, logQuery, newerQuery, seqPath, waitQuery } from "../routes/reading.ts";
+import {
+  eventsQuery,
+  idempotencyHeader,
+  logQuery,
+  newerQuery,
+  seqPath,
+  waitQuery,
+} from "../routes/reading.ts";
 import { answer, location, parameters, refusals } from "./parts.ts";
 
 const robot = parameters("path", z.object({ id: robotIdSchema }));
@@ -133,15 +141,33 @@ export const calls: ZodOpenApiPathsObject = {
   "/api/v1/robots/{id}/events": {
     parameters: robot,
     get: {
-      operationId: "streamEvents",
-      summary: "Follow a robot by server-sent events",
+      operationId: "followEvents",
+      summary: "Follow a robot by server-sent events, or by long poll",
+      description:
+        "Without `wait`: events without end. `snapshot`, whose data is a Snapshot; `state`, whose data is " +
+        "the CommandRecord of a command with a new state; `gap` in place of states that are not kept any " +
+        "more. The `id` of the last event, sent as `Last-Event-ID` or `since`, goes on from there.\n\n" +
+        "With `wait`: one answer, as soon as there is a state after `since` or a snapshot newer than " +
+        "`after`. Ask first without `since`, then each time with the `since` of the answer before. The " +
+        "newest 1,000 states are kept, for 10 minutes.",
       security: driver,
+      parameters: [
+        ...parameters("query", eventsQuery),
+        {
+          name: "Last-Event-ID",
+          in: "header",
+          required: false,
+          description: "the id of the last event that is known; `since` counts more",
+          schema: { type: "string", pattern: "^[A-Za-z0-9_]{8}-\\d{1,15}$" },
+        },
+      ],
       responses: {
         200: {
-          description:
-            "Events without end: `snapshot`, whose data is a Snapshot, and `state`, whose data is " +
-            "the CommandRecord of a command with a new state.",
-          content: { "text/event-stream": { schema: { type: "string" } } },
+          description: "Events without end or, with `wait`, those that there are.",
+          content: {
+            "application/json": { schema: eventPageSchema },
+            "text/event-stream": { schema: { type: "string" } },
+          },
         },
         ...refusals(...keyed, "too-many-readers"),
       },

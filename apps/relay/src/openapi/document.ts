@@ -5,6 +5,7 @@
 import {
   commandRecordSchema,
   commandSchema,
+  eventPageSchema,
   problemSchema,
   PROTOCOL_VERSION,
   registrationSchema,
@@ -48,6 +49,7 @@ export function describeApi(): oas31.OpenAPIObject {
           Command: commandSchema,
           CommandLog: commandLogSchema,
           CommandRecord: commandRecordSchema,
+          EventPage: eventPageSchema,
           Health: healthSchema,
           HeldSession: heldSessionSchema,
           Problem: problemSchema,

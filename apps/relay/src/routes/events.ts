@@ -1,10 +1,23 @@
-/** Server-sent events: snapshots and command states for clients that cannot open a WebSocket. */
-import { Router } from "express";
+/**
+ * Snapshots and command states for clients that cannot open a WebSocket: as server-sent events, or one
+ * answer at a time for whoever says how long it waits. Both go on where an earlier one ended.
+ */
+import { sinceOf } from "@corridor/protocol";
+import { Router, type Response } from "express";
 import type { Clock } from "../clock.ts";
 import { limits } from "../sessions/limits.ts";
+import type { OverReason, ReaderSink } from "../sessions/reader-feed.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
+import type { JoinedReader } from "../sessions/session.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
-import { readBearer, readClient } from "./reading.ts";
+import { patienceOf, readBearer, readClient, readEvents } from "./reading.ts";
+
+const HEADERS = {
+  "Content-Type": "text/event-stream",
+  "Cache-Control": "no-store",
+  // nginx would keep events back to fill its buffer
+  "X-Accel-Buffering": "no",
+};
 
 export function eventRoutes(hub: SessionHub, clock: Clock): Router {
   const router = Router();
@@ -15,48 +28,78 @@ export function eventRoutes(hub: SessionHub, clock: Clock): Router {
         "drive",
       ]);
       session.heard(readClient(request));
-      let cancelTimer = (): void => undefined;
-      const cut = (): void => void response.destroy();
-      const over = (reason: "over" | "restart" | "tooSlow"): void => {
-        cancelTimer();
-        if (reason === "tooSlow") return cut();
-        response.end();
-        // Who does not read never gets to the end.
-        cancelTimer = clock.after(limits.goodbyeMs, cut);
-      };
-      const write = (text: string): void => {
-        if (!response.writableEnded && !response.destroyed) response.write(text);
-      };
-      const send = (event: string, data: unknown): void =>
-        write(`event: ${event}\ndata: ${JSON.stringify(data)}\n\n`);
-      const leave = session.join(key, {
-        door: "events",
-        snapshot: (snapshot) => send("snapshot", snapshot),
-        state: (record) => send("state", record),
-        over,
-        waitingBytes: () => response.writableLength,
-      });
-      // A line that breaks is told by "close" as well; unheard, the error would end the process.
-      response.on("error", cut);
-      response.once("close", () => {
-        cancelTimer();
-        leave();
-      });
-      response.writeHead(200, {
-        "Content-Type": "text/event-stream",
-        "Cache-Control": "no-store",
-        // nginx would keep events back to fill its buffer
-        "X-Accel-Buffering": "no",
-      });
-      if (session.newest === null) write(": waiting for the robot\n\n");
-      else send("snapshot", session.newest);
-      const beat = (): void => {
-        if (response.writableLength > limits.stuckReaderBytes) return over("tooSlow");
-        write(": still here\n\n");
-        cancelTimer = clock.after(limits.heartbeatMs, beat);
-      };
-      cancelTimer = clock.after(limits.heartbeatMs, beat);
+      const { since, after, wait } = readEvents(request);
+      if (wait !== undefined) {
+        const page = await session.nextEvents({ since, after }, patienceOf(response, wait));
+        return void response.json(page);
+      }
+      streamTo(response, clock, (sink) => session.join(key, sink, since ?? null));
     })
     .all(methodNotAllowed("GET"));
   return router;
+}
+
+/** @param join lets the stream follow the robot */
+function streamTo(
+  response: Response,
+  clock: Clock,
+  join: (sink: ReaderSink) => JoinedReader,
+): void {
+  let cancelTimer = (): void => undefined;
+  const cut = (): void => void response.destroy();
+  const over = (reason: OverReason): void => {
+    cancelTimer();
+    if (reason === "tooSlow") return cut();
+    response.end();
+    // Who does not read never gets to the end.
+    cancelTimer = clock.after(limits.goodbyeMs, cut);
+  };
+  let sentBytes = 0;
+  const write = (text: string): void => {
+    if (response.writableEnded || response.destroyed) return;
+    if (!response.headersSent) response.writeHead(200, HEADERS);
+    sentBytes += text.length;
+    response.write(text);
+  };
+  /** @param id what a reader comes back with, if that has changed */
+  const send = (event: string, data: unknown, id?: string): void =>
+    write(
+      `${id === undefined ? "" : `id: ${id}\n`}event: ${event}\ndata: ${JSON.stringify(data)}\n\n`,
+    );
+  let stream = "";
+  const reader = join({
+    door: "events",
+    flow: {
+      get sentBytes() {
+        return sentBytes;
+      },
+      get takenBytes() {
+        return sentBytes - response.writableLength;
+      },
+      isProof: false,
+      ask: () => undefined,
+    },
+    began: (start) => {
+      stream = start.stream;
+      write(start.n === null ? ": hello\n\n" : `id: ${sinceOf(stream, start.n)}\n\n`);
+      if (start.snapshot === null) write(": waiting for the robot\n\n");
+      else send("snapshot", start.snapshot);
+    },
+    snapshot: (snapshot) => send("snapshot", snapshot),
+    state: (event) => send("state", event.record, sinceOf(stream, event.n)),
+    gap: (gap) => send("gap", gap, sinceOf(stream, gap.n)),
+    over,
+  });
+  // A line that breaks is told by "close" as well; unheard, the error would end the process.
+  response.on("error", cut);
+  response.once("close", () => {
+    cancelTimer();
+    reader.leave();
+  });
+  const beat = (): void => {
+    if (response.writableLength > limits.stuckReaderBytes) return over("tooSlow");
+    write(": still here\n\n");
+    cancelTimer = clock.after(limits.heartbeatMs, beat);
+  };
+  cancelTimer = clock.after(limits.heartbeatMs, beat);
 }

@@ -5,6 +5,7 @@ import {
   MAX_FRAME_BYTES,
   readJson,
   readValue,
+  sinceSchema,
   type Command,
 } from "@corridor/protocol";
 import express, { type Request, type RequestHandler, type Response } from "express";
@@ -17,11 +18,12 @@ import type { Patience } from "../sessions/audience.ts";
 // First the text is checked, then the number that it stands for: /openapi.json describes the number.
 const waitError = `seconds to wait, from 0 to ${limits.longPollSeconds}`;
 const seconds = z.number().min(0).max(limits.longPollSeconds, { error: waitError });
-const waitSchema = z
+const waitText = z
   .string({ error: waitError })
   .regex(/^\d{1,2}(\.\d{1,3})?$/, { error: waitError })
   .transform(Number)
-  .pipe(seconds.multipleOf(0.001))
+  .pipe(seconds.multipleOf(0.001));
+const waitSchema = waitText
   .prefault("0")
   .describe(`${waitError}; the answer comes at once when it is there`);
 
@@ -38,6 +40,16 @@ export const waitQuery = z.object({ wait: waitSchema });
 export const newerQuery = z.object({
   after: wholeNumber.optional().describe("seq of the newest snapshot that is known already"),
   wait: waitSchema,
+});
+/** `?since=STREAM-n&after=SEQ&wait=S` of events */
+export const eventsQuery = z.object({
+  since: sinceSchema.optional().describe("the last state that is known: STREAM-n"),
+  after: wholeNumber
+    .optional()
+    .describe("with `wait`: also answer when there is a snapshot with a higher seq"),
+  wait: waitText
+    .optional()
+    .describe(`${waitError}, for one answer in JSON; without it, a stream without end`),
 });
 /** `?after=SEQ` of the log */
 export const logQuery = z.object({
@@ -66,6 +78,13 @@ export function readWait(request: Request): { wait: number } {
 /** Which snapshot is wanted, and for how long to wait for it. */
 export function readNewer(request: Request): { after?: number | undefined; wait: number } {
   return read(newerQuery, request.query, "The query is wrong.");
+}
+
+/** Which events are wanted, and how. An event stream that comes back says in a header where it was. */
+export function readEvents(request: Request): z.infer<typeof eventsQuery> {
+  const last = request.get("Last-Event-ID");
+  const query = { ...(last !== undefined && { since: last }), ...request.query };
+  return read(eventsQuery, query, "The query or the header Last-Event-ID is wrong.");
 }
 
 /** From where on the log is wanted. */

@@ -2,15 +2,16 @@
  * Everyone who follows one robot at this moment: the feeds of scripts that are connected, and requests
  * that wait for something to happen (long polls). They hear every change in the order in which it came.
  */
-import type { CommandRecord, Snapshot } from "@corridor/protocol";
+import type { CommandRecord, Snapshot, StateEvent } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import { Refusal, retryAfter } from "../problems.ts";
+import type { EventLog } from "./event-log.ts";
 import { limits } from "./limits.ts";
 
 /** Whoever follows the robot: a reader's feed, or a request that waits. */
 interface Listener {
   snapshot(snapshot: Snapshot): void;
-  state(record: CommandRecord): void;
+  state(event: StateEvent): void;
   over(reason: "over" | "restart"): void;
 }
 
@@ -25,11 +26,14 @@ export interface Patience {
 
 export class Audience {
   readonly #clock: Clock;
+  readonly #events: EventLog;
   /** with the key that counts for the limit, or null for a request that waits */
   readonly #entries = new Set<{ listener: Listener; key: string | null; door: ReaderDoor }>();
 
-  constructor(clock: Clock) {
+  /** @param events numbers what is told, and keeps it for those who come back */
+  constructor(clock: Clock, events: EventLog) {
     this.#clock = clock;
+    this.#events = events;
   }
 
   get isEmpty(): boolean {
@@ -90,7 +94,8 @@ export class Audience {
 
   tellStates(records: readonly CommandRecord[]): void {
     for (const record of records) {
-      for (const { listener } of this.#entries) listener.state(record);
+      const event = this.#events.add(record);
+      for (const { listener } of this.#entries) listener.state(event);
     }
   }
 

@@ -12,6 +12,7 @@ import {
   type Command,
   type CommandRecord,
   type Ending,
+  type EventGap,
   type PageToRelay,
   type Resume,
 } from "@corridor/protocol";
@@ -219,6 +220,14 @@ export class CommandLife {
     return this.#store.commandsAfter(this.#robot, seq, limits.logPage);
   }
 
+  /** Tells the commands that have not ended, between two changes. */
+  async tellOpen(tell: (open: EventGap["open"]) => void): Promise<void> {
+    await this.#work.run(async () => {
+      const open = await this.#store.openCommands(this.#robot);
+      tell(open.map(({ seq, state }) => ({ seq, state })));
+    });
+  }
+
   /** Waits for the command to end. @returns its record then, whether it has ended or not */
   async endOf(seq: number, patience: Patience): Promise<CommandRecord> {
     // Begun between two changes, so that no ending falls between asking and listening.
@@ -238,8 +247,8 @@ export class CommandLife {
 
   #nextEnd(seq: number, patience: Patience): Promise<void> {
     return this.#audience.until(patience, (done) => ({
-      state: (changed) => {
-        if (changed.seq === seq && hasEnded(changed.state)) done();
+      state: ({ record }) => {
+        if (record.seq === seq && hasEnded(record.state)) done();
       },
     }));
   }

@@ -25,8 +25,12 @@ export const limits = {
   socketsPerAddress: 400,
   /** snapshots pushed to one reader: 20 a second */
   snapshotIntervalMs: 50,
-  /** a reader with more unsent bytes gets no snapshot until it has caught up */
-  slowReaderBytes: 64 * 1024,
+  /** snapshots on their way to one reader: one that sleeps finds no old ones when it wakes */
+  snapshotCredit: 2,
+  /** a reader that has not taken so many bytes is asked how far it is */
+  askReaderBytes: 8 * 1024,
+  /** for a reader that has not taken so many bytes, states wait in the event log */
+  heldReaderBytes: 32 * 1024,
   /** a reader with more unsent bytes is closed: it does not read at all */
   stuckReaderBytes: 1024 * 1024,
   /** time for the first message of a socket */

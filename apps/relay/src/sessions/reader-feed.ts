@@ -1,32 +1,86 @@
 /**
- * What one reader of a robot gets: every state of a command, and snapshots at most 20 times a second,
- * the newest each time. A reader that is slow gets fewer snapshots; one that does not read is dropped.
+ * What one reader of a robot gets: every state of a command, in order, and snapshots at most 20 times a
+ * second, the newest each time.
+ *
+ * What left this process may still lie in buffers on the way, megabytes of it, for a reader that
+ * sleeps. So no more is sent than the reader is known to take: two snapshots, and some states. The other
+ * states wait in the event log; who sleeps for longer than that lasts is told of the gap.
  */
-import type { CommandRecord, Snapshot } from "@corridor/protocol";
+import { hasEnded, type EventGap, type Snapshot, type StateEvent } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import type { ReaderDoor } from "./audience.ts";
+import type { EventLog } from "./event-log.ts";
 import { limits } from "./limits.ts";
+
+/** How far a reader has come, by the bytes of its line. */
+export interface ReaderFlow {
+  readonly sentBytes: number;
+  /** how many of these it has taken, as far as is known */
+  readonly takenBytes: number;
+  /** Asks the line how far it is; the answer changes `takenBytes`, or never comes. */
+  ask(): void;
+  /** whether `takenBytes` is what the reader has taken, not only what has left this process */
+  readonly isProof: boolean;
+}
 
 /** Where the reader is, in whichever dialect it speaks. */
 export interface ReaderSink {
   readonly door: Exclude<ReaderDoor, "long-poll">;
+  readonly flow: ReaderFlow;
+  /** The first that it gets. @param n states after this one follow; null when a gap follows */
+  began(start: { stream: string; n: number | null; snapshot: Snapshot | null }): void;
   snapshot(snapshot: Snapshot): void;
-  state(record: CommandRecord): void;
-  /** the session is over, or the relay stops */
-  over(reason: "over" | "restart" | "tooSlow"): void;
-  /** bytes on their way to the reader */
-  waitingBytes(): number;
+  state(event: StateEvent): void;
+  gap(gap: EventGap): void;
+  /** the session is over, the relay stops, or the reader cannot be served */
+  over(reason: OverReason): void;
+}
+
+export type OverReason = "over" | "restart" | "tooSlow" | "busy";
+
+/** What is read. */
+export interface ReaderSource {
+  readonly events: EventLog;
+  newest(): Snapshot | null;
+  /** Tells the commands that have not ended, between two changes. @throws when the store fails */
+  tellOpen(tell: (open: EventGap["open"]) => void): Promise<void>;
 }
 
 export class ReaderFeed {
   readonly #sink: ReaderSink;
+  readonly #source: ReaderSource;
   readonly #clock: Clock;
+  /** the newest state that was told */
+  #n = 0;
+  /** states wait in the log: the reader has not begun, takes nothing, or is to be told of a gap */
+  #isHeld = true;
+  #isMissing = false;
+  #isClosed = false;
   #pending: Snapshot | null = null;
+  /** snapshots on their way, with where they end on the line */
+  #onTheWay: { seq: number; end: number }[] = [];
+  /** the reader says itself what it has seen; until then its line answers for it */
+  #saysSeen = false;
+  #seenBytes = 0;
   #cancelTimer: (() => void) | null = null;
 
-  constructor(sink: ReaderSink, clock: Clock) {
+  constructor(sink: ReaderSink, source: ReaderSource, clock: Clock) {
     this.#sink = sink;
+    this.#source = source;
     this.#clock = clock;
+  }
+
+  /** Welcomes the reader. @param since the last state that it was told; null for a new one */
+  begin(since: string | null): void {
+    const { events } = this.#source;
+    const told = since === null ? events.n : events.numberOf(since);
+    const isMissing = told === null || events.after(told) === null;
+    this.#n = told ?? 0;
+    const snapshot = this.#source.newest();
+    this.#sink.began({ stream: events.stream, n: isMissing ? null : this.#n, snapshot });
+    if (snapshot !== null) this.#left(snapshot);
+    if (isMissing) this.#missed();
+    else this.#catchUp();
   }
 
   /** Offers a snapshot; it is sent now, later, or never when a newer one comes first. */
@@ -35,34 +89,113 @@ export class ReaderFeed {
     if (this.#cancelTimer === null) this.#flush();
   }
 
-  /** Sends a command's new state, after the snapshot that was taken before it. */
-  state(record: CommandRecord): void {
-    if (this.#sink.waitingBytes() > limits.stuckReaderBytes) return this.over("tooSlow");
-    if (this.#pending !== null) this.#sink.snapshot(this.#pending);
-    this.#pending = null;
-    this.#sink.state(record);
+  /** Sends a command's new state; an ending after the snapshot that was taken before it. */
+  state(event: StateEvent): void {
+    const { isProof } = this.#sink.flow;
+    if (!isProof && this.#unread > limits.stuckReaderBytes) return this.over("tooSlow");
+    if (this.#isFull) this.#isHeld = true;
+    if (this.#isHeld) this.#arm();
+    else this.#tell(event);
   }
 
-  over(reason: "over" | "restart" | "tooSlow"): void {
+  /** The reader has read all that came up to this snapshot. */
+  seen(seq: number): void {
+    this.#saysSeen = true;
+    const seen = this.#onTheWay.filter((snapshot) => snapshot.seq <= seq);
+    this.#seenBytes = Math.max(this.#seenBytes, ...seen.map(({ end }) => end));
+    this.#onTheWay = this.#onTheWay.filter((snapshot) => snapshot.seq > seq);
+  }
+
+  over(reason: OverReason): void {
     this.close();
     this.#sink.over(reason);
   }
 
   /** Sends nothing any more. */
   close(): void {
+    this.#isClosed = true;
     this.#pending = null;
     this.#cancelTimer?.();
     this.#cancelTimer = null;
   }
 
-  #flush(): void {
-    if (this.#pending !== null && this.#sink.waitingBytes() <= limits.slowReaderBytes) {
-      this.#sink.snapshot(this.#pending);
-      this.#pending = null;
+  get #unread(): number {
+    const { sentBytes, takenBytes } = this.#sink.flow;
+    return sentBytes - Math.max(takenBytes, this.#seenBytes);
+  }
+
+  get #isFull(): boolean {
+    return this.#sink.flow.isProof && this.#unread > limits.heldReaderBytes;
+  }
+
+  get #hasCredit(): boolean {
+    if (!this.#saysSeen) {
+      const { takenBytes } = this.#sink.flow;
+      this.#onTheWay = this.#onTheWay.filter(({ end }) => end > takenBytes);
     }
-    this.#cancelTimer = this.#clock.after(limits.snapshotIntervalMs, () => {
+    return this.#onTheWay.length < limits.snapshotCredit;
+  }
+
+  #flush(): void {
+    if (this.#isHeld) this.#catchUp();
+    if (this.#pending !== null && this.#hasCredit) this.#sendSnapshot(this.#pending);
+    this.#arm();
+  }
+
+  /** Looks again in a moment. */
+  #arm(): void {
+    this.#cancelTimer ??= this.#clock.after(limits.snapshotIntervalMs, () => {
       this.#cancelTimer = null;
-      if (this.#pending !== null) this.#flush();
+      if (this.#pending !== null || (this.#isHeld && !this.#isMissing)) this.#flush();
     });
+  }
+
+  #catchUp(): void {
+    if (this.#isMissing || this.#isClosed) return;
+    const events = this.#source.events.after(this.#n);
+    if (events === null) return this.#missed();
+    this.#isHeld = false;
+    for (const event of events) {
+      if (this.#isFull) {
+        this.#isHeld = true;
+        return this.#arm();
+      }
+      this.#tell(event);
+    }
+  }
+
+  #missed(): void {
+    this.#isMissing = true;
+    const told = this.#source.tellOpen((open) => {
+      if (this.#isClosed) return;
+      this.#isMissing = false;
+      this.#isHeld = false;
+      this.#n = this.#source.events.n;
+      this.#sink.gap({ n: this.#n, open });
+      const newest = this.#source.newest();
+      if (newest !== null) this.snapshot(newest);
+    });
+    told.catch(() => this.over("busy"));
+  }
+
+  #tell(event: StateEvent): void {
+    if (this.#pending !== null && (hasEnded(event.record.state) || this.#hasCredit)) {
+      this.#sendSnapshot(this.#pending);
+    }
+    this.#sink.state(event);
+    this.#n = event.n;
+    if (this.#unread > limits.askReaderBytes) this.#sink.flow.ask();
+  }
+
+  #sendSnapshot(snapshot: Snapshot): void {
+    this.#pending = null;
+    this.#sink.snapshot(snapshot);
+    this.#left(snapshot);
+  }
+
+  #left({ seq }: Snapshot): void {
+    const { flow } = this.#sink;
+    this.#onTheWay.push({ seq, end: flow.sentBytes });
+    if (!this.#saysSeen) flow.ask();
   }
 }

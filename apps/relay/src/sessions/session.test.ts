@@ -18,6 +18,15 @@ import { limits } from "./limits.ts";
 import type { PageLink } from "./page-link.ts";
 import { SessionHub } from "./session-hub.ts";
 
+/** What a reader in a test does not listen to. */
+const deafReader = {
+  door: "websocket",
+  flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
+  began: () => undefined,
+  gap: () => undefined,
+  over: () => undefined,
+} as const;
+
 const LEFT: Command = { action: "left 90" };
 const patience = (milliseconds: number) => ({ milliseconds, signal: new AbortController().signal });
 
@@ -89,13 +98,15 @@ describe("a robot session: delivery", () => {
     const robot = await withRobot();
     await page(robot);
     const said: string[] = [];
-    robot.session.join(robot.key, {
-      snapshot: () => undefined,
-      state: ({ state }) => said.push(state),
-      over: () => undefined,
-      door: "websocket",
-      waitingBytes: () => 0,
-    });
+    robot.session.join(
+      robot.key,
+      {
+        snapshot: () => undefined,
+        state: ({ record }) => said.push(record.state),
+        ...deafReader,
+      },
+      null,
+    );
     await robot.session.submit(robot.key, { key: null, command: LEFT }, ({ state }) =>
       said.push(`ack ${state}`),
     );
@@ -235,13 +246,11 @@ describe("a robot session: what scripts see", () => {
     const robot = await withRobot();
     const host = await page(robot);
     const seen: number[] = [];
-    robot.session.join(robot.key, {
-      snapshot: ({ seq }) => seen.push(seq),
-      state: () => undefined,
-      over: () => undefined,
-      door: "websocket",
-      waitingBytes: () => 0,
-    });
+    robot.session.join(
+      robot.key,
+      { snapshot: ({ seq }) => seen.push(seq), state: () => undefined, ...deafReader },
+      null,
+    );
     for (let seq = 1; seq <= 100; seq++) {
       await host.report({ seq });
       await robot.clock.pass(10);
@@ -255,23 +264,34 @@ describe("a robot session: what scripts see", () => {
   it("sends a slow reader nothing old, and drops one that does not read", async () => {
     const robot = await withRobot();
     const host = await page(robot);
-    let waiting = limits.slowReaderBytes + 1;
+    const flow = { sentBytes: 0, takenBytes: 0, isProof: false, ask: () => undefined };
     const seen: number[] = [];
     const over: string[] = [];
-    robot.session.join(robot.key, {
-      snapshot: ({ seq }) => seen.push(seq),
-      state: () => undefined,
-      over: (reason) => over.push(reason),
-      door: "websocket",
-      waitingBytes: () => waiting,
-    });
-    for (let seq = 1; seq <= 5; seq++) await host.report({ seq });
-    await robot.clock.pass(1_000);
-    expect(seen).toEqual([]);
-    waiting = 0;
+    const snapshot = ({ seq }: { seq: number }): void => {
+      seen.push(seq);
+      flow.sentBytes += 400;
+    };
+    robot.session.join(
+      robot.key,
+      {
+        ...deafReader,
+        snapshot,
+        state: () => undefined,
+        over: (reason) => over.push(reason),
+        door: "events",
+        flow,
+      },
+      null,
+    );
+    for (let seq = 1; seq <= 9; seq++) {
+      await host.report({ seq });
+      await robot.clock.pass(limits.snapshotIntervalMs);
+    }
+    expect(seen).toEqual([1, 2]);
+    flow.takenBytes = flow.sentBytes;
     await robot.clock.pass(limits.snapshotIntervalMs);
-    expect(seen).toEqual([5]);
-    waiting = limits.stuckReaderBytes + 1;
+    expect(seen).toEqual([1, 2, 9]);
+    flow.sentBytes += limits.stuckReaderBytes + 1;
     await robot.submit(LEFT);
     expect(over).toEqual(["tooSlow"]);
   });
@@ -281,13 +301,15 @@ describe("a robot session: what scripts see", () => {
     const host = await page(robot);
     await robot.submit(LEFT);
     const said: string[] = [];
-    robot.session.join(robot.key, {
-      snapshot: ({ seq }) => said.push(`snapshot ${seq}`),
-      state: ({ state }) => said.push(state),
-      over: () => undefined,
-      door: "websocket",
-      waitingBytes: () => 0,
-    });
+    robot.session.join(
+      robot.key,
+      {
+        snapshot: ({ seq }) => said.push(`snapshot ${seq}`),
+        state: ({ record }) => said.push(record.state),
+        ...deafReader,
+      },
+      null,
+    );
     await host.report({ seq: 1 });
     await host.report({ seq: 2 });
     await host.ended(completed(1));
@@ -297,12 +319,24 @@ describe("a robot session: what scripts see", () => {
   it("tells apart a robot that runs, one that sleeps and one that is gone", async () => {
     const robot = await withRobot();
     const host = await page(robot);
-    await host.report();
+    await host.report({ tick: 1 });
     expect(robot.session.newest?.state).toBe("running");
-    await robot.clock.pass(limits.asleepMs + 1_500);
+    await robot.clock.pass(5_000);
     expect(robot.session.newest?.state).toBe("paused");
     robot.session.leavePage(host.link);
     expect(robot.session.newest?.state).toBe("gone");
+  });
+
+  it("takes a robot whose ticks stand still for asleep, until they go on", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let second = 0; second < 5; second++) {
+      await host.report({ seq: second, tick: 7 });
+      await robot.clock.pass(1_000);
+    }
+    expect(robot.session.newest?.state).toBe("paused");
+    await host.report({ seq: 9, tick: 8 });
+    expect(robot.session.newest?.state).toBe("running");
   });
 
   it("keeps counting snapshots when a reloaded page begins at 1 again", async () => {

@@ -6,6 +6,7 @@ import {
   closeReasons,
   type Command,
   type CommandRecord,
+  type EventPage,
   type PageToRelay,
   type Resume,
   type Snapshot,
@@ -16,12 +17,21 @@ import type { SessionStore, StoredKey, StoredSession } from "../store/session-st
 import { Audience, type Patience, type ReaderDoor } from "./audience.ts";
 import { CommandLife } from "./command-life.ts";
 import { DriverRoster } from "./driver-roster.ts";
+import { EventLog } from "./event-log.ts";
+import { nextEvents, type WantedEvents } from "./next-events.ts";
 import { limits } from "./limits.ts";
 import type { PageLink } from "./page-link.ts";
 import { PageSeat } from "./page-seat.ts";
-import { ReaderFeed, type ReaderSink } from "./reader-feed.ts";
+import { ReaderFeed, type ReaderSink, type ReaderSource } from "./reader-feed.ts";
 import { RobotView } from "./robot-view.ts";
 import { noWitness } from "./witness.ts";
+
+/** A reader's hold on the session. */
+export interface JoinedReader {
+  /** It has read all that came up to this snapshot. */
+  seen(seq: number): void;
+  leave(): void;
+}
 
 export class Session {
   readonly id: string;
@@ -31,6 +41,7 @@ export class Session {
   readonly #store: SessionStore;
   readonly #clock: Clock;
   readonly #view = new RobotView();
+  readonly #events: EventLog;
   readonly #audience: Audience;
   readonly #seat: PageSeat;
   readonly #life: CommandLife;
@@ -46,7 +57,8 @@ export class Session {
     this.#touchedAt = stored.lastUsedAt;
     this.#store = store;
     this.#clock = clock;
-    const audience = new Audience(clock);
+    this.#events = new EventLog(clock);
+    const audience = new Audience(clock, this.#events);
     const seat = new PageSeat(clock.now());
     this.#audience = audience;
     this.#seat = seat;
@@ -151,18 +163,27 @@ export class Session {
   }
 
   /**
-   * Joins a reader of snapshots and states.
-   * @returns a function that lets it go
+   * Joins a reader of snapshots and states, and welcomes it.
+   * @param since the last state that it was told before; null for a new reader
    * @throws Refusal when too many read already
    */
-  join(grant: StoredKey, sink: ReaderSink): () => void {
-    const feed = new ReaderFeed(sink, this.#clock);
+  join(grant: StoredKey, sink: ReaderSink, since: string | null): JoinedReader {
+    const feed = new ReaderFeed(sink, this.#source, this.#clock);
     const leave = this.#audience.join(feed, grant.hash, sink.door);
     this.roster.connected(1);
-    return () => {
-      feed.close();
-      if (leave()) this.roster.connected(-1);
+    feed.begin(since);
+    return {
+      seen: (seq) => feed.seen(seq),
+      leave: () => {
+        feed.close();
+        if (leave()) this.roster.connected(-1);
+      },
     };
+  }
+
+  /** The states after `since`, and the newest snapshot: see `nextEvents`. */
+  async nextEvents(wanted: WantedEvents, patience: Patience): Promise<EventPage> {
+    return nextEvents({ ...this.#source, audience: this.#audience }, wanted, patience);
   }
 
   /** Waits for a snapshot newer than `after`, or for the robot to go. @returns the newest then */
@@ -182,6 +203,7 @@ export class Session {
   /** Called about once a second: finds pages that sleep or that are away for good. */
   async checkLife(): Promise<void> {
     const now = this.#clock.now();
+    this.#events.forgetOld();
     if (this.hasPage && this.#view.checkAsleep(now)) this.#tellSnapshot();
     if (this.#seat.awayMs(now) >= limits.pageAwayMs) await this.#life.pageIsGone();
   }
@@ -205,6 +227,14 @@ export class Session {
 
   #used(): void {
     this.#lastUsedAt = Math.max(this.#lastUsedAt, this.#clock.now());
+  }
+
+  get #source(): ReaderSource {
+    return {
+      events: this.#events,
+      newest: () => this.newest,
+      tellOpen: (tell) => this.#life.tellOpen(tell),
+    };
   }
 
   #tellSnapshot(): void {

@@ -93,6 +93,8 @@ export interface SessionStore {
   command(id: string, seq: number): Promise<CommandRecord | null>;
   /** Commands with a higher seq, in order. */
   commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]>;
+  /** The commands that have not ended, in order. */
+  openCommands(id: string): Promise<CommandRecord[]>;
   /**
    * Whether the store can be written, found out by writing.
    * @returns full: it answers, and has no room left

@@ -209,6 +209,13 @@ export class SqliteStore implements SessionStore {
     return recordsIn(this.#file.reading, sql, [id, seq, limit]);
   }
 
+  async openCommands(id: string): Promise<CommandRecord[]> {
+    return this.#records(
+      `SELECT ${COLUMNS} FROM ${OPEN_COMMANDS} WHERE robot = ? AND ${IS_OPEN} ORDER BY seq`,
+      [id],
+    );
+  }
+
   async check(): Promise<"ok" | "full"> {
     return this.#file.check();
   }

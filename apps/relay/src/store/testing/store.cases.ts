@@ -204,6 +204,21 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await store.command(ID, 1)).toMatchObject({ reason: "the page was reloaded" });
     });
 
+    it("lists the commands that have not ended, in order", async () => {
+      const { add, store } = await withRobot();
+      for (let n = 0; n < 4; n++) await add(LEFT);
+      await store.deliver(ID, 1, 3);
+      await store.start(ID, 1);
+      await store.end(ID, { seq: 2, state: "completed", reason: null, pose: null, distance: 0 });
+      const open = await store.openCommands(ID);
+      expect(open.map(({ seq, state }) => `${seq} ${state}`)).toEqual([
+        "1 started",
+        "3 delivered",
+        "4 accepted",
+      ]);
+      expect(await store.openCommands("BBBBBBBBBBBBBBBBBBBBBB")).toEqual([]);
+    });
+
     it("never gives a number again that the page has seen", async () => {
       const { add, store } = await withRobot();
       await store.takeOver(ID, { lastApplied: 41, fresh: false, endings: [] });

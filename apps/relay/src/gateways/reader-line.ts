@@ -1,0 +1,7 @@
+/** A script's line as its conversation needs it: a socket that also knows what was taken on the other side. */
+import type { SocketPort } from "@corridor/protocol";
+import type { ReaderFlow } from "../sessions/reader-feed.ts";
+
+export interface ReaderLine extends SocketPort {
+  readonly flow: ReaderFlow;
+}

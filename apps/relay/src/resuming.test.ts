@@ -1,0 +1,202 @@
+/** Readers that come back, through each door and over a restart; and one whose socket is not read. */
+import { eventPageSchema, type EventPage, type Registration } from "@corridor/protocol";
+import { snapshotOf } from "@corridor/protocol/testing";
+import { once } from "node:events";
+import { connect } from "node:net";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { FakeClock } from "./testing/fake-clock.ts";
+import { limits } from "./sessions/limits.ts";
+import { completed } from "./testing/messages.ts";
+import { startTestRelay, testFolder, type TestRelay } from "./testing/test-relay.ts";
+import { TestSocket, type Message } from "./testing/test-socket.ts";
+
+const LEFT = { action: "left 90" };
+
+async function send(relay: TestRelay, robot: Registration, times = 1): Promise<void> {
+  for (let n = 0; n < times; n++) {
+    const answer = await relay.ask(robot, "/commands", { method: "POST", body: LEFT });
+    expect(answer.status).toBe(202);
+  }
+}
+
+async function comeBack(relay: TestRelay, robot: Registration, since: string) {
+  const socket = await TestSocket.open(relay, robot.id);
+  socket.send({ type: "hello", version: 1, role: "drive", key: robot.driverKey, since });
+  return { socket, welcome: await socket.next("welcome") };
+}
+
+function sinceOf(welcome: Message, n: unknown = welcome["n"]): string {
+  return `${String(welcome["stream"])}-${String(n)}`;
+}
+
+describe("a script that comes back by WebSocket", () => {
+  it("is told what happened while it was away", async () => {
+    const relay = await startTestRelay();
+    const robot = await relay.register();
+    const { socket: page, epoch } = await TestSocket.page(relay, robot);
+    const first = await TestSocket.open(relay, robot.id);
+    first.send({ type: "hello", version: 1, role: "drive", key: robot.driverKey });
+    const welcome = await first.next("welcome");
+    await send(relay, robot);
+    const told = await first.next("state");
+    first.close();
+    await first.closed;
+    page.send({ type: "started", epoch, seq: 1 });
+    page.send({ type: "ended", epoch, ...completed(1) });
+    await page.next("stored");
+    const { socket } = await comeBack(relay, robot, sinceOf(welcome, told["n"]));
+    expect(await socket.next("state")).toMatchObject({ n: 2, record: { state: "started" } });
+    expect(await socket.next("state")).toMatchObject({ n: 3, record: { state: "completed" } });
+  });
+
+  it("is told of a gap, and what is open, when the relay was restarted", async () => {
+    const dataDir = testFolder();
+    const first = await startTestRelay({ dataDir });
+    const robot = await first.register();
+    await send(first, robot, 2);
+    const before = await comeBack(first, robot, "00000000-0");
+    await first.close();
+    const relay = await startTestRelay({ dataDir });
+    const { socket, welcome } = await comeBack(relay, robot, sinceOf(before.welcome, 0));
+    expect(welcome["n"]).toBeNull();
+    expect(await socket.next("gap")).toEqual({
+      type: "gap",
+      n: 0,
+      open: [
+        { seq: 1, state: "accepted" },
+        { seq: 2, state: "accepted" },
+      ],
+    });
+    await TestSocket.page(relay, robot);
+    expect(await socket.next("state")).toMatchObject({ n: 1, record: { state: "delivered" } });
+  });
+});
+
+describe("a script that follows by long poll", () => {
+  async function poll(relay: TestRelay, robot: Registration, query: string): Promise<EventPage> {
+    const answer = await relay.ask(robot, `/events?wait=25${query}`);
+    expect(answer.status).toBe(200);
+    return eventPageSchema.parse(await answer.json());
+  }
+
+  it("misses nothing between two answers, and waits when there is nothing", async () => {
+    const relay = await startTestRelay();
+    const robot = await relay.register();
+    const { socket: page, epoch } = await TestSocket.page(relay, robot);
+    const start = await poll(relay, robot, "");
+    expect(start).toMatchObject({ gap: null, states: [], snapshot: null });
+    const waiting = poll(relay, robot, `&since=${start.since}`);
+    await send(relay, robot);
+    const delivered = await waiting;
+    expect(delivered.states.map(({ record }) => record.state)).toEqual(["delivered"]);
+    page.send({ type: "started", epoch, seq: 1 });
+    page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq: 4 }) });
+    page.send({ type: "ended", epoch, ...completed(1) });
+    await page.next("stored");
+    const ended = await poll(relay, robot, `&since=${delivered.since}`);
+    expect(ended.states.map(({ n, record }) => `${n} ${record.state}`)).toEqual([
+      "2 started",
+      "3 completed",
+    ]);
+    expect(ended.snapshot).toMatchObject({ seq: 4 });
+    const newer = poll(relay, robot, `&since=${ended.since}&after=4`);
+    page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq: 5 }) });
+    expect(await newer).toMatchObject({ states: [], snapshot: { seq: 5 } });
+  });
+
+  it("is told of a gap when it knows the numbers of another relay", async () => {
+    const relay = await startTestRelay();
+    const robot = await relay.register();
+    await send(relay, robot);
+    const page = await poll(relay, robot, "&since=00000000-7");
+    expect(page.gap).toEqual({ n: 0, open: [{ seq: 1, state: "accepted" }] });
+    expect(page.states).toEqual([]);
+  });
+
+  it.each(["since=7", "since=abc", "wait=26", "wait=1&after=-1"])(
+    "is told what is wrong with %s",
+    async (query) => {
+      const relay = await startTestRelay();
+      const robot = await relay.register();
+      const answer = await relay.ask(robot, `/events?${query}`);
+      expect(answer.status).toBe(400);
+      expect(await answer.json()).toMatchObject({ errors: [{ expected: expect.any(String) }] });
+    },
+  );
+});
+
+describe("a script that follows by server-sent events", () => {
+  /** Reads the stream until a text has come. */
+  async function read(answer: Response, until: string): Promise<string> {
+    let text = "";
+    const decoder = new TextDecoder();
+    for await (const part of answer.body ?? []) {
+      text += decoder.decode(part as Uint8Array, { stream: true });
+      if (text.includes(until)) break;
+    }
+    return text;
+  }
+
+  it("goes on after the last event that it had, as browsers ask for by themselves", async () => {
+    const relay = await startTestRelay();
+    const robot = await relay.register();
+    await TestSocket.page(relay, robot);
+    const first = await relay.ask(robot, "/events");
+    const begun = await read(first, "id: ");
+    const id = /id: (\S+)/.exec(begun)?.[1] ?? "";
+    await send(relay, robot, 2);
+    const again = await relay.ask(robot, "/events", { headers: { "Last-Event-ID": id } });
+    const stream = id.split("-")[0];
+    const text = await read(again, `${stream}-2`);
+    expect(text).toContain(`id: ${stream}-1\nevent: state\n`);
+    const lost = await relay.ask(robot, "/events", { headers: { "Last-Event-ID": "zzzzzzzz-1" } });
+    expect(await read(lost, "event: gap")).toContain(`id: ${stream}-2\nevent: gap`);
+  });
+});
+
+describe("a script whose socket is not read for a while", () => {
+  it(
+    "finds at most 64 KiB waiting, and the newest snapshot behind them",
+    { timeout: 120_000 },
+    async () => {
+      const clock = new FakeClock();
+      const relay = await startTestRelay({ clock });
+      const robot = await relay.register();
+      const { socket: page, epoch } = await TestSocket.page(relay, robot);
+      let bytes = 0;
+      let text = "";
+      const raw = connect(Number(new URL(relay.origin).port), "127.0.0.1");
+      onTestFinished(() => void raw.destroy());
+      raw.on("data", (data: Buffer) => {
+        bytes += data.length;
+        text += data.toString("latin1");
+      });
+      raw.write(
+        `GET /api/v1/robots/${robot.id}/socket HTTP/1.1\r\nHost: relay\r\nConnection: Upgrade\r\n` +
+          "Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n",
+      );
+      const hello = { type: "hello", version: 1, role: "drive", key: robot.driverKey };
+      // A frame whose mask is zero carries its text as it is.
+      const payload = Buffer.from(JSON.stringify(hello));
+      raw.write(Buffer.concat([Buffer.from([0x81, 0x80 | payload.length, 0, 0, 0, 0]), payload]));
+      while (!text.includes("welcome")) await once(raw, "data");
+      raw.pause();
+      bytes = 0;
+      for (let seq = 1; seq <= 1_200; seq++) {
+        page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq, tick: seq }) });
+        if (seq % 10 === 0)
+          await relay.ask(robot, "/commands", { method: "POST", body: { action: "stop" } });
+        if (seq % 10 === 0) await clock.pass(limits.snapshotIntervalMs * 4);
+      }
+      const states = await relay.ask(robot, "/commands");
+      expect(((await states.json()) as { commands: unknown[] }).commands.length).toBeGreaterThan(
+        50,
+      );
+      raw.resume();
+      while (!text.includes('"seq":2,')) await once(raw, "data");
+      await new Promise((resolve) => setTimeout(resolve, 200));
+      expect(bytes).toBeLessThan(64 * 1024);
+      expect(text.split('"type":"snapshot"').length - 1).toBeLessThan(10);
+    },
+  );
+});

@@ -1,0 +1,193 @@
+import {
+  KEPT_EVENTS_MS,
+  MAX_KEPT_EVENTS,
+  type CommandRecord,
+  type Snapshot,
+} from "@corridor/protocol";
+import { snapshotOf } from "@corridor/protocol/testing";
+import { describe, expect, it } from "vitest";
+import { FakeClock, settled } from "../testing/fake-clock.ts";
+import { EventLog } from "./event-log.ts";
+import { limits } from "./limits.ts";
+import { ReaderFeed } from "./reader-feed.ts";
+
+function recordOf(seq: number): CommandRecord {
+  return {
+    seq,
+    key: null,
+    action: "left 90",
+    command: { action: "left 90" },
+    state: "started",
+    reason: null,
+    acceptedAt: "2026-01-01T00:00:00.000Z",
+    pose: null,
+    distance: null,
+    duplicate: false,
+  };
+}
+
+const STATE_BYTES = 300;
+
+/** A robot with a log, and readers whose lines take what they are told to take. */
+function robotWithReaders() {
+  const clock = new FakeClock();
+  const events = new EventLog(clock);
+  let newest: Snapshot | null = null;
+  const feeds: ReaderFeed[] = [];
+  const join = (since: string | null = null) => {
+    const said: string[] = [];
+    const flow = { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined };
+    const say = (text: string, bytes: number): void => {
+      said.push(text);
+      flow.sentBytes += bytes;
+    };
+    const feed = new ReaderFeed(
+      {
+        door: "websocket",
+        flow,
+        began: ({ n }) => say(`welcome ${n}`, 100),
+        snapshot: ({ seq }) => say(`snapshot ${seq}`, 400),
+        state: ({ n }) => say(`state ${n}`, STATE_BYTES),
+        gap: ({ n, open }) => say(`gap ${n} ${open.map(({ seq }) => seq).join()}`, 200),
+        over: (reason) => say(reason, 0),
+      },
+      {
+        events,
+        newest: () => newest,
+        tellOpen: async (tell) => tell([{ seq: 5, state: "started" }]),
+      },
+      clock,
+    );
+    feeds.push(feed);
+    feed.begin(since);
+    const takeAll = (): void => void (flow.takenBytes = flow.sentBytes);
+    return { feed, said, flow, takeAll };
+  };
+  const happen = (count = 1): void => {
+    for (let n = 0; n < count; n++) {
+      const event = events.add(recordOf(events.n + 1));
+      for (const feed of feeds) feed.state(event);
+    }
+  };
+  const report = (seq: number): void => {
+    newest = snapshotOf({ seq });
+    for (const feed of feeds) feed.snapshot(newest);
+  };
+  return { clock, events, join, happen, report };
+}
+
+describe("a reader that comes back", () => {
+  it("is told what it missed, once and in order, and then what happens", () => {
+    const { events, join, happen } = robotWithReaders();
+    happen(2);
+    const since = events.since;
+    happen(3);
+    const { said } = join(since);
+    happen();
+    expect(said).toEqual(["welcome 2", "state 3", "state 4", "state 5", "state 6"]);
+  });
+
+  it("is told of nothing old when it is new", () => {
+    const { join, happen } = robotWithReaders();
+    happen(2);
+    const { said } = join();
+    happen();
+    expect(said).toEqual(["welcome 2", "state 3"]);
+  });
+
+  it.each([
+    { name: "of more states than are kept", after: MAX_KEPT_EVENTS + 1, ms: 0 },
+    { name: "of states that are too old", after: 1, ms: KEPT_EVENTS_MS + 1 },
+  ])("gets one gap in place $name", async ({ after, ms }) => {
+    const { clock, events, join, happen, report } = robotWithReaders();
+    happen(3);
+    report(7);
+    const since = events.since;
+    happen(after);
+    await clock.pass(ms);
+    events.forgetOld();
+    const { said } = join(since);
+    happen();
+    await clock.pass(1_000);
+    happen();
+    const n = 3 + after;
+    const states = [`state ${n + 1}`, `state ${n + 2}`];
+    expect(said).toEqual(["welcome null", `gap ${n} 5`, "snapshot 7", ...states]);
+  });
+
+  it.each(["00000000-1", "00000000-0", "zzzzzzzz-99999"])(
+    "gets a gap when it comes with the numbers of another relay: %s",
+    async (since) => {
+      const { join, happen } = robotWithReaders();
+      happen(2);
+      const { said } = join(since);
+      await settled();
+      expect(said).toEqual(["welcome null", "gap 2 5"]);
+    },
+  );
+
+  it("gets a gap when it claims to know what has not happened yet", async () => {
+    const { events, join, happen } = robotWithReaders();
+    happen(2);
+    const { said } = join(`${events.stream}-3`);
+    await settled();
+    expect(said).toEqual(["welcome null", "gap 2 5"]);
+  });
+});
+
+describe("a reader that sleeps", () => {
+  it("has two snapshots on their way and no more, and then gets the newest", async () => {
+    const { clock, join, report } = robotWithReaders();
+    const { said, takeAll } = join();
+    for (let seq = 1; seq <= 100; seq++) {
+      report(seq);
+      await clock.pass(limits.snapshotIntervalMs);
+    }
+    expect(said).toEqual(["welcome 0", "snapshot 1", "snapshot 2"]);
+    takeAll();
+    await clock.pass(limits.snapshotIntervalMs);
+    expect(said.slice(3)).toEqual(["snapshot 100"]);
+  });
+
+  it("counts by its own word once it has given it, whatever its line says", async () => {
+    const { clock, join, report } = robotWithReaders();
+    const { feed, said, takeAll } = join();
+    report(1);
+    feed.seen(1);
+    for (let seq = 2; seq <= 9; seq++) {
+      report(seq);
+      takeAll();
+      await clock.pass(limits.snapshotIntervalMs);
+    }
+    expect(said.slice(1)).toEqual(["snapshot 1", "snapshot 2", "snapshot 3"]);
+    feed.seen(2);
+    await clock.pass(limits.snapshotIntervalMs);
+    expect(said.slice(4)).toEqual(["snapshot 9"]);
+  });
+
+  it("finds the states that it slept through, in order, and few of them on the line", async () => {
+    const { clock, join, happen } = robotWithReaders();
+    const { said, flow, takeAll } = join();
+    happen(900);
+    await clock.pass(60_000);
+    expect(flow.sentBytes).toBeLessThan(64 * 1024);
+    for (let tries = 0; tries < 20; tries++) {
+      takeAll();
+      await clock.pass(limits.snapshotIntervalMs);
+    }
+    expect(said.slice(1)).toEqual(
+      Array.from({ length: 900 }, (_none, index) => `state ${index + 1}`),
+    );
+  });
+
+  it("is told of a gap when it slept through more than is kept", async () => {
+    const { clock, join, happen } = robotWithReaders();
+    const { said, takeAll } = join();
+    happen(5_000);
+    takeAll();
+    await clock.pass(limits.snapshotIntervalMs);
+    happen();
+    expect(said.slice(-2)).toEqual(["gap 5000 5", "state 5001"]);
+    expect(said.filter((text) => text.startsWith("gap"))).toHaveLength(1);
+  });
+});
