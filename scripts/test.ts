@@ -1,12 +1,13 @@
 /**
- * `npm test`: types, lint, format, unused code, unit tests, build, browser and end-to-end tests.
+ * `npm test`: types, lint, format, unused code, unit tests, Python tests, build, end-to-end tests.
  * Every stage runs even when one before it failed; the last line counts all of them.
  */
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { inPath, requireChromium } from "./chromium.ts";
+import { requireChromium } from "./chromium.ts";
+import { pythonTests, requirePython, requirePythonTools } from "./python.ts";
 
 interface Counts {
   passed: number;
@@ -26,6 +27,11 @@ stage("lint", ["oxlint", "--max-warnings", "0"]);
 stage("format", ["oxfmt", "--check"]);
 stage("unused code", ["knip"]);
 counted("unit", ["vitest", "run", "--reporter=default", "--reporter=json"], vitestCounts);
+if (check("what the Python tests need", requirePythonTools)) {
+  counted("python", [...pythonTests], junitCounts);
+} else {
+  add("python", { passed: 0, failed: 1, skipped: 0 });
+}
 const isBuilt = stage("build", ["vite", "build", "apps/web"]);
 if (requirements && isBuilt) {
   const words = ["playwright", "test", "--config", "e2e/playwright.config.ts"];
@@ -52,15 +58,16 @@ function stage(name: string, words: string[]): boolean {
 }
 
 /** A test runner that writes its report to a file, from which its tests are counted. */
-function counted(name: string, words: string[], countsOf: (report: unknown) => Counts): void {
-  const file = join(folder, `${name.replaceAll(" ", "-")}.json`);
+function counted(name: string, words: string[], countsOf: (report: string) => Counts): void {
+  const file = join(folder, `${name.replaceAll(" ", "-")}.report`);
   const code = run(name, words, {
     VITEST_JSON_REPORT: file,
     PLAYWRIGHT_JSON_OUTPUT_NAME: file,
+    PYTEST_ADDOPTS: `--junitxml=${file}`,
   });
   let counts: Counts;
   try {
-    counts = countsOf(JSON.parse(readFileSync(file, "utf8")));
+    counts = countsOf(readFileSync(file, "utf8"));
   } catch {
     counts = { passed: 0, failed: 1, skipped: 0 };
   }
@@ -90,17 +97,6 @@ function check(name: string, requirement: () => unknown): boolean {
   }
 }
 
-function requirePython(): void {
-  if (inPath("python3").length > 0) return;
-  if (process.getuid?.() === 0 && inPath("apt-get").length > 0) {
-    spawnSync("apt-get", ["update"], { stdio: "inherit" });
-    spawnSync("apt-get", ["install", "-y", "python3"], { stdio: "inherit" });
-  }
-  if (inPath("python3").length === 0) {
-    throw new Error("The tests drive the page from a Python script: install Python 3.9 or newer.");
-  }
-}
-
 function add(name: string, counts: Counts): void {
   total.passed += counts.passed;
   total.failed += counts.failed;
@@ -109,7 +105,8 @@ function add(name: string, counts: Counts): void {
   process.stdout.write(`-- ${name}: ${counts.passed} passed, ${counts.failed} failed\n`);
 }
 
-function vitestCounts(report: unknown): Counts {
+function vitestCounts(text: string): Counts {
+  const report: unknown = JSON.parse(text);
   return {
     passed: numberAt(report, "numPassedTests"),
     failed: numberAt(report, "numFailedTests") + numberAt(report, "numFailedTestSuites"),
@@ -117,7 +114,8 @@ function vitestCounts(report: unknown): Counts {
   };
 }
 
-function playwrightCounts(report: unknown): Counts {
+function playwrightCounts(text: string): Counts {
+  const report: unknown = JSON.parse(text);
   const stats = typeof report === "object" && report !== null && "stats" in report && report.stats;
   const flaky = numberAt(stats, "flaky");
   return {
@@ -126,6 +124,16 @@ function playwrightCounts(report: unknown): Counts {
     skipped: numberAt(stats, "skipped"),
     flaky,
   };
+}
+
+/** The first element of a JUnit report carries the sums. */
+function junitCounts(text: string): Counts {
+  const sum = (name: string): number => Number(new RegExp(` ${name}="(\\d+)"`).exec(text)?.[1]);
+  const failed = sum("failures") + sum("errors");
+  const skipped = sum("skipped");
+  const passed = sum("tests") - failed - skipped;
+  if (Number.isNaN(passed)) throw new Error("the report has no sums");
+  return { passed, failed, skipped };
 }
 
 function numberAt(from: unknown, key: string): number {

@@ -12,6 +12,7 @@ import { documentRoutes } from "./routes/documents.ts";
 import { eventRoutes } from "./routes/events.ts";
 import { notFound, problemAnswers } from "./routes/fallbacks.ts";
 import { healthRoutes } from "./routes/health.ts";
+import { pythonClientRoutes } from "./routes/python-client.ts";
 import { requestLog } from "./routes/request-log.ts";
 import { robotRoutes } from "./routes/robots.ts";
 import { openToAllSites, securityHeaders } from "./routes/security-headers.ts";
@@ -49,6 +50,7 @@ export function createApp(dependencies: AppDependencies): Express {
     next();
   });
   app.use(descriptionRoutes());
+  app.use(pythonClientRoutes());
   const api = Router();
   api.use(openToAllSites);
   api.use(robotRoutes(hub, entrance));

@@ -91,7 +91,7 @@ export class GridRobot {
       state: isFree ? "completed" : "collided",
       reason: null,
       pose: this.#pose,
-      distance: command.action === "move" && isFree ? command.distance : 0,
+      distance: command.action === "move" && isFree ? Math.abs(command.distance) : 0,
     });
   }
 
@@ -99,11 +99,12 @@ export class GridRobot {
     if (command.action === "left 90") this.#quarter = (this.#quarter + 3) % 4;
     if (command.action === "right 90") this.#quarter = (this.#quarter + 1) % 4;
     if (command.action !== "move") return true;
-    if (this.#distance(0) <= 50) {
+    const turned = command.distance < 0 ? 2 : 0;
+    if (this.#distance(turned) <= 50) {
       this.#bumps += 1;
       return false;
     }
-    const [x, y] = STEPS[this.#quarter] ?? STEPS[0];
+    const [x, y] = STEPS[(this.#quarter + turned) % 4] ?? STEPS[0];
     this.#column += x;
     this.#row += y;
     return true;

@@ -1,0 +1,77 @@
+/**
+ * `/corridor.py`: the Python package as one file, so that `from corridor import Robot` needs nothing to
+ * be installed: a student saves it beside the script. Made from the package's modules when the relay starts.
+ */
+import { existsSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { Router } from "express";
+import { methodNotAllowed } from "./fallbacks.ts";
+import { openToAllSites } from "./security-headers.ts";
+
+const PACKAGE = join(import.meta.dirname, "../../../../packages/client-python/src/corridor");
+
+/** Each after those that it imports from. */
+const MODULES = [
+  "errors",
+  "address",
+  "reports",
+  "actions",
+  "requests",
+  "problems",
+  "talk",
+  "line",
+  "async_line",
+  "robot",
+  "async_robot",
+  "__init__",
+];
+
+const FUTURE = "from __future__ import annotations\n";
+/** An import of a neighbour, on one line or in brackets. */
+const OWN_IMPORT = /^from \.\w+ import (?:\([^)]*\)|[^(\n]*)\n/gm;
+const STANDARD_IMPORT = /^(?:import|from) .*\n/gm;
+const DOCSTRING = /^"""([\s\S]*?)\s*"""\n/;
+
+export function pythonClientRoutes(folder: string = PACKAGE): Router {
+  const router = Router();
+  // A relay that was set up without the rest of the project has no package to offer.
+  if (!existsSync(folder)) return router;
+  const text = oneFile((name) => readFileSync(join(folder, `${name}.py`), "utf8"));
+  router
+    .route("/corridor.py")
+    .all(openToAllSites)
+    .get((_request, response) => {
+      response.set("Cache-Control", "no-cache").type("text/x-python; charset=utf-8").send(text);
+    })
+    .all(methodNotAllowed("GET"));
+  return router;
+}
+
+function oneFile(read: (name: string) => string): string {
+  const imports = new Set<string>();
+  const bodies = MODULES.map((name) => {
+    const source = read(name).replace(FUTURE, "").replaceAll(OWN_IMPORT, "");
+    for (const [line] of source.matchAll(STANDARD_IMPORT)) imports.add(line);
+    return source
+      .replaceAll(STANDARD_IMPORT, "")
+      .replace(DOCSTRING, (_all, words: string) => comment(name, words))
+      .replaceAll(/\n{4,}/g, "\n\n\n");
+  });
+  const head = `"""Drive a robot from your own script: keep this file beside it.
+
+    from corridor import Robot
+
+    robot = Robot("http://HOST/r/ID#KEY")
+    robot.forward(100)
+    print(robot.sensor.front)
+
+Python 3.9 or newer, nothing else.
+"""
+`;
+  return [head, FUTURE, [...imports].toSorted().join(""), ...bodies].join("\n");
+}
+
+function comment(name: string, words: string): string {
+  const lines = words.split("\n").map((line) => `# ${line}`.trimEnd());
+  return [`# --- ${name} ---`, ...lines, ""].join("\n");
+}

@@ -1,0 +1,64 @@
+"""The address of a robot, `https://HOST/r/ID#KEY`: all that a script needs."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Optional
+
+from .errors import AddressError
+
+_LONGEST = 400
+_ADDRESS = re.compile(r"(https?://[^/?#\s@]+)/r/([A-Za-z0-9_-]{1,64})(?:#([A-Za-z0-9_-]{8,64}))?")
+_KEY = re.compile(r"[A-Za-z0-9_-]{8,64}")
+_COPY = "copy the whole address from the page, under Remote"
+
+
+@dataclass(frozen=True)
+class Address:
+    """Where a robot is. The key shows in no text that is made from this."""
+
+    origin: str
+    id: str
+    key: str = field(repr=False)
+
+    @property
+    def api(self) -> str:
+        """Where the robot's calls begin."""
+        return f"{self.origin}/api/v1/robots/{self.id}"
+
+
+def parse_address(text: str, key: Optional[str] = None) -> Address:
+    """Takes a robot's address apart; the key may be given by itself.
+
+    Raises AddressError with a hint for the usual mistakes of copying. The text is not repeated in
+    it, because it holds the key.
+    """
+    if not isinstance(text, str):
+        raise _wrong(f"It is a text in quotes: {_COPY}.")
+    text = text.strip()
+    match = _ADDRESS.fullmatch(text) if len(text) <= _LONGEST else None
+    if match is None:
+        raise _wrong(_hint_for(text[:_LONGEST]))
+    origin, robot_id, own_key = match.groups()
+    if key is not None:
+        own_key = key.strip().lstrip("#")
+    if own_key is None or _KEY.fullmatch(own_key) is None:
+        raise _wrong(f'The key after the # is missing or not whole: {_COPY}, and put it in "quotes".')
+    return Address(origin, robot_id, own_key)
+
+
+def _wrong(hint: str) -> AddressError:
+    return AddressError("bad-address", "This is not a robot's address", hint)
+
+
+def _hint_for(text: str) -> str:
+    if text == "":
+        return f"It is empty: {_COPY}."
+    if not re.match(r"https?://", text):
+        return f"It begins with http:// or https://: {_COPY}."
+    if re.match(r"https?://[^/]*@", text):
+        return f"It holds a user's name before the @: {_COPY}."
+    if re.fullmatch(r"https?://[^/]+/r/[^#]+#?", text):
+        return f'The key after the # is missing: {_COPY}, and put it in "quotes" on a command line.'
+    return f"It looks like http://HOST/r/ID#KEY: {_COPY}."

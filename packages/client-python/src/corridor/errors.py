@@ -1,0 +1,40 @@
+"""What can go wrong on a script's side of the line: each error says what, and how to go on."""
+
+from __future__ import annotations
+
+
+class RobotError(Exception):
+    """Something did not work. `code` is stable, `hint` says how to go on; both are in the text."""
+
+    def __init__(self, code: str, what: str, hint: str) -> None:
+        super().__init__(f"{what} ({code}). {hint}")
+        self.code = code
+        self.hint = hint
+
+
+class AddressError(RobotError, ValueError):
+    """The robot's address cannot be read, or leads to something else (`bad-address`)."""
+
+
+class CommandError(RobotError, ValueError):
+    """A number is out of its range (`bad-command`), or the robot's host refused the command (`refused`)."""
+
+
+class NotAuthorisedError(RobotError):
+    """The key is wrong, or does not allow this (`not-authorised`)."""
+
+
+class RobotGoneError(RobotError):
+    """The robot was forgotten (`no-robot`), or its page is away (`robot-gone`)."""
+
+
+class CommandEndedError(RobotError):
+    """The command did not come to its end: `cancelled`, `superseded` or `expired`."""
+
+
+class NoAnswerError(RobotError, TimeoutError):
+    """No answer in time (`timeout`)."""
+
+
+class ClosedError(RobotError):
+    """This robot was closed by the script itself (`closed`)."""

@@ -1,0 +1,226 @@
+"""How a script and a robot's host talk: tries, keys, ages and long polls, without any waiting in it.
+
+Every command carries an idempotency key and is sent again with it, so a retry never moves the
+robot twice.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+import random
+import time
+import uuid
+from typing import Callable, Dict, List, Optional
+
+from .actions import Action, has_no_end, plain
+from .address import Address
+from .errors import ClosedError, CommandEndedError, NoAnswerError, RobotGoneError
+from .problems import error_of, may_pass, reason_of, sentence
+from .reports import Command, Sensors, Snapshot, read_command, read_snapshot
+from .requests import Answer, Json, Pause, Request, T, Talk
+
+_FIRST_PAUSE = 0.25
+_LONGEST_PAUSE = 10.0
+#: One long poll. Short enough for filters that cut silent lines.
+_LONG_POLL = 10.0
+#: A reading waits so long for a newer one: robots report about 20 times a second while they move.
+_READING_WAIT = 0.05
+#: Beyond the wait that was asked for, the line counts as lost.
+_GRACE = 10.0
+#: Nothing was ever heard from this address: it may be wrong.
+_FIRST_CONTACT = 10.0
+#: A motion without an end is asked for its beginning so often.
+_BEGIN_POLL = 0.1
+#: A robot stops by itself when it hears nothing of its driver for 3 s.
+_SIGN_OF_LIFE = 1.0
+_LOG_PAGE = 200
+_NO_COMMAND_YET = 999_999_999_999_999
+
+#: The page shows what it begins with as the script's language.
+USER_AGENT = "Python-corridor/0.1"
+
+_log = logging.getLogger("corridor")
+
+
+class RobotTalk:
+    """All that a script says to one robot. Each method gives a talk for a runner."""
+
+    def __init__(
+        self,
+        address: Address,
+        answer_timeout: float,
+        finish_timeout: float,
+        clock: Callable[[], float] = time.monotonic,
+        chance: Callable[[], float] = random.random,
+    ) -> None:
+        self.address = address
+        self.is_closed = False
+        #: whether the robot goes on by itself with what this script asked for last
+        self.drives_on = False
+        self._answer_timeout = answer_timeout
+        self._finish_timeout = finish_timeout
+        self._clock = clock
+        self._chance = chance
+        self._newest = -1
+
+    def greet(self) -> Talk[None]:
+        """Whether the address leads to a robot, and the key fits."""
+        limit = min(_FIRST_CONTACT, self._answer_timeout)
+        yield from self._ask("GET", f"/commands?after={_NO_COMMAND_YET}", limit=limit)
+
+    def do(self, action: Action) -> Talk[Command]:
+        """Sends a command, and waits until it has ended; one without an end: until it has begun."""
+        headers = {"Content-Type": "application/json", "Idempotency-Key": uuid.uuid4().hex}
+        body = json.dumps(action).encode()
+        answer = yield from self._ask("POST", "/commands", body=body, headers=headers)
+        self.drives_on = has_no_end(action)
+        return (yield from self._follow(_read(read_command, answer), action))
+
+    def stop(self) -> Talk[Command]:
+        """Ends what runs, and drops what waits, whoever sent it."""
+        return (yield from self.do(plain("stop")))
+
+    def look(self, wait: float = _READING_WAIT) -> Talk[Snapshot]:
+        """The newest report; waits up to so many seconds for one that is newer than the last."""
+        deadline = self._clock() + self._answer_timeout
+        while True:
+            if self._newest < 0:
+                wait, path = _LONG_POLL, f"/sensors?wait={_LONG_POLL:g}"
+            else:
+                path = f"/sensors?after={self._newest}&wait={wait:g}"
+            snapshot = _read(read_snapshot, (yield from self._ask("GET", path, wait=wait)))
+            self._newest = snapshot.seq
+            if snapshot.state != "gone":
+                return snapshot
+            if self._clock() >= deadline:
+                hint = "Open the page again, and connect the robot under Remote."
+                raise RobotGoneError("robot-gone", "The robot's page is away", hint)
+            wait = 1.0
+
+    def wait_until(
+        self, condition: Callable[[Sensors], object], timeout: Optional[float]
+    ) -> Talk[Sensors]:
+        """Reads the sensors again and again until the condition holds."""
+        deadline = self._clock() + (self._finish_timeout if timeout is None else timeout)
+        sensors = (yield from self.look()).sensors
+        while not condition(sensors):
+            rest = deadline - self._clock()
+            if rest <= 0:
+                raise NoAnswerError(
+                    "timeout",
+                    f"What wait_until() waits for did not come; the last reading was {sensors}",
+                    "Give it more time with timeout=SECONDS, or check the condition.",
+                )
+            sensors = (yield from self.look(round(min(1.0, rest), 3))).sensors
+        return sensors
+
+    def wait(self, seconds: float) -> Talk[None]:
+        """Lets time go by, and tells the robot meanwhile that this script is still there."""
+        end = self._clock() + seconds
+        while (rest := end - self._clock()) > 0:
+            yield Pause(min(_SIGN_OF_LIFE, rest))
+            yield from self.greet()
+
+    def log(self) -> Talk[List[Command]]:
+        """Every command that is kept, oldest first."""
+        commands: List[Command] = []
+        while True:
+            after = commands[-1].seq if commands else 0
+            page = _read(_commands, (yield from self._ask("GET", f"/commands?after={after}")))
+            commands += page
+            if len(page) < _LOG_PAGE:
+                return commands
+
+    def _follow(self, command: Command, action: Action) -> Talk[Command]:
+        ends = not has_no_end(action)
+        deadline = self._clock() + self._finish_timeout
+        while not command.ended and (ends or command.state != "started"):
+            if self._clock() >= deadline:
+                raise NoAnswerError(
+                    "timeout",
+                    f"The robot does not finish command {command.seq} ({command.action})",
+                    "Check that the robot's page is open, connected and not paused.",
+                )
+            wait = _LONG_POLL if ends else _BEGIN_POLL
+            path = f"/commands/{command.seq}?wait={wait:g}"
+            command = _read(read_command, (yield from self._ask("GET", path, wait=wait)))
+        # Another command took its place: that is how a motion without an end is meant to end.
+        was_replaced = command.state == "superseded" and not ends
+        if command.state in ("cancelled", "superseded", "expired") and not was_replaced:
+            raise CommandEndedError(
+                command.state,
+                f"Command {command.seq} ({command.action}) was {command.state}",
+                sentence(command.reason or "somebody else drives this robot too"),
+            )
+        return command
+
+    def _ask(
+        self,
+        method: str,
+        path: str,
+        *,
+        body: Optional[bytes] = None,
+        headers: Optional[Dict[str, str]] = None,
+        wait: float = 0.0,
+        limit: Optional[float] = None,
+    ) -> Talk[Json]:
+        """One request, tried again while the network or the host has a bad moment."""
+        began = self._clock()
+        limit = self._answer_timeout if limit is None else limit
+        tries = 0
+        while True:
+            if self.is_closed:
+                raise ClosedError("closed", "This robot was closed", "Make a new Robot to go on.")
+            answer = yield Request(
+                method=method,
+                url=self.address.api + path,
+                headers={**self._headers, **(headers or {})},
+                body=body,
+                timeout=wait + _GRACE,
+            )
+            if answer is None:
+                raise TypeError("whoever runs a talk answers its requests")
+            if 200 <= answer.status < 300:
+                return _parse(answer)
+            if not may_pass(answer):
+                raise error_of(answer)
+            pause = self._chance() * min(_LONGEST_PAUSE, _FIRST_PAUSE * 2**tries)
+            pause = max(pause, answer.retry_after or 0.0)
+            tries += 1
+            if self._clock() - began + pause > limit:
+                raise NoAnswerError(
+                    "timeout",
+                    f"The robot's host does not answer: {reason_of(answer)}",
+                    f"Check the network, and that {self.address.origin} is where the robot is.",
+                )
+            if tries == 2:
+                _log.warning("The robot's host does not answer (%s). Trying again.", reason_of(answer))
+            yield Pause(pause)
+
+    @property
+    def _headers(self) -> Dict[str, str]:
+        return {
+            "Authorization": f"Bearer {self.address.key}",
+            "Accept": "application/json",
+            "User-Agent": USER_AGENT,
+        }
+
+
+def _commands(answer: Json) -> List[Command]:
+    return [read_command(record) for record in answer["commands"]]
+
+
+def _parse(answer: Answer) -> Json:
+    try:
+        return json.loads(answer.body)
+    except ValueError:
+        raise error_of(answer) from None
+
+
+def _read(reader: Callable[[Json], T], answer: Json) -> T:
+    """What the answer says; one of another shape did not come from a robot's host."""
+    try:
+        return reader(answer)
+    except (KeyError, TypeError, AttributeError):
+        raise error_of(Answer(200)) from None

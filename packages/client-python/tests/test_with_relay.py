@@ -1,0 +1,144 @@
+"""A script and a robot at the real relay."""
+
+import threading
+import time
+from typing import Tuple
+
+import pytest
+from conftest import Host
+from corridor import (
+    AddressError,
+    ClosedError,
+    NoAnswerError,
+    NotAuthorisedError,
+    Robot,
+    RobotError,
+    RobotGoneError,
+    Snapshot,
+)
+
+
+def test_a_script_drives_reads_and_stops(corridor: Host) -> None:
+    robot = Robot(corridor.address)
+    assert robot.right(90).state == "completed"
+    assert robot.sensor.front == 3_950
+    moved = robot.forward(100)
+    assert moved.distance == 100
+    assert moved.pose is not None and (moved.pose.x, moved.pose.heading) == (250, 90)
+    assert robot.sensor.front == 3_850
+    assert robot.stop().state == "completed"
+    assert [done["action"] for done in corridor.tell("state")["done"]] == ["right 90", "move"]
+
+
+def test_a_wall_in_the_way_is_seen_in_what_the_move_gives(corridor: Host) -> None:
+    robot = Robot(corridor.address)
+    assert robot.forward(100).collided
+    robot.right()
+    steps = 0
+    while robot.forward(100):
+        steps += 1
+    assert steps == 39
+
+
+def test_the_log_shows_every_command_in_order(corridor: Host) -> None:
+    robot = Robot(corridor.address)
+    robot.right()
+    robot.forward(100)
+    assert robot.reverse(100).distance == 100
+    assert [(each.seq, each.action, each.state) for each in robot.commands] == [
+        (1, "right 90", "completed"),
+        (2, "move", "completed"),
+        (3, "move", "completed"),
+    ]
+    assert robot.commands[2].request == {"action": "move", "distance": -100}
+
+
+def test_readings_follow_the_robot_while_others_drive_it(corridor: Host) -> None:
+    reader, driver = Robot(corridor.address), Robot(corridor.address)
+    driver.right()
+
+    def drive() -> None:
+        for _ in range(3):
+            driver.forward(100)
+
+    thread = threading.Thread(target=drive)
+    thread.start()
+    assert reader.wait_until(lambda sensor: sensor.back == 350, timeout=20).front == 3_650
+    thread.join()
+    seen = next(reader.snapshots())
+    assert isinstance(seen, Snapshot) and seen.pose.x == 450
+
+
+def test_nothing_is_lost_doubled_or_reordered_when_the_relay_is_killed(corridor: Host) -> None:
+    robot = Robot(corridor.address)
+    robot.right()
+
+    def kill() -> None:
+        for _ in range(2):
+            time.sleep(0.1)
+            corridor.tell("kill")
+            corridor.tell("start")
+
+    thread = threading.Thread(target=kill)
+    thread.start()
+    for _ in range(30):
+        robot.forward(100)
+    thread.join()
+    log = robot.commands
+    assert [each.seq for each in log] == list(range(1, len(log) + 1))
+    assert {each.state for each in log} == {"completed"}
+    state = corridor.tell("state")
+    assert len(state["done"]) == len(log) == 31
+    assert state["pose"]["x"] == 150 + 100 * 30
+
+
+def test_a_page_that_comes_back_is_waited_for(corridor: Host) -> None:
+    robot = Robot(corridor.address)
+    robot.snapshot()
+    corridor.tell("leave")
+    timer = threading.Timer(0.5, lambda: corridor.tell("come"))
+    timer.start()
+    assert robot.right().state == "completed"
+    assert robot.sensor.front == 3_950
+    timer.join()
+
+
+def test_a_page_that_stays_away_is_told(corridor: Host) -> None:
+    robot = Robot(corridor.address, answer_timeout=1)
+    robot.snapshot()
+    corridor.tell("leave")
+    with pytest.raises(RobotGoneError, match="page is away"):
+        print(robot.sensor.front)
+
+
+def test_leaving_the_block_stops_a_robot_that_would_drive_on(corridor: Host) -> None:
+    with Robot(corridor.address) as robot:
+        robot.right()
+        robot.forward()
+    with Robot(corridor.address) as other:
+        assert [each.action for each in other.commands] == ["right 90", "forward", "stop"]
+    with pytest.raises(ClosedError):
+        robot.left()
+
+
+def parts(address: str) -> Tuple[str, str]:
+    place, key = address.split("#")
+    return place, key
+
+
+def test_wrong_addresses_are_told_apart(corridor: Host) -> None:
+    place, key = parts(corridor.address)
+    assert repr(Robot(place, key=key)) == f"<Robot {place}>"
+    with pytest.raises(NotAuthorisedError) as wrong_key:
+        Robot(f"{place}#drv_AAAAAAAAAAAAAAAAAAAAAA")
+    with pytest.raises(RobotGoneError) as no_robot:
+        Robot(f"{corridor.origin}/r/AAAAAAAAAAAAAAAAAAAAAA#{key}")
+    with pytest.raises(AddressError) as no_key:
+        Robot(place)
+    with pytest.raises(NoAnswerError) as nobody:
+        Robot(f"http://127.0.0.1:9/r/abc#{key}", answer_timeout=0.5)
+    codes = [error.value.code for error in (wrong_key, no_robot, no_key, nobody)]
+    assert codes == ["not-authorised", "no-robot", "bad-address", "timeout"]
+    for error in (wrong_key, no_robot, no_key, nobody):
+        assert isinstance(error.value, RobotError)
+        assert key not in str(error.value)

@@ -1,0 +1,52 @@
+/**
+ * A relay and a robot on a grid for tests that are not written in TypeScript.
+ *
+ *     node robot-process.ts ROWS
+ *
+ * ROWS is the maze as JSON, a list of strings. The first line on standard output is
+ * `{"address","origin","openCells"}`. Each line on standard input is a word, answered by one line:
+ * `kill` (the relay, without a goodbye), `start` (it again), `leave` and `come` (the robot's page),
+ * `state` (what the robot has done). It ends with its standard input.
+ */
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+import { registerRobot } from "../register-robot.ts";
+import { GridRobot } from "./grid-robot.ts";
+import { killRelay, startRelayChild } from "./relay-child.ts";
+
+const rows = JSON.parse(process.argv[2] ?? "[]") as string[];
+const dataDir = mkdtempSync(join(tmpdir(), "corridor-"));
+let { child, port } = await startRelayChild(dataDir, 0);
+const origin = `http://127.0.0.1:${port}`;
+const registration = await registerRobot(origin, fetch);
+const robot = new GridRobot(origin, registration, rows);
+
+const words: Record<string, () => unknown> = {
+  kill: async () => killRelay(child),
+  start: async () => {
+    ({ child, port } = await startRelayChild(dataDir, port));
+  },
+  leave: () => robot.link.close(),
+  come: () => robot.link.open(),
+  state: () => ({
+    done: robot.done,
+    visited: robot.visited.size,
+    pose: robot.snapshot().pose,
+    bumps: robot.snapshot().bumps,
+  }),
+};
+
+function say(answer: unknown): void {
+  process.stdout.write(`${JSON.stringify(answer)}\n`);
+}
+
+say({ address: registration.address, origin, openCells: robot.openCells });
+for await (const word of createInterface({ input: process.stdin })) {
+  say((await words[word]?.()) ?? null);
+}
+robot.link.close();
+await killRelay(child);
+rmSync(dataDir, { recursive: true, force: true });
+process.exit();
