@@ -1,7 +1,7 @@
 /** Entry of the relay: settings from the environment, start, and an orderly end. */
 import { join } from "node:path";
 import { pino } from "pino";
-import { systemClock } from "./clock.ts";
+import { steadyClock } from "./clock.ts";
 import { addressToOpen, describeConfigProblems, readConfig, type Config } from "./config.ts";
 import { startRelay, type Relay } from "./relay.ts";
 
@@ -68,10 +68,11 @@ const settings = readConfig(process.env);
 if (!settings.ok) fail(describeConfigProblems(settings.problems), 2);
 const { config } = settings;
 try {
+  const log = pino({ level: config.logLevel });
   const relay = await startRelay({
     config,
-    clock: systemClock,
-    log: pino({ level: config.logLevel }),
+    clock: steadyClock((ms) => log.warn({ ms }, "the machine's clock was set, or it slept")),
+    log,
     webRoot: join(import.meta.dirname, "../../web"),
     isDevelopment: process.argv.includes("--dev"),
   });

@@ -25,6 +25,7 @@ export const problemKinds = {
   "too-large": { status: 413, title: "The body is too large" },
   "not-json": { status: 415, title: "The body is not JSON" },
   "wrong-host": { status: 421, title: "This service has another name" },
+  "too-late": { status: 422, title: "The command came too late" },
   "queue-full": { status: 429, title: "Too many commands wait" },
   "too-fast": { status: 429, title: "Too many requests" },
   "too-many-readers": { status: 429, title: "Too many connections" },

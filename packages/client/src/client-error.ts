@@ -13,6 +13,8 @@ export type ClientErrorCode =
   | "refused"
   /** the robot, its user or a stop ended the command */
   | "cancelled"
+  /** it was not started within its time to live */
+  | "expired"
   /** a later command took its place */
   | "superseded"
   /** no answer in time */

@@ -1,8 +1,9 @@
 import { snapshotOf } from "@corridor/protocol/testing";
-import type { DeliveredCommand } from "@corridor/protocol";
+import type { CommandState, DeliveredCommand } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { HostLink, type HostStatus } from "./host-link.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
+import { record } from "./testing/messages.ts";
 
 const done = { state: "completed" as const, reason: null, pose: null, distance: 100 };
 const command = (seq: number) => ({
@@ -11,13 +12,21 @@ const command = (seq: number) => ({
   key: null,
   command: { action: "left 90" },
   acceptedAt: "2026-01-01T00:00:00.000Z",
+  driver: "Zx81qP",
+  ttl: 10_000,
+  remaining: 10_000,
+  replace: false,
+  lease: null,
 });
+const recordOf = (seq: number, state: CommandState) =>
+  record(seq, "key-0001", { action: "left 90" }, { state });
 
 function host(start: { lastApplied?: number; fresh?: boolean } = {}) {
   const platform = new FakePlatform();
   const commands: number[] = [];
   const stops: DeliveredCommand[] = [];
   const statuses: HostStatus[] = [];
+  const heard: string[] = [];
   const link = new HostLink({
     origin: "http://localhost:8080",
     credentials: { id: "AAAAAAAAAAAAAAAAAAAAAA", ownerKey: "own_CCCCCCCCCCCCCCCCCCCCCC" },
@@ -30,6 +39,10 @@ function host(start: { lastApplied?: number; fresh?: boolean } = {}) {
       stops.push(stop);
       for (const seq of commands) link.ended(seq, { ...done, state: "cancelled" });
     },
+    onCancel: (seq) => heard.push(`cancel ${seq}`),
+    onGiveBack: () => heard.push("give back"),
+    onState: ({ seq, state }, ttl) => heard.push(`${seq} ${state} within ${ttl}`),
+    onRefused: ({ seq, state }) => heard.push(`${seq} was ${state}`),
     onStatus: (status) => statuses.push(status),
     onDrivers: () => undefined,
     platform,
@@ -43,7 +56,7 @@ function host(start: { lastApplied?: number; fresh?: boolean } = {}) {
     platform.pass(10_000);
     welcome(epoch);
   };
-  return { platform, link, commands, stops, statuses, welcome, reconnect };
+  return { platform, link, commands, stops, statuses, heard, welcome, reconnect };
 }
 
 describe("HostLink", () => {
@@ -93,7 +106,7 @@ describe("HostLink", () => {
     expect(platform.socket.sent[1]).toMatchObject({ lastApplied: 2, endings: [] });
   });
 
-  it("never hands a command on twice, and answers a repeated one from memory", () => {
+  it("never hands on again what has begun, and answers a repeated one from memory", () => {
     const { platform, link, commands, welcome, reconnect } = host();
     welcome();
     for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
@@ -102,14 +115,14 @@ describe("HostLink", () => {
     link.started(2);
     reconnect(2);
     for (const seq of [1, 2, 3, 4]) platform.socket.receive(command(seq));
-    expect(commands).toEqual([1, 2, 3, 4]);
+    expect(commands).toEqual([1, 2, 3, 3, 4]);
     expect(platform.socket.sent.slice(2)).toEqual([
       { type: "ended", epoch: 2, seq: 1, ...done },
       { type: "started", epoch: 2, seq: 2 },
     ]);
   });
 
-  it("tries again at once when asked, and hands each command on once all the same", () => {
+  it("tries again at once when asked, and hands on once what has begun all the same", () => {
     const { platform, link, commands, statuses, welcome } = host();
     welcome();
     for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
@@ -126,7 +139,7 @@ describe("HostLink", () => {
     platform.pass(5_000);
     expect(platform.sockets).toHaveLength(2);
     expect(link.isConnected).toBe(true);
-    expect(commands).toEqual([1, 2, 3, 4]);
+    expect(commands).toEqual([1, 2, 3, 2, 3, 4]);
   });
 
   it("brings the endings that came while it was closed once it is opened again", () => {
@@ -151,6 +164,50 @@ describe("HostLink", () => {
       ],
     });
     expect(commands).toEqual([1, 2, 3]);
+  });
+
+  it("gives back what has not begun with each new line, before it says what it has done", () => {
+    const { platform, link, heard, welcome, reconnect } = host();
+    welcome();
+    for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
+    link.started(1);
+    expect(heard).toEqual(["give back"]);
+    reconnect(2);
+    expect(heard).toEqual(["give back", "give back"]);
+    expect(platform.socket.sent[1]).toMatchObject({ lastApplied: 1 });
+  });
+
+  it("says of a command that ended out of turn no more than that, and never takes it again", () => {
+    const { platform, link, commands, welcome, reconnect } = host();
+    welcome();
+    for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
+    link.started(1);
+    link.ended(3, { ...done, state: "expired" });
+    expect(link.lastApplied).toBe(1);
+    reconnect(2);
+    expect(platform.socket.sent[1]).toMatchObject({ lastApplied: 1, endings: [{ seq: 3 }] });
+    platform.socket.receive({ type: "stored", seq: 3 });
+    platform.socket.receive(command(2));
+    platform.socket.receive(command(3));
+    link.started(2);
+    expect(commands).toEqual([1, 2, 3, 2]);
+    expect(link.lastApplied).toBe(2);
+    platform.socket.receive(command(4));
+    link.started(4);
+    expect(link.lastApplied).toBe(4);
+  });
+
+  it("passes on what the sender takes back, what waits, and endings that came too late", () => {
+    const { platform, link, heard, welcome, reconnect } = host();
+    welcome();
+    platform.socket.receive(command(1));
+    platform.socket.receive({ type: "cancel", seq: 1 });
+    platform.socket.receive({ type: "state", record: recordOf(2, "expired"), ttl: 400 });
+    link.ended(1, done);
+    platform.socket.receive({ type: "refused", record: recordOf(1, "cancelled") });
+    expect(heard.slice(1)).toEqual(["cancel 1", "2 expired within 400", "1 was cancelled"]);
+    reconnect(2);
+    expect(platform.socket.sent[1]).toMatchObject({ endings: [] });
   });
 
   it("does not hand on what it did before a reload", () => {

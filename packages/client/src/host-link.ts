@@ -3,9 +3,10 @@
  * of them. It can run in a worker.
  *
  * Whatever ended is kept until the relay says that it is stored, across any number of lost lines, so
- * that each command has exactly one ending. A command that this link has handed on is never handed on
- * again: the relay may repeat itself, the robot may not. Both hold over `close` and `open` too, so
- * one session needs one link for as long as its page lives.
+ * that each command has exactly one ending. What has begun is never handed on again: the relay may
+ * repeat itself, the robot may not. What has not begun goes back to the relay with each new line, for
+ * the relay may have ended it meanwhile. All of it holds over `close` and `open` too, so one session
+ * needs one link for as long as its page lives.
  */
 import {
   closeReasons,
@@ -15,6 +16,7 @@ import {
   PROTOCOL_VERSION,
   relayToPageSchema,
   type CloseReason,
+  type CommandRecord,
   type DeliveredCommand,
   type Drivers,
   type Ending,
@@ -22,6 +24,7 @@ import {
   type RelayToPage,
   type Snapshot,
 } from "@corridor/protocol";
+import { AppliedCommands } from "./applied-commands.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
 import { socketUrl } from "./robot-address.ts";
@@ -53,6 +56,14 @@ export interface HostLinkOptions {
   onCommand(command: DeliveredCommand): void;
   /** End all that was handed on, by `ended`, before this returns. The stop itself ends by itself. */
   onStop(stop: DeliveredCommand): void;
+  /** The sender takes a command back: end it, by `ended`, unless it has ended already. */
+  onCancel(seq: number): void;
+  /** Forget all that was handed on and has not begun: what still holds comes again. */
+  onGiveBack(): void;
+  /** A command that this robot does not hold: it waits at the relay, or has ended there. */
+  onState(record: CommandRecord, ttl: number): void;
+  /** The ending that was told came too late: this is how the command has ended. */
+  onRefused(record: CommandRecord): void;
   onStatus(status: HostStatus): void;
   /** Scripts came, went or were heard; at most once a second. */
   onDrivers(drivers: Drivers): void;
@@ -69,15 +80,13 @@ export class HostLink {
   #resumed = new Set<number>();
   #epoch = 1;
   #fresh: boolean;
-  #lastApplied: number;
-  #handedOn: number;
+  readonly #applied: AppliedCommands;
 
   /** Opens the link at once. */
   constructor(options: HostLinkOptions) {
     this.#options = options;
     this.#fresh = options.fresh;
-    this.#lastApplied = options.lastApplied;
-    this.#handedOn = options.lastApplied;
+    this.#applied = new AppliedCommands(options.lastApplied);
     const { origin, credentials } = options;
     this.#connection = new Connection({
       url: socketUrl(origin, credentials.id),
@@ -90,9 +99,9 @@ export class HostLink {
     this.#connection.open();
   }
 
-  /** Highest seq that was started or ended; keep it with the credentials for after a reload. */
+  /** This command and all before it have begun or ended; keep it with the credentials for a reload. */
   get lastApplied(): number {
-    return this.#lastApplied;
+    return this.#applied.last;
   }
 
   get isConnected(): boolean {
@@ -110,13 +119,13 @@ export class HostLink {
 
   /** The robot has begun with a command. */
   started(seq: number): void {
-    this.#lastApplied = Math.max(this.#lastApplied, seq);
+    this.#applied.begun(seq);
     this.#send({ type: "started", epoch: this.#epoch, seq });
   }
 
   /** A command is over: its one and only ending. */
   ended(seq: number, ending: Omit<Ending, "seq">): void {
-    this.#lastApplied = Math.max(this.#lastApplied, seq);
+    this.#applied.ended(seq);
     const { state, reason, pose, distance } = ending;
     const kept: Ending = { seq, state, reason, pose, distance };
     this.#endings.set(seq, kept);
@@ -143,6 +152,8 @@ export class HostLink {
   }
 
   #greeting(): string[] {
+    this.#applied.giveBack();
+    this.#options.onGiveBack();
     const endings = [...this.#endings.values()].slice(0, MAX_RESUMED_ENDINGS);
     this.#resumed = new Set(endings.map(({ seq }) => seq));
     const { ownerKey } = this.#options.credentials;
@@ -150,7 +161,7 @@ export class HostLink {
       encodeFrame({ type: "hello", version: PROTOCOL_VERSION, role: "own", key: ownerKey }),
       encodeFrame({
         type: "resume",
-        lastApplied: this.#lastApplied,
+        lastApplied: this.#applied.last,
         fresh: this.#fresh,
         endings,
       }),
@@ -176,9 +187,16 @@ export class HostLink {
         if (this.#isNew(stop.seq)) this.#stop(stop);
         return;
       }
+      case "cancel":
+        return this.#options.onCancel(message.seq);
       case "stored":
         this.#endings.delete(message.seq);
         return;
+      case "refused":
+        this.#endings.delete(message.record.seq);
+        return this.#options.onRefused(message.record);
+      case "state":
+        return this.#options.onState(message.record, message.ttl);
       case "drivers": {
         const { type: _type, ...drivers } = message;
         return this.#options.onDrivers(drivers);
@@ -190,13 +208,10 @@ export class HostLink {
 
   /** Whether the command is handed on for the first time; a repeated one is answered from memory. */
   #isNew(seq: number): boolean {
-    if (seq > this.#handedOn) {
-      this.#handedOn = seq;
-      return true;
-    }
+    if (this.#applied.take(seq)) return true;
     const ending = this.#endings.get(seq);
     if (ending !== undefined) this.#sendEnding(ending);
-    else if (seq <= this.#lastApplied) this.started(seq);
+    else if (seq <= this.#applied.last) this.started(seq);
     return false;
   }
 

@@ -1,5 +1,5 @@
 import { snapshotOf } from "@corridor/protocol/testing";
-import type { Command, CommandRecord } from "@corridor/protocol";
+import { termsOf, type CommandRecord, type Order } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { RobotClient } from "./robot-client.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
@@ -20,7 +20,7 @@ async function connected() {
   const sent = () =>
     platform.socket.sent.filter(({ type }) => type === "command") as unknown as {
       key: string;
-      command: Command;
+      command: Order;
     }[];
   const tell = (type: "ack" | "state", seq: number, change: Partial<CommandRecord> = {}): void => {
     const { key, command } = keyed.get(seq) ??
@@ -30,10 +30,10 @@ async function connected() {
     platform.socket.receive({
       type,
       ...(type === "state" && { n }),
-      record: record(seq, key, command, change),
+      record: record(seq, key, termsOf(command).command, change),
     });
   };
-  const keyed = new Map<number, { key: string; command: Command }>();
+  const keyed = new Map<number, { key: string; command: Order }>();
   return { platform, robot, sent, tell, welcome };
 }
 
@@ -63,13 +63,16 @@ describe("RobotClient", () => {
     expect(await forward).toMatchObject({ state: "started" });
   });
 
-  it.each(["cancelled", "superseded"] as const)("says why a manoeuvre was %s", async (state) => {
-    const { robot, tell } = await connected();
-    const turn = robot.turn(45);
-    tell("ack", 1);
-    tell("state", 1, { state, reason: "stopped by command 2" });
-    await expect(turn).rejects.toMatchObject({ code: state, hint: "stopped by command 2" });
-  });
+  it.each(["cancelled", "superseded", "expired"] as const)(
+    "says why a manoeuvre was %s",
+    async (state) => {
+      const { robot, tell } = await connected();
+      const turn = robot.turn(45);
+      tell("ack", 1);
+      tell("state", 1, { state, reason: "stopped by command 2" });
+      await expect(turn).rejects.toMatchObject({ code: state, hint: "stopped by command 2" });
+    },
+  );
 
   it("sends commands one after the other, each with its own key", async () => {
     const { robot, sent, tell } = await connected();
@@ -131,6 +134,34 @@ describe("RobotClient", () => {
     expect(await all).toHaveLength(2);
   });
 
+  it("says how old a command is that it sends again, and what was wished of it", async () => {
+    const { platform, robot, sent, tell, welcome } = await connected();
+    const drive = robot.drive(1, 1, undefined, { ttl: 2_000, replace: true, lease: 300 });
+    const order = { action: "drive", left: 1, right: 1, ttl: 2_000, replace: true, lease: 300 };
+    expect(sent()[0]?.command).toEqual(order);
+    platform.pass(400);
+    platform.socket.cut(1006);
+    platform.pass(600);
+    welcome();
+    expect(sent()[0]?.command).toEqual({ ...order, age: 1_000 });
+    tell("ack", 1, { state: "started" });
+    await drive;
+  });
+
+  it("says that a command is too old when the relay refuses it for that", async () => {
+    const { platform, robot, sent } = await connected();
+    const move = robot.move(10);
+    const problem = {
+      type: "/problems/too-late",
+      title: "Late",
+      status: 422,
+      detail: "d",
+      errors: [],
+    };
+    platform.socket.receive({ type: "problem", problem, key: sent()[0]?.key });
+    await expect(move).rejects.toMatchObject({ code: "expired" });
+  });
+
   it("waits a moment and sends again when the relay is busy", async () => {
     const { platform, robot, sent, tell } = await connected();
     const move = robot.move(10);
@@ -138,7 +169,8 @@ describe("RobotClient", () => {
     platform.socket.receive({ type: "problem", problem, key: sent()[0]?.key });
     platform.pass(1_000);
     expect(sent()).toHaveLength(2);
-    expect(sent()[0]).toEqual(sent()[1]);
+    const [first, second] = sent();
+    expect(second).toEqual({ ...first, command: { ...first?.command, age: 500 } });
     tell("ack", 1, { state: "completed" });
     await move;
   });

@@ -6,18 +6,18 @@
  * when the robot has finished it, that of a motion without an end when the robot has begun.
  */
 import {
-  commandSchema,
   decodeFrame,
   describeProblem,
   encodeFrame,
   hasEnded,
+  orderSchema,
   PROTOCOL_VERSION,
   readValue,
   relayToDriverSchema,
   sinceOf,
   type CloseReason,
-  type Command,
   type CommandRecord,
+  type Order,
   type ProblemDocument,
   type RelayToDriver,
   type SensorReadings,
@@ -29,7 +29,22 @@ import { globalPlatform, type Platform } from "./platform.ts";
 import { parseRobotAddress, socketUrl } from "./robot-address.ts";
 import { SnapshotInbox } from "./snapshot-inbox.ts";
 
+/** What may be said beside a command. */
+export interface CommandWish {
+  /** ms within which it must have started, or it ends as `expired`; default 10 s, or as `connect` was told */
+  ttl?: number;
+  /** ends all that was sent before it */
+  replace?: boolean;
+}
+
+export interface DriveWish extends CommandWish {
+  /** ms for which the robot goes on when no other drive follows; default 500 */
+  lease?: number;
+}
+
 export interface RobotClientOptions {
+  /** ms within which a command must have started, where it says nothing else; default 10 s */
+  ttl?: number;
   /** ms to wait for the relay's answer, reconnecting included; default 30 s */
   answerTimeout?: number;
   /** ms to wait until the robot has done a command; default 10 minutes */
@@ -40,7 +55,9 @@ export interface RobotClientOptions {
 
 interface Pending {
   key: string;
-  command: Command;
+  order: Order;
+  /** when it was sent for the first time */
+  triedAt: number | null;
   /** what keeps the promise */
   until: "started" | "ended";
   resolve(record: CommandRecord): void;
@@ -57,6 +74,7 @@ export class RobotClient {
   readonly #platform: Platform;
   readonly #answerMs: number;
   readonly #finishMs: number;
+  readonly #wish: CommandWish;
   readonly #connection: Connection<RelayToDriver>;
   readonly #inbox: SnapshotInbox;
   #welcomed: () => void = () => undefined;
@@ -76,6 +94,7 @@ export class RobotClient {
     this.#platform = options.platform ?? globalPlatform();
     this.#answerMs = options.answerTimeout ?? DEFAULT_ANSWER_MS;
     this.#finishMs = options.finishTimeout ?? DEFAULT_FINISH_MS;
+    this.#wish = options.ttl === undefined ? {} : { ttl: options.ttl };
     this.#inbox = new SnapshotInbox(this.#platform.clock);
     this.#connection = new Connection({
       url: socketUrl(origin, id),
@@ -99,62 +118,68 @@ export class RobotClient {
   }
 
   /** Drives until something else is chosen; resolves when the robot has begun. */
-  forward(): Promise<CommandRecord> {
-    return this.#do({ action: "forward" }, "started");
+  forward(wish: CommandWish = {}): Promise<CommandRecord> {
+    return this.#do({ action: "forward", ...wish }, "started");
   }
 
   /** Drives backward until something else is chosen; resolves when the robot has begun. */
-  reverse(): Promise<CommandRecord> {
-    return this.#do({ action: "reverse" }, "started");
+  reverse(wish: CommandWish = {}): Promise<CommandRecord> {
+    return this.#do({ action: "reverse", ...wish }, "started");
   }
 
   /** Stops at once: ends what runs, and drops what waits, whoever sent it. */
-  stop(): Promise<CommandRecord> {
-    return this.#do({ action: "stop" }, "ended");
+  stop(wish: CommandWish = {}): Promise<CommandRecord> {
+    return this.#do({ action: "stop", ...wish }, "ended");
   }
 
   /** Turns left by 90 degrees on the spot. */
-  left90(): Promise<CommandRecord> {
-    return this.#do({ action: "left 90" }, "ended");
+  left90(wish: CommandWish = {}): Promise<CommandRecord> {
+    return this.#do({ action: "left 90", ...wish }, "ended");
   }
 
   /** Turns right by 90 degrees on the spot. */
-  right90(): Promise<CommandRecord> {
-    return this.#do({ action: "right 90" }, "ended");
+  right90(wish: CommandWish = {}): Promise<CommandRecord> {
+    return this.#do({ action: "right 90", ...wish }, "ended");
   }
 
   /** Turns round on the spot. */
-  turn180(): Promise<CommandRecord> {
-    return this.#do({ action: "turn 180" }, "ended");
+  turn180(wish: CommandWish = {}): Promise<CommandRecord> {
+    return this.#do({ action: "turn 180", ...wish }, "ended");
   }
 
   /** Drives on 50 cm, turns left, drives 60 cm out of the junction. */
-  delayedLeft90(): Promise<CommandRecord> {
-    return this.#do({ action: "delayed left 90" }, "ended");
+  delayedLeft90(wish: CommandWish = {}): Promise<CommandRecord> {
+    return this.#do({ action: "delayed left 90", ...wish }, "ended");
   }
 
   /** Drives on 50 cm, turns right, drives 60 cm out of the junction. */
-  delayedRight90(): Promise<CommandRecord> {
-    return this.#do({ action: "delayed right 90" }, "ended");
+  delayedRight90(wish: CommandWish = {}): Promise<CommandRecord> {
+    return this.#do({ action: "delayed right 90", ...wish }, "ended");
   }
 
   /** Drives so many cm; negative is backward. The record says `collided` where a wall was in the way. */
-  move(distance: number): Promise<CommandRecord> {
-    return this.#do({ action: "move", distance }, "ended");
+  move(distance: number, wish: CommandWish = {}): Promise<CommandRecord> {
+    return this.#do({ action: "move", distance, ...wish }, "ended");
   }
 
   /** Turns by so many degrees on the spot; negative is left. */
-  turn(degrees: number): Promise<CommandRecord> {
-    return this.#do({ action: "turn", degrees }, "ended");
+  turn(degrees: number, wish: CommandWish = {}): Promise<CommandRecord> {
+    return this.#do({ action: "turn", degrees, ...wish }, "ended");
   }
 
   /**
    * Sets the wheel powers, each from -1 to 1, for so many milliseconds or until something else is
    * chosen. Resolves when the time is over; without a time when the robot has begun.
    */
-  drive(left: number, right: number, milliseconds?: number): Promise<CommandRecord> {
-    if (milliseconds === undefined) return this.#do({ action: "drive", left, right }, "started");
-    return this.#do({ action: "drive", left, right, milliseconds }, "ended");
+  drive(
+    left: number,
+    right: number,
+    milliseconds?: number,
+    wish: DriveWish = {},
+  ): Promise<CommandRecord> {
+    const order: Order = { action: "drive", left, right, ...wish };
+    if (milliseconds === undefined) return this.#do(order, "started");
+    return this.#do({ ...order, milliseconds }, "ended");
   }
 
   /** The four distances in cm, newer than those of the last call. */
@@ -208,8 +233,9 @@ export class RobotClient {
     }
   }
 
-  #do(command: Command, until: Pending["until"]): Promise<CommandRecord> {
-    const checked = readValue(commandSchema, command);
+  #do(wished: Order, until: Pending["until"]): Promise<CommandRecord> {
+    const order = { ...this.#wish, ...wished };
+    const checked = readValue(orderSchema, order);
     if (!checked.ok) {
       const hint = `Mend this: ${checked.problems.map(describeProblem).join("; ")}.`;
       return Promise.reject(new ClientError("bad-command", "The command is wrong", hint));
@@ -217,7 +243,15 @@ export class RobotClient {
     if (this.#end !== null) return Promise.reject(this.#end);
     return new Promise((resolve, reject) => {
       const key = this.#platform.uniqueText();
-      const pending = { key, command, until, resolve, reject, cancelTimer: () => undefined };
+      const pending: Pending = {
+        key,
+        order,
+        triedAt: null,
+        until,
+        resolve,
+        reject,
+        cancelTimer: () => undefined,
+      };
       this.#limit(pending, this.#answerMs, "The relay does not answer");
       this.#queue.push(pending);
       if (this.#queue.length === 1) this.#sendFirst();
@@ -232,7 +266,13 @@ export class RobotClient {
   #sendFirst(): void {
     const [first] = this.#queue;
     if (first === undefined) return;
-    const { key, command } = first;
+    if (!this.#connection.isConnected) return;
+    // By its age a command that comes again on another line is never run late.
+    const now = this.#platform.clock.now();
+    const age = now - (first.triedAt ?? now);
+    first.triedAt ??= now;
+    const { key, order } = first;
+    const command = age === 0 ? order : { ...order, age };
     this.#connection.send(encodeFrame({ type: "command", key, command }));
   }
 
@@ -305,7 +345,8 @@ export class RobotClient {
     const pending = this.#running.get(record.seq);
     if (pending === undefined) return;
     const { state } = record;
-    if (state === "cancelled" || (state === "superseded" && pending.until === "ended")) {
+    const isLost = state === "cancelled" || state === "expired";
+    if (isLost || (state === "superseded" && pending.until === "ended")) {
       this.#forget(pending);
       const what = `Command ${record.seq} (${record.action}) was ${state}`;
       const hint = record.reason ?? "Somebody else drives this robot too.";
@@ -326,7 +367,8 @@ export class RobotClient {
       return;
     }
     this.#forget(first);
-    first.reject(new ClientError("refused", problem.title, problem.detail));
+    const code = problem.type === "/problems/too-late" ? "expired" : "refused";
+    first.reject(new ClientError(code, problem.title, problem.detail));
   }
 
   #changed(status: ConnectionStatus): void {

@@ -85,6 +85,10 @@ describe("a script and a robot at the real relay", () => {
         snapshot: () => robot.snapshot(),
         onCommand: ({ seq }) => onCommand(seq, link),
         onStop: () => undefined,
+        onCancel: () => undefined,
+        onGiveBack: () => undefined,
+        onState: () => undefined,
+        onRefused: () => undefined,
         onStatus: () => undefined,
         onDrivers: () => undefined,
       });

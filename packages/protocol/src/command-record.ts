@@ -8,7 +8,14 @@ import { z } from "zod";
 import { actionNames, commandSchema } from "./command.ts";
 import { poseSchema } from "./quantities.ts";
 
-export const endingStates = ["completed", "collided", "cancelled", "superseded"] as const;
+export const endingStates = [
+  "completed",
+  "collided",
+  "cancelled",
+  "superseded",
+  /** its time to live was over before it started */
+  "expired",
+] as const;
 export type EndingState = (typeof endingStates)[number];
 
 export const commandStates = ["accepted", "delivered", "started", ...endingStates] as const;

@@ -8,6 +8,7 @@ import { z } from "zod";
 import { commandRecordSchema, endingStates, idempotencyKeySchema } from "./command-record.ts";
 import { commandSchema } from "./command.ts";
 import { eventGapSchema, eventStreamSchema, sinceSchema, stateEventSchema } from "./events.ts";
+import { orderSchema } from "./order.ts";
 import { problemSchema } from "./problem.ts";
 import { poseSchema } from "./quantities.ts";
 import { keySchema } from "./registration.ts";
@@ -22,6 +23,7 @@ const count = z
 const seq = count.min(1, { error: "1 or more" });
 /** rises each time a page takes the robot; frames of an older epoch are refused */
 const epoch = count.min(1, { error: "1 or more" });
+const milliseconds = z.number({ error: "milliseconds" }).min(0, { error: "0 or more" });
 const version = z.literal(PROTOCOL_VERSION, { error: `protocol version ${PROTOCOL_VERSION}` });
 
 /** More endings than a page can have open; the rest of a longer list follows as `ended` messages. */
@@ -81,6 +83,16 @@ const deliveredCommand = z.strictObject({
   key: idempotencyKeySchema.nullable(),
   command: commandSchema,
   acceptedAt: z.iso.datetime(),
+  /** who sent it: the same for all commands of one key */
+  driver: z.string().max(40),
+  /** ms that it was given to start within, counted from the sender's first try */
+  ttl: milliseconds,
+  /** ms of them that were left when this was sent; the robot counts on by its own clock */
+  remaining: milliseconds,
+  /** ends what the robot was given before it as superseded */
+  replace: z.boolean(),
+  /** ms for which a drive goes on by itself; null where its sender asked for none */
+  lease: milliseconds.nullable(),
 });
 export type DeliveredCommand = z.infer<typeof deliveredCommand>;
 
@@ -102,12 +114,23 @@ export const relayToPageSchema = z.discriminatedUnion(
     deliveredCommand.extend({ type: z.literal("command") }),
     /** overtakes: ends what runs and what waits in the page, then ends itself as completed */
     deliveredCommand.extend({ type: z.literal("stop") }),
+    /** the sender wishes that this command ends; the robot decides, and says so by `ended` */
+    z.strictObject({ type: z.literal("cancel"), seq }),
     /** the ending of this command is stored: the page may forget it */
     z.strictObject({ type: z.literal("stored"), seq }),
+    /** the ending that the page told came too late: this is how the command has ended */
+    z.strictObject({ type: z.literal("refused"), record: commandRecordSchema }),
+    /** what becomes of a command that the page does not hold: it waits, or the relay has ended it */
+    z.strictObject({
+      type: z.literal("state"),
+      record: commandRecordSchema,
+      /** as in `command` */
+      ttl: milliseconds,
+    }),
     driversSchema.extend({ type: z.literal("drivers") }),
     heartbeat,
   ],
-  { error: "one of welcome, command, stop, stored, drivers, heartbeat" },
+  { error: "one of welcome, command, stop, cancel, stored, refused, state, drivers, heartbeat" },
 );
 export type RelayToPage = z.infer<typeof relayToPageSchema>;
 
@@ -118,7 +141,7 @@ export const driverToRelaySchema = z.discriminatedUnion(
       type: z.literal("command"),
       /** makes a retry safe: the same key and command is never run twice */
       key: idempotencyKeySchema.optional(),
-      command: commandSchema,
+      command: orderSchema,
     }),
     /** all that came up to this snapshot was read; at most 2 are on their way at a time */
     z.strictObject({ type: z.literal("seen"), seq: count }),

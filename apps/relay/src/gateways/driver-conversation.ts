@@ -5,6 +5,7 @@ import {
   driverToRelaySchema,
   encodeFrame,
   PROTOCOL_VERSION,
+  termsOf,
   type RelayToDriver,
 } from "@corridor/protocol";
 import { asRefusal, badRequest, type ProblemKind } from "../problems.ts";
@@ -60,7 +61,7 @@ export class DriverConversation implements Conversation {
     if (message.value.type === "seen") return this.#reader.seen(message.value.seq);
     const { key = null, command } = message.value;
     try {
-      await session.submit(grant, { key, command }, (record) => {
+      await session.submit(grant, { key, ...termsOf(command) }, (record) => {
         this.#tooFastInARow = 0;
         this.#send({ type: "ack", record });
       });

@@ -1,8 +1,8 @@
 /** Every HTTP call of the API, in words, with the schemas that check what goes in and what comes out. */
 import {
   commandRecordSchema,
-  commandSchema,
   eventPageSchema,
+  orderSchema,
   registrationSchema,
   robotIdSchema,
   shortLinkIdSchema,
@@ -87,14 +87,18 @@ export const calls: ZodOpenApiPathsObject = {
     post: {
       operationId: "sendCommand",
       summary: "Send a command",
+      description:
+        "One that has not started within `ttl` ms (10 s where nothing is said) ends as `expired`. Send a " +
+        "retry with the same key and with its `age`, the ms since the first try: then it never runs late.",
       security: driver,
       parameters: idempotencyKey,
-      requestBody: { required: true, content: { "application/json": { schema: commandSchema } } },
+      requestBody: { required: true, content: { "application/json": { schema: orderSchema } } },
       responses: {
         202: answer("The record of the command, which is stored.", commandRecordSchema, location),
         ...refusals(
           ...keyed,
           "key-conflict",
+          "too-late",
           "too-large",
           "not-json",
           "queue-full",
@@ -135,6 +139,16 @@ export const calls: ZodOpenApiPathsObject = {
       responses: {
         200: answer("The record, at its end or when the time is over.", commandRecordSchema),
         ...refusals(...keyed, "no-command", "too-many-readers"),
+      },
+    },
+    delete: {
+      operationId: "cancelCommand",
+      summary: "Take back one command that was sent with the same key",
+      description: "What waits is cancelled at once; for what the robot has, the robot is asked.",
+      security: driver,
+      responses: {
+        202: answer("The record, as it is now.", commandRecordSchema, location),
+        ...refusals(...keyed, "no-command", "storage-full"),
       },
     },
   },

@@ -1,5 +1,5 @@
 /** Commands of scripts: send one, follow it, read the log, stop everything. */
-import type { CommandRecord } from "@corridor/protocol";
+import { termsOf, type CommandRecord } from "@corridor/protocol";
 import { Router, type Request, type Response } from "express";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import type { CommandLog } from "./answers.ts";
@@ -48,7 +48,7 @@ export function commandRoutes(hub: SessionHub): Router {
     })
     .delete(async (request, response) => {
       const { session, key } = await script(request);
-      const stop = { key: readIdempotencyKey(request), command: { action: "stop" as const } };
+      const stop = { key: readIdempotencyKey(request), ...termsOf({ action: "stop" }) };
       await session.submit(key, stop, (record) => accepted(response, session.id, record));
     })
     .all(methodNotAllowed("POST, GET, DELETE"));
@@ -61,7 +61,12 @@ export function commandRoutes(hub: SessionHub): Router {
       const seq = readSeq(request.params.seq);
       response.json(await session.endOf(seq, patienceOf(response, wait)));
     })
-    .all(methodNotAllowed("GET"));
+    .delete(async (request, response) => {
+      const { session, key } = await script(request);
+      const seq = readSeq(request.params.seq);
+      accepted(response, session.id, await session.cancel(key, seq));
+    })
+    .all(methodNotAllowed("GET, DELETE"));
 
   return router;
 }

@@ -1,12 +1,13 @@
 /** What a request carries, checked: bearer key, JSON body, query, patience for a long poll. */
 import {
-  commandSchema,
   idempotencyKeySchema,
   MAX_FRAME_BYTES,
+  orderSchema,
   readJson,
   readValue,
   sinceSchema,
-  type Command,
+  termsOf,
+  type CommandTerms,
 } from "@corridor/protocol";
 import express, { type Request, type RequestHandler, type Response } from "express";
 import { z } from "zod";
@@ -148,10 +149,10 @@ export function readBody<T>(
   return result.value;
 }
 
-/** The command in the body, and the idempotency key in the header. */
-export function readCommandRequest(request: Request): { key: string | null; command: Command } {
-  const command = readBody(request, commandSchema, MAX_FRAME_BYTES, "The command is wrong.");
-  return { key: readIdempotencyKey(request), command };
+/** The command in the body with its terms, and the idempotency key in the header. */
+export function readCommandRequest(request: Request): { key: string | null } & CommandTerms {
+  const order = readBody(request, orderSchema, MAX_FRAME_BYTES, "The command is wrong.");
+  return { key: readIdempotencyKey(request), ...termsOf(order) };
 }
 
 /** The header Idempotency-Key; null when there is none. */

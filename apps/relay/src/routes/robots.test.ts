@@ -78,6 +78,42 @@ describe("the HTTP service", () => {
     ]);
   });
 
+  it("takes a command with its time to live, and refuses a try that comes too late", async () => {
+    const clock = new FakeClock();
+    const relay = await startTestRelay({ clock });
+    const robot = await relay.register();
+    const post = (age: number, key: string) =>
+      relay.ask(robot, "/commands", {
+        method: "POST",
+        body: { action: "move", distance: 100, ttl: 2_000, age },
+        headers: { "Idempotency-Key": key },
+      });
+    expect((await post(1_500, "key-0001")).status).toBe(202);
+    const late = await post(2_000, "key-0002");
+    expect(late.status).toBe(422);
+    expect(await late.json()).toMatchObject({ type: "/problems/too-late" });
+    await clock.pass(500);
+    const again = await post(2_000, "key-0001");
+    expect(again.status).toBe(202);
+    expect(await again.json()).toMatchObject({ seq: 1, state: "expired", duplicate: true });
+  });
+
+  it("takes one command back", async () => {
+    const relay = await startTestRelay();
+    const robot = await relay.register();
+    const post = () =>
+      relay.ask(robot, "/commands", { method: "POST", body: { action: "left 90" } });
+    await post();
+    await post();
+    const answer = await relay.ask(robot, "/commands/1", { method: "DELETE" });
+    expect(answer.status).toBe(202);
+    expect(await answer.json()).toMatchObject({ seq: 1, state: "cancelled" });
+    expect(await (await relay.ask(robot, "/commands/2")).json()).toMatchObject({
+      state: "accepted",
+    });
+    expect((await relay.ask(robot, "/commands/3", { method: "DELETE" })).status).toBe(404);
+  });
+
   it("waits for the first report of a robot, or says that there is none", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();

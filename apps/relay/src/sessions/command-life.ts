@@ -2,15 +2,15 @@
  * The life of one robot's commands, between the scripts that send them and the page that does them.
  *
  * Whatever changes commands goes through one queue, so the order in the store is the order on the
- * line. A command is marked delivered before it is sent; from then on only the robot ends it, or the
- * relay once the page is away for good.
+ * line. A command that waits expires here. It is marked delivered before it is sent; from then on only
+ * the robot ends it, or the relay once the page is away for good.
  */
 import {
   closeReasons,
   hasEnded,
   PROTOCOL_VERSION,
-  type Command,
   type CommandRecord,
+  type CommandTerms,
   type Ending,
   type EventGap,
   type PageToRelay,
@@ -18,11 +18,13 @@ import {
 } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import { noRobot, Refusal, restarting, retryAfter } from "../problems.ts";
-import type { SessionStore, StoredKey } from "../store/session-store.ts";
+import type { SessionStore, StoredKey, TermedRecord } from "../store/session-store.ts";
 import type { Audience, Patience } from "./audience.ts";
+import { DeadlineTimer } from "./deadline-timer.ts";
 import { DriverAllowance } from "./driver-allowance.ts";
 import { limits } from "./limits.ts";
 import { OrderedWork } from "./ordered-work.ts";
+import { commandFrame } from "./page-frames.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat } from "./page-seat.ts";
 import type { Witness } from "./witness.ts";
@@ -45,6 +47,7 @@ export class CommandLife {
   readonly #seat: PageSeat;
   readonly #allowance: DriverAllowance;
   readonly #work = new OrderedWork();
+  readonly #deadlines: DeadlineTimer;
   /** seq of the newest command while that is a stop */
   #newestStop: number | null = null;
   #end: "over" | "restart" | null = null;
@@ -57,6 +60,9 @@ export class CommandLife {
     this.#audience = audience;
     this.#seat = seat;
     this.#allowance = new DriverAllowance(clock);
+    this.#deadlines = new DeadlineTimer(clock, () => void this.#expire().catch(() => undefined));
+    // What was stored before this relay began may be late by now.
+    this.#deadlines.wake(clock.now());
   }
 
   // --- the page ---
@@ -73,9 +79,11 @@ export class CommandLife {
       this.#seat.page?.link.close(closeReasons.replaced);
       this.#seat.take({ link, epoch: taken.epoch });
       link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch });
-      for (const { seq } of resume.endings) link.send({ type: "stored", seq });
+      const refused = new Map(taken.refused.map((record) => [record.seq, record]));
+      for (const { seq } of resume.endings) this.#answerEnding(link, seq, refused.get(seq) ?? null);
       seated();
       this.#tellStates(taken.changed);
+      await this.#expireNow();
       await this.#deliver();
     });
   }
@@ -87,9 +95,9 @@ export class CommandLife {
   ): Promise<void> {
     await this.#work.run(async () => {
       if (!this.#seat.isHeldBy(link)) return;
-      if (message.type === "started") return this.#started(message.seq);
-      const { type: _type, epoch: _epoch, ...ending } = message;
-      await this.#ended(link, ending);
+      if (message.type === "started") return this.#started(message.epoch, message.seq);
+      const { type: _type, epoch, ...ending } = message;
+      await this.#ended(link, epoch, ending);
     });
   }
 
@@ -98,12 +106,12 @@ export class CommandLife {
     await this.#work.run(async () => {
       if (this.#seat.page !== null) return;
       this.#seat.settleAway();
-      this.#tellStates(await this.#store.cancelOpen(this.#robot, "the robot's page is gone"));
+      this.#tellStates(await this.#store.abandon(this.#robot, "the robot's page is gone"));
     });
   }
 
-  async #started(seq: number): Promise<void> {
-    const record = await this.#store.start(this.#robot, seq);
+  async #started(epoch: number, seq: number): Promise<void> {
+    const record = await this.#store.start(this.#robot, epoch, seq);
     if (record !== null) {
       this.#witness.started(this.#secondsSince(Date.parse(record.acceptedAt)));
       this.#tellStates([record]);
@@ -111,30 +119,57 @@ export class CommandLife {
     await this.#deliver();
   }
 
-  async #ended(link: PageLink, ending: Ending): Promise<void> {
-    const record = await this.#store.end(this.#robot, ending);
-    // Also when it had ended before: the page need not tell it again.
-    link.send({ type: "stored", seq: ending.seq });
-    if (record !== null) this.#tellStates([record]);
+  async #ended(link: PageLink, epoch: number, ending: Ending): Promise<void> {
+    const { outcome, record } = await this.#store.end(this.#robot, epoch, ending);
+    const isRepeated = record?.state === ending.state;
+    this.#answerEnding(link, ending.seq, isRepeated ? null : record);
+    if (outcome === "ended") this.#tellStates([record]);
     await this.#deliver();
   }
 
-  async #deliver(): Promise<void> {
+  /** Either way the page need not tell the ending again. @param other how it had ended before */
+  #answerEnding(link: PageLink, seq: number, other: CommandRecord | null): void {
+    link.send(other === null ? { type: "stored", seq } : { type: "refused", record: other });
+  }
+
+  /** @returns the numbers of what was sent */
+  async #deliver(): Promise<ReadonlySet<number>> {
     const { page } = this.#seat;
-    if (page === null) return;
+    if (page === null) return new Set();
     const { link, epoch } = page;
-    let records: CommandRecord[];
+    const now = this.#clock.now();
+    let due: TermedRecord[];
     try {
-      records = await this.#store.deliver(this.#robot, epoch, limits.deliveredWindow);
+      due = await this.#store.deliver(this.#robot, epoch, limits.deliveredWindow, now);
     } catch {
       // What is stored stays stored; the page comes back in a moment and gets it then.
-      return link.close(closeReasons.busy);
+      link.close(closeReasons.busy);
+      return new Set();
     }
-    for (const { seq, key, command, acceptedAt } of records) {
-      const type = command.action === "stop" ? "stop" : "command";
-      link.send({ type, seq, key, command, acceptedAt });
-    }
+    for (const each of due) link.send(commandFrame(each, now));
+    const records = due.map(({ record }) => record);
     this.#tellStates(records);
+    return new Set(records.map(({ seq }) => seq));
+  }
+
+  // --- time ---
+
+  async #expire(): Promise<void> {
+    await this.#work.run(async () => {
+      if (this.#end === null) await this.#expireNow();
+    });
+  }
+
+  async #expireNow(): Promise<void> {
+    const { ended, next } = await this.#store.expire(this.#robot, this.#clock.now());
+    if (next !== null) this.#deadlines.wake(next);
+    this.#endedHere(ended);
+  }
+
+  /** The relay itself has ended these: readers and page hear of it. */
+  #endedHere(ended: readonly TermedRecord[]): void {
+    this.#tellStates(ended.map(({ record }) => record));
+    for (const { record, ttl } of ended) this.#seat.page?.link.send({ type: "state", record, ttl });
   }
 
   // --- scripts ---
@@ -148,7 +183,7 @@ export class CommandLife {
    */
   async submit(
     grant: StoredKey,
-    request: { key: string | null; command: Command },
+    request: { key: string | null } & CommandTerms,
     acknowledge: (record: CommandRecord) => void,
   ): Promise<void> {
     const cameAt = this.#clock.now();
@@ -164,10 +199,16 @@ export class CommandLife {
         if (stop === null || !mayShare) throw tooFast;
         return acknowledge({ ...stop, duplicate: true });
       }
+      const { key, command, ttl, age, replace, lease } = request;
       const result = await this.#store.add(this.#robot, {
-        ...request,
+        key,
+        command,
+        ttl,
+        replace,
+        lease,
         driver: grant.hash,
-        acceptedAt: this.#clock.now(),
+        acceptedAt: cameAt,
+        deadline: cameAt + ttl - age,
         maxWaiting: limits.waitingCommands,
         keep: limits.keptCommands,
       });
@@ -180,6 +221,11 @@ export class CommandLife {
             `${limits.waitingCommands} commands wait at this robot. Wait until one has ended, then send this one again.`,
             { headers: retryAfter(1000) },
           );
+        case "late":
+          throw new Refusal(
+            "too-late",
+            `This command was to start within ${ttl} ms and is ${age} ms old. Look where the robot is now, then send what fits as a new command.`,
+          );
         case "conflict":
           throw new Refusal(
             "key-conflict",
@@ -191,8 +237,44 @@ export class CommandLife {
           this.#newestStop = isStop ? result.record.seq : null;
           this.#witness.stored(this.#secondsSince(cameAt));
           acknowledge(result.record);
-          this.#tellStates(result.ended);
-          return this.#deliver();
+          this.#deadlines.wake(cameAt + ttl - age);
+          this.#endedHere(result.ended);
+          return this.#deliverOrShow(result.record, ttl);
+      }
+    });
+  }
+
+  /** What cannot be delivered yet is shown to the page all the same. */
+  async #deliverOrShow(record: CommandRecord, ttl: number): Promise<void> {
+    const sent = await this.#deliver();
+    if (!sent.has(record.seq)) this.#seat.page?.link.send({ type: "state", record, ttl });
+  }
+
+  /**
+   * Takes one command back: what waits ends here; for what the robot has, the robot is asked.
+   * @returns the record, which has not ended yet where the robot was asked
+   * @throws Refusal when there is no such command, or another key sent it
+   */
+  async cancel(grant: StoredKey, seq: number): Promise<CommandRecord> {
+    return this.#work.run(async () => {
+      const by = { driver: grant.hash, reason: "cancelled by its sender" };
+      const result = await this.#store.cancel(this.#robot, seq, by);
+      switch (result.outcome) {
+        case "no-command":
+          throw noCommand(seq);
+        case "not-yours":
+          throw new Refusal(
+            "forbidden",
+            "Another key sent this command. Only its sender can take it back; a stop ends everything.",
+          );
+        case "cancelled":
+          this.#endedHere([result.termed]);
+          return result.termed.record;
+        case "delivered":
+          this.#seat.page?.link.send({ type: "cancel", seq });
+          return result.record;
+        case "over":
+          return result.record;
       }
     });
   }
@@ -209,11 +291,8 @@ export class CommandLife {
   /** @throws Refusal when there is no command with this number */
   async command(seq: number): Promise<CommandRecord> {
     const record = await this.#store.command(this.#robot, seq);
-    if (record !== null) return record;
-    throw new Refusal(
-      "no-command",
-      `This robot has no command ${seq}. GET .../commands lists those that it has.`,
-    );
+    if (record === null) throw noCommand(seq);
+    return record;
   }
 
   async commandsAfter(seq: number): Promise<CommandRecord[]> {
@@ -243,6 +322,7 @@ export class CommandLife {
   /** Takes and delivers nothing any more. */
   close(reason: "over" | "restart"): void {
     this.#end = reason;
+    this.#deadlines.close();
   }
 
   #nextEnd(seq: number, patience: Patience): Promise<void> {
@@ -261,4 +341,11 @@ export class CommandLife {
   #secondsSince(time: number): number {
     return Math.max(0, this.#clock.now() - time) / 1000;
   }
+}
+
+function noCommand(seq: number): Refusal {
+  return new Refusal(
+    "no-command",
+    `This robot has no command ${seq}. GET .../commands lists those that it has.`,
+  );
 }

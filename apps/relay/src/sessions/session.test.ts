@@ -2,9 +2,11 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { join } from "node:path";
 import {
   closeReasons,
+  termsOf,
   type Command,
   type CommandRecord,
   type Ending,
+  type Order,
   type RelayToPage,
 } from "@corridor/protocol";
 import { pino } from "pino";
@@ -37,9 +39,10 @@ async function withRobot() {
   const hub = new SessionHub(store, clock, pino({ level: "silent" }));
   const robot = await hub.register("10.0.0.1", "http://localhost");
   const { session, key } = await hub.authorise(robot.id, robot.driverKey, ["drive"]);
-  const submit = async (command: Command, idempotencyKey: string | null = null) => {
+  const submit = async (order: Order, idempotencyKey: string | null = null) => {
     const records: CommandRecord[] = [];
-    await session.submit(key, { key: idempotencyKey, command }, (record) => records.push(record));
+    const request = { key: idempotencyKey, ...termsOf(order) };
+    await session.submit(key, request, (record) => records.push(record));
     return records[0];
   };
   const states = async () =>
@@ -107,7 +110,7 @@ describe("a robot session: delivery", () => {
       },
       null,
     );
-    await robot.session.submit(robot.key, { key: null, command: LEFT }, ({ state }) =>
+    await robot.session.submit(robot.key, { key: null, ...termsOf(LEFT) }, ({ state }) =>
       said.push(`ack ${state}`),
     );
     expect(said).toEqual(["ack accepted", "delivered"]);
@@ -165,8 +168,115 @@ describe("a robot session: delivery", () => {
     await robot.clock.pass(5_000);
     expect(await robot.states()).toEqual(["1 cancelled"]);
     const late = await page(robot, { lastApplied: 1, endings: [completed(1)] });
-    expect(late.told).toContainEqual({ type: "stored", seq: 1 });
+    const { told } = late;
+    expect(told.find(({ type }) => type === "refused")).toMatchObject({
+      record: { seq: 1, state: "cancelled", reason: "the robot's page is gone" },
+    });
+    expect(told.some(({ type }) => type === "stored")).toBe(false);
     expect(await robot.states()).toEqual(["1 cancelled"]);
+  });
+});
+
+describe("a robot session: time to live", () => {
+  it("expires what no page takes in time, and tells who waits for its end", async () => {
+    const robot = await withRobot();
+    await robot.submit({ ...LEFT, ttl: 400 });
+    await robot.submit(LEFT);
+    const end = robot.session.endOf(1, patience(25_000));
+    await robot.clock.pass(399);
+    expect(await robot.states()).toEqual(["1 accepted", "2 accepted"]);
+    await robot.clock.pass(1);
+    expect(await end).toMatchObject({ state: "expired", reason: "older than 0.4 s" });
+    await robot.clock.pass(9_600);
+    expect(await robot.states()).toEqual(["1 expired", "2 expired"]);
+  });
+
+  it("tells the robot how much time is left, counted from the first try", async () => {
+    const robot = await withRobot();
+    await robot.submit({ ...LEFT, ttl: 2_000, age: 300 });
+    await robot.clock.pass(500);
+    const host = await page(robot);
+    expect(host.told.find(({ type }) => type === "command")).toMatchObject({
+      seq: 1,
+      ttl: 2_000,
+      remaining: 1_200,
+      driver: robot.key.hash.slice(0, 6),
+      replace: false,
+      lease: null,
+    });
+    await robot.clock.pass(60_000);
+    expect(await robot.states()).toEqual(["1 delivered"]);
+    await host.ended({ ...completed(1), state: "expired" });
+    expect(await robot.states()).toEqual(["1 expired"]);
+  });
+
+  it("refuses a try that comes too late, keeps its key free, and answers a known key at any age", async () => {
+    const robot = await withRobot();
+    const late = robot.submit({ ...LEFT, ttl: 1_000, age: 1_000 }, "key-0001");
+    await expect(late).rejects.toMatchObject({ kind: "too-late" });
+    expect(await robot.submit({ ...LEFT, ttl: 1_000 }, "key-0001")).toMatchObject({ seq: 1 });
+    await robot.clock.pass(1_500);
+    expect(await robot.submit({ ...LEFT, ttl: 1_000, age: 1_500 }, "key-0001")).toMatchObject({
+      seq: 1,
+      state: "expired",
+      duplicate: true,
+    });
+  });
+
+  it("shows the page what waits for it and how it ends", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let n = 0; n < 9; n++) await robot.submit({ ...LEFT, ttl: 2_000 });
+    await robot.clock.pass(2_000);
+    const shown = host.told.flatMap((message) =>
+      message.type === "state" ? [[message.record.seq, message.record.state, message.ttl]] : [],
+    );
+    expect(shown).toEqual([
+      [9, "accepted", 2_000],
+      [9, "expired", 2_000],
+    ]);
+  });
+
+  it("does not deliver again what has expired while the page was away", async () => {
+    const robot = await withRobot();
+    const before = await page(robot);
+    await robot.submit({ ...LEFT, ttl: 400 });
+    await robot.submit(LEFT);
+    robot.session.leavePage(before.link);
+    await robot.clock.pass(500);
+    expect(await robot.states()).toEqual(["1 delivered", "2 delivered"]);
+    const after = await page(robot);
+    expect(after.seqs("command")).toEqual([2]);
+    expect(await robot.states()).toEqual(["1 expired", "2 delivered"]);
+  });
+});
+
+describe("a robot session: replacing and cancelling", () => {
+  it("gives the page at once what replaces, and supersedes what waits", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let n = 0; n < 9; n++) await robot.submit(LEFT);
+    await robot.submit({ ...LEFT, replace: true });
+    expect(host.told.at(-1)).toMatchObject({ type: "command", seq: 10, replace: true });
+    expect((await robot.states()).slice(7)).toEqual([
+      "8 delivered",
+      "9 superseded",
+      "10 delivered",
+    ]);
+  });
+
+  it("takes back what waits, and asks the robot for what it has", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let n = 0; n < 9; n++) await robot.submit(LEFT);
+    expect(await robot.session.cancel(robot.key, 9)).toMatchObject({ state: "cancelled" });
+    expect(await robot.session.cancel(robot.key, 8)).toMatchObject({ state: "delivered" });
+    expect(host.told.at(-1)).toEqual({ type: "cancel", seq: 8 });
+    await host.ended({ ...completed(8), state: "cancelled" });
+    expect(await robot.session.cancel(robot.key, 8)).toMatchObject({ state: "cancelled" });
+    await expect(robot.session.cancel(robot.key, 10)).rejects.toMatchObject({ kind: "no-command" });
+    const other = robot.session.cancel({ kind: "drive", hash: "other" }, 1);
+    await expect(other).rejects.toMatchObject({ kind: "forbidden" });
   });
 });
 

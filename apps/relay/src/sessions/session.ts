@@ -4,9 +4,9 @@
  */
 import {
   closeReasons,
-  type Command,
   type CommandRecord,
   type EventPage,
+  type CommandTerms,
   type PageToRelay,
   type Resume,
   type Snapshot,
@@ -141,10 +141,15 @@ export class Session {
   /** Stores a command and sends it on when its turn comes: see `CommandLife.submit`. */
   async submit(
     grant: StoredKey,
-    request: { key: string | null; command: Command },
+    request: { key: string | null } & CommandTerms,
     acknowledge: (record: CommandRecord) => void,
   ): Promise<void> {
     await this.#life.submit(grant, request, acknowledge);
+  }
+
+  /** Takes one command back: see `CommandLife.cancel`. */
+  async cancel(grant: StoredKey, seq: number): Promise<CommandRecord> {
+    return this.#life.cancel(grant, seq);
   }
 
   async commandsAfter(seq: number): Promise<CommandRecord[]> {

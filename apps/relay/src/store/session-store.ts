@@ -32,6 +32,14 @@ export interface NewCommand {
   key: string | null;
   command: Command;
   acceptedAt: number;
+  /** ms that it was given to start within, for the words with which it expires */
+  ttl: number;
+  /** wall-clock time by which it must have started */
+  deadline: number;
+  /** supersedes all that is accepted */
+  replace: boolean;
+  /** ms for which a drive goes on by itself, where its sender asked for some */
+  lease: number | null;
   /** refuse when so many commands wait already (a stop is never refused) */
   maxWaiting: number;
   /** forget what has ended, with its key, before the newest so many commands; at least 1 */
@@ -39,16 +47,45 @@ export interface NewCommand {
 }
 
 export type AddResult =
-  /** `ended`: what a stop has overtaken */
-  | { outcome: "stored"; record: CommandRecord; ended: CommandRecord[] }
+  /** `ended`: what a stop, or a command that replaces, has overtaken */
+  | { outcome: "stored"; record: CommandRecord; ended: TermedRecord[] }
   | { outcome: "duplicate"; record: CommandRecord }
   /** the same idempotency key came with another command */
   | { outcome: "conflict"; record: CommandRecord }
   | { outcome: "full" }
+  /** its deadline was past when it came, and its key is not known */
+  | { outcome: "late" }
   | { outcome: "no-session" };
 
+/** A record with what only the relay and the robot need of its command. */
+export interface TermedRecord {
+  record: CommandRecord;
+  /** hash of the key that sent it */
+  driver: string;
+  ttl: number;
+  deadline: number;
+  replace: boolean;
+  lease: number | null;
+}
+
+export type CancelResult =
+  | { outcome: "cancelled"; termed: TermedRecord }
+  /** delivered or started: the robot's to end */
+  | { outcome: "delivered"; record: CommandRecord }
+  | { outcome: "over"; record: CommandRecord }
+  | { outcome: "not-yours" }
+  | { outcome: "no-command" };
+
+export type EndResult =
+  | { outcome: "ended"; record: CommandRecord }
+  /** it is not this page's to end, or not any more; null: there is no such command */
+  | { outcome: "over"; record: CommandRecord | null };
+
+/** A command from so much later than now shows that the clock was set back. */
+export const CLOCK_TOLERANCE_MS = 2_000;
+
 export interface PageState {
-  /** highest seq that the page has started or ended */
+  /** the page has started or ended this command and all before it that it was given */
   lastApplied: number;
   /** the page was loaded anew: what had started can never end by itself */
   fresh: boolean;
@@ -67,28 +104,43 @@ export interface SessionStore {
 
   /**
    * Stores a command as accepted, with the next seq, and forgets old ones that have ended. A stop
-   * cancels all that are accepted.
+   * cancels all that are accepted, one that replaces supersedes them. A known key is answered first,
+   * however late it comes again.
    */
   add(id: string, command: NewCommand): Promise<AddResult>;
   /**
    * Marks the next accepted commands, in order, as delivered, so that at most `window` are delivered
-   * at a time. A stop does not count and does not wait.
+   * at a time. A stop, or a command that replaces, does not count and does not wait; what is due to
+   * expire stays where it is.
    */
-  deliver(id: string, epoch: number, window: number): Promise<CommandRecord[]>;
-  /** delivered → started. @returns null when it was not delivered */
-  start(id: string, seq: number): Promise<CommandRecord | null>;
-  /** delivered or started → its ending. @returns null when it has ended before */
-  end(id: string, ending: Ending): Promise<CommandRecord | null>;
-  /** Ends all that is delivered or started as cancelled. @returns what has ended by this */
-  cancelOpen(id: string, reason: string): Promise<CommandRecord[]>;
+  deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]>;
+  /**
+   * accepted → expired, for all whose deadline is past, and for those from a time that is yet to come:
+   * then the clock was set back, and nobody knows how late it is.
+   * @returns what has expired, and the next deadline of what waits; null: nothing waits
+   */
+  expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }>;
+  /** Takes one command back for the driver that sent it: accepted → cancelled. */
+  cancel(id: string, seq: number, by: { driver: string; reason: string }): Promise<CancelResult>;
+  /** delivered → started. @returns null when it was not delivered, or the epoch is not the newest */
+  start(id: string, epoch: number, seq: number): Promise<CommandRecord | null>;
+  /** delivered or started → its ending, by the page of the newest epoch. */
+  end(id: string, epoch: number, ending: Ending): Promise<EndResult>;
+  /**
+   * The page is away for good: raises the epoch, so that nothing of it counts any more, and ends all
+   * that is delivered or started as cancelled. @returns what has ended by this
+   */
+  abandon(id: string, reason: string): Promise<CommandRecord[]>;
   /**
    * A page takes the robot: raises the epoch, stores what the page has done, and makes what never
-   * reached it wait again. @returns null when there is no such session
+   * reached it wait again, except what a later stop or replacing command has overtaken meanwhile.
+   * @returns what has changed, and the records whose ending the page tells otherwise than it was; null
+   *   when there is no such session
    */
   takeOver(
     id: string,
     page: PageState,
-  ): Promise<{ epoch: number; changed: CommandRecord[] } | null>;
+  ): Promise<{ epoch: number; changed: CommandRecord[]; refused: CommandRecord[] } | null>;
 
   command(id: string, seq: number): Promise<CommandRecord | null>;
   /** Commands with a higher seq, in order. */

@@ -23,14 +23,24 @@ documentStoreCases("SqliteDocumentStore", async () => {
   };
 });
 
-it("brings a file from before there were short links to their schema, with its sessions", async () => {
+it("brings a file from before there were short links and deadlines to this schema, with its sessions", async () => {
   const file = join(testFolder(), "corridor.sqlite");
   const before = new SqliteStore(file);
   const id = "AAAAAAAAAAAAAAAAAAAAAA";
   await before.create({ id, createdAt: 1, keys: [] });
   await before.close();
   const db = new DatabaseSync(file);
-  db.exec("DROP TABLE document_keys; DROP TABLE documents; PRAGMA user_version = 1");
+  db.exec(`
+    ALTER TABLE commands DROP COLUMN ttl;
+    ALTER TABLE commands DROP COLUMN deadline;
+    ALTER TABLE commands DROP COLUMN replaces;
+    ALTER TABLE commands DROP COLUMN lease;
+    INSERT INTO commands (robot, seq, driver, command, state, accepted_at)
+      VALUES ('${id}', 1, 'd', '{"action":"left 90"}', 'accepted', 5000);
+    DROP TABLE document_keys;
+    DROP TABLE documents;
+    PRAGMA user_version = 1;
+  `);
   db.close();
 
   const documents = new SqliteDocumentStore(file);
@@ -39,4 +49,5 @@ it("brings a file from before there were short links to their schema, with its s
   onTestFinished(() => sessions.close());
   expect(await documents.read("AAAAAAAAAAAA", 1, 1)).toBeNull();
   expect(await sessions.find(id)).toMatchObject({ id });
+  expect(await sessions.expire(id, 5_000)).toEqual({ ended: [], next: 15_000 });
 });

@@ -25,9 +25,22 @@ async function onFullDisk() {
   onTestFinished(() => store.close());
   await store.create({ id: ID, createdAt: 1, keys: [] });
   const add = (command: Command, key: string | null = null) =>
-    store.add(ID, { driver: "d", key, command, acceptedAt: 1, maxWaiting: 10_000, keep: 20_000 });
+    store.add(ID, {
+      driver: "d",
+      key,
+      command,
+      acceptedAt: 1,
+      ttl: 10_000,
+      deadline: 10_001,
+      replace: false,
+      lease: null,
+      maxWaiting: 10_000,
+      keep: 20_000,
+    });
+  const page = { lastApplied: 0, fresh: false, endings: [] };
+  await store.takeOver(ID, page);
   for (let n = 0; n < 50; n++) await add({ action: "left 90" });
-  await store.deliver(ID, 1, 50);
+  await store.deliver(ID, 1, 50, 1);
   ballast.giveUp = () => {
     const wasHeld = ballast.isHeld;
     ballast.isHeld = false;
@@ -65,13 +78,13 @@ describe("a full disk", () => {
   it("still lets robots start, end and be stopped, pages come, and people delete", async () => {
     const { store, add } = await onFullDisk();
     for (let seq = 1; seq <= 50; seq++) {
-      expect(await store.start(ID, seq)).toMatchObject({ seq, state: "started" });
+      expect(await store.start(ID, 1, seq)).toMatchObject({ seq, state: "started" });
       const ending = { ...completed(seq), reason: LONG_REASON };
-      expect(await store.end(ID, ending)).toMatchObject({ seq, state: "completed" });
+      expect(await store.end(ID, 1, ending)).toMatchObject({ outcome: "ended" });
     }
     expect(await add({ action: "stop" })).toMatchObject({ outcome: "stored" });
     const page = { lastApplied: 50, fresh: false, endings: [] };
-    expect(await store.takeOver(ID, page)).toMatchObject({ epoch: 1 });
+    expect(await store.takeOver(ID, page)).toMatchObject({ epoch: 2 });
     expect(await store.remove(ID)).toBe(true);
     expect(await store.find(ID)).toBeNull();
   });

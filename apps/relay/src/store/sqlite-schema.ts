@@ -59,8 +59,17 @@ CREATE TABLE document_keys (
 ) STRICT, WITHOUT ROWID;
 `;
 
+// A command from before there were deadlines gets what one without a wish gets now.
+const TERMS = `
+ALTER TABLE commands ADD COLUMN ttl INTEGER NOT NULL DEFAULT 10000;
+ALTER TABLE commands ADD COLUMN deadline INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE commands ADD COLUMN replaces INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE commands ADD COLUMN lease INTEGER;
+UPDATE commands SET deadline = accepted_at + ttl;
+`;
+
 /** What each version added to the one before it: the first leads from an empty file to version 1. */
-const STEPS: readonly string[] = [SESSIONS, DOCUMENTS];
+const STEPS: readonly string[] = [SESSIONS, DOCUMENTS, TERMS];
 
 /** Opens a database, made with its folder when it is missing. @throws as `prepareDatabase` does */
 export function openDatabase(file: string): DatabaseSync {

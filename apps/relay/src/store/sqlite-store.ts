@@ -5,17 +5,22 @@
  * once the group that it is in is on disk. They are short on purpose: rows of one robot by index. Only
  * the sweep for sessions that ran out, once a minute, reads through the sessions (not their commands).
  */
-import type { SQLInputValue } from "node:sqlite";
-import { commandRecordSchema, type CommandRecord, type Ending } from "@corridor/protocol";
+import { hasEnded, type CommandRecord, type Ending } from "@corridor/protocol";
 import { z } from "zod";
-import type {
-  AddResult,
-  NewCommand,
-  PageState,
-  SessionStore,
-  StoredSession,
+import {
+  CLOCK_TOLERANCE_MS,
+  type AddResult,
+  type CancelResult,
+  type EndResult,
+  type NewCommand,
+  type PageState,
+  type SessionStore,
+  type StoredSession,
+  type TermedRecord,
 } from "./session-store.ts";
 import { SqliteFile } from "./sqlite-file.ts";
+import { end, meetPage, overtake, OVERTAKES, recordOf, STOP } from "./sqlite-overtaking.ts";
+import { numberIn, RECORD, recordsIn, TERMED, termedIn } from "./sqlite-rows.ts";
 import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
 import type { Statements } from "./statements.ts";
 
@@ -27,21 +32,9 @@ const sessionRow = z.object({
   last_used_at: z.int(),
 });
 const keyRow = z.object({ hash: z.string(), kind: z.enum(["own", "drive"]) });
-const commandRow = z.object({
-  seq: z.int(),
-  key: z.string().nullable(),
-  command: z.string(),
-  state: z.string(),
-  reason: z.string().nullable(),
-  accepted_at: z.int(),
-  pose: z.string().nullable(),
-  distance: z.number().nullable(),
-});
 
-const actionOf = z.object({ action: z.string() });
-
-const COLUMNS = "seq, key, command, state, reason, accepted_at, pose, distance";
-const STOP = '{"action":"stop"}';
+/** Condition of an accepted command that must not start any more at the time ?1. */
+const IS_LATE = `(deadline <= ?1 OR accepted_at > ?1 + ${CLOCK_TOLERANCE_MS})`;
 
 export class SqliteStore implements SessionStore {
   readonly #file: SqliteFile;
@@ -53,13 +46,17 @@ export class SqliteStore implements SessionStore {
 
   async create({ id, createdAt, keys }: Omit<StoredSession, "epoch" | "lastUsedAt">) {
     await this.#file.growingStep(() => {
-      this.#run("INSERT INTO sessions (id, created_at, last_used_at) VALUES (?, ?, ?)", [
+      this.#writing.run("INSERT INTO sessions (id, created_at, last_used_at) VALUES (?, ?, ?)", [
         id,
         createdAt,
         createdAt,
       ]);
       for (const { hash, kind } of keys) {
-        this.#run("INSERT INTO keys (robot, hash, kind) VALUES (?, ?, ?)", [id, hash, kind]);
+        this.#writing.run("INSERT INTO keys (robot, hash, kind) VALUES (?, ?, ?)", [
+          id,
+          hash,
+          kind,
+        ]);
       }
     });
   }
@@ -80,12 +77,12 @@ export class SqliteStore implements SessionStore {
 
   async touch(id: string, now: number): Promise<void> {
     const sql = "UPDATE sessions SET last_used_at = max(last_used_at, ?) WHERE id = ?";
-    await this.#file.step(() => this.#run(sql, [now, id]));
+    await this.#file.step(() => this.#writing.run(sql, [now, id]));
   }
 
   async remove(id: string): Promise<boolean> {
     return this.#file.forget(
-      () => this.#run("DELETE FROM sessions WHERE id = ?", [id]) > 0,
+      () => this.#writing.run("DELETE FROM sessions WHERE id = ?", [id]) > 0,
       (removed) => removed,
     );
   }
@@ -93,7 +90,7 @@ export class SqliteStore implements SessionStore {
   async removeExpired(before: { lastUsedAt: number; createdAt: number }): Promise<string[]> {
     const sql = "DELETE FROM sessions WHERE last_used_at < ? OR created_at < ? RETURNING id";
     const rows = await this.#file.forget(
-      () => this.#all(sql, [before.lastUsedAt, before.createdAt]),
+      () => this.#writing.all(sql, [before.lastUsedAt, before.createdAt]),
       ({ length }) => length > 0,
     );
     return rows.map((row) => String(row["id"]));
@@ -101,30 +98,35 @@ export class SqliteStore implements SessionStore {
 
   async add(id: string, command: NewCommand): Promise<AddResult> {
     const text = JSON.stringify(command.command);
+    const isStop = text === STOP;
     const work = (): AddResult => {
-      const session = sessionIn(this.#file.writing, id);
+      const session = sessionIn(this.#writing, id);
       if (session === null) return { outcome: "no-session" };
-      const earlier = this.#records(
-        `SELECT ${COLUMNS} FROM commands WHERE robot = ? AND driver = ? AND key = ?`,
-        [id, command.driver, command.key],
+      const { driver, key, acceptedAt, ttl, deadline, replace, lease } = command;
+      const earlier = recordsIn(
+        this.#writing,
+        `SELECT ${RECORD} FROM commands WHERE robot = ? AND driver = ? AND key = ?`,
+        [id, driver, key],
       )[0];
       if (earlier !== undefined) {
         const same = JSON.stringify(earlier.command) === text;
         return { outcome: same ? "duplicate" : "conflict", record: earlier };
       }
+      if (deadline <= acceptedAt) return { outcome: "late" };
       const seq = session.last_seq + 1;
-      const ended = text === STOP ? this.#overtake(id, seq) : [];
-      if (text !== STOP && this.#count(id, "accepted") >= command.maxWaiting) {
-        return { outcome: "full" };
-      }
-      this.#run("UPDATE sessions SET last_seq = ? WHERE id = ?", [seq, id]);
-      const [record] = this.#records(
-        `INSERT INTO commands (robot, seq, driver, key, command, state, accepted_at)
-         VALUES (?, ?, ?, ?, ?, 'accepted', ?) RETURNING ${COLUMNS}`,
-        [id, seq, command.driver, command.key, text, command.acceptedAt],
+      const ended = isStop || replace ? overtake(this.#writing, id, { seq, isStop }) : [];
+      if (!isStop && this.#count(id, "accepted") >= command.maxWaiting) return { outcome: "full" };
+      this.#writing.run("UPDATE sessions SET last_seq = ? WHERE id = ?", [seq, id]);
+      const terms = [Math.round(ttl), Math.round(deadline), replace ? 1 : 0, lease];
+      const [record] = recordsIn(
+        this.#writing,
+        `INSERT INTO commands
+           (robot, seq, driver, key, command, state, accepted_at, ttl, deadline, replaces, lease)
+         VALUES (?, ?, ?, ?, ?, 'accepted', ?, ?, ?, ?, ?) RETURNING ${RECORD}`,
+        [id, seq, driver, key, text, acceptedAt, ...terms],
       );
       if (record === undefined) throw new Error("SQLite did not return the stored command");
-      this.#run(
+      this.#writing.run(
         `DELETE FROM commands WHERE robot = ? AND seq <= ?
          AND NOT (${IS_OPEN})`,
         [id, seq - command.keep],
@@ -132,88 +134,128 @@ export class SqliteStore implements SessionStore {
       return { outcome: "stored", record, ended };
     };
     // A robot can be stopped on a full disk, too.
-    return text === STOP ? this.#file.step(work) : this.#file.growingStep(work);
+    return isStop ? this.#file.step(work) : this.#file.growingStep(work);
   }
 
-  async deliver(id: string, epoch: number, window: number): Promise<CommandRecord[]> {
+  async deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]> {
     return this.#file.step(() => {
+      if (sessionIn(this.#writing, id)?.epoch !== epoch) return [];
       const free = Math.max(0, window - this.#count(id, "delivered"));
-      return this.#records(
-        `UPDATE ${OPEN_COMMANDS} SET state = 'delivered', epoch = ?1
-         WHERE robot = ?2 AND state = 'accepted' AND ${IS_OPEN} AND (command = '${STOP}' OR seq IN (
-           SELECT seq FROM ${OPEN_COMMANDS} WHERE robot = ?2 AND state = 'accepted' AND ${IS_OPEN}
-           ORDER BY seq LIMIT ?3))
-         RETURNING ${COLUMNS}`,
-        [epoch, id, free],
+      const waits = `robot = ?2 AND state = 'accepted' AND ${IS_OPEN} AND NOT ${IS_LATE}`;
+      return termedIn(
+        this.#writing,
+        `UPDATE ${OPEN_COMMANDS} SET state = 'delivered', epoch = ?4
+         WHERE ${waits} AND (${OVERTAKES} OR seq IN (
+           SELECT seq FROM ${OPEN_COMMANDS} WHERE ${waits} ORDER BY seq LIMIT ?3))
+         RETURNING ${TERMED}`,
+        [now, id, free, epoch],
       );
     });
   }
 
-  async start(id: string, seq: number): Promise<CommandRecord | null> {
+  async expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }> {
+    const waits = `robot = ?2 AND state = 'accepted' AND ${IS_OPEN}`;
+    return this.#file.step(() => ({
+      ended: termedIn(
+        this.#writing,
+        `UPDATE ${OPEN_COMMANDS} SET state = 'expired', reason = printf('older than %g s', ttl / 1000.0)
+         WHERE ${waits} AND ${IS_LATE} RETURNING ${TERMED}`,
+        [now, id],
+      ),
+      next: numberIn(
+        this.#writing,
+        `SELECT min(deadline) AS found FROM ${OPEN_COMMANDS}
+         WHERE robot = ? AND state = 'accepted' AND ${IS_OPEN}`,
+        [id],
+      ),
+    }));
+  }
+
+  async cancel(id: string, seq: number, by: { driver: string; reason: string }) {
+    return this.#file.step((): CancelResult => {
+      const [found] = termedIn(
+        this.#writing,
+        `SELECT ${TERMED} FROM commands WHERE robot = ? AND seq = ?`,
+        [id, seq],
+      );
+      if (found === undefined) return { outcome: "no-command" };
+      const { record, driver } = found;
+      if (driver !== by.driver) return { outcome: "not-yours" };
+      if (hasEnded(record.state)) return { outcome: "over", record };
+      if (record.state !== "accepted") return { outcome: "delivered", record };
+      const [termed] = termedIn(
+        this.#writing,
+        `UPDATE commands SET state = 'cancelled', reason = ?
+         WHERE robot = ? AND seq = ? RETURNING ${TERMED}`,
+        [by.reason, id, seq],
+      );
+      if (termed === undefined) throw new Error("SQLite did not return the cancelled command");
+      return { outcome: "cancelled", termed };
+    });
+  }
+
+  async start(id: string, epoch: number, seq: number): Promise<CommandRecord | null> {
     return this.#file.step(() => {
-      const [record] = this.#records(
+      if (sessionIn(this.#writing, id)?.epoch !== epoch) return null;
+      const [record] = recordsIn(
+        this.#writing,
         `UPDATE commands SET state = 'started'
-         WHERE robot = ? AND seq = ? AND state = 'delivered' RETURNING ${COLUMNS}`,
+         WHERE robot = ? AND seq = ? AND state = 'delivered' RETURNING ${RECORD}`,
         [id, seq],
       );
       return record ?? null;
     });
   }
 
-  async end(id: string, ending: Ending): Promise<CommandRecord | null> {
-    return this.#file.step(() => this.#end(id, ending));
+  async end(id: string, epoch: number, ending: Ending): Promise<EndResult> {
+    return this.#file.step((): EndResult => {
+      const isNewest = sessionIn(this.#writing, id)?.epoch === epoch;
+      const record = isNewest ? end(this.#writing, id, ending) : null;
+      if (record !== null) return { outcome: "ended", record };
+      return { outcome: "over", record: recordOf(this.#writing, id, ending.seq) };
+    });
   }
 
-  async cancelOpen(id: string, reason: string): Promise<CommandRecord[]> {
-    return this.#file.step(() =>
-      this.#records(
+  async abandon(id: string, reason: string): Promise<CommandRecord[]> {
+    return this.#file.step(() => {
+      this.#writing.run("UPDATE sessions SET epoch = epoch + 1 WHERE id = ?", [id]);
+      return recordsIn(
+        this.#writing,
         `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = ?
          WHERE robot = ? AND state IN ('delivered', 'started') AND ${IS_OPEN}
-         RETURNING ${COLUMNS}`,
+         RETURNING ${RECORD}`,
         [reason, id],
-      ),
-    );
+      );
+    });
   }
 
   async takeOver(id: string, page: PageState) {
     return this.#file.step(() => {
-      const session = sessionIn(this.#file.writing, id);
+      const session = sessionIn(this.#writing, id);
       if (session === null) return null;
       const epoch = session.epoch + 1;
       // A page that knows of later commands than this file saw a store that lost its newest rows.
-      this.#run("UPDATE sessions SET epoch = ?, last_seq = max(last_seq, ?) WHERE id = ?", [
+      this.#writing.run("UPDATE sessions SET epoch = ?, last_seq = max(last_seq, ?) WHERE id = ?", [
         epoch,
         page.lastApplied,
         id,
       ]);
-      const changed = page.endings.flatMap((ending) => this.#end(id, ending) ?? []);
-      changed.push(
-        ...this.#records(
-          `UPDATE ${OPEN_COMMANDS} SET state = CASE WHEN seq > ? THEN 'accepted' ELSE 'started' END
-           WHERE robot = ? AND state = 'delivered' AND ${IS_OPEN} RETURNING ${COLUMNS}`,
-          [page.lastApplied, id],
-        ),
-      );
-      if (page.fresh) changed.push(...this.#endLostWithPage(id));
-      return { epoch, changed: lastOfEach(changed) };
+      return { epoch, ...meetPage(this.#writing, id, page) };
     });
   }
 
   async command(id: string, seq: number): Promise<CommandRecord | null> {
-    const sql = `SELECT ${COLUMNS} FROM commands WHERE robot = ? AND seq = ?`;
-    return recordsIn(this.#file.reading, sql, [id, seq])[0] ?? null;
+    return recordOf(this.#file.reading, id, seq);
   }
 
   async commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
-    const sql = `SELECT ${COLUMNS} FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?`;
+    const sql = `SELECT ${RECORD} FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?`;
     return recordsIn(this.#file.reading, sql, [id, seq, limit]);
   }
 
   async openCommands(id: string): Promise<CommandRecord[]> {
-    return this.#records(
-      `SELECT ${COLUMNS} FROM ${OPEN_COMMANDS} WHERE robot = ? AND ${IS_OPEN} ORDER BY seq`,
-      [id],
-    );
+    const sql = `SELECT ${RECORD} FROM ${OPEN_COMMANDS} WHERE robot = ? AND ${IS_OPEN} ORDER BY seq`;
+    return recordsIn(this.#writing, sql, [id]);
   }
 
   async check(): Promise<"ok" | "full"> {
@@ -224,86 +266,19 @@ export class SqliteStore implements SessionStore {
     this.#file.close();
   }
 
-  /** What ran in a page that is gone, and what a later stop had overtaken, can only end here. */
-  #endLostWithPage(id: string): CommandRecord[] {
-    const lost = this.#records(
-      `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = 'the page was reloaded'
-       WHERE robot = ? AND state = 'started' AND ${IS_OPEN} RETURNING ${COLUMNS}`,
-      [id],
-    );
-    const stop = this.#all(
-      `SELECT max(seq) AS seq FROM ${OPEN_COMMANDS}
-       WHERE robot = ? AND state = 'accepted' AND ${IS_OPEN} AND command = '${STOP}'`,
-      [id],
-    )[0]?.["seq"];
-    return typeof stop === "number" ? [...lost, ...this.#overtake(id, stop)] : lost;
-  }
-
-  #overtake(id: string, stop: number): CommandRecord[] {
-    return this.#records(
-      `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = ?
-       WHERE robot = ? AND state = 'accepted' AND ${IS_OPEN} AND seq < ? RETURNING ${COLUMNS}`,
-      [`stopped by command ${stop}`, id, stop],
-    );
-  }
-
-  #end(id: string, { seq, state, reason, pose, distance }: Ending): CommandRecord | null {
-    const [record] = this.#records(
-      `UPDATE commands SET state = ?, reason = ?, pose = ?, distance = ?
-       WHERE robot = ? AND seq = ? AND state IN ('delivered', 'started') RETURNING ${COLUMNS}`,
-      [state, reason, pose === null ? null : JSON.stringify(pose), distance, id, seq],
-    );
-    return record ?? null;
-  }
-
+  /** Commands in a state, without those that overtake. */
   #count(id: string, state: "accepted" | "delivered"): number {
-    const sql = `SELECT count(*) AS n FROM ${OPEN_COMMANDS}
-      WHERE robot = ? AND state = '${state}' AND ${IS_OPEN} AND command <> '${STOP}'`;
-    return Number(this.#all(sql, [id])[0]?.["n"] ?? 0);
+    const sql = `SELECT count(*) AS found FROM ${OPEN_COMMANDS}
+      WHERE robot = ? AND state = '${state}' AND ${IS_OPEN} AND NOT ${OVERTAKES}`;
+    return numberIn(this.#writing, sql, [id]) ?? 0;
   }
 
-  #records(sql: string, values: SQLInputValue[]): CommandRecord[] {
-    return recordsIn(this.#file.writing, sql, values);
-  }
-
-  #all(sql: string, values: SQLInputValue[]) {
-    return this.#file.writing.all(sql, values);
-  }
-
-  #run(sql: string, values: SQLInputValue[]): number {
-    return this.#file.writing.run(sql, values);
+  get #writing(): Statements {
+    return this.#file.writing;
   }
 }
 
 function sessionIn(statements: Statements, id: string): z.infer<typeof sessionRow> | null {
   const [row] = statements.all("SELECT * FROM sessions WHERE id = ?", [id]);
   return row === undefined ? null : sessionRow.parse(row);
-}
-
-function recordsIn(statements: Statements, sql: string, values: SQLInputValue[]): CommandRecord[] {
-  // RETURNING gives rows in no promised order.
-  return statements
-    .all(sql, values)
-    .map(readRecord)
-    .toSorted((a, b) => a.seq - b.seq);
-}
-
-function readRecord(row: unknown): CommandRecord {
-  const { command, pose, accepted_at, ...rest } = commandRow.parse(row);
-  const parsed: unknown = JSON.parse(command);
-  const { action } = actionOf.parse(parsed);
-  return commandRecordSchema.parse({
-    ...rest,
-    action,
-    command: parsed,
-    acceptedAt: new Date(accepted_at).toISOString(),
-    pose: pose === null ? null : JSON.parse(pose),
-    duplicate: false,
-  });
-}
-
-/** A command that changed twice in one step is reported once, with its last state. */
-function lastOfEach(records: CommandRecord[]): CommandRecord[] {
-  const bySeq = new Map(records.map((record) => [record.seq, record]));
-  return [...bySeq.values()].toSorted((a, b) => a.seq - b.seq);
 }

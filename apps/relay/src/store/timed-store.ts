@@ -11,7 +11,9 @@ const COMMITS: ReadonlySet<string | symbol> = new Set([
   "deliver",
   "start",
   "end",
-  "cancelOpen",
+  "expire",
+  "cancel",
+  "abandon",
   "takeOver",
 ] as const satisfies readonly (keyof SessionStore)[]);
 

@@ -1,5 +1,5 @@
 /**
- * Why this page ends remote commands. The page shows a reason in its reader's language, by its code;
+ * Why this page ends remote commands early. The page shows a reason in its reader's language, by its code;
  * scripts get the English sentence.
  */
 export const cancelReasons = {
@@ -9,6 +9,9 @@ export const cancelReasons = {
   mazeChanged: "The maze changed and the robot was put back to its start.",
   movedInTime: "The robot's page went to another moment or another run.",
   stopped: "A stop came.",
+  replaced: "A newer command took its place.",
+  takenBack: "Its sender took it back.",
+  silent: "Its sender fell silent, so the robot stopped.",
   disconnected: "The robot's page disconnected.",
   addressEnded: "The robot's page no longer uses this address.",
 } as const satisfies Record<string, string>;

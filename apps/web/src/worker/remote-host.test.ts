@@ -4,6 +4,7 @@ import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-work.ts";
 import { RemoteHost } from "./remote-host.ts";
 import { RunLoop } from "./run-loop.ts";
+import { deliveryOf } from "./testing/bench.ts";
 import type { RemoteSession, RemoteView } from "./worker-messages.ts";
 
 type Message = Record<string, unknown>;
@@ -92,8 +93,7 @@ class Relay {
   }
 
   #deliver(seq: number): void {
-    const command = { action: "move", distance: 20 };
-    this.#say({ type: "command", seq, key: null, command, acceptedAt: "2026-01-01T00:00:00.000Z" });
+    this.#say({ type: "command", ...deliveryOf(seq, { action: "move", distance: 20 }) });
   }
 
   #say(message: Message): void {
@@ -112,6 +112,8 @@ function openPage() {
     onView: (newest) => (view = newest),
     onDelivery: (delivery) => loop.accept(delivery),
     cancel: (reason) => loop.cancelRemote(reason),
+    takeBack: (seq) => loop.takeBack(seq),
+    giveBack: () => loop.giveBack(),
     fetch: relay.fetch,
     platform: relay.platform,
   });

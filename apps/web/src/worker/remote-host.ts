@@ -4,9 +4,9 @@
  * by script never loads it.
  */
 import type { HostLink, HostLinkOptions, HostStatus, registerRobot } from "@corridor/client/host";
-import type { DeliveredCommand, Drivers, Snapshot } from "@corridor/protocol";
+import type { CommandRecord, DeliveredCommand, Drivers, Snapshot } from "@corridor/protocol";
 import { cancelReasons, type CancelReason } from "../drivers/cancel-reason.ts";
-import type { Delivery, Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
+import type { Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
 import type { troubleOf } from "./remote-trouble.ts";
 import type { ListedCommand, RemoteSession, RemoteStatus, RemoteView } from "./worker-messages.ts";
 
@@ -23,9 +23,13 @@ export interface RemoteHostPorts {
   /** the robot as it is now; null before it is loaded */
   snapshot(): Snapshot | null;
   onView(view: RemoteView): void;
-  onDelivery(delivery: Delivery): void;
+  onDelivery(delivery: DeliveredCommand): void;
   /** ends all that was delivered, by `ended`, before this returns */
   cancel(reason: CancelReason): void;
+  /** ends one command, by `ended`, unless it has ended */
+  takeBack(seq: number): void;
+  /** forgets what was delivered and has not started */
+  giveBack(): void;
   fetch: Parameters<typeof registerRobot>[1];
   /** default: what the worker offers */
   platform?: NonNullable<HostLinkOptions["platform"]>;
@@ -33,7 +37,7 @@ export interface RemoteHostPorts {
 
 export class RemoteHost implements RemoteDriverEvents {
   readonly #ports: RemoteHostPorts;
-  /** newest last, by seq */
+  /** by seq */
   readonly #commands = new Map<number, ListedCommand>();
   #session: RemoteSession | null = null;
   /** of `#session`; kept while it is closed, since it knows what was handed on and how it ended */
@@ -85,7 +89,7 @@ export class RemoteHost implements RemoteDriverEvents {
   /** Empties the list of commands; those that still live stay. */
   clearCommands(): void {
     for (const [seq, { state }] of this.#commands) {
-      if (state !== "delivered" && state !== "started") this.#commands.delete(seq);
+      if (isEnding(state)) this.#commands.delete(seq);
     }
     this.#tell(this.#status);
   }
@@ -100,8 +104,7 @@ export class RemoteHost implements RemoteDriverEvents {
   }
 
   ended(seq: number, ending: Ending): void {
-    const { reason } = ending;
-    this.#link?.ended(seq, { ...ending, reason: reason === null ? null : cancelReasons[reason] });
+    this.#link?.ended(seq, { ...ending, reason: this.#reasonFor(seq, ending) });
     this.#change(seq, ending);
   }
 
@@ -133,6 +136,10 @@ export class RemoteHost implements RemoteDriverEvents {
         this.#ports.cancel("stopped");
         this.#change(stop.seq, { state: "completed" });
       },
+      onCancel: (seq) => this.#ports.takeBack(seq),
+      onGiveBack: () => this.#giveBack(),
+      onState: (record, ttl) => this.#show({ ...record, ttl, reason: null }),
+      onRefused: ({ seq, state }) => this.#change(seq, { state, reason: null }),
       onStatus: (status) => this.#linkChanged(status, trouble.troubleOf),
       onDrivers: (drivers) => {
         this.#drivers = drivers;
@@ -156,8 +163,23 @@ export class RemoteHost implements RemoteDriverEvents {
     this.#ports.onDelivery(command);
   }
 
-  #list({ seq, key, command, acceptedAt }: DeliveredCommand): void {
-    this.#commands.set(seq, {
+  /** What waits here may end at the relay before it comes again. */
+  #giveBack(): void {
+    this.#ports.giveBack();
+    for (const [seq, record] of this.#commands) {
+      if (record.state === "delivered") this.#commands.set(seq, { ...record, state: "accepted" });
+    }
+  }
+
+  /** Why a command ended early, for scripts. */
+  #reasonFor(seq: number, { state, reason }: Ending): string | null {
+    if (reason !== null) return cancelReasons[reason];
+    const record = this.#commands.get(seq);
+    return state === "expired" && record !== undefined ? `older than ${record.ttl / 1000} s` : null;
+  }
+
+  #list({ seq, key, command, acceptedAt, ttl }: DeliveredCommand): void {
+    this.#show({
       seq,
       key,
       action: command.action,
@@ -168,9 +190,13 @@ export class RemoteHost implements RemoteDriverEvents {
       pose: null,
       distance: null,
       duplicate: false,
+      ttl,
     });
-    const oldest = this.#commands.keys().next().value;
-    if (this.#commands.size > MAX_LISTED && oldest !== undefined) this.#commands.delete(oldest);
+  }
+
+  #show(record: ListedCommand): void {
+    this.#commands.set(record.seq, record);
+    if (this.#commands.size > MAX_LISTED) this.#commands.delete(Math.min(...this.#commands.keys()));
     this.#tell(this.#status);
   }
 
@@ -210,7 +236,11 @@ export class RemoteHost implements RemoteDriverEvents {
     this.#ports.onView({
       status,
       session: this.#session,
-      commands: [...this.#commands.values()].toReversed(),
+      commands: [...this.#commands.values()].toSorted((a, b) => b.seq - a.seq),
     });
   }
+}
+
+function isEnding(state: CommandRecord["state"]): boolean {
+  return state !== "accepted" && state !== "delivered" && state !== "started";
 }

@@ -5,6 +5,7 @@ import { beforeEach, describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-work.ts";
 import type { Ending } from "../drivers/remote-driver.ts";
 import { RunLoop } from "./run-loop.ts";
+import { deliveryOf } from "./testing/bench.ts";
 import type { Moment } from "./worker-messages.ts";
 
 let time = 0;
@@ -42,7 +43,7 @@ function pass(loop: RunLoop, milliseconds: number): Moment[] {
 }
 
 function deliver(loop: RunLoop, seq: number, command: Command): void {
-  loop.accept({ seq, command, key: null, acceptedAt: "2026-01-01T00:00:00Z" });
+  loop.accept(deliveryOf(seq, command));
 }
 
 describe("a program", () => {

@@ -9,12 +9,12 @@
 import type { Judgement } from "@corridor/challenge";
 import type { LoopNotice } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
-import type { DriverName, Snapshot } from "@corridor/protocol";
+import type { DeliveredCommand, DriverName, Snapshot } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import type { Recording, TimelineNews, WrittenRun } from "@corridor/recording";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
 import { commandOfKey } from "../drivers/hand-driver.ts";
-import { RemoteDriver, type Delivery, type RemoteDriverEvents } from "../drivers/remote-driver.ts";
+import { RemoteDriver, type RemoteDriverEvents } from "../drivers/remote-driver.ts";
 import { LiveRun } from "./live-run.ts";
 import { RunClock } from "./run-clock.ts";
 import type { RunJudge } from "./run-judge.ts";
@@ -23,6 +23,7 @@ import { ScreenMoment } from "./screen-moment.ts";
 import type { DriveKey, Frame, Moment, Speed } from "./worker-messages.ts";
 
 export class RunLoop {
+  readonly #now: () => number;
   readonly #clock: RunClock;
   readonly #watch = new RunWatch();
   readonly #remote: RemoteDriver;
@@ -42,6 +43,7 @@ export class RunLoop {
     now: () => number,
     remoteEvents: RemoteDriverEvents,
   ) {
+    this.#now = now;
     this.#clock = new RunClock(now);
     this.#remote = new RemoteDriver(remoteEvents);
     this.#live = new LiveRun(maze, program);
@@ -142,8 +144,8 @@ export class RunLoop {
    * Takes a remote command; where Remote does not drive, it ends at once and says so. A script drives
    * live: the newest moment is shown again.
    */
-  accept(delivery: Delivery): void {
-    this.#remote.accept(delivery);
+  accept(delivery: DeliveredCommand): void {
+    this.#remote.accept(this.#recording, delivery, this.#now());
     if (this.driver === "remote") this.now();
     else this.#remote.cancel(this.#recording, "notRemote");
     this.#isDirty = true;
@@ -155,6 +157,17 @@ export class RunLoop {
     this.#remote.cancel(this.#recording, reason);
     this.#recording.input({ do: "cancel" });
     this.#isDirty = true;
+  }
+
+  /** Ends one remote command that its sender takes back. */
+  takeBack(seq: number): void {
+    this.#remote.takeBack(this.#recording, seq);
+    this.#isDirty = true;
+  }
+
+  /** Forgets the remote commands that wait. */
+  giveBack(): void {
+    this.#remote.giveBack();
   }
 
   /** Shows the moment at the end of a tick; the live run waits. */
@@ -209,6 +222,7 @@ export class RunLoop {
 
   /** Runs the ticks that real time asks for since the last call. */
   advance(): void {
+    this.#remote.expire(this.#recording, this.#now());
     this.#clock.advance(this.isRunning, (count) => this.#runTicks(count));
   }
 

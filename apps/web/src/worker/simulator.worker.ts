@@ -66,6 +66,8 @@ async function loadRemote(): Promise<RemoteHost> {
     onView: (view) => post({ type: "remote", remote: view }),
     onDelivery: (delivery) => loop?.accept(delivery),
     cancel: (reason) => loop?.cancelRemote(reason),
+    takeBack: (seq) => loop?.takeBack(seq),
+    giveBack: () => loop?.giveBack(),
     fetch: (url, request) => fetch(url, request),
   });
   return remote;

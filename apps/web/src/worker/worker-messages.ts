@@ -163,8 +163,13 @@ export type RemoteTrouble =
   /** the line broke without a word */
   | "lineLost";
 
-/** A command that this page was given, and what it made of it. */
-export type ListedCommand = Omit<CommandRecord, "reason"> & { reason: CancelReason | null };
+/** A command for this page's robot, and what became of it. */
+export interface ListedCommand extends Omit<CommandRecord, "reason"> {
+  /** why this page ended it early */
+  reason: CancelReason | null;
+  /** ms that it was given to start within */
+  ttl: number;
+}
 
 export interface RemoteView {
   status: RemoteStatus;

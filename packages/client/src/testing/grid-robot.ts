@@ -39,6 +39,10 @@ export class GridRobot {
       snapshot: () => this.snapshot(),
       onCommand: (command) => this.#take(command),
       onStop: () => undefined,
+      onCancel: () => undefined,
+      onGiveBack: () => undefined,
+      onState: () => undefined,
+      onRefused: () => undefined,
       onStatus: ({ kind }) => {
         this.statuses.push(kind);
         if (kind === "connected") this.link.sendSnapshot(this.snapshot());

@@ -2,11 +2,26 @@
 import type { Command } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { completed } from "../../testing/messages.ts";
-import type { PageState, SessionStore } from "../session-store.ts";
+import type { NewCommand, PageState, SessionStore } from "../session-store.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const LEFT: Command = { action: "left 90" };
 const STOP: Command = { action: "stop" };
+const NOW = 5_000;
+/** of the page that every robot here begins with */
+const EPOCH = 1;
+const sent: NewCommand = {
+  driver: "d",
+  key: null,
+  command: LEFT,
+  acceptedAt: NOW,
+  ttl: 10_000,
+  deadline: NOW + 10_000,
+  replace: false,
+  lease: null,
+  maxWaiting: 64,
+  keep: 100,
+};
 const nothingDone: PageState = { lastApplied: 0, fresh: false, endings: [] };
 
 export interface OpenStore {
@@ -24,14 +39,14 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
     const { store } = opened;
     const keys = [{ kind: "drive" as const, hash: "driver-hash-of-this-robot" }];
     await store.create({ id: ID, createdAt: 1_000, keys });
-    const add = (
-      command: Command,
-      key: string | null = null,
-      { maxWaiting = 64, keep = 100 }: { maxWaiting?: number; keep?: number } = {},
-    ) => store.add(ID, { driver: "d", key, command, acceptedAt: 5_000, maxWaiting, keep });
+    await store.takeOver(ID, nothingDone);
+    const add = (command: Command, key: string | null = null, change: Partial<NewCommand> = {}) =>
+      store.add(ID, { ...sent, command, key, ...change });
+    const deliver = async (window: number, epoch = EPOCH): Promise<number[]> =>
+      (await store.deliver(ID, epoch, window, NOW)).map(({ record }) => record.seq);
     const states = async (): Promise<string[]> =>
       (await store.commandsAfter(ID, 0, 100)).map(({ seq, state }) => `${seq} ${state}`);
-    return { ...opened, add, states };
+    return { ...opened, add, deliver, states };
   }
 
   describe(`${name}: commands`, () => {
@@ -67,19 +82,17 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
     it("lets another driver use the same key", async () => {
       const { add, store } = await withRobot();
       await add(LEFT, "key-0001");
-      const other = { driver: "e", key: "key-0001", command: STOP, acceptedAt: 1 };
-      expect(await store.add(ID, { ...other, maxWaiting: 64, keep: 100 })).toMatchObject({
-        outcome: "stored",
-      });
+      const other = { ...sent, driver: "e", key: "key-0001", command: STOP };
+      expect(await store.add(ID, other)).toMatchObject({ outcome: "stored" });
     });
 
     it("refuses a command too many and leaves its key free, but never a stop", async () => {
-      const { add, store } = await withRobot();
+      const { add, deliver } = await withRobot();
       const maxWaiting = 2;
       await add(LEFT, null, { maxWaiting });
       await add(LEFT, null, { maxWaiting });
       expect(await add(LEFT, "key-0001", { maxWaiting })).toEqual({ outcome: "full" });
-      await store.deliver(ID, 1, 1);
+      await deliver(1);
       expect(await add(LEFT, "key-0001", { maxWaiting })).toMatchObject({
         outcome: "stored",
         record: { seq: 3 },
@@ -88,12 +101,12 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
     });
 
     it("forgets old commands once they have ended, with their keys, and never an open one", async () => {
-      const { add, store, states } = await withRobot();
+      const { add, store, states, deliver } = await withRobot();
       const keep = 2;
       await add(LEFT, "key-0001", { keep });
       await add(LEFT, "key-0002", { keep });
-      await store.deliver(ID, 1, 8);
-      await store.end(ID, completed(2));
+      await deliver(8);
+      await store.end(ID, EPOCH, completed(2));
       await add(LEFT, "key-0003", { keep });
       expect(await states()).toEqual(["1 delivered", "2 completed", "3 accepted"]);
       await add(LEFT, "key-0004", { keep });
@@ -104,100 +117,252 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
         outcome: "stored",
         record: { seq: 5 },
       });
-      await store.end(ID, completed(1));
+      await store.end(ID, EPOCH, completed(1));
       await add(STOP, null, { keep });
       expect(await states()).toEqual(["5 cancelled", "6 accepted"]);
     });
 
     it("forgets only the commands of the robot that got a new one", async () => {
-      const { add, store, states } = await withRobot();
+      const { add, store, states, deliver } = await withRobot();
       await add(LEFT);
-      await store.deliver(ID, 1, 8);
-      await store.end(ID, completed(1));
+      await deliver(8);
+      await store.end(ID, EPOCH, completed(1));
       const other = "BBBBBBBBBBBBBBBBBBBBBB";
       await store.create({ id: other, createdAt: 1_000, keys: [] });
-      const command = { driver: "d", key: null, command: LEFT, acceptedAt: 1, maxWaiting: 64 };
-      for (let n = 0; n < 3; n++) await store.add(other, { ...command, keep: 1 });
+      for (let n = 0; n < 3; n++) await store.add(other, { ...sent, keep: 1 });
       expect(await states()).toEqual(["1 completed"]);
     });
 
     it("stores nothing for a robot that is not there", async () => {
       const { store } = await open();
-      const command = { driver: "d", key: null, command: LEFT, acceptedAt: 1, maxWaiting: 64 };
-      expect(await store.add(ID, { ...command, keep: 100 })).toEqual({ outcome: "no-session" });
+      expect(await store.add(ID, sent)).toEqual({ outcome: "no-session" });
       expect(await store.takeOver(ID, nothingDone)).toBeNull();
     });
 
     it("delivers in order, no more than the window", async () => {
-      const { add, store, states } = await withRobot();
+      const { add, store, states, deliver } = await withRobot();
       for (let n = 0; n < 4; n++) await add(LEFT);
-      const first = await store.deliver(ID, 1, 3);
-      expect(first.map(({ seq, state }) => [seq, state])).toEqual([
+      const first = await store.deliver(ID, EPOCH, 3, NOW);
+      expect(first.map(({ record }) => [record.seq, record.state])).toEqual([
         [1, "delivered"],
         [2, "delivered"],
         [3, "delivered"],
       ]);
-      expect(await store.deliver(ID, 1, 3)).toEqual([]);
-      await store.start(ID, 1);
-      expect((await store.deliver(ID, 1, 3)).map(({ seq }) => seq)).toEqual([4]);
+      expect(await deliver(3)).toEqual([]);
+      await store.start(ID, EPOCH, 1);
+      expect(await deliver(3)).toEqual([4]);
       expect(await states()).toEqual(["1 started", "2 delivered", "3 delivered", "4 delivered"]);
     });
 
     it("lets a stop overtake: what waits is cancelled, what is delivered is the robot's to end", async () => {
-      const { add, store, states } = await withRobot();
+      const { add, states, deliver } = await withRobot();
       for (let n = 0; n < 3; n++) await add(LEFT);
-      await store.deliver(ID, 1, 2);
+      await deliver(2);
       const stop = await add(STOP);
-      expect(stop).toMatchObject({ ended: [{ seq: 3, reason: "stopped by command 4" }] });
-      expect((await store.deliver(ID, 1, 2)).map(({ seq }) => seq)).toEqual([4]);
+      expect(stop).toMatchObject({
+        ended: [{ record: { seq: 3, reason: "stopped by command 4" } }],
+      });
+      expect(await deliver(2)).toEqual([4]);
       expect(await states()).toEqual(["1 delivered", "2 delivered", "3 cancelled", "4 delivered"]);
     });
 
     it("keeps the first ending for ever", async () => {
-      const { add, store } = await withRobot();
+      const { add, store, deliver } = await withRobot();
       await add(LEFT);
-      expect(await store.end(ID, completed(1))).toBeNull();
-      await store.deliver(ID, 1, 8);
-      expect(await store.start(ID, 1)).toMatchObject({ state: "started" });
-      expect(await store.start(ID, 1)).toBeNull();
-      expect(await store.end(ID, completed(1))).toMatchObject({
-        state: "completed",
-        distance: 100,
+      expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({
+        outcome: "over",
+        record: { state: "accepted" },
       });
-      expect(await store.end(ID, { ...completed(1), state: "collided" })).toBeNull();
-      expect(await store.cancelOpen(ID, "gone")).toEqual([]);
+      await deliver(8);
+      expect(await store.start(ID, EPOCH, 1)).toMatchObject({ state: "started" });
+      expect(await store.start(ID, EPOCH, 1)).toBeNull();
+      expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({
+        outcome: "ended",
+        record: { state: "completed", distance: 100 },
+      });
+      expect(await store.end(ID, EPOCH, { ...completed(1), state: "collided" })).toMatchObject({
+        outcome: "over",
+        record: { state: "completed" },
+      });
+      expect(await store.end(ID, EPOCH, completed(9))).toEqual({ outcome: "over", record: null });
+      expect(await store.abandon(ID, "gone")).toEqual([]);
       expect(await store.command(ID, 1)).toMatchObject({ state: "completed", pose: { x: 250 } });
     });
 
-    it("ends what runs when the robot is gone, and leaves alone what waits", async () => {
-      const { add, store, states } = await withRobot();
+    it("ends what runs when the robot is gone, leaves what waits, and believes that page no more", async () => {
+      const { add, store, deliver, states } = await withRobot();
       for (let n = 0; n < 3; n++) await add(LEFT);
-      await store.deliver(ID, 1, 2);
-      await store.start(ID, 1);
-      await store.cancelOpen(ID, "the robot is gone");
+      await deliver(2);
+      await store.start(ID, EPOCH, 1);
+      await store.abandon(ID, "the robot is gone");
       expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 accepted"]);
+      expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({
+        outcome: "over",
+        record: { state: "cancelled", reason: "the robot is gone" },
+      });
+      expect(await deliver(8)).toEqual([]);
+      expect((await store.takeOver(ID, nothingDone))?.epoch).toBe(EPOCH + 2);
+    });
+  });
+
+  describe(`${name}: time to live`, () => {
+    const short = { ttl: 400, deadline: NOW + 400 };
+
+    it("expires what waits too long, and says when the next is due", async () => {
+      const { add, store, states } = await withRobot();
+      await add(LEFT, null, short);
+      await add(LEFT);
+      expect(await store.expire(ID, NOW + 399)).toEqual({ ended: [], next: NOW + 400 });
+      const { ended, next } = await store.expire(ID, NOW + 400);
+      expect(ended).toMatchObject([
+        { ttl: 400, record: { seq: 1, state: "expired", reason: "older than 0.4 s" } },
+      ]);
+      expect(next).toBe(NOW + 10_000);
+      expect(await states()).toEqual(["1 expired", "2 accepted"]);
+      expect(await store.expire(ID, NOW + 10_000)).toMatchObject({ next: null });
+    });
+
+    it("leaves to the robot what was delivered in time, and delivers nothing late", async () => {
+      const { add, store, states } = await withRobot();
+      await add(LEFT, null, short);
+      await add(LEFT, null, short);
+      expect(await store.deliver(ID, EPOCH, 1, NOW + 399)).toMatchObject([
+        { record: { seq: 1 }, driver: "d", deadline: NOW + 400, replace: false, lease: null },
+      ]);
+      expect(await store.deliver(ID, EPOCH, 8, NOW + 400)).toEqual([]);
+      await store.expire(ID, NOW + 400);
+      expect(await states()).toEqual(["1 delivered", "2 expired"]);
+      expect(await store.end(ID, EPOCH, { ...completed(1), state: "expired" })).toMatchObject({
+        outcome: "ended",
+      });
+    });
+
+    it("refuses what comes too late and leaves its key free, but knows a key again at any age", async () => {
+      const { add, states } = await withRobot();
+      expect(await add(LEFT, "key-0001", { deadline: NOW })).toEqual({ outcome: "late" });
+      expect(await add(LEFT, "key-0001")).toMatchObject({ outcome: "stored", record: { seq: 1 } });
+      expect(await add(LEFT, "key-0001", { deadline: NOW })).toMatchObject({
+        outcome: "duplicate",
+      });
+      expect(await states()).toEqual(["1 accepted"]);
+    });
+
+    it("gives nothing more time when the clock was set back", async () => {
+      const { add, store, states } = await withRobot();
+      await add(LEFT);
+      expect(await store.deliver(ID, EPOCH, 8, NOW - 2_001)).toEqual([]);
+      expect(await store.expire(ID, NOW - 2_000)).toMatchObject({ ended: [] });
+      expect(await store.expire(ID, NOW - 2_001)).toMatchObject({ ended: [{ ttl: 10_000 }] });
+      expect(await states()).toEqual(["1 expired"]);
+    });
+
+    it("still knows the deadlines after a restart", async () => {
+      const { add, store, reopen } = await withRobot();
+      await add(LEFT, null, short);
+      await store.close();
+      const again = await reopen();
+      expect(await again.expire(ID, NOW)).toEqual({ ended: [], next: NOW + 400 });
+    });
+  });
+
+  describe(`${name}: replacing and cancelling`, () => {
+    it("supersedes what is accepted, and delivers what replaces past a full window", async () => {
+      const { add, deliver, states, store } = await withRobot();
+      for (let n = 0; n < 3; n++) await add(LEFT);
+      await deliver(2);
+      expect(await add(LEFT, null, { replace: true, maxWaiting: 1 })).toMatchObject({
+        outcome: "stored",
+        ended: [{ record: { seq: 3, state: "superseded", reason: "replaced by command 4" } }],
+      });
+      expect(await store.deliver(ID, EPOCH, 2, NOW)).toMatchObject([
+        { record: { seq: 4 }, replace: true },
+      ]);
+      expect(await states()).toEqual(["1 delivered", "2 delivered", "3 superseded", "4 delivered"]);
+    });
+
+    it("keeps overtaken what was delivered before and never arrived", async () => {
+      const { add, deliver, states, store } = await withRobot();
+      for (let n = 0; n < 3; n++) await add(LEFT);
+      await deliver(8);
+      await add(LEFT, null, { replace: true });
+      await add(LEFT);
+      await store.takeOver(ID, { lastApplied: 1, fresh: false, endings: [] });
+      expect(await states()).toEqual([
+        "1 started",
+        "2 superseded",
+        "3 superseded",
+        "4 accepted",
+        "5 accepted",
+      ]);
+      await deliver(8, EPOCH + 1);
+      await add(STOP);
+      await store.expire(ID, NOW + 60_000);
+      await store.takeOver(ID, { lastApplied: 1, fresh: false, endings: [] });
+      expect((await states()).slice(3)).toEqual(["4 cancelled", "5 cancelled", "6 expired"]);
+    });
+
+    it("takes back what waits, for its sender only, and leaves to the robot what it has", async () => {
+      const { add, deliver, store } = await withRobot();
+      const by = { driver: "d", reason: "cancelled by its sender" };
+      await add(LEFT);
+      await deliver(8);
+      await add(LEFT);
+      expect(await store.cancel(ID, 2, { ...by, driver: "e" })).toEqual({ outcome: "not-yours" });
+      expect(await store.cancel(ID, 2, by)).toMatchObject({
+        outcome: "cancelled",
+        termed: { record: { state: "cancelled", reason: by.reason } },
+      });
+      expect(await store.cancel(ID, 2, by)).toMatchObject({ outcome: "over" });
+      expect(await store.cancel(ID, 1, by)).toMatchObject({
+        outcome: "delivered",
+        record: { state: "delivered" },
+      });
+      expect(await store.cancel(ID, 3, by)).toEqual({ outcome: "no-command" });
     });
   });
 
   describe(`${name}: a page takes the robot`, () => {
     it("raises the epoch, makes what never arrived wait again, and knows what had begun", async () => {
-      const { add, store, states } = await withRobot();
+      const { add, store, states, deliver } = await withRobot();
       for (let n = 0; n < 4; n++) await add(LEFT);
-      await store.deliver(ID, 1, 8);
+      await deliver(8);
       const taken = await store.takeOver(ID, {
         lastApplied: 2,
         fresh: false,
         endings: [completed(1)],
       });
-      expect(taken?.epoch).toBe(1);
+      expect(taken?.epoch).toBe(EPOCH + 1);
       expect(await states()).toEqual(["1 completed", "2 started", "3 accepted", "4 accepted"]);
-      expect((await store.takeOver(ID, nothingDone))?.epoch).toBe(2);
+      expect((await store.takeOver(ID, nothingDone))?.epoch).toBe(EPOCH + 2);
+    });
+
+    it("refuses the frames of the page before", async () => {
+      const { add, store, deliver, states } = await withRobot();
+      await add(LEFT);
+      await deliver(8);
+      await store.takeOver(ID, { lastApplied: 1, fresh: false, endings: [] });
+      expect(await store.start(ID, EPOCH, 1)).toBeNull();
+      expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({ outcome: "over" });
+      expect(await deliver(8, EPOCH)).toEqual([]);
+      expect(await states()).toEqual(["1 started"]);
+    });
+
+    it("names the endings that come too late, and takes a repeated one for what it is", async () => {
+      const { add, store, deliver } = await withRobot();
+      await add(LEFT);
+      await add(LEFT);
+      await deliver(8);
+      await store.end(ID, EPOCH, completed(1));
+      await store.abandon(ID, "gone");
+      const endings = [completed(1), completed(2)];
+      const taken = await store.takeOver(ID, { lastApplied: 2, fresh: false, endings });
+      expect(taken).toMatchObject({ changed: [], refused: [{ seq: 2, state: "cancelled" }] });
     });
 
     it("ends what a reloaded page had begun, and what a waiting stop had overtaken", async () => {
-      const { add, store, states } = await withRobot();
+      const { add, store, states, deliver } = await withRobot();
       for (let n = 0; n < 3; n++) await add(LEFT);
-      await store.deliver(ID, 1, 8);
+      await deliver(8);
       await add(STOP);
       await store.takeOver(ID, { lastApplied: 1, fresh: true, endings: [] });
       expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled", "4 accepted"]);
@@ -205,11 +370,17 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
     });
 
     it("lists the commands that have not ended, in order", async () => {
-      const { add, store } = await withRobot();
+      const { add, store, deliver } = await withRobot();
       for (let n = 0; n < 4; n++) await add(LEFT);
-      await store.deliver(ID, 1, 3);
-      await store.start(ID, 1);
-      await store.end(ID, { seq: 2, state: "completed", reason: null, pose: null, distance: 0 });
+      await deliver(3);
+      await store.start(ID, EPOCH, 1);
+      await store.end(ID, EPOCH, {
+        seq: 2,
+        state: "completed",
+        reason: null,
+        pose: null,
+        distance: 0,
+      });
       const open = await store.openCommands(ID);
       expect(open.map(({ seq, state }) => `${seq} ${state}`)).toEqual([
         "1 started",
@@ -235,9 +406,9 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
     });
 
     it("still has everything after a restart", async () => {
-      const { add, store, reopen } = await withRobot();
+      const { add, store, reopen, deliver } = await withRobot();
       await add(LEFT, "key-0001");
-      await store.deliver(ID, 1, 8);
+      await deliver(8);
       await store.close();
       const again = await reopen();
       expect(await again.find(ID)).toMatchObject({

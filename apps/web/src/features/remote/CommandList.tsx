@@ -5,6 +5,7 @@ import {
   Asterisk,
   Ban,
   Check,
+  Hourglass,
   Inbox,
   LoaderCircle,
   ListX,
@@ -31,6 +32,7 @@ const looks: Record<CommandState, { tone: Tone; Icon: LucideIcon }> = {
   collided: { tone: "bad", Icon: Asterisk },
   cancelled: { tone: "dashed", Icon: Ban },
   superseded: { tone: "dashed", Icon: ListX },
+  expired: { tone: "dashed", Icon: Hourglass },
 };
 
 export function CommandList() {
@@ -94,6 +96,11 @@ function CommandRow({ record }: { record: ListedCommand }) {
         </span>
         {distance !== null && (
           <span className={styles["detail"]}>{t("remote.after", { distance })}</span>
+        )}
+        {record.state === "expired" && (
+          <span className={styles["detail"]}>
+            {t("remote.olderThan", { seconds: record.ttl / 1000 })}
+          </span>
         )}
         {record.reason !== null && (
           <p className={styles["reason"]}>{t(`remote.cancel.${record.reason}`)}</p>

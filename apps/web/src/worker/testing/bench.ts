@@ -1,7 +1,7 @@
 /** A run loop in tests, with a clock of its own and a script at its door. */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
-import type { Command, Snapshot } from "@corridor/protocol";
+import type { Command, DeliveredCommand, Snapshot } from "@corridor/protocol";
 import { firstMaze, firstProgram } from "../first-work.ts";
 import { RunLoop } from "../run-loop.ts";
 import type { Frame } from "../worker-messages.ts";
@@ -39,8 +39,28 @@ export class Bench {
   }
 
   deliver(command: Command): void {
-    this.loop.accept({ seq: ++this.#seq, command, key: null, acceptedAt: "2026-01-01T00:00:00Z" });
+    this.loop.accept(deliveryOf(++this.#seq, command));
   }
+}
+
+/** A command as the relay delivers it, with time enough. */
+export function deliveryOf(
+  seq: number,
+  command: Command,
+  change: Partial<DeliveredCommand> = {},
+): DeliveredCommand {
+  return {
+    seq,
+    command,
+    key: null,
+    acceptedAt: "2026-01-01T00:00:00.000Z",
+    driver: "Zx81qP",
+    ttl: 60_000,
+    remaining: 60_000,
+    replace: false,
+    lease: null,
+    ...change,
+  };
 }
 
 /** What a snapshot shows of its moment. */

@@ -1,0 +1,102 @@
+/**
+ * What a stop, or a command that replaces, does to what was accepted before it; and what becomes of a
+ * robot's commands when a page takes it. To be called in one step.
+ */
+import type { CommandRecord, Ending } from "@corridor/protocol";
+import type { PageState, TermedRecord } from "./session-store.ts";
+import { numberIn, RECORD, recordsIn, TERMED, termedIn } from "./sqlite-rows.ts";
+import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
+import type { Statements } from "./statements.ts";
+
+export const STOP = '{"action":"stop"}';
+/** Condition of the commands that do not wait for those before them. */
+export const OVERTAKES = `(command = '${STOP}' OR replaces = 1)`;
+
+/** Ends what was accepted before a command that overtakes. */
+export function overtake(
+  statements: Statements,
+  id: string,
+  { seq, isStop }: { seq: number; isStop: boolean },
+): TermedRecord[] {
+  const [state, words] = isStop ? ["cancelled", "stopped"] : ["superseded", "replaced"];
+  return termedIn(
+    statements,
+    `UPDATE ${OPEN_COMMANDS} SET state = ?, reason = ?
+     WHERE robot = ? AND state = 'accepted' AND ${IS_OPEN} AND seq < ? RETURNING ${TERMED}`,
+    [state ?? "", `${words ?? ""} by command ${seq}`, id, seq],
+  );
+}
+
+/** delivered or started → its ending. @returns null when it was neither */
+export function end(statements: Statements, id: string, ending: Ending): CommandRecord | null {
+  const { seq, state, reason, pose, distance } = ending;
+  const [record] = recordsIn(
+    statements,
+    `UPDATE commands SET state = ?, reason = ?, pose = ?, distance = ?
+     WHERE robot = ? AND seq = ? AND state IN ('delivered', 'started') RETURNING ${RECORD}`,
+    [state, reason, pose === null ? null : JSON.stringify(pose), distance, id, seq],
+  );
+  return record ?? null;
+}
+
+export function recordOf(statements: Statements, id: string, seq: number): CommandRecord | null {
+  const sql = `SELECT ${RECORD} FROM commands WHERE robot = ? AND seq = ?`;
+  return recordsIn(statements, sql, [id, seq])[0] ?? null;
+}
+
+/** Brings the commands of a robot to what the page that takes it says of itself. */
+export function meetPage(statements: Statements, id: string, page: PageState) {
+  const changed: CommandRecord[] = [];
+  const refused: CommandRecord[] = [];
+  for (const ending of page.endings) {
+    const record = end(statements, id, ending);
+    if (record !== null) {
+      changed.push(record);
+      continue;
+    }
+    const known = recordOf(statements, id, ending.seq);
+    if (known !== null && known.state !== ending.state) refused.push(known);
+  }
+  changed.push(
+    ...recordsIn(
+      statements,
+      `UPDATE ${OPEN_COMMANDS} SET state = CASE WHEN seq > ? THEN 'accepted' ELSE 'started' END
+       WHERE robot = ? AND state = 'delivered' AND ${IS_OPEN} RETURNING ${RECORD}`,
+      [page.lastApplied, id],
+    ),
+  );
+  if (page.fresh) {
+    changed.push(
+      ...recordsIn(
+        statements,
+        `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = 'the page was reloaded'
+         WHERE robot = ? AND state = 'started' AND ${IS_OPEN} RETURNING ${RECORD}`,
+        [id],
+      ),
+    );
+  }
+  changed.push(...overtakeAgain(statements, id, page.lastApplied));
+  return { changed: lastOfEach(changed), refused };
+}
+
+/** What was delivered when something overtook it may wait again now; it was overtaken all the same. */
+function overtakeAgain(statements: Statements, id: string, lastApplied: number): CommandRecord[] {
+  const ended: CommandRecord[] = [];
+  for (const isStop of [true, false]) {
+    const seq = numberIn(
+      statements,
+      `SELECT max(seq) AS found FROM commands
+       WHERE robot = ? AND seq > ? AND ${isStop ? `command = '${STOP}'` : "replaces = 1"}`,
+      [id, lastApplied],
+    );
+    if (seq === null) continue;
+    ended.push(...overtake(statements, id, { seq, isStop }).map(({ record }) => record));
+  }
+  return ended;
+}
+
+/** A command that changed twice in one step is reported once, with its last state. */
+function lastOfEach(records: CommandRecord[]): CommandRecord[] {
+  const bySeq = new Map(records.map((record) => [record.seq, record]));
+  return [...bySeq.values()].toSorted((a, b) => a.seq - b.seq);
+}
