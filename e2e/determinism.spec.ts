@@ -12,7 +12,7 @@ import { CompiledProgram, programPresets, type ProgramDocument } from "@corridor
 import type { TimedCommand } from "@corridor/protocol";
 import { replayDigest } from "@corridor/simulation";
 import { expect, test } from "playwright/test";
-import { inPath } from "../scripts/chromium.ts";
+import { inPath } from "../scripts/programs.ts";
 import { DigestServer } from "./support/digest-server.ts";
 
 const TICKS = 100_000;

@@ -58,6 +58,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/maze",
     "@corridor/program",
     "@corridor/protocol",
+    "@redis/client",
     "express",
     "helmet",
     "node:",

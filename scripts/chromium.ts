@@ -1,10 +1,9 @@
 /**
  * Finds the Chromium that tests drive, or installs one where that can be done without asking.
  */
-import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
-import { delimiter, join } from "node:path";
 import { chromium } from "playwright";
+import { inPath, run, tryInstall } from "./programs.ts";
 
 const systemNames = [
   "chromium",
@@ -42,27 +41,13 @@ export function findChromium(): string | null {
 
 /** Installs Chromium where the machine allows it; says what to run where it does not. */
 export function requireChromium(): string {
-  const found = findChromium() ?? (tryInstall() ? findChromium() : null);
+  const found = findChromium() ?? (install() ? findChromium() : null);
   if (found !== null) return found;
   throw new Error(
     "The browser tests need Chromium. Run `npx playwright install --with-deps chromium`, or install Chromium or Chrome and set CHROMIUM_PATH to it.",
   );
 }
 
-function tryInstall(): boolean {
-  if (process.getuid?.() === 0 && inPath("apt-get").length > 0) {
-    return run("apt-get", ["update"]) && run("apt-get", ["install", "-y", "chromium"]);
-  }
-  return run("npx", ["playwright", "install", "chromium"]);
-}
-
-function run(command: string, words: string[]): boolean {
-  process.stdout.write(`> ${command} ${words.join(" ")}\n`);
-  return spawnSync(command, words, { stdio: "inherit" }).status === 0;
-}
-
-/** The files of this name on the search path. */
-export function inPath(name: string): string[] {
-  const folders = (process.env["PATH"] ?? "").split(delimiter);
-  return folders.map((folder) => join(folder, name)).filter((path) => existsSync(path));
+function install(): boolean {
+  return tryInstall("chromium") || run("npx", ["playwright", "install", "chromium"]);
 }

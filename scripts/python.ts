@@ -2,7 +2,7 @@
 import { spawnSync } from "node:child_process";
 import { existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { inPath } from "./chromium.ts";
+import { inPath, run, tryInstall } from "./programs.ts";
 
 const ROOT = join(import.meta.dirname, "..");
 const PACKAGE = join(ROOT, "packages/client-python");
@@ -55,16 +55,6 @@ function pythonVersion(): string {
 
 function makeEnvironment(): boolean {
   return run("python3", ["-m", "venv", "--clear", ENVIRONMENT]);
-}
-
-function tryInstall(...names: string[]): boolean {
-  if (process.getuid?.() !== 0 || inPath("apt-get").length === 0) return false;
-  return run("apt-get", ["update"]) && run("apt-get", ["install", "-y", ...names]);
-}
-
-function run(command: string, words: string[]): boolean {
-  process.stdout.write(`> ${command} ${words.join(" ")}\n`);
-  return spawnSync(command, words, { stdio: "inherit" }).status === 0;
 }
 
 if (import.meta.main) {

@@ -8,6 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { requireChromium } from "./chromium.ts";
 import { pythonTests, requirePython, requirePythonTools } from "./python.ts";
+import { requireRedis } from "./redis-server.ts";
 
 interface Counts {
   passed: number;
@@ -20,8 +21,12 @@ interface Counts {
 const folder = mkdtempSync(join(tmpdir(), "corridor-test-"));
 const total = { passed: 0, failed: 0, skipped: 0, flaky: 0 };
 
-const requirements =
-  check("what the tests need", requirePython) && check("browser", requireChromium);
+const requirements = [
+  check("what the tests need", requirePython),
+  check("browser", requireChromium),
+].every(Boolean);
+// Without it the tests that need it are skipped: that must not pass for good.
+if (!check("Redis", requireRedis)) add("Redis", { passed: 0, failed: 1, skipped: 0 });
 stage("types", ["tsc", "-b"]);
 stage("lint", ["oxlint", "--max-warnings", "0"]);
 stage("format", ["oxfmt", "--check"]);

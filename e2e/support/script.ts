@@ -2,7 +2,7 @@
 import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { fileURLToPath } from "node:url";
-import { inPath } from "../../scripts/chromium.ts";
+import { inPath } from "../../scripts/programs.ts";
 
 const examples = fileURLToPath(new URL("../../examples/", import.meta.url));
 

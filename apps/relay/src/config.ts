@@ -9,6 +9,7 @@ const urlError = "an address without a path, such as https://robots.example.org"
 const hostsError = "host names with commas between them, such as robots.example.org, localhost";
 const proxiesError =
   "the number of proxies in front, from 0 to 9, or their addresses and networks, such as 127.0.0.1, 10.0.0.0/8";
+const storeError = "the address of a Redis or Valkey, such as redis://127.0.0.1:6379";
 const drainError = "whole seconds from 0 to 60";
 const LOG_LEVELS = ["fatal", "error", "warn", "info", "debug", "silent"] as const;
 
@@ -16,6 +17,12 @@ function isOrigin(text: string): boolean {
   if (!URL.canParse(text)) return false;
   const { origin, protocol, href } = new URL(text);
   return /^https?:$/.test(protocol) && href === `${origin}/`;
+}
+
+function isRedisUrl(text: string): boolean {
+  if (!URL.canParse(text)) return false;
+  const { protocol, hostname } = new URL(text);
+  return /^rediss?:$/.test(protocol) && hostname !== "";
 }
 
 function words(text: string): string[] {
@@ -39,6 +46,8 @@ const environmentSchema = z.object({
   /** address to listen on; unset: every address of this machine, so that a class can join */
   HOST: host.optional(),
   DATA_DIR: z.string().min(1, { error: "a folder" }).default("data"),
+  /** unset: SQLite in DATA_DIR */
+  STORE_URL: z.string().refine(isRedisUrl, { error: storeError }).optional(),
   PUBLIC_URL: z
     .string()
     .refine(isOrigin, { error: urlError })
@@ -77,6 +86,8 @@ export interface Config {
   host: string | null;
   /** folder of the database */
   dataDir: string;
+  /** Redis or Valkey that the relay keeps everything in; null: the database in `dataDir` */
+  storeUrl: string | null;
   /** origin under which the service is reached from outside; null: what each request says */
   publicOrigin: string | null;
   /** null: any name will do */
@@ -110,6 +121,7 @@ export function readConfig(
       port: value.PORT,
       host: value.HOST ?? null,
       dataDir: value.DATA_DIR,
+      storeUrl: value.STORE_URL ?? null,
       publicOrigin: value.PUBLIC_URL ?? null,
       allowedHosts: value.ALLOWED_HOSTS ?? null,
       trustedProxies: value.TRUSTED_PROXIES,

@@ -4,6 +4,7 @@
  */
 import type { FieldProblem, ProblemDocument } from "@corridor/protocol";
 import { isDiskFull } from "./store/disk-full.ts";
+import { StoreAway } from "./store/store-away.ts";
 
 interface Kind {
   status: number;
@@ -104,6 +105,11 @@ export function asRefusal(error: unknown): Refusal {
   if (isDiskFull(error)) {
     return new Refusal("storage-full", "Nothing was stored. Try again in a minute.", {
       headers: retryAfter(60_000),
+    });
+  }
+  if (error instanceof StoreAway) {
+    return new Refusal("no-store", "Send this again in a moment, with the same key.", {
+      headers: retryAfter(2_000),
     });
   }
   return new Refusal("internal", "It was noted in the relay's log. Try again in a moment.");

@@ -16,9 +16,7 @@ import { Readiness } from "./readiness.ts";
 import { builtPage } from "./routes/built-page.ts";
 import { developmentPage, HOT_RELOAD_PREFIX } from "./routes/development-page.ts";
 import { SessionHub } from "./sessions/session-hub.ts";
-import { SqliteDocumentStore } from "./store/sqlite-document-store.ts";
-import { SqliteFile } from "./store/sqlite-file.ts";
-import { SqliteStore } from "./store/sqlite-store.ts";
+import { openStores } from "./store/stores.ts";
 import { timedStore } from "./store/timed-store.ts";
 
 /** Whoever has not ended so long after being told is cut off: process managers kill after 10 s. */
@@ -48,14 +46,14 @@ export interface Relay {
 
 /**
  * Starts a relay and waits until it listens.
- * @throws the error of `listen`, such as EADDRINUSE
+ * @throws the error of `listen`, such as EADDRINUSE, or of `openStores`
  */
 export async function startRelay(options: RelayOptions): Promise<Relay> {
   const { config, clock, log, webRoot, isDevelopment } = options;
-  const file = new SqliteFile(join(config.dataDir, "corridor.sqlite"));
+  const stores = await openStores(config, log);
   const metrics = new Metrics();
-  const store = timedStore(new SqliteStore(file), (seconds) => metrics.committed(seconds));
-  const documents = new DocumentShelf(new SqliteDocumentStore(file), clock, log);
+  const store = timedStore(stores.sessions, (seconds) => metrics.committed(seconds));
+  const documents = new DocumentShelf(stores.documents, clock, log);
   const hub = new SessionHub(store, clock, log, metrics);
   const entrance = new Entrance(config);
   const readiness = new Readiness(store, clock, log);
@@ -88,7 +86,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     await closeServer(server, SHUTDOWN_MS, () => gateway.cut());
     await closeServer(figures, 0, () => undefined);
     await documents.close();
-    await store.close();
+    await stores.close();
   };
   try {
     if (config.metricsPort !== null) {

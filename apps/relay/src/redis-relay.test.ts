@@ -1,0 +1,95 @@
+import { problemSchema } from "@corridor/protocol";
+import { describe, expect, it, vi } from "vitest";
+import { startRelayProcess } from "./testing/relay-process.ts";
+import { hasRedis, startTestRedis } from "./testing/test-redis.ts";
+import { startTestRelay } from "./testing/test-relay.ts";
+import { TestSocket } from "./testing/test-socket.ts";
+
+const SOON = { timeout: 10_000, interval: 100 };
+const left90 = { method: "POST", body: { action: "left 90" } };
+
+describe.skipIf(!hasRedis)("a relay with Redis", () => {
+  it("has everything again after a restart", async () => {
+    const { url } = await startTestRedis();
+    const first = await startTestRelay({ config: { storeUrl: url } });
+    const robot = await first.register();
+    expect((await first.ask(robot, "/commands", left90)).status).toBe(202);
+    await first.close();
+    const second = await startTestRelay({ config: { storeUrl: url } });
+    const log = await second.ask(robot, "/commands");
+    expect(await log.json()).toMatchObject({ commands: [{ seq: 1, state: "accepted" }] });
+    const { socket: page } = await TestSocket.page(second, robot);
+    expect(await page.next("command")).toMatchObject({ seq: 1 });
+    const gone = await second.ask(robot, "", { method: "DELETE", key: robot.ownerKey });
+    expect(gone.status).toBe(204);
+    expect((await second.ask(robot, "/commands")).status).toBe(404);
+  });
+
+  it("says that its store is away, and goes on by itself when it is back", async () => {
+    const redis = await startTestRedis();
+    const relay = await startTestRelay({ config: { storeUrl: redis.url } });
+    const robot = await relay.register();
+    await redis.stop();
+    const answer = await relay.ask(robot, "/commands", left90);
+    expect(answer.status).toBe(503);
+    expect(answer.headers.get("retry-after")).toBe("2");
+    const problem = problemSchema.parse(await answer.json());
+    expect(problem.type).toBe("/problems/no-store");
+    await vi.waitFor(
+      async () => expect((await fetch(`${relay.origin}/readyz`)).status).toBe(503),
+      SOON,
+    );
+    await redis.startAgain();
+    await vi.waitFor(
+      async () => expect((await relay.ask(robot, "/commands", left90)).status).toBe(202),
+      SOON,
+    );
+  });
+
+  it("gives a number above all that the page has seen after Redis has lost its newest", async () => {
+    const redis = await startTestRedis();
+    const relay = await startTestRelay({ config: { storeUrl: redis.url } });
+    const robot = await relay.register();
+    const { socket: page } = await TestSocket.page(relay, robot, { lastApplied: 41 });
+    await relay.ask(robot, "/commands", left90);
+    expect(await page.next("command")).toMatchObject({ seq: 42 });
+  });
+
+  it("answers 507 while the memory of Redis is full, and lets people delete", async () => {
+    const settings = ["--maxmemory", "3mb", "--maxmemory-policy", "noeviction"];
+    const relay = await startTestRelay({
+      config: { storeUrl: (await startTestRedis(settings)).url },
+    });
+    const robot = await relay.register();
+    const maze = (n: number) => ({
+      format: "corridor/maze",
+      version: 1,
+      name: `Maze ${n}`,
+      blocks: Array.from({ length: 200 }, () => ".".repeat(200)),
+      start: { column: 1, row: 1, heading: "east" },
+      goals: [],
+    });
+    const store = (n: number) =>
+      fetch(`${relay.origin}/api/v1/mazes`, {
+        method: "POST",
+        headers: { "Content-Type": "application/json" },
+        body: JSON.stringify(maze(n)),
+      });
+    let answer = await store(0);
+    for (let n = 1; answer.status === 201 && n < 80; n++) answer = await store(n);
+    expect(answer.status).toBe(507);
+    expect((await relay.ask(robot, "/commands", left90)).status).toBe(507);
+    const ready = await fetch(`${relay.origin}/readyz`);
+    expect(await ready.json()).toEqual({ status: "degraded" });
+    const gone = await relay.ask(robot, "", { method: "DELETE", key: robot.ownerKey });
+    expect(gone.status).toBe(204);
+  });
+
+  it("does not start with a Redis that would lose what was acknowledged, and says what to do", async () => {
+    const { url } = await startTestRedis(["--appendonly", "no"]);
+    const relay = startRelayProcess({ STORE_URL: url });
+    expect(await relay.ended()).toBe(1);
+    expect(relay.output()).toMatch(/cannot start: .*--appendonly yes/);
+    expect(relay.output()).not.toMatch(/\n\s+at /);
+  });
+});

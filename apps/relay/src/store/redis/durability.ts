@@ -1,0 +1,43 @@
+/** Whether a Redis keeps what it was given. Found out at the start, because afterwards it is too late. */
+import { ErrorReply } from "@redis/client";
+import type { Redis } from "./connection.ts";
+
+/** @throws Error that says what to change */
+export async function requireDurable(redis: Redis): Promise<void> {
+  if (valueIn(await redis.info("persistence"), "aof_enabled") !== "1") {
+    throw new Error(
+      "the Redis behind STORE_URL keeps no append-only file, so that a restart of it would lose what was acknowledged. " +
+        "Start it with: redis-server --appendonly yes --appendfsync everysec",
+    );
+  }
+  if ((await setting(redis, "appendfsync")) === "no") {
+    throw new Error(
+      "the Redis behind STORE_URL leaves it to the system when its file is written (appendfsync no). " +
+        "Set it to everysec or always: redis-cli CONFIG SET appendfsync everysec",
+    );
+  }
+  const memory = await redis.info("memory");
+  const policy = valueIn(memory, "maxmemory_policy");
+  if (valueIn(memory, "maxmemory") !== "0" && policy !== "noeviction") {
+    throw new Error(
+      `the Redis behind STORE_URL throws away what it likes when its memory is full (maxmemory-policy ${policy}). ` +
+        "Set it to noeviction: redis-cli CONFIG SET maxmemory-policy noeviction",
+    );
+  }
+}
+
+/** The value of a field in what INFO says. */
+export function valueIn(info: string, field: string): string | null {
+  const line = info.split(/\r?\n/).find((each) => each.startsWith(`${field}:`));
+  return line?.slice(field.length + 1).trim() ?? null;
+}
+
+async function setting(redis: Redis, name: string): Promise<string | null> {
+  try {
+    return (await redis.configGet(name))[name] ?? null;
+  } catch (error) {
+    // Whoever rents a Redis may not read its settings.
+    if (error instanceof ErrorReply) return null;
+    throw error;
+  }
+}

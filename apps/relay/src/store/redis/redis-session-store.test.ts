@@ -1,0 +1,45 @@
+import { describe, expect, it, onTestFinished } from "vitest";
+import { hasRedis, startTestRedis } from "../../testing/test-redis.ts";
+import { storeCases } from "../testing/store.cases.ts";
+import { connectRedis } from "./connection.ts";
+import { requireDurable } from "./durability.ts";
+import { ForgottenBytes } from "./forgotten-bytes.ts";
+import { RedisSessionStore } from "./redis-session-store.ts";
+
+async function openAt(url: string) {
+  const redis = await connectRedis(url, () => undefined);
+  onTestFinished(() => redis.destroy());
+  return { redis, store: new RedisSessionStore(redis, new ForgottenBytes(redis), "relay-a") };
+}
+
+describe.skipIf(!hasRedis)("with Redis", () => {
+  storeCases("RedisSessionStore", async () => {
+    const server = await startTestRedis();
+    return {
+      store: (await openAt(server.url)).store,
+      reopen: async () => (await openAt(server.url)).store,
+      holds: async (text) => server.holds(text),
+    };
+  });
+
+  it("is refused at the start when it would lose what was acknowledged", async () => {
+    const refused = async (settings: string[]) => {
+      const { redis } = await openAt((await startTestRedis(settings)).url);
+      return requireDurable(redis).then(
+        () => "",
+        (error: unknown) => String(error),
+      );
+    };
+    expect(await refused(["--appendonly", "no"])).toMatch(/--appendonly yes/);
+    expect(await refused(["--appendfsync", "no"])).toMatch(/appendfsync everysec/);
+    const evicting = ["--maxmemory", "100mb", "--maxmemory-policy", "allkeys-lru"];
+    expect(await refused(evicting)).toMatch(/noeviction/);
+    expect(await refused(["--appendfsync", "always"])).toBe("");
+  });
+
+  it("says where it looked when nobody answers", async () => {
+    await expect(connectRedis("redis://127.0.0.1:1", () => undefined)).rejects.toThrow(
+      /STORE_URL leads to no Redis that answers/,
+    );
+  });
+});

@@ -1,0 +1,183 @@
+/**
+ * Robot sessions in Redis or Valkey, which several relays may share. Each step is a run of
+ * `sessions.lua`, which also tells the robot's line what it has changed, in the order of the changes.
+ */
+import type { CommandRecord, Ending } from "@corridor/protocol";
+import { z } from "zod";
+import { StoreFull } from "../disk-full.ts";
+import {
+  CLOCK_TOLERANCE_MS,
+  type AddResult,
+  type CancelResult,
+  type EndResult,
+  type NewCommand,
+  type PageState,
+  type SessionStore,
+  type StoredSession,
+  type TermedRecord,
+} from "../session-store.ts";
+import { asked, type Redis } from "./connection.ts";
+import type { ForgottenBytes } from "./forgotten-bytes.ts";
+import { keysOf } from "./redis-keys.ts";
+import { endingOf, recordRow, rowOf, termedRow } from "./rows.ts";
+import { Script } from "./script.ts";
+
+/** sessions that one step forgets: others wait for Redis meanwhile */
+const MOST_AT_ONCE = 200;
+
+const keysText = z
+  .string()
+  .transform((text): unknown => JSON.parse(text))
+  .pipe(z.array(z.object({ kind: z.enum(["own", "drive"]), hash: z.string() })));
+const sessionAnswer = z
+  .object({
+    epoch: z.int(),
+    createdAt: z.number(),
+    lastUsedAt: z.number(),
+    keys: keysText,
+  })
+  .nullable();
+const addAnswer = z.discriminatedUnion("outcome", [
+  z.object({ outcome: z.literal("stored"), row: recordRow, ended: z.array(termedRow) }),
+  z.object({ outcome: z.enum(["duplicate", "conflict"]), row: recordRow }),
+  z.object({ outcome: z.enum(["full", "late", "no-session"]) }),
+]);
+const expireAnswer = z.object({ ended: z.array(termedRow), next: z.number().nullable() });
+const cancelAnswer = z.discriminatedUnion("outcome", [
+  z.object({ outcome: z.literal("cancelled"), row: termedRow }),
+  z.object({ outcome: z.enum(["delivered", "over"]), row: recordRow }),
+  z.object({ outcome: z.enum(["not-yours", "no-command"]) }),
+]);
+const endAnswer = z.discriminatedUnion("outcome", [
+  z.object({ outcome: z.literal("ended"), row: recordRow }),
+  z.object({ outcome: z.literal("over"), row: recordRow.nullable() }),
+]);
+const takeAnswer = z
+  .object({ epoch: z.int(), changed: z.array(recordRow), refused: z.array(recordRow) })
+  .nullable();
+
+export class RedisSessionStore implements SessionStore {
+  readonly #redis: Redis;
+  readonly #script: Script;
+  readonly #forgotten: ForgottenBytes;
+
+  /**
+   * @param redis is closed by whoever opened it
+   * @param relay the name of this relay, by which it knows its own steps on the line
+   */
+  constructor(redis: Redis, forgotten: ForgottenBytes, relay: string) {
+    this.#redis = redis;
+    this.#script = new Script(redis, "sessions.lua", [relay]);
+    this.#forgotten = forgotten;
+  }
+
+  async create({ id, createdAt, keys }: Omit<StoredSession, "epoch" | "lastUsedAt">) {
+    await this.#step("create", id, { id, createdAt, keys: JSON.stringify(keys) });
+  }
+
+  async find(id: string): Promise<StoredSession | null> {
+    const found = sessionAnswer.parse(await this.#step("find", id, { id }));
+    return found === null ? null : { id, ...found };
+  }
+
+  async touch(id: string, now: number): Promise<void> {
+    await this.#step("touch", id, { id, now });
+  }
+
+  async remove(id: string): Promise<boolean> {
+    const removed = z.boolean().parse(await this.#step("remove", id, { id }));
+    if (removed) await this.#forgotten.sweep();
+    return removed;
+  }
+
+  async removeExpired(before: { lastUsedAt: number; createdAt: number }): Promise<string[]> {
+    const all: string[] = [];
+    for (;;) {
+      const values = { ...before, most: MOST_AT_ONCE };
+      const ids = z.array(z.string()).parse(await this.#step("removeExpired", "", values));
+      all.push(...ids);
+      if (ids.length < MOST_AT_ONCE) break;
+    }
+    if (all.length > 0) await this.#forgotten.sweep();
+    return all;
+  }
+
+  async add(id: string, command: NewCommand): Promise<AddResult> {
+    const { maxWaiting, keep } = command;
+    const values = { row: rowOf(command), maxWaiting, keep };
+    const answer = addAnswer.parse(await this.#step("add", id, values));
+    if (!("row" in answer)) return answer;
+    const { row: record, ...rest } = answer;
+    return { ...rest, record };
+  }
+
+  async deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]> {
+    const values = { epoch, window, now, tolerance: CLOCK_TOLERANCE_MS };
+    return z.array(termedRow).parse(await this.#step("deliver", id, values));
+  }
+
+  async expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }> {
+    const values = { now, tolerance: CLOCK_TOLERANCE_MS };
+    return expireAnswer.parse(await this.#step("expire", id, values));
+  }
+
+  async cancel(
+    id: string,
+    seq: number,
+    by: { driver: string; reason: string },
+  ): Promise<CancelResult> {
+    const answer = cancelAnswer.parse(await this.#step("cancel", id, { seq, ...by }));
+    if (answer.outcome === "cancelled") return { outcome: answer.outcome, termed: answer.row };
+    return "row" in answer ? { outcome: answer.outcome, record: answer.row } : answer;
+  }
+
+  async start(id: string, epoch: number, seq: number): Promise<CommandRecord | null> {
+    return recordRow.nullable().parse(await this.#step("start", id, { epoch, seq }));
+  }
+
+  async end(id: string, epoch: number, ending: Ending): Promise<EndResult> {
+    const values = { epoch, ending: endingOf(ending) };
+    const { row: record, outcome } = endAnswer.parse(await this.#step("finish", id, values));
+    return outcome === "ended" ? { outcome, record } : { outcome, record };
+  }
+
+  async abandon(id: string, reason: string): Promise<CommandRecord[]> {
+    return z.array(recordRow).parse(await this.#step("abandon", id, { reason }));
+  }
+
+  async takeOver(id: string, { lastApplied, fresh, endings }: PageState) {
+    const values = { lastApplied, fresh, endings: endings.map(endingOf) };
+    return takeAnswer.parse(await this.#step("takeOver", id, values));
+  }
+
+  async command(id: string, seq: number): Promise<CommandRecord | null> {
+    return recordRow.nullable().parse(await this.#step("command", id, { seq }));
+  }
+
+  async commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
+    const rows = z.array(recordRow).parse(await this.#step("after", id, { seq, limit }));
+    return rows.slice(0, limit);
+  }
+
+  async openCommands(id: string): Promise<CommandRecord[]> {
+    return z.array(recordRow).parse(await this.#step("open", id, {}));
+  }
+
+  async check(): Promise<"ok" | "full"> {
+    try {
+      await asked(this.#redis.set("corridor:check", "written"));
+      return "ok";
+    } catch (error) {
+      if (error instanceof StoreFull) return "full";
+      throw error;
+    }
+  }
+
+  async close(): Promise<void> {
+    // The connection is not this store's alone.
+  }
+
+  async #step(name: string, id: string, values: unknown): Promise<unknown> {
+    return this.#script.run(name, keysOf(id), values);
+  }
+}

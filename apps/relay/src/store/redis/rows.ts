@@ -1,0 +1,68 @@
+/** A command as a row of JSON in Redis. What Lua would round stands in it as text. */
+import { commandRecordSchema, type Ending } from "@corridor/protocol";
+import { z } from "zod";
+import type { NewCommand, TermedRecord } from "../session-store.ts";
+
+const row = z.object({
+  seq: z.int(),
+  key: z.string().nullable(),
+  command: z.string(),
+  state: z.string(),
+  reason: z.string().nullable(),
+  acceptedAt: z.number(),
+  pose: z.string().nullable(),
+  distance: z.string().nullable(),
+  driver: z.string(),
+  ttl: z.number(),
+  deadline: z.number(),
+  replace: z.boolean(),
+  lease: z.number().nullable(),
+});
+const actionOf = z.object({ action: z.string() });
+
+/** The row of a command, read. */
+export const termedRow = row.transform((given): TermedRecord => {
+  const { driver, ttl, deadline, replace, lease, command, pose, distance, acceptedAt, ...rest } =
+    given;
+  const parsed: unknown = JSON.parse(command);
+  const record = commandRecordSchema.parse({
+    ...rest,
+    action: actionOf.parse(parsed).action,
+    command: parsed,
+    acceptedAt: new Date(acceptedAt).toISOString(),
+    pose: pose === null ? null : JSON.parse(pose),
+    distance: distance === null ? null : JSON.parse(distance),
+    duplicate: false,
+  });
+  return { record, driver, ttl, deadline, replace, lease };
+});
+/** The same without what only relay and robot need. */
+export const recordRow = termedRow.transform(({ record }) => record);
+
+/** A command that gets its number in Redis. */
+export function rowOf(given: NewCommand): unknown {
+  const { driver, key, command, acceptedAt, ttl, deadline, replace, lease } = given;
+  return {
+    driver,
+    key,
+    command: JSON.stringify(command),
+    stop: command.action === "stop",
+    state: "accepted",
+    reason: null,
+    acceptedAt,
+    pose: null,
+    distance: null,
+    ttl: Math.round(ttl),
+    deadline: Math.round(deadline),
+    replace,
+    lease: lease === null ? null : Math.round(lease),
+  };
+}
+
+export function endingOf({ pose, distance, ...rest }: Ending): unknown {
+  return {
+    ...rest,
+    pose: pose === null ? null : JSON.stringify(pose),
+    distance: distance === null ? null : JSON.stringify(distance),
+  };
+}

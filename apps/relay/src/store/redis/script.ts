@@ -1,0 +1,37 @@
+/** A Lua script that Redis runs as one atomic step, with its arguments and its answer as JSON. */
+import { createHash } from "node:crypto";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { ErrorReply } from "@redis/client";
+import { asked, type Redis } from "./connection.ts";
+
+export class Script {
+  readonly #redis: Redis;
+  readonly #text: string;
+  readonly #hash: string;
+  readonly #always: readonly string[];
+
+  /**
+   * @param file beside this one
+   * @param always what every step is given besides
+   */
+  constructor(redis: Redis, file: string, always: readonly string[] = []) {
+    this.#always = always;
+    this.#redis = redis;
+    this.#text = readFileSync(join(import.meta.dirname, file), "utf8");
+    this.#hash = createHash("sha1").update(this.#text).digest("hex");
+  }
+
+  /** Runs one of the steps in the script. */
+  async run(step: string, keys: string[], values: unknown): Promise<unknown> {
+    const options = { keys, arguments: [step, JSON.stringify(values), ...this.#always] };
+    const answer = await asked(
+      this.#redis.evalSha(this.#hash, options).catch((error: unknown) => {
+        const isUnknown = error instanceof ErrorReply && error.message.startsWith("NOSCRIPT");
+        if (!isUnknown) throw error;
+        return this.#redis.eval(this.#text, options);
+      }),
+    );
+    return typeof answer === "string" ? JSON.parse(answer) : answer;
+  }
+}

@@ -1,0 +1,300 @@
+-- Robot sessions and the life of their commands: each step is one run of this script, so that several
+-- relays can share one Redis. What a step must do is said in session-store.ts.
+--
+-- KEYS: 1 the session, 2 commands that have not ended (by seq), 3 those that have (by seq), 4 seq by
+-- idempotency key, 5 sessions by last use, 6 sessions by birth, 7 the robot's line.
+-- Redis undoes nothing: where its memory is full, the first that a step writes must be something that Redis
+-- refuses then, so that all of the step is refused.
+-- A command is a row of JSON. What Lua would round, or need not know, is in it as text.
+local step, given, relay = ARGV[1], cjson.decode(ARGV[2]), ARGV[3]
+local SESSION, OPEN, ENDED, BY_KEY, USES, BIRTHS, LINE = unpack(KEYS)
+local WAITS, HELD, RUNS = 'accepted', 'delivered', 'started'
+
+-- what this step has changed, by seq, for everybody on the line
+local changed, added = {}, nil
+
+local function list(rows)
+  table.sort(rows, function(a, b) return a.seq < b.seq end)
+  local texts = {}
+  for i, row in ipairs(rows) do texts[i] = cjson.encode(row) end
+  return '[' .. table.concat(texts, ',') .. ']'
+end
+
+local function keep(row)
+  if row.state == WAITS or row.state == HELD or row.state == RUNS then
+    redis.call('HSET', OPEN, row.seq, cjson.encode(row))
+  else
+    redis.call('ZADD', ENDED, row.seq, cjson.encode(row))
+    redis.call('HDEL', OPEN, row.seq)
+  end
+end
+
+local function change(row, state, reason)
+  row.state = state
+  if reason then row.reason = reason end
+  keep(row)
+  changed[row.seq] = row
+  return row
+end
+
+local function open(wanted)
+  local rows = {}
+  for _, text in ipairs(redis.call('HVALS', OPEN)) do
+    local row = cjson.decode(text)
+    if wanted(row) then rows[#rows + 1] = row end
+  end
+  table.sort(rows, function(a, b) return a.seq < b.seq end)
+  return rows
+end
+
+local function ended(from, to, ...)
+  local rows = {}
+  for i, text in ipairs(redis.call('ZRANGEBYSCORE', ENDED, from, to, ...)) do
+    rows[i] = cjson.decode(text)
+  end
+  return rows
+end
+
+local function find(seq)
+  local text = redis.call('HGET', OPEN, seq)
+  if text then return cjson.decode(text) end
+  return ended(seq, seq)[1]
+end
+
+local function waits(row) return row.state == WAITS end
+local function overtakes(row) return row.stop or row.replace end
+
+local function isLate(row)
+  return row.deadline <= given.now or row.acceptedAt > given.now + given.tolerance
+end
+
+local function epoch() return tonumber(redis.call('HGET', SESSION, 'epoch') or -1) end
+
+local function keyOf(row) return row.driver .. ':' .. row.key end
+
+-- Ends what was accepted before a command that overtakes.
+local function overtake(seq, isStop)
+  local rows = open(function(row) return waits(row) and row.seq < seq end)
+  local state, words = 'superseded', 'replaced by command '
+  if isStop then state, words = 'cancelled', 'stopped by command ' end
+  for _, row in ipairs(rows) do change(row, state, words .. seq) end
+  return rows
+end
+
+-- delivered or started: its ending. Returns nil when it was neither.
+local function finish(ending)
+  local row = find(ending.seq)
+  if not row or (row.state ~= HELD and row.state ~= RUNS) then return nil, row end
+  row.reason, row.pose, row.distance = ending.reason, ending.pose, ending.distance
+  return change(row, ending.state)
+end
+
+local function forget(id)
+  local base = 'corridor:{' .. id .. '}'
+  redis.call('ZREM', USES, id)
+  redis.call('ZREM', BIRTHS, id)
+  redis.call('PUBLISH', base .. ':line', '{"kind":"over","from":"' .. relay .. '"}')
+  return redis.call('DEL', base, base .. ':open', base .. ':ended', base .. ':keys') > 0
+end
+
+local steps = {}
+
+function steps.create()
+  local at = given.createdAt
+  redis.call('HSET', SESSION, 'epoch', 0, 'seq', 0, 'createdAt', at, 'keys', given.keys)
+  redis.call('ZADD', USES, at, given.id)
+  redis.call('ZADD', BIRTHS, at, given.id)
+  return 'null'
+end
+
+function steps.find()
+  local epoch, createdAt, keys = unpack(redis.call('HMGET', SESSION, 'epoch', 'createdAt', 'keys'))
+  if not epoch then return 'null' end
+  return cjson.encode({ epoch = tonumber(epoch), createdAt = tonumber(createdAt), keys = keys,
+    lastUsedAt = tonumber(redis.call('ZSCORE', USES, given.id)) })
+end
+
+function steps.touch()
+  redis.call('ZADD', USES, 'XX', 'GT', given.now, given.id)
+  return 'null'
+end
+
+function steps.remove()
+  return tostring(forget(given.id))
+end
+
+function steps.removeExpired()
+  local gone, seen = {}, {}
+  for index, before in pairs({ [USES] = given.lastUsedAt, [BIRTHS] = given.createdAt }) do
+    local ids = redis.call('ZRANGE', index, '-inf', '(' .. before, 'BYSCORE', 'LIMIT', 0, given.most)
+    for _, id in ipairs(ids) do
+      if not seen[id] then gone[#gone + 1] = cjson.encode(id) end
+      seen[id] = true
+      forget(id)
+    end
+  end
+  return '[' .. table.concat(gone, ',') .. ']'
+end
+
+function steps.add()
+  local seq = redis.call('HGET', SESSION, 'seq')
+  if not seq then return '{"outcome":"no-session"}' end
+  local row = given.row
+  if row.key ~= cjson.null then
+    local known = redis.call('HGET', BY_KEY, keyOf(row))
+    local earlier = known and find(known)
+    if earlier then
+      local outcome = earlier.command == row.command and 'duplicate' or 'conflict'
+      return '{"outcome":"' .. outcome .. '","row":' .. cjson.encode(earlier) .. '}'
+    end
+  end
+  if row.deadline <= row.acceptedAt then return '{"outcome":"late"}' end
+  row.seq = tonumber(seq) + 1
+  local overtaken = {}
+  if overtakes(row) then overtaken = overtake(row.seq, row.stop) end
+  local waiting = open(function(other) return waits(other) and not overtakes(other) end)
+  if not row.stop and #waiting >= given.maxWaiting then return '{"outcome":"full"}' end
+  redis.call('HSET', SESSION, 'seq', row.seq)
+  if row.key ~= cjson.null then redis.call('HSET', BY_KEY, keyOf(row), row.seq) end
+  keep(row)
+  added = row
+  local old = row.seq - given.keep
+  for _, each in ipairs(ended('-inf', old)) do
+    if each.key ~= cjson.null then redis.call('HDEL', BY_KEY, keyOf(each)) end
+  end
+  redis.call('ZREMRANGEBYSCORE', ENDED, '-inf', old)
+  return '{"outcome":"stored","row":' .. cjson.encode(row) .. ',"ended":' .. list(overtaken) .. '}'
+end
+
+function steps.deliver()
+  if epoch() ~= given.epoch then return '[]' end
+  local rows = open(function(row)
+    return row.state == HELD or (waits(row) and not isLate(row))
+  end)
+  local free, due = given.window, {}
+  for _, row in ipairs(rows) do
+    if row.state == HELD and not overtakes(row) then free = free - 1 end
+  end
+  for _, row in ipairs(rows) do
+    if waits(row) then
+      if overtakes(row) or free > 0 then due[#due + 1] = row end
+      free = free - 1
+    end
+  end
+  for _, row in ipairs(due) do
+    row.epoch = given.epoch
+    change(row, HELD)
+  end
+  return list(due)
+end
+
+function steps.expire()
+  local late, due = {}, nil
+  for _, row in ipairs(open(waits)) do
+    if isLate(row) then
+      late[#late + 1] = change(row, 'expired', string.format('older than %g s', row.ttl / 1000))
+    elseif not due or row.deadline < due then
+      due = row.deadline
+    end
+  end
+  return '{"ended":' .. list(late) .. ',"next":' .. (due and cjson.encode(due) or 'null') .. '}'
+end
+
+function steps.cancel()
+  local row = find(given.seq)
+  if not row then return '{"outcome":"no-command"}' end
+  if row.driver ~= given.driver then return '{"outcome":"not-yours"}' end
+  local outcome = 'over'
+  if waits(row) then
+    outcome = 'cancelled'
+    change(row, 'cancelled', given.reason)
+  elseif row.state == HELD or row.state == RUNS then
+    outcome = 'delivered'
+  end
+  return '{"outcome":"' .. outcome .. '","row":' .. cjson.encode(row) .. '}'
+end
+
+function steps.start()
+  local row = find(given.seq)
+  if epoch() ~= given.epoch or not row or row.state ~= HELD then return 'null' end
+  return cjson.encode(change(row, RUNS))
+end
+
+function steps.finish()
+  local row, known
+  if epoch() == given.epoch then row, known = finish(given.ending) else known = find(given.ending.seq) end
+  if row then return '{"outcome":"ended","row":' .. cjson.encode(row) .. '}' end
+  return '{"outcome":"over","row":' .. (known and cjson.encode(known) or 'null') .. '}'
+end
+
+function steps.abandon()
+  if epoch() < 0 then return '[]' end
+  redis.call('HINCRBY', SESSION, 'epoch', 1)
+  local rows = open(function(row) return not waits(row) end)
+  for _, row in ipairs(rows) do change(row, 'cancelled', given.reason) end
+  return list(rows)
+end
+
+function steps.takeOver()
+  if epoch() < 0 then return 'null' end
+  local now = redis.call('HINCRBY', SESSION, 'epoch', 1)
+  redis.call('HSET', SESSION, 'page', '{"relay":"' .. relay .. '","epoch":' .. now .. '}')
+  redis.call('PUBLISH', LINE, '{"kind":"page","from":"' .. relay .. '","epoch":' .. now .. '}')
+  -- A page that knows of later commands than this Redis saw one that lost its newest.
+  if given.lastApplied > tonumber(redis.call('HGET', SESSION, 'seq')) then
+    redis.call('HSET', SESSION, 'seq', given.lastApplied)
+  end
+  local refused = {}
+  for _, ending in ipairs(given.endings) do
+    local row, known = finish(ending)
+    if not row and known and known.state ~= ending.state then refused[#refused + 1] = known end
+  end
+  for _, row in ipairs(open(function(row) return row.state == HELD end)) do
+    change(row, row.seq > given.lastApplied and WAITS or RUNS)
+  end
+  if given.fresh then
+    for _, row in ipairs(open(function(row) return row.state == RUNS end)) do
+      change(row, 'cancelled', 'the page was reloaded')
+    end
+  end
+  -- What was delivered when something overtook it may wait again now; it was overtaken all the same.
+  local later = ended('(' .. given.lastApplied, '+inf')
+  for _, row in ipairs(open(function(row) return row.seq > given.lastApplied end)) do
+    later[#later + 1] = row
+  end
+  local stop, replacement = 0, 0
+  for _, row in ipairs(later) do
+    if row.stop then stop = math.max(stop, row.seq) end
+    if row.replace then replacement = math.max(replacement, row.seq) end
+  end
+  if stop > 0 then overtake(stop, true) end
+  if replacement > 0 then overtake(replacement, false) end
+  local rows = {}
+  for _, row in pairs(changed) do rows[#rows + 1] = row end
+  return '{"epoch":' .. now .. ',"changed":' .. list(rows) .. ',"refused":' .. list(refused) .. '}'
+end
+
+function steps.command()
+  local row = find(given.seq)
+  return row and cjson.encode(row) or 'null'
+end
+
+function steps.after()
+  local rows = ended('(' .. given.seq, '+inf', 'LIMIT', 0, given.limit)
+  for _, row in ipairs(open(function(row) return row.seq > given.seq end)) do rows[#rows + 1] = row end
+  return list(rows)
+end
+
+function steps.open()
+  return list(open(function() return true end))
+end
+
+local answer = steps[step]()
+if next(changed) or added then
+  local rows = {}
+  for _, row in pairs(changed) do rows[#rows + 1] = row end
+  local n = redis.call('HINCRBY', SESSION, 'n', 1)
+  redis.call('PUBLISH', LINE, '{"kind":"step","n":' .. n .. ',"from":"' .. relay .. '","added":' ..
+    (added and cjson.encode(added) or 'null') .. ',"changed":' .. list(rows) .. '}')
+end
+return answer

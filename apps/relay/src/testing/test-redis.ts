@@ -1,0 +1,33 @@
+/** A real Redis with a folder of its own, for one test. */
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { onTestFinished } from "vitest";
+import { findRedis, startRedis } from "../../../../scripts/redis-server.ts";
+import { testFolder } from "./test-relay.ts";
+
+/** Whether there is a Redis on this machine; tests without it are skipped, and say so. */
+export const hasRedis = findRedis() !== null;
+if (!hasRedis) process.stderr.write("skipped tests: there is no redis-server here\n");
+
+/** Starts a Redis that ends with the test. @param settings such as ["--appendonly", "no"] */
+export async function startTestRedis(settings: string[] = []) {
+  const folder = testFolder();
+  let server = await startRedis(folder, { settings });
+  onTestFinished(() => server.stop("SIGKILL"));
+  const { url, port } = server;
+  return {
+    url,
+    stop: () => server.stop(),
+    /** Starts it with the same files on the same port. */
+    startAgain: async () => {
+      server = await startRedis(folder, { port, settings });
+    },
+    /** Whether the text can be found in its files. */
+    holds: (text: string): boolean => {
+      const files = readdirSync(folder, { recursive: true, withFileTypes: true });
+      return files.some(
+        (file) => file.isFile() && readFileSync(join(file.parentPath, file.name)).includes(text),
+      );
+    },
+  };
+}
