@@ -1,5 +1,6 @@
 import { problemSchema } from "@corridor/protocol";
-import { describe, expect, it, vi } from "vitest";
+import { describe, expect, it, onTestFinished, vi } from "vitest";
+import { connectRedis } from "./store/redis/connection.ts";
 import { startRelayProcess } from "./testing/relay-process.ts";
 import { hasRedis, startTestRedis } from "./testing/test-redis.ts";
 import { startTestRelay } from "./testing/test-relay.ts";
@@ -56,33 +57,20 @@ describe.skipIf(!hasRedis)("a relay with Redis", () => {
   });
 
   it("answers 507 while the memory of Redis is full, and lets people delete", async () => {
-    const settings = ["--maxmemory", "3mb", "--maxmemory-policy", "noeviction"];
-    const relay = await startTestRelay({
-      config: { storeUrl: (await startTestRedis(settings)).url },
-    });
+    const { url } = await startTestRedis();
+    const redis = await connectRedis(url, () => undefined);
+    onTestFinished(() => redis.destroy());
+    const relay = await startTestRelay({ config: { storeUrl: url } });
     const robot = await relay.register();
-    const maze = (n: number) => ({
-      format: "corridor/maze",
-      version: 1,
-      name: `Maze ${n}`,
-      blocks: Array.from({ length: 200 }, () => ".".repeat(200)),
-      start: { column: 1, row: 1, heading: "east" },
-      goals: [],
-    });
-    const store = (n: number) =>
-      fetch(`${relay.origin}/api/v1/mazes`, {
-        method: "POST",
-        headers: { "Content-Type": "application/json" },
-        body: JSON.stringify(maze(n)),
-      });
-    let answer = await store(0);
-    for (let n = 1; answer.status === 201 && n < 80; n++) answer = await store(n);
-    expect(answer.status).toBe(507);
+    // Less than it has with nothing in it.
+    await redis.configSet("maxmemory", "100kb");
     expect((await relay.ask(robot, "/commands", left90)).status).toBe(507);
     const ready = await fetch(`${relay.origin}/readyz`);
     expect(await ready.json()).toEqual({ status: "degraded" });
     const gone = await relay.ask(robot, "", { method: "DELETE", key: robot.ownerKey });
     expect(gone.status).toBe(204);
+    await redis.configSet("maxmemory", "0");
+    await relay.register();
   });
 
   it("does not start with a Redis that would lose what was acknowledged, and says what to do", async () => {
