@@ -60,7 +60,11 @@ class Scene:
     """A talk, the answers that it gets in turn, and what it asked for and waited."""
 
     def __init__(
-        self, *answers: Union[Answer, float], chance: float = 1.0, latency: float = 0.0
+        self,
+        *answers: Union[Answer, float],
+        chance: float = 1.0,
+        latency: float = 0.0,
+        ttl: Optional[float] = None,
     ) -> None:
         self.now = 100.0
         self.latency = latency
@@ -70,7 +74,7 @@ class Scene:
         self.pauses: List[float] = []
         address = parse_address(f"http://robots.example/r/abc#{KEY}")
         self.talk = RobotTalk(
-            address, 30.0, 60.0, clock=lambda: self.now, chance=lambda: chance
+            address, 30.0, 60.0, ttl, clock=lambda: self.now, chance=lambda: chance
         )
 
     def run(self, talk: Talk[T]) -> T:
@@ -133,9 +137,17 @@ def test_a_lost_command_is_sent_again_with_its_key() -> None:
     scene.move()
     keys = [request.headers["Idempotency-Key"] for request in scene.requests]
     assert len(keys) == 3 and len(set(keys)) == 1
+    ages = [json.loads(request.body or b"").get("age") for request in scene.requests]
+    assert ages == [None, 250, 750]
     other = Scene(record("completed"))
     other.move()
     assert other.requests[0].headers["Idempotency-Key"] != keys[0]
+
+
+def test_a_time_to_live_goes_with_every_command_in_ms() -> None:
+    scene = Scene(record("completed"), ttl=0.5)
+    scene.move()
+    assert json.loads(scene.requests[0].body or b"")["ttl"] == 500
 
 
 def test_the_pauses_double_from_a_quarter_second_to_ten_and_are_drawn_by_lot() -> None:
@@ -181,7 +193,7 @@ def test_a_refusal_says_which_field_is_wrong_and_what_was_expected() -> None:
         (problem(409, "no-snapshot"), RobotGoneError, "robot-gone"),
         (problem(409, "key-conflict"), CommandError, "refused"),
         (problem(404, "no-command"), CommandError, "refused"),
-        (problem(422, "expired"), CommandEndedError, "expired"),
+        (problem(422, "too-late"), CommandEndedError, "expired"),
         (Answer(407, b"<html>"), Exception, "refused"),
         (Answer(302), AddressError, "bad-address"),
         (Answer(200, b"<html>sign in</html>"), AddressError, "bad-address"),

@@ -9,6 +9,8 @@ from conftest import Host
 from corridor import (
     AddressError,
     ClosedError,
+    CommandEndedError,
+    CommandError,
     NoAnswerError,
     NotAuthorisedError,
     Robot,
@@ -109,6 +111,19 @@ def test_a_page_that_stays_away_is_told(corridor: Host) -> None:
     corridor.tell("leave")
     with pytest.raises(RobotGoneError, match="page is away"):
         print(robot.sensor.front)
+
+
+def test_a_command_that_could_not_begin_in_time_never_runs(corridor: Host) -> None:
+    robot = Robot(corridor.address, ttl=0.3)
+    corridor.tell("leave")
+    with pytest.raises(CommandEndedError) as error:
+        robot.right()
+    assert error.value.code == "expired"
+    corridor.tell("come")
+    assert robot.snapshot().pose.heading == 0
+    assert corridor.tell("state")["done"] == []
+    with pytest.raises(CommandError, match="from 0.2 to 60 seconds"):
+        Robot(corridor.address, ttl=100)
 
 
 def test_leaving_the_block_stops_a_robot_that_would_drive_on(corridor: Host) -> None:

@@ -63,6 +63,11 @@ def power_wheels(left_power: float, right_power: float, milliseconds: Optional[f
     return action
 
 
+def check_ttl(seconds: Optional[float]) -> Optional[float]:
+    """The time to live in seconds, in which a command must have begun."""
+    return None if seconds is None else _number("Robot", "ttl", seconds, 0.2, 60, "seconds")
+
+
 def has_no_end(action: Action) -> bool:
     """Whether the robot goes on with it until something else is chosen."""
     name = action["action"]

@@ -7,6 +7,7 @@ from typing import AsyncIterator, Callable, List, Optional, Type
 
 from .actions import (
     Action,
+    check_ttl,
     go_forward,
     go_reverse,
     plain,
@@ -38,8 +39,10 @@ class AsyncRobot:
         *,
         answer_timeout: float = 30.0,
         finish_timeout: float = 600.0,
+        ttl: Optional[float] = None,
     ) -> None:
-        self._talk = RobotTalk(parse_address(address, key), answer_timeout, finish_timeout)
+        where = parse_address(address, key)
+        self._talk = RobotTalk(where, answer_timeout, finish_timeout, check_ttl(ttl))
         self._line = Line()
 
     @classmethod
@@ -50,9 +53,12 @@ class AsyncRobot:
         *,
         answer_timeout: float = 30.0,
         finish_timeout: float = 600.0,
+        ttl: Optional[float] = None,
     ) -> AsyncRobot:
         """A robot that is known to be there, with a key that fits."""
-        robot = cls(address, key, answer_timeout=answer_timeout, finish_timeout=finish_timeout)
+        robot = cls(
+            address, key, answer_timeout=answer_timeout, finish_timeout=finish_timeout, ttl=ttl
+        )
         await robot._run(robot._talk.greet())
         return robot
 

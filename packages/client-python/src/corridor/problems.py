@@ -66,7 +66,7 @@ def error_of(answer: Answer) -> RobotError:
         return RobotError("refused", "The network's proxy wants a name and a password", reason)
     if kind == "no-snapshot":
         return RobotGoneError("robot-gone", "The robot has not reported yet", reason)
-    if kind == "expired":
+    if kind == "too-late":
         return CommandEndedError("expired", "The command came too late", reason)
     if status in (404, 410) and kind != "no-command":
         return RobotGoneError("no-robot", "There is no robot with this address", reason)

@@ -7,6 +7,7 @@ from typing import Callable, Iterator, List, Optional, Type
 
 from .actions import (
     Action,
+    check_ttl,
     go_forward,
     go_reverse,
     plain,
@@ -28,7 +29,8 @@ class Robot:
 
     `address` is `http://HOST/r/ID#KEY`, as the page shows it under Remote. `answer_timeout` is how
     many seconds a host may stay silent, reconnecting included; `finish_timeout` how many the robot
-    may take for one command.
+    may take for one command; `ttl` within how many a command must have begun, or it expires (0.2 to
+    60; the host's own default is 10).
     """
 
     def __init__(
@@ -38,8 +40,10 @@ class Robot:
         *,
         answer_timeout: float = 30.0,
         finish_timeout: float = 600.0,
+        ttl: Optional[float] = None,
     ) -> None:
-        self._talk = RobotTalk(parse_address(address, key), answer_timeout, finish_timeout)
+        where = parse_address(address, key)
+        self._talk = RobotTalk(where, answer_timeout, finish_timeout, check_ttl(ttl))
         self._line = Line()
         self._run(self._talk.greet())
 

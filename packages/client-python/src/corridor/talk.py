@@ -1,7 +1,7 @@
 """How a script and a robot's host talk: tries, keys, ages and long polls, without any waiting in it.
 
 Every command carries an idempotency key and is sent again with it, so a retry never moves the
-robot twice.
+robot twice. Each try says how old the wish is, so that one that comes late is not done late.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import logging
 import random
 import time
 import uuid
-from typing import Callable, Dict, List, Optional
+from typing import Callable, List, Optional
 
 from .actions import Action, has_no_end, plain
 from .address import Address
@@ -51,6 +51,7 @@ class RobotTalk:
         address: Address,
         answer_timeout: float,
         finish_timeout: float,
+        ttl: Optional[float] = None,
         clock: Callable[[], float] = time.monotonic,
         chance: Callable[[], float] = random.random,
     ) -> None:
@@ -60,6 +61,7 @@ class RobotTalk:
         self.drives_on = False
         self._answer_timeout = answer_timeout
         self._finish_timeout = finish_timeout
+        self._ttl = ttl
         self._clock = clock
         self._chance = chance
         self._newest = -1
@@ -71,9 +73,8 @@ class RobotTalk:
 
     def do(self, action: Action) -> Talk[Command]:
         """Sends a command, and waits until it has ended; one without an end: until it has begun."""
-        headers = {"Content-Type": "application/json", "Idempotency-Key": uuid.uuid4().hex}
-        body = json.dumps(action).encode()
-        answer = yield from self._ask("POST", "/commands", body=body, headers=headers)
+        wish = action if self._ttl is None else {**action, "ttl": round(self._ttl * 1_000)}
+        answer = yield from self._ask("POST", "/commands", wish=wish)
         self.drives_on = has_no_end(action)
         return (yield from self._follow(_read(read_command, answer), action))
 
@@ -160,12 +161,19 @@ class RobotTalk:
         method: str,
         path: str,
         *,
-        body: Optional[bytes] = None,
-        headers: Optional[Dict[str, str]] = None,
+        wish: Optional[Action] = None,
         wait: float = 0.0,
         limit: Optional[float] = None,
     ) -> Talk[Json]:
         """One request, tried again while the network or the host has a bad moment."""
+        headers = {
+            "Authorization": f"Bearer {self.address.key}",
+            "Accept": "application/json",
+            "User-Agent": USER_AGENT,
+        }
+        if wish is not None:
+            headers["Content-Type"] = "application/json"
+            headers["Idempotency-Key"] = uuid.uuid4().hex
         began = self._clock()
         limit = self._answer_timeout if limit is None else limit
         tries = 0
@@ -175,8 +183,8 @@ class RobotTalk:
             answer = yield Request(
                 method=method,
                 url=self.address.api + path,
-                headers={**self._headers, **(headers or {})},
-                body=body,
+                headers=headers,
+                body=None if wish is None else _aged(wish, self._clock() - began),
                 timeout=wait + _GRACE,
             )
             if answer is None:
@@ -198,13 +206,11 @@ class RobotTalk:
                 _log.warning("The robot's host does not answer (%s). Trying again.", reason_of(answer))
             yield Pause(pause)
 
-    @property
-    def _headers(self) -> Dict[str, str]:
-        return {
-            "Authorization": f"Bearer {self.address.key}",
-            "Accept": "application/json",
-            "User-Agent": USER_AGENT,
-        }
+
+def _aged(wish: Action, seconds: float) -> bytes:
+    """A wish as it travels; `age` in ms since its first try, where it is not the first."""
+    age = round(seconds * 1_000)
+    return json.dumps({**wish, "age": age} if age > 0 else wish).encode()
 
 
 def _commands(answer: Json) -> List[Command]:
