@@ -7,6 +7,7 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { requireChromium } from "./chromium.ts";
+import { offerJava } from "./java.ts";
 import { pythonTests, requirePython, requirePythonTools } from "./python.ts";
 import { requireRedis } from "./redis-server.ts";
 
@@ -27,6 +28,7 @@ const requirements = [
 ].every(Boolean);
 // Without it the tests that need it are skipped: that must not pass for good.
 if (!check("Redis", requireRedis)) add("Redis", { passed: 0, failed: 1, skipped: 0 });
+offerJava();
 stage("types", ["tsc", "-b"]);
 stage("lint", ["oxlint", "--max-warnings", "0"]);
 stage("format", ["oxfmt", "--check"]);
