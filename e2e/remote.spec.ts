@@ -123,6 +123,36 @@ test("a robot keeps its address over a reload, and a running command ends cancel
   expect(next).toMatchObject({ state: "completed" });
 });
 
+test("the robot drives on while its script waits, and stops when the script falls silent", async ({
+  page,
+}) => {
+  test.setTimeout(60_000);
+  await page.goto("/");
+  const address = await copyAddress(page);
+  await setSpeed(page, "0.25");
+  await api(address, "/commands", { action: "forward" });
+  const waiting = await (await api(address, "/commands/1?wait=5")).json();
+  expect(waiting).toMatchObject({ state: "started" });
+  await expect(page.getByRole("row", { name: /forward/ })).toContainText("cancelled", {
+    timeout: 10_000,
+  });
+  const record = await (await api(address, "/commands/1")).json();
+  expect(record.reason).toContain("silent");
+});
+
+test("what the robot cannot start in time is listed as expired", async ({ page }) => {
+  await page.goto("/");
+  const address = await copyAddress(page);
+  await setSpeed(page, "0.25");
+  await api(address, "/commands", { action: "move", distance: 200 });
+  await api(address, "/commands", { action: "left 90", ttl: 400 });
+  const record = await (await api(address, "/commands/2?wait=10")).json();
+  expect(record).toMatchObject({ state: "expired", reason: "older than 0.4 s" });
+  const row = page.getByRole("row", { name: /left 90/ });
+  await expect(row).toContainText("older than 0.4 s");
+  await expect(row).toContainText("expired");
+});
+
 test("taking over by hand cancels what the script asked for and says why", async ({ page }) => {
   await page.goto("/");
   const address = await copyAddress(page);

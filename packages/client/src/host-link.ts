@@ -15,6 +15,7 @@ import {
   MAX_RESUMED_ENDINGS,
   PROTOCOL_VERSION,
   relayToPageSchema,
+  type AliveDriver,
   type CloseReason,
   type CommandRecord,
   type DeliveredCommand,
@@ -65,8 +66,11 @@ export interface HostLinkOptions {
   /** The ending that was told came too late: this is how the command has ended. */
   onRefused(record: CommandRecord): void;
   onStatus(status: HostStatus): void;
-  /** Scripts came, went or were heard; at most once a second. */
-  onDrivers(drivers: Drivers): void;
+  /**
+   * Scripts came, went or were heard; about once a second.
+   * @param alive whose motions without an end may go on: 3 s after a script was heard last they stop
+   */
+  onDrivers(drivers: Drivers, alive: readonly AliveDriver[]): void;
   /** default: what browsers, workers and Node offer */
   platform?: Omit<Platform, "uniqueText">;
 }
@@ -198,8 +202,8 @@ export class HostLink {
       case "state":
         return this.#options.onState(message.record, message.ttl);
       case "drivers": {
-        const { type: _type, ...drivers } = message;
-        return this.#options.onDrivers(drivers);
+        const { type: _type, alive, ...drivers } = message;
+        return this.#options.onDrivers(drivers, alive);
       }
       case "heartbeat":
         return;

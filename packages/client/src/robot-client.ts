@@ -168,8 +168,9 @@ export class RobotClient {
   }
 
   /**
-   * Sets the wheel powers, each from -1 to 1, for so many milliseconds or until something else is
-   * chosen. Resolves when the time is over; without a time when the robot has begun.
+   * Sets the wheel powers, each from -1 to 1, for so many milliseconds. Resolves when the time is over.
+   * Without a time it is a velocity: the robot stops after half a second unless another one follows, and
+   * this resolves when it has begun.
    */
   drive(
     left: number,

@@ -37,6 +37,7 @@ export {
   relayToDriverSchema,
   relayToPageSchema,
   resumeSchema,
+  type AliveDriver,
   type DeliveredCommand,
   type Drivers,
   type DriverToRelay,

@@ -107,6 +107,17 @@ export const driversSchema = z.strictObject({
 });
 export type Drivers = z.infer<typeof driversSchema>;
 
+/** A script that may hold a motion: the robot goes on with `forward` only while its sender is heard. */
+const aliveDriver = z.strictObject({
+  /** as in `command` */
+  driver: z.string().max(40),
+  /** ms since it was last heard; 0 while a request of it waits for its answer */
+  silentMs: milliseconds,
+  /** ms since its newest line was opened; null when it never had one */
+  lineMs: milliseconds.nullable(),
+});
+export type AliveDriver = z.infer<typeof aliveDriver>;
+
 export const relayToPageSchema = z.discriminatedUnion(
   "type",
   [
@@ -127,7 +138,7 @@ export const relayToPageSchema = z.discriminatedUnion(
       /** as in `command` */
       ttl: milliseconds,
     }),
-    driversSchema.extend({ type: z.literal("drivers") }),
+    driversSchema.extend({ type: z.literal("drivers"), alive: z.array(aliveDriver).max(32) }),
     heartbeat,
   ],
   { error: "one of welcome, command, stop, cancel, stored, refused, state, drivers, heartbeat" },

@@ -50,14 +50,14 @@ export class DriverConversation implements Conversation {
       over: (reason) => closeWith(line, closeReasons[reason]),
     };
     this.#reader = grant.session.join(grant.key, sink, since);
-    grant.session.heard(client);
+    grant.session.heard(client, grant.key)();
   }
 
   async received(text: string): Promise<void> {
     const { session, key: grant } = this.#options.grant;
     const message = decodeFrame(driverToRelaySchema, text);
     if (!message.ok) return this.#refuse(badRequest("The message is wrong.", message.problems));
-    session.heard(this.#options.client);
+    session.heard(this.#options.client, grant)();
     if (message.value.type === "seen") return this.#reader.seen(message.value.seq);
     const { key = null, command } = message.value;
     try {

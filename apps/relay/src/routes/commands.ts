@@ -1,15 +1,14 @@
 /** Commands of scripts: send one, follow it, read the log, stop everything. */
 import { termsOf, type CommandRecord } from "@corridor/protocol";
-import { Router, type Request, type Response } from "express";
+import { Router, type Response } from "express";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import type { CommandLog } from "./answers.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
+import { hearScript } from "./hear-script.ts";
 import {
   jsonText,
   patienceOf,
   readAfter,
-  readBearer,
-  readClient,
   readCommandRequest,
   readIdempotencyKey,
   readSeq,
@@ -19,35 +18,29 @@ import {
 export function commandRoutes(hub: SessionHub): Router {
   const router = Router();
 
-  async function script(request: Request<{ id: string }>) {
-    const grant = await hub.authorise(request.params.id, readBearer(request), ["drive"]);
-    grant.session.heard(readClient(request));
-    return grant;
-  }
-
   router
     .route("/robots/:id/commands")
     .post(
       // Who may not is told so before the body is read.
-      async (request, _response, next) => {
-        await script(request);
+      async (request, response, next) => {
+        await hearScript(hub, request, response);
         next();
       },
       jsonText(),
       async (request, response) => {
-        const { session, key } = await script(request);
+        const { session, key } = await hearScript(hub, request, response);
         const command = readCommandRequest(request);
         await session.submit(key, command, (record) => accepted(response, session.id, record));
       },
     )
     .get(async (request, response) => {
-      const { session } = await script(request);
+      const { session } = await hearScript(hub, request, response);
       const { after } = readAfter(request);
       const log: CommandLog = { commands: await session.commandsAfter(after) };
       response.json(log);
     })
     .delete(async (request, response) => {
-      const { session, key } = await script(request);
+      const { session, key } = await hearScript(hub, request, response);
       const stop = { key: readIdempotencyKey(request), ...termsOf({ action: "stop" }) };
       await session.submit(key, stop, (record) => accepted(response, session.id, record));
     })
@@ -56,13 +49,13 @@ export function commandRoutes(hub: SessionHub): Router {
   router
     .route("/robots/:id/commands/:seq")
     .get(async (request, response) => {
-      const { session } = await script(request);
+      const { session } = await hearScript(hub, request, response);
       const { wait } = readWait(request);
       const seq = readSeq(request.params.seq);
       response.json(await session.endOf(seq, patienceOf(response, wait)));
     })
     .delete(async (request, response) => {
-      const { session, key } = await script(request);
+      const { session, key } = await hearScript(hub, request, response);
       const seq = readSeq(request.params.seq);
       accepted(response, session.id, await session.cancel(key, seq));
     })

@@ -10,7 +10,8 @@ import type { OverReason, ReaderSink } from "../sessions/reader-feed.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import type { JoinedReader } from "../sessions/session.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
-import { patienceOf, readBearer, readClient, readEvents } from "./reading.ts";
+import { hearScript } from "./hear-script.ts";
+import { patienceOf, readEvents } from "./reading.ts";
 
 const HEADERS = {
   "Content-Type": "text/event-stream",
@@ -24,15 +25,14 @@ export function eventRoutes(hub: SessionHub, clock: Clock): Router {
   router
     .route("/robots/:id/events")
     .get(async (request, response) => {
-      const { session, key } = await hub.authorise(request.params.id, readBearer(request), [
-        "drive",
-      ]);
-      session.heard(readClient(request));
+      const { session, key, answered } = await hearScript(hub, request, response);
       const { since, after, wait } = readEvents(request);
       if (wait !== undefined) {
         const page = await session.nextEvents({ since, after }, patienceOf(response, wait));
         return void response.json(page);
       }
+      // Who only listens holds no motion, for as long as the stream may be open.
+      answered();
       streamTo(response, clock, (sink) => session.join(key, sink, since ?? null));
     })
     .all(methodNotAllowed("GET"));

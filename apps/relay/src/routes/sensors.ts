@@ -3,15 +3,15 @@ import { Router } from "express";
 import { Refusal } from "../problems.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
-import { patienceOf, readBearer, readClient, readNewer } from "./reading.ts";
+import { hearScript } from "./hear-script.ts";
+import { patienceOf, readNewer } from "./reading.ts";
 
 export function sensorRoutes(hub: SessionHub): Router {
   const router = Router();
   router
     .route("/robots/:id/sensors")
     .get(async (request, response) => {
-      const { session } = await hub.authorise(request.params.id, readBearer(request), ["drive"]);
-      session.heard(readClient(request));
+      const { session } = await hearScript(hub, request, response);
       const { after = -1, wait } = readNewer(request);
       const snapshot = await session.nextSnapshot(after, patienceOf(response, wait));
       if (snapshot === null) {

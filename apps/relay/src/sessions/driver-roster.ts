@@ -1,33 +1,74 @@
-/** Which scripts use a robot, as its page shows them; told at most once a second. */
-import type { Drivers } from "@corridor/protocol";
+/**
+ * Which scripts use a robot, as its page shows them; told at most once a second. The robot goes on with
+ * a motion without an end only while the script that wished it is heard: by each message and request,
+ * and for as long as a request waits for its answer.
+ */
+import type { AliveDriver, Drivers } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import { limits } from "./limits.ts";
+import { driverName } from "./page-frames.ts";
+
+/** Whoever was silent for longer holds no motion any more. */
+const FORGET_MS = 10_000;
+/** Beyond these nobody is told of: their motions end, that is all. */
+const MOST_TOLD = 16;
+
+interface Life {
+  heardAt: number;
+  /** requests that wait for their answer */
+  waiting: number;
+  /** when its newest line was opened */
+  lineAt: number | null;
+}
 
 export class DriverRoster {
   readonly #clock: Clock;
-  readonly #tell: (drivers: Drivers) => void;
+  readonly #tell: (drivers: Drivers, alive: AliveDriver[]) => void;
+  /** by the hash of its key */
+  readonly #lives = new Map<string, Life>();
   #connected = 0;
   #client: string | null = null;
   #heardAt: number | null = null;
   #cancelTimer: (() => void) | null = null;
   #isNews = false;
 
-  constructor(clock: Clock, tell: (drivers: Drivers) => void) {
+  constructor(clock: Clock, tell: (drivers: Drivers, alive: AliveDriver[]) => void) {
     this.#clock = clock;
     this.#tell = tell;
   }
 
-  /** A script was heard. @param client such as "Python" */
-  heard(client: string): void {
+  /**
+   * A script was heard.
+   * @param client such as "Python"
+   * @param driver hash of its key
+   * @returns to be called once its request is answered
+   */
+  heard(client: string, driver: string): () => void {
+    const life = this.#lifeOf(driver);
     this.#client = client;
     this.#heardAt = this.#clock.now();
+    life.waiting += 1;
     this.#changed();
+    let isWaiting = true;
+    return () => {
+      if (!isWaiting) return;
+      isWaiting = false;
+      life.waiting -= 1;
+      life.heardAt = this.#clock.now();
+      this.#changed();
+    };
   }
 
-  /** A script's socket was opened (1) or closed (-1). */
-  connected(change: 1 | -1): void {
-    this.#connected += change;
-    this.#changed();
+  /** A script's socket or stream was opened. @returns to be called when it is closed */
+  connected(driver: string): () => void {
+    this.#connected += 1;
+    this.#lifeOf(driver).lineAt = this.#clock.now();
+    // At once: what a script kept while it had no line may come right behind.
+    this.#flush();
+    return () => {
+      this.#connected -= 1;
+      this.#changed();
+    };
   }
 
   now(): Drivers {
@@ -35,9 +76,29 @@ export class DriverRoster {
     return { connected: this.#connected, client: this.#client, silentMs };
   }
 
+  /** The scripts that may hold a motion. */
+  alive(): AliveDriver[] {
+    const now = this.#clock.now();
+    return [...this.#lives]
+      .map(([driver, { heardAt, waiting, lineAt }]) => ({
+        driver: driverName(driver),
+        silentMs: waiting > 0 ? 0 : Math.max(0, now - heardAt),
+        lineMs: lineAt === null ? null : Math.max(0, now - lineAt),
+      }))
+      .toSorted((a, b) => a.silentMs - b.silentMs)
+      .slice(0, MOST_TOLD);
+  }
+
   close(): void {
     this.#cancelTimer?.();
     this.#cancelTimer = null;
+  }
+
+  #lifeOf(driver: string): Life {
+    const life = this.#lives.get(driver) ?? { heardAt: 0, waiting: 0, lineAt: null };
+    life.heardAt = this.#clock.now();
+    this.#lives.set(driver, life);
+    return life;
   }
 
   #changed(): void {
@@ -46,11 +107,21 @@ export class DriverRoster {
   }
 
   #flush(): void {
+    this.#cancelTimer?.();
     this.#isNews = false;
-    this.#tell(this.now());
+    this.#forgetSilent();
+    this.#tell(this.now(), this.alive());
     this.#cancelTimer = this.#clock.after(limits.driversIntervalMs, () => {
       this.#cancelTimer = null;
-      if (this.#isNews) this.#flush();
+      const isWaiting = [...this.#lives.values()].some(({ waiting }) => waiting > 0);
+      if (this.#isNews || isWaiting) this.#flush();
     });
+  }
+
+  #forgetSilent(): void {
+    const before = this.#clock.now() - FORGET_MS;
+    for (const [driver, { heardAt, waiting }] of this.#lives) {
+      if (waiting === 0 && heardAt < before) this.#lives.delete(driver);
+    }
   }
 }

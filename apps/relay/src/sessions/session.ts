@@ -63,8 +63,8 @@ export class Session {
     this.#audience = audience;
     this.#seat = seat;
     this.#life = new CommandLife({ robot: this.id, store, clock, witness, audience, seat });
-    this.roster = new DriverRoster(clock, (drivers) => {
-      seat.page?.link.send({ type: "drivers", ...drivers });
+    this.roster = new DriverRoster(clock, (drivers, alive) => {
+      seat.page?.link.send({ type: "drivers", ...drivers, alive });
     });
   }
 
@@ -114,7 +114,7 @@ export class Session {
     await this.#life.takePage(link, resume, () => {
       this.#used();
       this.#view.pageCame(this.#clock.now());
-      link.send({ type: "drivers", ...this.roster.now() });
+      link.send({ type: "drivers", ...this.roster.now(), alive: this.roster.alive() });
     });
   }
 
@@ -161,10 +161,10 @@ export class Session {
     return this.#life.endOf(seq, patience);
   }
 
-  /** A script was heard by HTTP or socket. */
-  heard(client: string): void {
+  /** A script was heard by HTTP or socket. @returns to be called once its request is answered */
+  heard(client: string, { hash }: StoredKey): () => void {
     this.#used();
-    this.roster.heard(client);
+    return this.roster.heard(client, hash);
   }
 
   /**
@@ -175,13 +175,13 @@ export class Session {
   join(grant: StoredKey, sink: ReaderSink, since: string | null): JoinedReader {
     const feed = new ReaderFeed(sink, this.#source, this.#clock);
     const leave = this.#audience.join(feed, grant.hash, sink.door);
-    this.roster.connected(1);
+    const disconnected = this.roster.connected(grant.hash);
     feed.begin(since);
     return {
       seen: (seq) => feed.seen(seq),
       leave: () => {
         feed.close();
-        if (leave()) this.roster.connected(-1);
+        if (leave()) disconnected();
       },
     };
   }

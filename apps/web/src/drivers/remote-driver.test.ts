@@ -50,7 +50,7 @@ describe("a remote command that waits in the robot", () => {
     deliver(MOVE);
     deliver(MOVE);
     bench.pass(100);
-    bench.loop.giveBack();
+    bench.loop.remote.giveBack();
     bench.pass(2_000);
     expect(bench.story).toEqual(["started 1", "completed 1"]);
   });
@@ -74,7 +74,7 @@ describe("a remote command that its sender takes back", () => {
     const { bench, deliver } = robot();
     deliver({ action: "forward" });
     bench.pass(100);
-    bench.loop.takeBack(1);
+    bench.loop.remote.takeBack(1);
     bench.pass(100);
     expect(bench.story).toEqual(["started 1", "cancelled 1"]);
     expect(bench.loop.snapshot()).toMatchObject({ motion: "stop", command: null });
@@ -84,8 +84,8 @@ describe("a remote command that its sender takes back", () => {
     const { bench, deliver } = robot();
     for (let n = 0; n < 3; n++) deliver(MOVE);
     bench.pass(100);
-    bench.loop.takeBack(2);
-    bench.loop.takeBack(2);
+    bench.loop.remote.takeBack(2);
+    bench.loop.remote.takeBack(2);
     bench.pass(4_000);
     expect(bench.story).toEqual([
       "started 1",
@@ -94,5 +94,112 @@ describe("a remote command that its sender takes back", () => {
       "started 3",
       "completed 3",
     ]);
+  });
+});
+
+describe("a motion without an end", () => {
+  const heard = (silentMs = 0) => [{ driver: "Zx81qP", silentMs, lineMs: null }];
+
+  it("stops 3 s after its script was heard last", () => {
+    const { bench, deliver } = robot();
+    // Slow enough not to meet a wall: leases count real time.
+    bench.loop.setSpeed(0.25);
+    deliver({ action: "forward" });
+    bench.pass(2_000);
+    bench.loop.remote.hear(heard(500));
+    bench.pass(2_400);
+    expect(bench.story).toEqual(["started 1"]);
+    bench.pass(200);
+    expect(bench.story).toEqual(["started 1", "cancelled 1"]);
+    expect(bench.loop.snapshot()).toMatchObject({ motion: "stop", command: null });
+  });
+
+  it("is not held by another script", () => {
+    const { bench, deliver } = robot();
+    // Slow enough not to meet a wall: leases count real time.
+    bench.loop.setSpeed(0.25);
+    deliver({ action: "forward" });
+    bench.pass(2_000);
+    bench.loop.remote.hear([{ driver: "other1", silentMs: 0, lineMs: null }]);
+    bench.pass(1_100);
+    expect(bench.story).toEqual(["started 1", "cancelled 1"]);
+  });
+
+  it.each([
+    { name: "half a second", lease: null, ends: 500 },
+    { name: "what the script asked for", lease: 1_500, ends: 1_500 },
+  ])("by wheel powers stops after $name when no other follows", ({ lease, ends }) => {
+    const { bench, deliver } = robot();
+    deliver({ action: "drive", left: 0.1, right: -0.1 }, { lease });
+    bench.pass(ends - 20);
+    bench.loop.remote.hear(heard());
+    expect(bench.story).toEqual(["started 1"]);
+    bench.pass(100);
+    expect(bench.story).toEqual(["started 1", "cancelled 1"]);
+  });
+
+  it("by wheel powers goes on while they come again", () => {
+    const { bench, deliver } = robot();
+    for (let n = 0; n < 10; n++) {
+      deliver({ action: "drive", left: 0.1, right: -0.1 });
+      bench.pass(100);
+    }
+    expect(bench.story.at(-1)).toBe("started 10");
+    expect(bench.loop.snapshot()).toMatchObject({ motion: "drive" });
+  });
+
+  it("is none with a time of its own: that runs to its end", () => {
+    const { bench, deliver } = robot();
+    deliver({ action: "drive", left: 0.1, right: -0.1, milliseconds: 5_000 });
+    bench.pass(5_200);
+    expect(bench.story).toEqual(["started 1", "completed 1"]);
+  });
+});
+
+describe("wheel powers that come all at once", () => {
+  const drive = (left: number): Command => ({ action: "drive", left, right: 0.1 });
+
+  it("count for the newest alone, where they come between two ticks", () => {
+    const { bench, deliver } = robot();
+    for (const left of [0.1, 0.2, 0.3]) deliver(drive(left));
+    bench.pass(100);
+    expect(bench.story).toEqual(["superseded 1", "superseded 2", "started 3"]);
+  });
+
+  it("count for the newest alone, where more than three come within 50 ms", () => {
+    const { bench, deliver } = robot();
+    for (const left of [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]) {
+      deliver(drive(left));
+      bench.time += 2;
+    }
+    bench.pass(40);
+    expect(bench.story.filter((told) => told.startsWith("started"))).toEqual([]);
+    bench.pass(40);
+    expect(bench.story.at(-1)).toBe("started 6");
+  });
+
+  it.each([
+    { name: "the page's own line", begin: (bench: Bench) => bench.loop.remote.giveBack() },
+    {
+      name: "the script's line",
+      begin: (bench: Bench) =>
+        bench.loop.remote.hear([{ driver: "Zx81qP", silentMs: 0, lineMs: 0 }]),
+    },
+  ])("count for the last of the first 100 ms of $name", ({ begin }) => {
+    const { bench, deliver } = robot();
+    begin(bench);
+    deliver(drive(0.1));
+    bench.pass(56);
+    deliver(drive(0.2));
+    bench.pass(56);
+    expect(bench.story).toEqual(["superseded 1", "started 2"]);
+  });
+
+  it("leave a stop and a manoeuvre alone", () => {
+    const { bench, deliver } = robot();
+    bench.loop.remote.giveBack();
+    deliver({ action: "left 90" });
+    bench.pass(30);
+    expect(bench.story).toEqual(["started 1"]);
   });
 });

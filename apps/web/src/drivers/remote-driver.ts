@@ -1,11 +1,14 @@
 /**
  * Driving by remote commands: they start in the order of their seq, a manoeuvre runs to its end, and
- * a motion without an end lasts until the next command. Only the robot ends a command that it was
- * given, and it ends each exactly once. It counts by its own clock how long each may wait.
+ * a motion without an end lasts until the next command or until its lease is over. Only the robot ends a
+ * command that it was given, and it ends each exactly once. It counts by its own clock how long each may
+ * wait.
  */
-import type { DeliveredCommand, EndingState, Pose } from "@corridor/protocol";
+import type { AliveDriver, DeliveredCommand, EndingState, Pose } from "@corridor/protocol";
 import type { Run, RunInput } from "@corridor/recording";
+import { BurstGuard } from "./burst-guard.ts";
 import type { CancelReason } from "./cancel-reason.ts";
+import { isRegister, MotionLease } from "./motion-lease.ts";
 
 export interface Ending {
   state: EndingState;
@@ -37,101 +40,140 @@ interface Running {
   seq: number;
   /** units driven before it */
   distance: number;
+  lease: MotionLease | null;
 }
 
 export class RemoteDriver {
   readonly #events: RemoteDriverEvents;
+  readonly #robotNow: () => RemoteRobot;
+  readonly #now: () => number;
+  readonly #bursts = new BurstGuard();
   #waiting: Waiting[] = [];
   #running: Running | null = null;
 
-  constructor(events: RemoteDriverEvents) {
+  /**
+   * @param robot the one that is driven at the moment
+   * @param now monotonic milliseconds
+   */
+  constructor(events: RemoteDriverEvents, robot: () => RemoteRobot, now: () => number) {
     this.#events = events;
+    this.#robotNow = robot;
+    this.#now = now;
   }
 
-  /**
-   * Takes a delivered command into the queue. One that replaces ends all before it.
-   * @param now monotonic milliseconds, here and below
-   */
-  accept(robot: RemoteRobot, delivery: DeliveredCommand, now: number): void {
+  /** Takes a delivered command into the queue. One that replaces ends all before it. */
+  accept(delivery: DeliveredCommand): void {
+    const now = this.#now();
     if (delivery.replace) {
-      this.#endAll(robot, "superseded", "replaced");
-      robot.input({ do: "cancel" });
+      this.#endAll("superseded", "replaced");
+      this.#robot.input({ do: "cancel" });
     }
+    if (isRegister(delivery)) {
+      this.#bursts.came(now);
+      this.#supersedeLast(delivery.driver);
+    }
+    this.#running?.lease?.heard(delivery.driver, now);
     this.#waiting.push({ delivery, startBy: now + delivery.remaining });
   }
 
-  /** Ends what has waited for longer than its sender wished. */
-  expire(robot: RemoteRobot, now: number): void {
+  /** Scripts were heard: who is, keeps the motion that it wished. */
+  hear(alive: readonly AliveDriver[]): void {
+    const now = this.#now();
+    for (const { driver, silentMs, lineMs } of alive) {
+      this.#running?.lease?.heard(driver, now - silentMs);
+      if (lineMs !== null) this.#bursts.lineOf(lineMs, now);
+    }
+  }
+
+  /** As time passes: ends what has waited too long, and a motion whose lease is over. */
+  tend(): void {
+    const now = this.#now();
+    if (this.#running?.lease?.isOver(now) === true) this.#stop("silent");
     if (this.#waiting.length === 0) return;
     const late = this.#waiting.filter(({ startBy }) => startBy <= now);
     if (late.length === 0) return;
     this.#waiting = this.#waiting.filter(({ startBy }) => startBy > now);
-    for (const { delivery } of late) this.#report(robot, delivery.seq, "expired", null, 0);
+    for (const { delivery } of late) this.#report(delivery.seq, "expired", null, 0);
   }
 
   /** Before a tick: starts the next command unless a manoeuvre runs. */
-  begin(robot: RemoteRobot): void {
-    const { run } = robot;
+  begin(): void {
+    const { run } = this.#robot;
     const next = this.#waiting[0]?.delivery;
     if (next === undefined || run.isManoeuvring) return;
+    const now = this.#now();
+    if (isRegister(next) && this.#bursts.isHeld(now)) return;
     this.#waiting.shift();
-    this.#end(robot, "completed", null);
-    this.#running = { seq: next.seq, distance: run.distance };
-    robot.input({ do: "command", command: next.command, seq: next.seq });
+    this.#end("completed", null);
+    this.#running = {
+      seq: next.seq,
+      distance: run.distance,
+      lease: MotionLease.of(next, now),
+    };
+    this.#robot.input({ do: "command", command: next.command, seq: next.seq });
     this.#events.started(next.seq);
-    this.finish(robot);
+    this.finish();
   }
 
   /** After a tick: ends the command whose manoeuvre is over or that ran into a wall. */
-  finish(robot: RemoteRobot): void {
-    if (this.#running === null || robot.run.command !== null) return;
-    this.#end(robot, robot.run.commandEnding ?? "completed", null);
+  finish(): void {
+    const { run } = this.#robot;
+    if (this.#running === null || run.command !== null) return;
+    this.#end(run.commandEnding ?? "completed", null);
   }
 
   /** Ends the running and every waiting command; the robot is for the caller to stop. */
-  cancel(robot: RemoteRobot, reason: CancelReason): void {
-    this.#endAll(robot, "cancelled", reason);
+  cancel(reason: CancelReason): void {
+    this.#endAll("cancelled", reason);
   }
 
   /** Ends one command that its sender takes back, and stops the robot where it runs. */
-  takeBack(robot: RemoteRobot, seq: number): void {
-    if (this.#running?.seq === seq) {
-      this.#end(robot, "cancelled", "takenBack");
-      robot.input({ do: "cancel" });
-      return;
-    }
+  takeBack(seq: number): void {
+    if (this.#running?.seq === seq) return this.#stop("takenBack");
     const rest = this.#waiting.filter(({ delivery }) => delivery.seq !== seq);
     if (rest.length === this.#waiting.length) return;
     this.#waiting = rest;
-    this.#report(robot, seq, "cancelled", "takenBack", 0);
+    this.#report(seq, "cancelled", "takenBack", 0);
   }
 
-  /** Forgets what waits: the relay gives again what still holds. */
+  /** A new line to the relay: forgets what waits, since the relay gives again what still holds. */
   giveBack(): void {
     this.#waiting = [];
+    this.#bursts.newLine();
   }
 
-  #endAll(robot: RemoteRobot, state: EndingState, reason: CancelReason): void {
-    this.#end(robot, state, reason);
+  get #robot(): RemoteRobot {
+    return this.#robotNow();
+  }
+
+  /** Of the velocities of one script that wait one behind the other, the newest counts. */
+  #supersedeLast(driver: string): void {
+    const last = this.#waiting.at(-1)?.delivery;
+    if (last === undefined || !isRegister(last) || last.driver !== driver) return;
+    this.#waiting.pop();
+    this.#report(last.seq, "superseded", "replaced", 0);
+  }
+
+  #stop(reason: CancelReason): void {
+    this.#end("cancelled", reason);
+    this.#robot.input({ do: "cancel" });
+  }
+
+  #endAll(state: EndingState, reason: CancelReason): void {
+    this.#end(state, reason);
     const waiting = this.#waiting;
     this.#waiting = [];
-    for (const { delivery } of waiting) this.#report(robot, delivery.seq, state, reason, 0);
+    for (const { delivery } of waiting) this.#report(delivery.seq, state, reason, 0);
   }
 
-  #end(robot: RemoteRobot, state: EndingState, reason: CancelReason | null): void {
+  #end(state: EndingState, reason: CancelReason | null): void {
     const running = this.#running;
     if (running === null) return;
     this.#running = null;
-    this.#report(robot, running.seq, state, reason, robot.run.distance - running.distance);
+    this.#report(running.seq, state, reason, this.#robot.run.distance - running.distance);
   }
 
-  #report(
-    robot: RemoteRobot,
-    seq: number,
-    state: EndingState,
-    reason: CancelReason | null,
-    distance: number,
-  ): void {
-    this.#events.ended(seq, { state, reason, pose: robot.run.pose, distance });
+  #report(seq: number, state: EndingState, reason: CancelReason | null, distance: number): void {
+    this.#events.ended(seq, { state, reason, pose: this.#robot.run.pose, distance });
   }
 }

@@ -112,8 +112,9 @@ function openPage() {
     onView: (newest) => (view = newest),
     onDelivery: (delivery) => loop.accept(delivery),
     cancel: (reason) => loop.cancelRemote(reason),
-    takeBack: (seq) => loop.takeBack(seq),
-    giveBack: () => loop.giveBack(),
+    takeBack: (seq) => loop.remote.takeBack(seq),
+    giveBack: () => loop.remote.giveBack(),
+    hear: (alive) => loop.remote.hear(alive),
     fetch: relay.fetch,
     platform: relay.platform,
   });

@@ -4,7 +4,13 @@
  * by script never loads it.
  */
 import type { HostLink, HostLinkOptions, HostStatus, registerRobot } from "@corridor/client/host";
-import type { CommandRecord, DeliveredCommand, Drivers, Snapshot } from "@corridor/protocol";
+import type {
+  AliveDriver,
+  CommandRecord,
+  DeliveredCommand,
+  Drivers,
+  Snapshot,
+} from "@corridor/protocol";
 import { cancelReasons, type CancelReason } from "../drivers/cancel-reason.ts";
 import type { Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
 import type { troubleOf } from "./remote-trouble.ts";
@@ -30,6 +36,8 @@ export interface RemoteHostPorts {
   takeBack(seq: number): void;
   /** forgets what was delivered and has not started */
   giveBack(): void;
+  /** scripts were heard, and may go on with the motions that they wished */
+  hear(alive: readonly AliveDriver[]): void;
   fetch: Parameters<typeof registerRobot>[1];
   /** default: what the worker offers */
   platform?: NonNullable<HostLinkOptions["platform"]>;
@@ -141,8 +149,9 @@ export class RemoteHost implements RemoteDriverEvents {
       onState: (record, ttl) => this.#show({ ...record, ttl, reason: null }),
       onRefused: ({ seq, state }) => this.#change(seq, { state, reason: null }),
       onStatus: (status) => this.#linkChanged(status, trouble.troubleOf),
-      onDrivers: (drivers) => {
+      onDrivers: (drivers, alive) => {
         this.#drivers = drivers;
+        this.#ports.hear(alive);
         if (this.isOpen) this.#tell(this.#connectedStatus());
       },
       ...(platform === undefined ? {} : { platform }),

@@ -23,10 +23,11 @@ import { ScreenMoment } from "./screen-moment.ts";
 import type { DriveKey, Frame, Moment, Speed } from "./worker-messages.ts";
 
 export class RunLoop {
-  readonly #now: () => number;
+  /** the commands of scripts; they come in by `accept`, and all end by `cancelRemote` */
+  readonly remote: Pick<RemoteDriver, "takeBack" | "giveBack" | "hear">;
+  readonly #remote: RemoteDriver;
   readonly #clock: RunClock;
   readonly #watch = new RunWatch();
-  readonly #remote: RemoteDriver;
   readonly #live: LiveRun;
   readonly #screen: ScreenMoment;
   /** a script's robot goes on as soon as the newest moment is shown again */
@@ -43,10 +44,10 @@ export class RunLoop {
     now: () => number,
     remoteEvents: RemoteDriverEvents,
   ) {
-    this.#now = now;
     this.#clock = new RunClock(now);
-    this.#remote = new RemoteDriver(remoteEvents);
     this.#live = new LiveRun(maze, program);
+    this.#remote = new RemoteDriver(remoteEvents, () => this.#recording, now);
+    this.remote = this.#remote;
     this.#screen = new ScreenMoment(this.#live);
   }
 
@@ -66,7 +67,7 @@ export class RunLoop {
     this.now();
     this.#isDirty = true;
     if (this.#live.run.tick > 0 && this.#live.bringMaze()) return;
-    this.#remote.cancel(this.#recording, "mazeChanged");
+    this.#remote.cancel("mazeChanged");
     this.#beginRun();
   }
 
@@ -105,7 +106,7 @@ export class RunLoop {
 
   /** Robot to start; maze, program, driver and speed stay. A new run begins. */
   reset(): void {
-    this.#remote.cancel(this.#recording, "reset");
+    this.#remote.cancel("reset");
     this.#beginRun();
   }
 
@@ -117,7 +118,7 @@ export class RunLoop {
   setDriver(driver: DriverName): void {
     this.now();
     if (driver === this.driver) return;
-    if (this.driver === "remote") this.#remote.cancel(this.#recording, "handedOver");
+    if (this.driver === "remote") this.#remote.cancel("handedOver");
     this.#recording.input({ do: "driver", driver });
     this.pause();
     if (driver === "remote") this.#start();
@@ -145,29 +146,18 @@ export class RunLoop {
    * live: the newest moment is shown again.
    */
   accept(delivery: DeliveredCommand): void {
-    this.#remote.accept(this.#recording, delivery, this.#now());
+    this.#remote.accept(delivery);
     if (this.driver === "remote") this.now();
-    else this.#remote.cancel(this.#recording, "notRemote");
+    else this.#remote.cancel("notRemote");
     this.#isDirty = true;
   }
 
   /** Ends what remote commands run and wait, and stops the robot. */
   cancelRemote(reason: CancelReason): void {
     if (this.driver !== "remote") return;
-    this.#remote.cancel(this.#recording, reason);
+    this.#remote.cancel(reason);
     this.#recording.input({ do: "cancel" });
     this.#isDirty = true;
-  }
-
-  /** Ends one remote command that its sender takes back. */
-  takeBack(seq: number): void {
-    this.#remote.takeBack(this.#recording, seq);
-    this.#isDirty = true;
-  }
-
-  /** Forgets the remote commands that wait. */
-  giveBack(): void {
-    this.#remote.giveBack();
   }
 
   /** Shows the moment at the end of a tick; the live run waits. */
@@ -211,7 +201,7 @@ export class RunLoop {
 
   /** Shows another run where it ended, paused. @returns the documents that it ended with */
   open(recording: Recording): { ok: true; maze: MazeDocument; program: ProgramDocument } {
-    this.#remote.cancel(this.#recording, "movedInTime");
+    this.#remote.cancel("movedInTime");
     this.#live.open(recording);
     this.#begun();
     const { maze, program } = this.#live;
@@ -222,7 +212,7 @@ export class RunLoop {
 
   /** Runs the ticks that real time asks for since the last call. */
   advance(): void {
-    this.#remote.expire(this.#recording, this.#now());
+    this.#remote.tend();
     this.#clock.advance(this.isRunning, (count) => this.#runTicks(count));
   }
 
@@ -286,7 +276,7 @@ export class RunLoop {
     this.#screen.leavePast();
     this.#resumesNow = false;
     this.#isDirty = true;
-    this.#remote.cancel(this.#recording, "movedInTime");
+    this.#remote.cancel("movedInTime");
     this.#recording.truncate(tick);
     this.#watch.cut(this.#recording);
     if (!this.#live.bringMaze()) {
@@ -324,11 +314,11 @@ export class RunLoop {
     const recording = this.#recording;
     const { run } = recording;
     const isRemote = run.driver === "remote";
-    if (isRemote) this.#remote.begin(recording);
+    if (isRemote) this.#remote.begin();
     this.#watch.before(run);
     recording.step();
     const isToWait = this.#watch.after(recording);
-    if (isRemote) this.#remote.finish(recording);
+    if (isRemote) this.#remote.finish();
     if (isToWait) this.pause();
     const isDecisionDone = !run.isManoeuvring || run.decidedAt === run.tick;
     if (this.#isStepping && isDecisionDone) this.pause();

@@ -66,8 +66,9 @@ async function loadRemote(): Promise<RemoteHost> {
     onView: (view) => post({ type: "remote", remote: view }),
     onDelivery: (delivery) => loop?.accept(delivery),
     cancel: (reason) => loop?.cancelRemote(reason),
-    takeBack: (seq) => loop?.takeBack(seq),
-    giveBack: () => loop?.giveBack(),
+    takeBack: (seq) => loop?.remote.takeBack(seq),
+    giveBack: () => loop?.remote.giveBack(),
+    hear: (alive) => loop?.remote.hear(alive),
     fetch: (url, request) => fetch(url, request),
   });
   return remote;
