@@ -4,6 +4,7 @@ import type { Logger } from "pino";
 import type { Clock } from "./clock.ts";
 import type { DocumentShelf } from "./documents/document-shelf.ts";
 import type { Entrance } from "./entrance/entrance.ts";
+import type { HttpLines } from "./gateways/http-lines.ts";
 import type { Metrics } from "./metrics/metrics.ts";
 import type { Readiness } from "./readiness.ts";
 import { commandRoutes } from "./routes/commands.ts";
@@ -13,6 +14,7 @@ import { eventRoutes } from "./routes/events.ts";
 import { notFound, problemAnswers } from "./routes/fallbacks.ts";
 import { healthRoutes } from "./routes/health.ts";
 import { pythonClientRoutes } from "./routes/python-client.ts";
+import { lineRoutes } from "./routes/lines.ts";
 import { requestLog } from "./routes/request-log.ts";
 import { robotRoutes } from "./routes/robots.ts";
 import { openToAllSites, securityHeaders } from "./routes/security-headers.ts";
@@ -21,6 +23,7 @@ import type { SessionHub } from "./sessions/session-hub.ts";
 
 export interface AppDependencies {
   hub: SessionHub;
+  lines: HttpLines;
   documents: DocumentShelf;
   clock: Clock;
   log: Logger;
@@ -34,7 +37,7 @@ export interface AppDependencies {
 
 /** Builds the application from its parts. */
 export function createApp(dependencies: AppDependencies): Express {
-  const { hub, documents, clock, log, entrance, readiness, metrics, page, isDevelopment } =
+  const { hub, lines, documents, clock, log, entrance, readiness, metrics, page, isDevelopment } =
     dependencies;
   const app = express();
   app.disable("x-powered-by");
@@ -57,6 +60,7 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(sensorRoutes(hub));
   api.use(commandRoutes(hub));
   api.use(eventRoutes(hub, clock));
+  api.use(lineRoutes(lines, entrance));
   api.use(documentRoutes(documents, entrance));
   api.use(notFound);
   app.use("/api/v1", api);

@@ -2,8 +2,13 @@
 import { createHash, randomBytes, timingSafeEqual } from "node:crypto";
 import type { KeyKind, StoredKey } from "./store/session-store.ts";
 
-/** delete: take back what a short link leads to. */
-const PREFIX: Record<KeyKind | "delete", string> = { own: "own_", drive: "drv_", delete: "del_" };
+/** delete: take back what a short link leads to. line: go on with a line by HTTPS. */
+const PREFIX: Record<KeyKind | "delete" | "line", string> = {
+  own: "own_",
+  drive: "drv_",
+  delete: "del_",
+  line: "lin_",
+};
 
 function randomText(): string {
   return randomBytes(16).toString("base64url");

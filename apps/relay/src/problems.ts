@@ -18,6 +18,7 @@ export const problemKinds = {
   forbidden: { status: 403, title: "This key does not allow that" },
   "not-found": { status: 404, title: "There is nothing here" },
   "no-robot": { status: 404, title: "There is no such robot" },
+  "no-line": { status: 404, title: "This line is closed" },
   "no-document": { status: 404, title: "There is no such short link" },
   "no-command": { status: 404, title: "There is no such command" },
   "method-not-allowed": { status: 405, title: "This address does not know the method" },

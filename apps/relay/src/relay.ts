@@ -8,6 +8,7 @@ import type { Clock } from "./clock.ts";
 import type { Config } from "./config.ts";
 import { DocumentShelf } from "./documents/document-shelf.ts";
 import { Entrance } from "./entrance/entrance.ts";
+import { HttpLines } from "./gateways/http-lines.ts";
 import { WebSocketGateway } from "./gateways/websocket-gateway.ts";
 import { closeServer, listen, portOf } from "./listening.ts";
 import { metricsServer } from "./metrics/metrics-server.ts";
@@ -58,6 +59,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   const entrance = new Entrance(config);
   const readiness = new Readiness(store, clock, log);
   const gateway = new WebSocketGateway({ hub, clock, log, entrance, metrics });
+  const lines = new HttpLines({ hub, clock, log, metrics });
   const server = createServer({
     // Old HTTP clients offer "Upgrade: h2c"; that is an ordinary request, not a WebSocket.
     shouldUpgradeCallback: (request) => request.headers.upgrade?.toLowerCase() === "websocket",
@@ -67,7 +69,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   });
   const development = isDevelopment ? await developmentPage(webRoot, server) : null;
   const page: Router = development?.router ?? builtPage(join(webRoot, "dist"));
-  const parts = { hub, documents, clock, log, entrance, readiness, metrics };
+  const parts = { hub, lines, documents, clock, log, entrance, readiness, metrics };
   server.on("request", createApp({ ...parts, page, isDevelopment }));
   server.on("upgrade", (request, socket, head) => {
     // Vite listens for its own socket by itself.
@@ -81,6 +83,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     readiness.drain();
     if (noticeMs > 0) await new Promise<void>((resolve) => clock.after(noticeMs, resolve));
     gateway.close();
+    lines.close();
     await hub.close();
     await development?.close();
     await closeServer(server, SHUTDOWN_MS, () => gateway.cut());

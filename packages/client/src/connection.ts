@@ -4,21 +4,33 @@
  * The pause before a new try is drawn from 0 to a limit that doubles from 0.25 s to 10 s (full
  * jitter), so that a whole class does not come back in the same moment. Close codes that forbid a
  * retry end the connection for good.
+ *
+ * Where the network lets no WebSocket through, the line goes on by plain HTTPS, and comes back to a
+ * WebSocket when one can be opened.
  */
 import {
   closeReasonOf,
+  closeReasons,
   type CloseReason,
   type ReadResult,
+  type SocketEvents,
   type SocketPort,
 } from "@corridor/protocol";
+import { DoorChoice, type Door } from "./door-choice.ts";
+import { HttpsLine } from "./https-line.ts";
 import type { Platform } from "./platform.ts";
 
 const FIRST_PAUSE_MS = 250;
 const LONGEST_PAUSE_MS = 10_000;
 /** From the first try to open until the welcome. */
 const WELCOME_MS = 10_000;
+/** The same where there is another way. */
+const FALLBACK_MS = 4_000;
 /** The relay speaks at least every 20 s. */
 const SILENCE_MS = 45_000;
+
+/** With any other code, something on the way closed the line, or it was lost. */
+const ownCodes: ReadonlySet<number> = new Set(Object.values(closeReasons).map(({ code }) => code));
 
 export type ConnectionStatus =
   | { kind: "connecting" }
@@ -28,7 +40,8 @@ export type ConnectionStatus =
   | { kind: "over"; reason: CloseReason };
 
 export interface ConnectionOptions<In> {
-  url: string;
+  /** of the WebSocket, and of the line by HTTPS */
+  urls: Record<Door, string>;
   platform: Omit<Platform, "uniqueText">;
   /** the first messages of each new socket */
   greeting: () => string[];
@@ -44,6 +57,9 @@ export class Connection<In extends { type: string }> {
   #isConnected = false;
   #isOver = false;
   #lostInARow = 0;
+  readonly #choice = new DoorChoice();
+  #connectedAt: number | null = null;
+  #cancelProbe: () => void = () => undefined;
   #cancelTimer: () => void = () => undefined;
 
   constructor(options: ConnectionOptions<In>) {
@@ -53,6 +69,11 @@ export class Connection<In extends { type: string }> {
   /** Whether the relay has said welcome on the line that is open now. */
   get isConnected(): boolean {
     return this.#isConnected;
+  }
+
+  /** The way that is in use. */
+  get door(): Door {
+    return this.#choice.door;
   }
 
   /** bytes that were sent but have not left this machine */
@@ -67,9 +88,9 @@ export class Connection<In extends { type: string }> {
   open(): void {
     if (this.#isOver || this.#socket !== null) return;
     this.#cancelTimer();
-    const { url, platform, greeting, changed } = this.#options;
+    const { greeting, changed } = this.#options;
     changed({ kind: "connecting" });
-    const socket = platform.connect(url, {
+    const socket = this.#openDoor({
       opened: () => {
         if (this.#socket === socket) for (const text of greeting()) socket.send(text);
       },
@@ -81,7 +102,7 @@ export class Connection<In extends { type: string }> {
       },
     });
     this.#socket = socket;
-    this.#expect(WELCOME_MS);
+    this.#expect(this.#canFallBack ? FALLBACK_MS : WELCOME_MS);
   }
 
   /** Sends a message on the open line. Whoever calls keeps what must survive a lost line. */
@@ -104,6 +125,9 @@ export class Connection<In extends { type: string }> {
     if (isWelcome) {
       this.#isConnected = true;
       this.#lostInARow = 0;
+      this.#connectedAt = this.#options.platform.clock.now();
+      this.#choice.welcomed();
+      if (this.#choice.door === "https") this.#probeLater();
     }
     received(message.value);
     if (isWelcome) changed({ kind: "connected" });
@@ -117,12 +141,64 @@ export class Connection<In extends { type: string }> {
     );
   }
 
+  /** Whether the WebSocket that is being opened is not the only way. */
+  get #canFallBack(): boolean {
+    return this.#choice.door === "websocket" && this.#options.platform.ask !== undefined;
+  }
+
+  #openDoor(events: SocketEvents): SocketPort {
+    const { urls, platform } = this.#options;
+    const { ask } = platform;
+    if (this.#choice.door === "websocket" || ask === undefined) {
+      return platform.connect(urls.websocket, events);
+    }
+    return new HttpsLine(urls.https, { ...platform, ask }, events);
+  }
+
+  /** Looks from time to time whether a WebSocket can be opened again, and moves over to it. */
+  #probeLater(): void {
+    const { urls, platform } = this.#options;
+    this.#cancelProbe = platform.clock.after(this.#choice.probeMs, () => {
+      let isDone = false;
+      const over = (isOpen: boolean): void => {
+        if (isDone) return;
+        this.#cancelProbe();
+        if (!isOpen) {
+          this.#choice.websocketFailed();
+          return this.#probeLater();
+        }
+        this.#choice.websocketOpened();
+        this.#drop();
+        return this.open();
+      };
+      const probe = platform.connect(urls.websocket, {
+        opened: () => over(true),
+        received: () => undefined,
+        closed: () => over(false),
+      });
+      const cancelTimer = platform.clock.after(FALLBACK_MS, () => over(false));
+      this.#cancelProbe = () => {
+        isDone = true;
+        this.#cancelProbe = () => undefined;
+        cancelTimer();
+        probe.close(1000, "");
+      };
+    });
+  }
+
   #lost(reason: CloseReason): void {
-    this.#drop();
     const { platform, changed } = this.#options;
+    const connectedAt = this.#isConnected ? this.#connectedAt : null;
+    this.#drop();
     if (!reason.retry) {
       this.#isOver = true;
       return changed({ kind: "over", reason });
+    }
+    const livedMs = connectedAt === null ? null : platform.clock.now() - connectedAt;
+    const isDeliberate = platform.ask === undefined || ownCodes.has(reason.code);
+    if (this.#choice.lost({ livedMs, isDeliberate })) {
+      if (livedMs !== null) changed({ kind: "lost", reason, retryMs: 0 });
+      return this.open();
     }
     const limit = Math.min(LONGEST_PAUSE_MS, FIRST_PAUSE_MS * 2 ** this.#lostInARow);
     this.#lostInARow += 1;
@@ -133,6 +209,7 @@ export class Connection<In extends { type: string }> {
 
   #drop(): void {
     this.#cancelTimer();
+    this.#cancelProbe();
     const socket = this.#socket;
     this.#socket = null;
     this.#isConnected = false;

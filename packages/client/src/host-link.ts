@@ -28,7 +28,7 @@ import {
 import { AppliedCommands } from "./applied-commands.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
-import { socketUrl } from "./robot-address.ts";
+import { doorUrls } from "./robot-address.ts";
 
 /** A snapshot is left out while so many bytes wait: a newer one will do. */
 const CROWDED_BYTES = 64 * 1024;
@@ -93,7 +93,7 @@ export class HostLink {
     this.#applied = new AppliedCommands(options.lastApplied);
     const { origin, credentials } = options;
     this.#connection = new Connection({
-      url: socketUrl(origin, credentials.id),
+      urls: doorUrls(origin, credentials.id),
       platform: options.platform ?? globalPlatform(),
       greeting: () => this.#greeting(),
       decode: (text) => decodeFrame(relayToPageSchema, text),

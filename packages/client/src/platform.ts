@@ -17,9 +17,26 @@ export type Fetch = (
   request: { method: string },
 ) => Promise<{ status: number; text(): Promise<string> }>;
 
+export interface HttpRequest {
+  method: string;
+  url: string;
+  /** bearer key; null: none */
+  key: string | null;
+  /** JSON; null: no body */
+  body: string | null;
+}
+
+/** Makes a request. `answer` rejects when none comes, or when it is called off by `cancel`. */
+export type Ask = (request: HttpRequest) => {
+  answer: Promise<{ status: number; body: string }>;
+  cancel(): void;
+};
+
 /** How a connection reaches the world; each piece may be replaced in tests. */
 export interface Platform {
   connect: SocketFactory;
+  /** the way for networks that let no WebSocket through; without it there is none */
+  ask?: Ask;
   clock: Clock;
   /** a number from 0 to below 1, for the pauses between tries */
   random(): number;
@@ -37,7 +54,18 @@ interface GlobalWebSocket {
   close(code: number, reason: string): void;
 }
 
+interface GlobalRequest {
+  method: string;
+  headers: Record<string, string>;
+  body: string | null;
+  signal: unknown;
+  cache: "no-store";
+  credentials: "omit";
+}
+
 interface Globals {
+  fetch(url: string, request: GlobalRequest): Promise<{ status: number; text(): Promise<string> }>;
+  AbortController: new () => { signal: unknown; abort(): void };
   WebSocket: new (url: string) => GlobalWebSocket;
   performance: { now(): number };
   setTimeout(call: () => void, ms: number): unknown;
@@ -53,6 +81,26 @@ export function globalPlatform(): Platform {
   const randomWord = (): number => globals.crypto.getRandomValues(new Uint32Array(1))[0] ?? 0;
   return {
     connect: (url, events) => openSocket(new globals.WebSocket(url), events),
+    ask: ({ method, url, key, body }) => {
+      const controller = new globals.AbortController();
+      const headers = {
+        ...(key !== null && { Authorization: `Bearer ${key}` }),
+        ...(body !== null && { "Content-Type": "application/json" }),
+      };
+      const { signal } = controller;
+      const request = {
+        method,
+        headers,
+        body,
+        signal,
+        cache: "no-store",
+        credentials: "omit",
+      } as const;
+      const answer = globals
+        .fetch(url, request)
+        .then(async (got) => ({ status: got.status, body: await got.text() }));
+      return { answer, cancel: () => controller.abort() };
+    },
     clock: {
       now: () => globals.performance.now(),
       after: (ms, call) => {

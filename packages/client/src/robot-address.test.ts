@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { parseRobotAddress, socketUrl } from "./robot-address.ts";
+import { doorUrls, parseRobotAddress } from "./robot-address.ts";
 import { ADDRESS } from "./testing/messages.ts";
 
 describe("parseRobotAddress", () => {
@@ -10,10 +10,11 @@ describe("parseRobotAddress", () => {
       id: "AAAAAAAAAAAAAAAAAAAAAA",
       key: "drv_BBBBBBBBBBBBBBBBBBBBBB",
     });
-    expect(socketUrl(address.origin, address.id)).toBe(
-      "ws://localhost:8080/api/v1/robots/AAAAAAAAAAAAAAAAAAAAAA/socket",
-    );
-    expect(socketUrl("https://http.example", "x")).toMatch(/^wss:\/\/http\.example\//);
+    expect(doorUrls(address.origin, address.id)).toEqual({
+      websocket: "ws://localhost:8080/api/v1/robots/AAAAAAAAAAAAAAAAAAAAAA/socket",
+      https: "http://localhost:8080/api/v1/robots/AAAAAAAAAAAAAAAAAAAAAA/line",
+    });
+    expect(doorUrls("https://http.example", "x").websocket).toMatch(/^wss:\/\/http\.example\//);
   });
 
   it.each([

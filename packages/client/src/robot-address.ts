@@ -1,5 +1,6 @@
 /** The address of a robot, `https://HOST/r/ID#KEY`: all that a script needs. */
 import { ClientError } from "./client-error.ts";
+import type { Door } from "./door-choice.ts";
 
 export interface RobotAddress {
   /** such as https://robots.example.org */
@@ -25,9 +26,10 @@ export function parseRobotAddress(text: string): RobotAddress {
   return { origin, id, key };
 }
 
-/** Where the robot's WebSocket is. The key is not part of it. */
-export function socketUrl(origin: string, id: string): string {
-  return `${origin.replace(/^http/, "ws")}/api/v1/robots/${id}/socket`;
+/** Where the robot's WebSocket is, and the line by HTTPS in its place. The key is part of neither. */
+export function doorUrls(origin: string, id: string): Record<Door, string> {
+  const robot = `${origin}/api/v1/robots/${id}`;
+  return { websocket: `${robot.replace(/^http/, "ws")}/socket`, https: `${robot}/line` };
 }
 
 function hintFor(address: string): string {

@@ -26,7 +26,7 @@ import {
 import { ClientError } from "./client-error.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
-import { parseRobotAddress, socketUrl } from "./robot-address.ts";
+import { parseRobotAddress, doorUrls } from "./robot-address.ts";
 import { SnapshotInbox } from "./snapshot-inbox.ts";
 
 /** What may be said beside a command. */
@@ -97,7 +97,7 @@ export class RobotClient {
     this.#wish = options.ttl === undefined ? {} : { ttl: options.ttl };
     this.#inbox = new SnapshotInbox(this.#platform.clock);
     this.#connection = new Connection({
-      url: socketUrl(origin, id),
+      urls: doorUrls(origin, id),
       platform: this.#platform,
       greeting: () => [this.#hello(key)],
       decode: (text) => decodeFrame(relayToDriverSchema, text),
@@ -219,7 +219,7 @@ export class RobotClient {
         new ClientError(
           "timeout",
           "The service does not answer",
-          "Check that it runs, that the address is right and that this network lets WebSockets through.",
+          "Check that it runs, that the address is right and that this computer has a network.",
         ),
       ),
     );
@@ -305,6 +305,8 @@ export class RobotClient {
         return;
       case "snapshot":
         this.#inbox.put(message.snapshot);
+        // By HTTPS the next request says it already.
+        if (this.#connection.door === "https") return;
         return this.#connection.send(encodeFrame({ type: "seen", seq: message.snapshot.seq }));
       case "ack":
         return this.#acknowledged(message.record);

@@ -29,6 +29,17 @@ export {
   type StateEvent,
 } from "./events.ts";
 export {
+  fetchedMessagesSchema,
+  MAX_LINE_MESSAGES,
+  openedLineSchema,
+  sentMessagesSchema,
+  takenMessagesSchema,
+  type FetchedMessages,
+  type OpenedLine,
+  type SentMessages,
+  type TakenMessages,
+} from "./lines.ts";
+export {
   driversSchema,
   driverToRelaySchema,
   helloSchema,

@@ -41,7 +41,7 @@ export class DriverConversation implements Conversation {
     this.#options = options;
     const { grant, line, client, since } = options;
     const sink: ReaderSink = {
-      door: "websocket",
+      door: line.door,
       flow: line.flow,
       began: (start) => this.#send({ type: "welcome", version: PROTOCOL_VERSION, ...start }),
       snapshot: (snapshot) => this.#send({ type: "snapshot", snapshot }),

@@ -3,5 +3,6 @@ import type { SocketPort } from "@corridor/protocol";
 import type { ReaderFlow } from "../sessions/reader-feed.ts";
 
 export interface ReaderLine extends SocketPort {
+  readonly door: "websocket" | "line";
   readonly flow: ReaderFlow;
 }

@@ -13,7 +13,6 @@ import {
   MAX_FRAME_BYTES,
   MAX_HELLO_BYTES,
   robotIdSchema,
-  type CloseReason,
 } from "@corridor/protocol";
 import type { Logger } from "pino";
 import { WebSocketServer, type WebSocket } from "ws";
@@ -22,25 +21,16 @@ import type { Clock } from "../clock.ts";
 import { markOf } from "../keys.ts";
 import type { Entrance } from "../entrance/entrance.ts";
 import type { Metrics } from "../metrics/metrics.ts";
-import { asRefusal, Refusal, type ProblemKind } from "../problems.ts";
+import { asRefusal, Refusal } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
-import { DriverConversation } from "./driver-conversation.ts";
-import { PageConversation } from "./page-conversation.ts";
+import { closeFor, converse } from "./converse.ts";
 import type { ReaderLine } from "./reader-line.ts";
 import { refuseUpgrade } from "./refuse-upgrade.ts";
 import { wsPort } from "./ws-port.ts";
 
 const PATH = /^\/api\/v1\/robots\/([^/]{1,64})\/socket$/;
-
-const closeReasonByProblem = new Map<ProblemKind, CloseReason>([
-  ["no-robot", closeReasons.noRobot],
-  ["not-authorised", closeReasons.notAuthorised],
-  ["forbidden", closeReasons.forbidden],
-  ["too-many-readers", closeReasons.tooMany],
-  ["restarting", closeReasons.restart],
-]);
 
 interface Guest {
   socket: WebSocket;
@@ -171,23 +161,19 @@ export class WebSocketGateway {
     const hello = decodeFrame(helloSchema, text, MAX_HELLO_BYTES);
     if (!hello.ok) return closeWith(socket, closeReasons.notAuthorised);
     if (!robotIdSchema.safeParse(id).success) return closeWith(socket, closeReasons.noRobot);
-    const { role, key, since = null } = hello.value;
-    const { hub, log } = this.#options;
+    const { role, key } = hello.value;
     const client = clientName(request.headers["user-agent"]);
-    const grant = await hub.authorise(id, key, [role]);
+    const grant = await this.#options.hub.authorise(id, key, [role]);
     if (socket.readyState !== socket.OPEN) return;
     guest.key = markOf(key);
-    log.info({ role, client, key: guest.key }, "a socket said hello");
-    guest.conversation =
-      role === "own"
-        ? new PageConversation(grant.session, port)
-        : new DriverConversation({
-            grant,
-            line: port,
-            client,
-            since,
-            refused: (kind) => this.#options.metrics.refused(kind),
-          });
+    this.#options.log.info({ role, client, key: guest.key }, "a socket said hello");
+    guest.conversation = converse({
+      hello: hello.value,
+      grant,
+      line: port,
+      client,
+      metrics: this.#options.metrics,
+    });
   }
 
   #hear(guest: Guest, text: string): void {
@@ -195,11 +181,7 @@ export class WebSocketGateway {
   }
 
   #refuse({ socket }: Guest, error: unknown): void {
-    const refusal = asRefusal(error);
-    this.#options.metrics.refused(refusal.kind);
-    const reason = closeReasonByProblem.get(refusal.kind) ?? closeReasons.busy;
-    if (reason === closeReasons.busy) this.#options.log.error({ err: error }, "a message failed");
-    closeWith(socket, reason);
+    closeFor(error, socket, this.#options);
   }
 
   #beat(): void {

@@ -42,6 +42,7 @@ export function wsPort(socket: WebSocket, clock: Clock): ReaderLine {
     if (asksAgain) flow.ask();
   });
   const port: ReaderLine = {
+    door: "websocket",
     flow,
     send: (text) => {
       if (!port.isOpen) return;

@@ -3,11 +3,16 @@ import {
   commandRecordSchema,
   eventPageSchema,
   orderSchema,
+  fetchedMessagesSchema,
+  helloSchema,
+  openedLineSchema,
   registrationSchema,
   robotIdSchema,
+  sentMessagesSchema,
   shortLinkIdSchema,
   shortLinkSchema,
   snapshotSchema,
+  takenMessagesSchema,
 } from "@corridor/protocol";
 import { z } from "zod";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
@@ -20,6 +25,7 @@ import {
 } from "../routes/answers.ts";
 import {
   eventsQuery,
+  fetchQuery,
   idempotencyHeader,
   logQuery,
   newerQuery,
@@ -31,6 +37,7 @@ import { answer, location, parameters, refusals } from "./parts.ts";
 const robot = parameters("path", z.object({ id: robotIdSchema }));
 const idempotencyKey = parameters("header", idempotencyHeader);
 const driver = [{ driverKey: [] }];
+const line = [{ lineKey: [] }];
 const owner = [{ ownerKey: [] }];
 const shortLink = parameters("path", z.object({ id: shortLinkIdSchema }));
 /** What every call with a key may meet. */
@@ -184,6 +191,56 @@ export const calls: ZodOpenApiPathsObject = {
           },
         },
         ...refusals(...keyed, "too-many-readers"),
+      },
+    },
+  },
+  "/api/v1/robots/{id}/line": {
+    parameters: robot,
+    post: {
+      operationId: "openLine",
+      summary: "Open a line for networks without WebSockets",
+      description:
+        "The messages are those of the WebSocket, which `/asyncapi.json` describes; `hello` is the body " +
+        "of this call. A line on which no request waits is closed after 15 s without one.",
+      security: [],
+      requestBody: { required: true, content: { "application/json": { schema: helloSchema } } },
+      responses: {
+        201: answer("The key of the line.", openedLineSchema),
+        ...refusals(...keyed, "too-large", "not-json", "too-many-readers"),
+      },
+    },
+    delete: {
+      operationId: "leaveLine",
+      summary: "Close a line",
+      security: line,
+      responses: { 204: { description: "It is closed." }, ...refusals("bad-request", "no-line") },
+    },
+  },
+  "/api/v1/robots/{id}/line/messages": {
+    parameters: robot,
+    post: {
+      operationId: "sendMessages",
+      summary: "Send messages on a line",
+      description: "In the order of their numbers; what was sent before is taken once.",
+      security: line,
+      requestBody: {
+        required: true,
+        content: { "application/json": { schema: sentMessagesSchema } },
+      },
+      responses: {
+        200: answer("How far they were taken.", takenMessagesSchema),
+        ...refusals("bad-request", "too-large", "not-json", "no-line"),
+      },
+    },
+    get: {
+      operationId: "fetchMessages",
+      summary: "Fetch the messages of a line, or wait for one",
+      description: "What came before `after` is forgotten; the rest is told again until it came.",
+      security: line,
+      parameters: parameters("query", fetchQuery),
+      responses: {
+        200: answer("What there is.", fetchedMessagesSchema),
+        ...refusals("bad-request", "no-line"),
       },
     },
   },

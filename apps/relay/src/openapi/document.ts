@@ -72,6 +72,11 @@ export function describeApi(): oas31.OpenAPIObject {
             scheme: "bearer",
             description: "The key in the robot's address, after the #: commands and reads.",
           },
+          lineKey: {
+            type: "http",
+            scheme: "bearer",
+            description: "The key of one line, which came with it.",
+          },
           ownerKey: {
             type: "http",
             scheme: "bearer",

@@ -7,6 +7,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import type { oas31 } from "zod-openapi";
 import { createApp } from "../app.ts";
 import { Entrance } from "../entrance/entrance.ts";
+import { HttpLines } from "../gateways/http-lines.ts";
 import { Metrics } from "../metrics/metrics.ts";
 import { Readiness } from "../readiness.ts";
 import { systemClock } from "../clock.ts";
@@ -52,13 +53,16 @@ function appWithoutPage(): Express {
   const hub = new SessionHub(store, systemClock, log);
   const documents = new DocumentShelf(new SqliteDocumentStore(file), systemClock, log);
   onTestFinished(async () => {
+    lines.close();
     await documents.close();
     await hub.close();
     await store.close();
   });
   const entrance = new Entrance(defaults());
   const readiness = new Readiness(store, systemClock, log);
-  const served = { hub, documents, entrance, readiness, metrics: new Metrics() };
+  const metrics = new Metrics();
+  const lines = new HttpLines({ hub, clock: systemClock, log, metrics });
+  const served = { hub, lines, documents, entrance, readiness, metrics };
   const parts = { ...served, clock: systemClock, log, page: Router() };
   return createApp({ ...parts, isDevelopment: false });
 }

@@ -52,6 +52,11 @@ export const eventsQuery = z.object({
     .optional()
     .describe(`${waitError}, for one answer in JSON; without it, a stream without end`),
 });
+/** `?after=NUMBER&wait=S` of a line's messages */
+export const fetchQuery = z.object({
+  after: wholeNumber.prefault("0").describe("number of the last message that has come"),
+  wait: waitSchema,
+});
 /** `?after=SEQ` of the log */
 export const logQuery = z.object({
   after: wholeNumber.prefault("0").describe("seq of the last command that is known already"),
@@ -86,6 +91,11 @@ export function readEvents(request: Request): z.infer<typeof eventsQuery> {
   const last = request.get("Last-Event-ID");
   const query = { ...(last !== undefined && { since: last }), ...request.query };
   return read(eventsQuery, query, "The query or the header Last-Event-ID is wrong.");
+}
+
+/** Which messages of a line are wanted, and for how long to wait for them. */
+export function readFetch(request: Request): z.infer<typeof fetchQuery> {
+  return read(fetchQuery, request.query, "The query is wrong.");
 }
 
 /** From where on the log is wanted. */

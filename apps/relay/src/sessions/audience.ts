@@ -16,7 +16,7 @@ interface Listener {
 }
 
 /** The ways in which a robot is followed. */
-export type ReaderDoor = "websocket" | "events" | "long-poll";
+export type ReaderDoor = "websocket" | "line" | "events" | "long-poll";
 
 /** How long somebody waits, and what makes them stop earlier. */
 export interface Patience {
@@ -41,7 +41,7 @@ export class Audience {
   }
 
   count(): Record<ReaderDoor, number> {
-    const counts = { websocket: 0, events: 0, "long-poll": 0 };
+    const counts = { websocket: 0, line: 0, events: 0, "long-poll": 0 };
     for (const { door } of this.#entries) counts[door] += 1;
     return counts;
   }

@@ -23,8 +23,9 @@ export const limits = {
   readersPerRobot: 60,
   /** sockets from one address: a whole school may share one */
   socketsPerAddress: 400,
-  /** snapshots pushed to one reader: 20 a second */
+  /** snapshots pushed to one reader: 20 a second; by a line each one costs a request */
   snapshotIntervalMs: 50,
+  lineSnapshotIntervalMs: 100,
   /** snapshots on their way to one reader: one that sleeps finds no old ones when it wakes */
   snapshotCredit: 2,
   /** a reader that has not taken so many bytes is asked how far it is */
@@ -38,6 +39,8 @@ export const limits = {
   /** a ping and a heartbeat each so often; silence of more than twice that closes the socket */
   heartbeatMs: 20_000,
   silenceMs: 45_000,
+  /** a line by HTTPS on which no request waits, and none comes for so long, is closed */
+  lineSilenceMs: 15_000,
   /** a page that connects but does not tick for so long sleeps */
   asleepMs: 4_000,
   /** a page away for so long has lost what it ran */

@@ -144,7 +144,9 @@ export class ReaderFeed {
 
   /** Looks again in a moment. */
   #arm(): void {
-    this.#cancelTimer ??= this.#clock.after(limits.snapshotIntervalMs, () => {
+    const { snapshotIntervalMs, lineSnapshotIntervalMs } = limits;
+    const pauseMs = this.#sink.door === "line" ? lineSnapshotIntervalMs : snapshotIntervalMs;
+    this.#cancelTimer ??= this.#clock.after(pauseMs, () => {
       this.#cancelTimer = null;
       if (this.#pending !== null || (this.#isHeld && !this.#isMissing)) this.#flush();
     });

@@ -106,13 +106,17 @@ export class SessionHub {
   }
 
   async census(): Promise<Census> {
-    const census: Census = { pages: 0, readers: { websocket: 0, events: 0, "long-poll": 0 } };
+    const census: Census = {
+      pages: 0,
+      readers: { websocket: 0, line: 0, events: 0, "long-poll": 0 },
+    };
     for (const found of this.#sessions.values()) {
       const session = await found.catch(() => null);
       if (session === null) continue;
       if (session.hasPage) census.pages += 1;
-      const { websocket, events, "long-poll": waiting } = session.readers;
+      const { websocket, line, events, "long-poll": waiting } = session.readers;
       census.readers.websocket += websocket;
+      census.readers.line += line;
       census.readers.events += events;
       census.readers["long-poll"] += waiting;
     }

@@ -1,0 +1,51 @@
+/** From a hello to a conversation, and from a refusal to a goodbye: the same on every kind of line. */
+import { closeReasons, type CloseReason, type Hello } from "@corridor/protocol";
+import type { Logger } from "pino";
+import type { Metrics } from "../metrics/metrics.ts";
+import { asRefusal, type ProblemKind } from "../problems.ts";
+import type { Grant } from "../sessions/session-hub.ts";
+import { closeWith, type Conversation } from "./conversation.ts";
+import { DriverConversation } from "./driver-conversation.ts";
+import { PageConversation } from "./page-conversation.ts";
+import type { ReaderLine } from "./reader-line.ts";
+
+const closeReasonByProblem = new Map<ProblemKind, CloseReason>([
+  ["no-robot", closeReasons.noRobot],
+  ["not-authorised", closeReasons.notAuthorised],
+  ["forbidden", closeReasons.forbidden],
+  ["too-many-readers", closeReasons.tooMany],
+  ["restarting", closeReasons.restart],
+]);
+
+export interface Guest {
+  hello: Hello;
+  /** what its key allows */
+  grant: Grant;
+  line: ReaderLine;
+  /** the script's language, such as "Python" */
+  client: string;
+  metrics: Metrics;
+}
+
+/**
+ * Begins to speak with whoever said hello, as a page or as a script.
+ * @throws Refusal when too many read already
+ */
+export function converse({ hello, grant, line, client, metrics }: Guest): Conversation {
+  if (hello.role === "own") return new PageConversation(grant.session, line);
+  const refused = (kind: ProblemKind): void => metrics.refused(kind);
+  return new DriverConversation({ grant, line, client, since: hello.since ?? null, refused });
+}
+
+/** Closes a line because of an error; a mistake of the relay goes to its log. */
+export function closeFor(
+  error: unknown,
+  line: { close(code: number, reason: string): void },
+  { metrics, log }: { metrics: Metrics; log: Logger },
+): void {
+  const { kind } = asRefusal(error);
+  metrics.refused(kind);
+  const reason = closeReasonByProblem.get(kind) ?? closeReasons.busy;
+  if (reason === closeReasons.busy) log.error({ err: error }, "a message failed");
+  closeWith(line, reason);
+}

@@ -1,0 +1,71 @@
+/** Page and script behind filters that let no WebSocket live, with the real relay behind them. */
+import { describe, expect, it, onTestFinished } from "vitest";
+import { globalPlatform, type Platform } from "./platform.ts";
+import { registerRobot } from "./register-robot.ts";
+import { RobotClient } from "./robot-client.ts";
+import { startFilterProxy, type Harm } from "./testing/filter-proxy.ts";
+import { GridRobot } from "./testing/grid-robot.ts";
+import { startRelayProcess } from "./testing/relay-process.ts";
+
+const CORRIDOR = ["#".repeat(42), `#${".".repeat(40)}#`, "#".repeat(42)];
+
+async function behind(harm: Harm, platform?: Platform) {
+  const relay = await startRelayProcess();
+  const proxy = await startFilterProxy(relay.origin, harm);
+  const registration = await registerRobot(proxy.origin, fetch);
+  const robot = new GridRobot(proxy.origin, registration, CORRIDOR);
+  onTestFinished(() => robot.link.close());
+  const address = `${proxy.origin}/r/${registration.id}#${registration.driverKey}`;
+  const script = await RobotClient.connect(address, platform === undefined ? {} : { platform });
+  onTestFinished(() => script.close());
+  return { relay, proxy, robot, script };
+}
+
+const harms: Harm[] = ["stripped", "blocked", "silent", "cut early", "impatient", "buffering"];
+
+describe("behind a filter", () => {
+  it.each(harms)("page and script find a way, and nothing is lost or doubled: %s", async (harm) => {
+    const { proxy, robot, script } = await behind(harm);
+    await script.right90();
+    for (let n = 0; n < 20; n++) {
+      const { seq, state } = await script.move(100);
+      expect([seq, state]).toEqual([n + 2, "completed"]);
+    }
+    expect((await script.sensors()).front).toBe(1_950);
+    expect(await script.stop()).toMatchObject({ state: "completed" });
+    expect(robot.done).toHaveLength(21);
+    expect(proxy.upgrades > 0).toBe(harm === "cut early" || harm === "impatient");
+    // The line lives on while nobody says anything.
+    await new Promise((resolve) => setTimeout(resolve, 3_000));
+    expect(await script.move(100)).toMatchObject({ state: "completed" });
+    expect(robot.done).toHaveLength(22);
+  });
+
+  it("they go on by HTTPS after the relay was killed", async () => {
+    const { relay, robot, script } = await behind("blocked");
+    await script.right90();
+    const records: Promise<{ seq: number }>[] = [];
+    for (let n = 0; n < 20; n++) records.push(script.move(100));
+    await records[3];
+    await relay.killAndRestart();
+    const all = await Promise.all(records);
+    expect(all.map(({ seq }) => seq)).toEqual(all.map((_record, index) => index + 2));
+    expect(robot.done).toHaveLength(21);
+  });
+
+  it("they come back to a WebSocket when the filter is gone", async () => {
+    const real = globalPlatform();
+    const fast = {
+      ...real,
+      clock: {
+        now: () => real.clock.now() * 20,
+        after: (ms: number, call: () => void) => real.clock.after(ms / 20, call),
+      },
+    };
+    const { proxy, script } = await behind("blocked", fast);
+    expect(await script.right90()).toMatchObject({ state: "completed" });
+    proxy.harm = "none";
+    await expect.poll(() => proxy.upgrades, { timeout: 30_000 }).toBeGreaterThan(0);
+    expect(await script.move(100)).toMatchObject({ state: "completed" });
+  });
+});
