@@ -50,9 +50,9 @@ export class HttpLines {
       robot,
       address: from,
       clock,
-      // As the messages of a script do on a socket, which reads on by itself.
+      // As each message of a script on a socket; that a request waits says nothing of the script.
       onRequest: () => {
-        if (hello.role === "drive") grant.session.heard(client);
+        if (hello.role === "drive") grant.session.heard(client, grant.key)();
       },
       onGone: () => void this.#lines.delete(hash),
     });
