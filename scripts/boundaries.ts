@@ -53,6 +53,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/simulation",
     "node:",
   ],
+  "apps/conformance": ["@corridor/protocol", "node:"],
   "apps/relay": [
     "@corridor/challenge/document",
     "@corridor/maze",

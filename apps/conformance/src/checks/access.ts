@@ -1,0 +1,42 @@
+/** Who is let in: the key of the address, and nobody else. */
+import type { CheckGroup } from "../check.ts";
+import { must } from "../mismatch.ts";
+
+export const access: CheckGroup = {
+  title: "The key",
+  checks: [
+    {
+      name: "the address and its key reach the robot",
+      run: async (host) => {
+        const answer = await host.ask("/commands?after=0");
+        must(answer.status === 200, "200 for GET /commands with the key", answer.status);
+      },
+    },
+    {
+      name: "without a key there is no answer but 401, which asks for a bearer key",
+      run: async (host) => {
+        for (const path of ["/sensors", "/commands?after=0", "/events?wait=0"]) {
+          const answer = await host.ask(path, { key: null });
+          must(answer.status === 401, `401 for ${path} without a key`, answer.status);
+          const asks = answer.header("www-authenticate");
+          must(/^bearer/i.test(asks), "the header WWW-Authenticate: Bearer", asks || "none");
+        }
+      },
+    },
+    {
+      name: "a wrong key commands nothing",
+      run: async (host) => {
+        const options = { method: "POST", body: { action: "stop" }, key: host.wrongKey };
+        const answer = await host.ask("/commands", options);
+        must([401, 403].includes(answer.status), "401 or 403 for a wrong key", answer.status);
+      },
+    },
+    {
+      name: "no answer repeats the key that was sent",
+      run: async (host) => {
+        const answer = await host.ask("/commands", { key: host.wrongKey });
+        must(!answer.text.includes(host.wrongKey), "a problem without the key", answer.text);
+      },
+    },
+  ],
+};

@@ -1,0 +1,106 @@
+/** Whatever arrives, the answer is a problem document that a reader can act on. */
+import { problemSchema, type ProblemDocument } from "@corridor/protocol";
+import type { CheckGroup } from "../check.ts";
+import type { Answer } from "../host.ts";
+import { must, shaped } from "../mismatch.ts";
+
+/** Bodies that are no command, by what is wrong with them. */
+const wrongBodies: Record<string, { body: string; path?: string }> = {
+  "no JSON": { body: '{"action":' },
+  nothing: { body: "" },
+  null: { body: "null" },
+  "a list": { body: "[]" },
+  "an unknown action": { body: '{"action":"fly"}', path: "action" },
+  "a missing number": { body: '{"action":"move"}', path: "distance" },
+  "a text for a number": { body: '{"action":"move","distance":"far"}', path: "distance" },
+  "a huge number": { body: '{"action":"move","distance":1e308}', path: "distance" },
+  infinity: { body: '{"action":"move","distance":1e999}', path: "distance" },
+  "wheels too strong": { body: '{"action":"drive","left":2,"right":0}', path: "left" },
+  "a field too many": { body: '{"action":"stop","now":true}', path: "now" },
+  "a prototype key": { body: '{"action":"stop","__proto__":{"x":1}}' },
+  "deep nesting": { body: `${"[".repeat(5_000)}${"]".repeat(5_000)}` },
+};
+
+export const badInput: CheckGroup = {
+  title: "Bad input",
+  checks: [
+    {
+      name: "a wrong command is refused with 400, and the field is named",
+      run: async (host) => {
+        for (const [what, { body, path }] of Object.entries(wrongBodies)) {
+          const answer = await host.ask("/commands", { method: "POST", body });
+          const problem = problemIn(answer, 400, what);
+          if (path === undefined) continue;
+          const paths = problem.errors.map((error) => error.path);
+          must(paths.includes(path), `errors to name ${path} for ${what}`, problem.errors);
+        }
+      },
+    },
+    {
+      name: "a body above 16 KiB is refused with 413",
+      run: async (host) => {
+        const body = JSON.stringify({ action: "stop", words: "x".repeat(17 * 1024) });
+        problemIn(await host.ask("/commands", { method: "POST", body }), 413, "a large body");
+      },
+    },
+    {
+      name: "a body that is not said to be JSON is refused with 415",
+      run: async (host) => {
+        const headers = { "Content-Type": "text/plain" };
+        const options = { method: "POST", body: '{"action":"stop"}', headers };
+        problemIn(await host.ask("/commands", options), 415, "plain text");
+      },
+    },
+    {
+      name: "waits and numbers that cannot be are refused with 400",
+      run: async (host) => {
+        for (const path of [
+          "/sensors?wait=26",
+          "/sensors?wait=-1",
+          "/sensors?after=now",
+          "/commands?after=-1",
+          "/commands/first",
+          "/events?wait=soon",
+        ]) {
+          problemIn(await host.ask(path), 400, path);
+        }
+      },
+    },
+    {
+      name: "a command that there is not is 404",
+      run: async (host) => {
+        problemIn(await host.ask("/commands/900000000000000"), 404, "a number of the future");
+      },
+    },
+    {
+      name: "an address that there is not is 404, a method that it does not know 405",
+      run: async (host) => {
+        problemIn(await host.ask("/wheels"), 404, "/wheels");
+        const answer = await host.ask("/sensors", { method: "DELETE" });
+        problemIn(answer, 405, "DELETE /sensors");
+        const allowed = answer.header("allow");
+        must(allowed.includes("GET"), "the header Allow with GET", allowed || "none");
+      },
+    },
+    {
+      name: "after all that the robot obeys as before",
+      run: async (host) => {
+        const turn = await host.done({ action: "left 90" });
+        must(turn.state === "completed", "completed", turn);
+      },
+    },
+  ],
+};
+
+/** The problem document (RFC 9457) that must come with this status. */
+function problemIn(answer: Answer, status: number, what: string): ProblemDocument {
+  must(answer.status === status, `${status} for ${what}`, `${answer.status} ${answer.text}`);
+  const type = answer.header("content-type");
+  must(type.startsWith("application/problem+json"), "Content-Type: application/problem+json", type);
+  const problem = shaped(problemSchema, answer.json, `a problem document for ${what}`);
+  must(problem.status === status, `status ${status} in the document`, problem.status);
+  must(problem.detail.length > 10, "a sentence in detail", problem.detail);
+  const tells = /\bat \w+.*:\d+:\d+|Traceback|node_modules/.exec(answer.text);
+  must(tells === null, "a document without a stack or a path", tells?.[0]);
+  return problem;
+}

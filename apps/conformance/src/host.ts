@@ -1,0 +1,163 @@
+/** The host of a robot, as a script meets it: HTTP calls below the robot's address, by `fetch`. */
+import {
+  commandRecordSchema,
+  hasEnded,
+  snapshotSchema,
+  type CommandRecord,
+  type Order,
+  type Snapshot,
+} from "@corridor/protocol";
+import { must, shaped } from "./mismatch.ts";
+
+const ADDRESS = /^(https?:\/\/[^/?#\s@]+)\/r\/([A-Za-z0-9_-]{1,64})#([A-Za-z0-9_-]{8,64})$/;
+const ANSWER_MS = 40_000;
+/** A robot that obeys needs less for what the checks ask of it. */
+const FINISH_MS = 60_000;
+const MOST_PAUSES = 10;
+
+export interface Answer {
+  status: number;
+  header(name: string): string;
+  text: string;
+  /** undefined where the body is not JSON */
+  json: unknown;
+}
+
+export interface AskOptions {
+  method?: string;
+  /** null: without a key */
+  key?: string | null;
+  /** sent as it is where it is text, else as JSON */
+  body?: unknown;
+  headers?: Record<string, string>;
+}
+
+export class Host {
+  readonly origin: string;
+  readonly id: string;
+  readonly #key: string;
+  #keys = 0;
+  readonly #run = Math.trunc(performance.timeOrigin + performance.now()).toString(36);
+
+  /** @throws Error when this is no robot's address */
+  constructor(address: string) {
+    const [, origin, id, key] = ADDRESS.exec(address.trim()) ?? [];
+    if (origin === undefined || id === undefined || key === undefined) {
+      throw new Error(
+        'This is not a robot\'s address. It looks like http://HOST/r/ID#KEY: put it in "quotes".',
+      );
+    }
+    this.origin = origin;
+    this.id = id;
+    this.#key = key;
+  }
+
+  get api(): string {
+    return `${this.origin}/api/v1/robots/${this.id}`;
+  }
+
+  /** An idempotency key that was never used before. */
+  newKey(): string {
+    this.#keys += 1;
+    return `check-${this.#run}-${this.#keys}`;
+  }
+
+  /** A key of the right form that is not the robot's. */
+  get wrongKey(): string {
+    const last = this.#key.endsWith("A") ? "B" : "A";
+    return this.#key.slice(0, -1) + last;
+  }
+
+  /** One call below the robot. One that comes too fast waits as it is told and is sent again. */
+  async ask(path: string, options: AskOptions = {}): Promise<Answer> {
+    for (let pauses = 0; ; pauses++) {
+      const response = await fetch(this.api + path, {
+        ...this.#request(options),
+        signal: AbortSignal.timeout(ANSWER_MS),
+      });
+      const text = await response.text();
+      if (response.status !== 429 || pauses === MOST_PAUSES) {
+        const header = (name: string): string => response.headers.get(name) ?? "";
+        return { status: response.status, header, text, json: parse(text) };
+      }
+      const seconds = Number(response.headers.get("retry-after") ?? 1);
+      await pause(Math.min(10, Number.isFinite(seconds) ? seconds : 1) * 1000);
+    }
+  }
+
+  /** A stream that goes on until the signal ends it. */
+  async open(path: string, signal: AbortSignal): Promise<Response> {
+    return fetch(this.api + path, { ...this.#request({}), signal });
+  }
+
+  /** Sends a command that must be taken. */
+  async send(order: Order, key?: string): Promise<CommandRecord> {
+    const headers = key === undefined ? {} : { "Idempotency-Key": key };
+    const answer = await this.ask("/commands", { method: "POST", body: order, headers });
+    must(answer.status === 202, `202 for ${order.action}`, `${answer.status} ${answer.text}`);
+    return shaped(commandRecordSchema, answer.json, "a command record");
+  }
+
+  async record(seq: number, wait = 0): Promise<CommandRecord> {
+    const answer = await this.ask(`/commands/${seq}?wait=${wait}`);
+    must(answer.status === 200, `200 for the record ${seq}`, `${answer.status} ${answer.text}`);
+    return shaped(commandRecordSchema, answer.json, "a command record");
+  }
+
+  /** Waits until a command has ended. */
+  async ended(seq: number): Promise<CommandRecord> {
+    const giveUp = performance.now() + FINISH_MS;
+    for (;;) {
+      const record = await this.record(seq, 10);
+      if (hasEnded(record.state)) return record;
+      must(
+        performance.now() < giveUp,
+        `command ${seq} (${record.action}) to end within ${FINISH_MS / 1000} s`,
+        `${record.state}: is the robot's page open, connected and not paused?`,
+      );
+    }
+  }
+
+  /** Sends a command and waits until it has ended. */
+  async done(order: Order): Promise<CommandRecord> {
+    return this.ended((await this.send(order)).seq);
+  }
+
+  async snapshot(query = "?wait=10"): Promise<Snapshot> {
+    const answer = await this.ask(`/sensors${query}`);
+    must(answer.status === 200, `200 for /sensors${query}`, `${answer.status} ${answer.text}`);
+    return shaped(snapshotSchema, answer.json, "a snapshot");
+  }
+
+  /** The log after a number, page by page. */
+  async log(after: number): Promise<unknown> {
+    const answer = await this.ask(`/commands?after=${after}`);
+    must(answer.status === 200, "200 for the log", `${answer.status} ${answer.text}`);
+    return answer.json;
+  }
+
+  #request({ method = "GET", key = this.#key, body, headers }: AskOptions) {
+    return {
+      method,
+      redirect: "manual" as const,
+      headers: {
+        ...(key !== null && { Authorization: `Bearer ${key}` }),
+        ...(body !== undefined && { "Content-Type": "application/json" }),
+        ...headers,
+      },
+      ...(body !== undefined && { body: typeof body === "string" ? body : JSON.stringify(body) }),
+    };
+  }
+}
+
+export async function pause(milliseconds: number): Promise<void> {
+  await new Promise((resolve) => setTimeout(resolve, milliseconds));
+}
+
+function parse(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return undefined;
+  }
+}
