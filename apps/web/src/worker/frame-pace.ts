@@ -6,12 +6,12 @@ import { FrameBuffer } from "./frame-buffer.ts";
 import type { Frame } from "./worker-messages.ts";
 
 /**
- * Milliseconds between two frames in which nothing was decided; five frames a second on average. Digits that
+ * Milliseconds between two frames in which nothing was decided; four frames a second on average. Digits that
  * change more often are not read any better, and each change lays out, paints and puts together the page.
  */
-const INTERVAL_MS = 1000 / 5;
+const INTERVAL_MS = 1000 / 4;
 /** Frames that may come sooner, one after the other, before the average has to be kept. */
-const SPARE = 5;
+const SPARE = 4;
 
 export class FramePace {
   readonly #now: () => number;

@@ -36,10 +36,10 @@ describe("a line of the program", () => {
     expect(told).toEqual([1, 2, 3]);
   });
 
-  it("follows at every fifth while it is out of sight", () => {
+  it("follows at every fourth while it is out of sight", () => {
     line.dispatchEvent(new SightEvent(true));
-    for (let tick = 1; tick <= 10; tick++) show(tick);
-    expect(told).toEqual([5, 10]);
+    for (let tick = 1; tick <= 8; tick++) show(tick);
+    expect(told).toEqual([4, 8]);
   });
 
   it("is exact when the robot rests, in sight or not", () => {

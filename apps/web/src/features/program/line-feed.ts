@@ -1,13 +1,13 @@
 /**
  * The run as one line of the program follows it. A program may have 200 lines, of which a screen shows
- * ten: those in sight hear all news; while the robot runs, the others hear every fifth, in turns, so that
+ * ten: those in sight hear all news; while the robot runs, the others hear every fourth, in turns, so that
  * what a screen reader finds there is a second old at most. When the robot rests, all lines are exact.
  */
 import type { RunState } from "../../stores/run-store.ts";
 import type { Followed } from "../../ui/follow-text.ts";
 
-/** News come five times a second. */
-const TURNS = 5;
+/** News come four times a second. */
+const TURNS = 4;
 
 export interface LineFeed extends Followed<RunState> {
   /**
