@@ -4,7 +4,7 @@
  */
 import { useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
 import { useTranslation } from "react-i18next";
-import { useStore } from "zustand";
+import { useStore, type StoreApi } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { markUnder } from "./event-marks.ts";
 import { EventMarks } from "./EventMarks.tsx";
@@ -12,9 +12,10 @@ import type { TimelinePicture } from "./picture.ts";
 import { Playhead } from "./Playhead.tsx";
 import { Ribbon } from "./Ribbon.tsx";
 import { Scrubber } from "./scrubber.ts";
-import { momentAt, sayMoment } from "./shown-moment.ts";
+import { momentAt, sayMoment, type ShownMoment } from "./shown-moment.ts";
 import { timelineKey } from "./timeline-keys.ts";
-import { tickAt, xOf } from "./time-scale.ts";
+import { tickAt, xOf, type TimeScale } from "./time-scale.ts";
+import { TimelineSlider } from "./TimelineSlider.tsx";
 import styles from "./timeline.module.css";
 import { usePicture } from "./use-picture.ts";
 import { useShownMoment } from "./use-shown-moment.ts";
@@ -32,16 +33,11 @@ export function TimelineBar() {
   const slider = useRef<HTMLInputElement>(null);
   const picture = usePicture(track);
   const moment = useShownMoment();
+  const eventKind = useStore(moment, ({ event }) => event?.kind);
   const isNow = useStore(run, ({ view }) => view === "now");
   const [pointed, setPointed] = useState<Tip | null>(null);
   const [isFocused, setFocused] = useState(false);
   const [scrubber] = useState(() => new Scrubber(simulator));
-
-  const text = sayMoment(t, moment);
-  const ownTip =
-    isFocused && picture !== null ? { x: xOf(picture.scale, moment.tick), text } : null;
-  const tip = pointed ?? ownTip;
-  const eventKind = moment.event?.kind;
 
   /** The moment under the pointer: of the mark there, else by its place; never after now. */
   function tickUnder(event: PointerEvent<HTMLElement>, { scale, marks, endTick }: TimelinePicture) {
@@ -104,17 +100,12 @@ export function TimelineBar() {
       onPointerLeave={() => setPointed(null)}
       onPointerCancel={() => setPointed(null)}
     >
-      {/* A native slider for the keyboard and for those who listen; the pointer has the picture. */}
-      <input
-        ref={slider}
-        type="range"
-        className={styles["slider"]}
-        aria-label={t("timeline.name")}
-        aria-valuetext={text}
-        min={0}
-        max={Math.max(1, moment.tick, picture?.endTick ?? 0)}
-        value={moment.tick}
-        onChange={(event) => show(Number(event.target.value))}
+      {/* The pointer has the picture. */}
+      <TimelineSlider
+        inputRef={slider}
+        moment={moment}
+        endTick={picture?.endTick ?? 0}
+        onMove={show}
         onKeyDown={onKey}
         onFocus={(event) => setFocused(event.currentTarget.matches(":focus-visible"))}
         onBlur={() => setFocused(false)}
@@ -130,12 +121,23 @@ export function TimelineBar() {
                 event={eventKind === "goal" || eventKind === "bump" ? eventKind : null}
               />
             )}
-            {tip !== null && <TimelineTip {...tip} width={picture.scale.width} />}
+            {pointed !== null ? (
+              <TimelineTip {...pointed} width={picture.scale.width} />
+            ) : (
+              isFocused && <FocusTip moment={moment} scale={picture.scale} />
+            )}
           </>
         )}
       </div>
     </div>
   );
+}
+
+/** What the slider tells those who listen, for those who look. */
+function FocusTip({ moment, scale }: { moment: StoreApi<ShownMoment>; scale: TimeScale }) {
+  const { t } = useTranslation();
+  const shown = useStore(moment);
+  return <TimelineTip x={xOf(scale, shown.tick)} text={sayMoment(t, shown)} width={scale.width} />;
 }
 
 /** Points at its place and stays above the timeline: at the left end it begins there, at the right it ends. */

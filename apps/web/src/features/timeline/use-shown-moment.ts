@@ -1,18 +1,18 @@
 /**
  * The moment that is shown, with what the timeline tells of it. While the robot runs it follows once a
- * second, as a screen reader can; otherwise at once.
+ * second, as a screen reader can; otherwise at once. A store, so that each part reads no more of it than it shows.
  */
-import { useEffect, useState } from "react";
-import { createStore, useStore } from "zustand";
+import { useLayoutEffect, useState } from "react";
+import { createStore, type StoreApi } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { momentAt, type ShownMoment } from "./shown-moment.ts";
 
 const SECOND = 60;
 
-export function useShownMoment(): ShownMoment {
+export function useShownMoment(): StoreApi<ShownMoment> {
   const { lateRun: run, timeline } = useServices();
   const [store] = useState(() => createStore<ShownMoment>(() => BEGINNING));
-  useEffect(() => {
+  useLayoutEffect(() => {
     let shown: ShownMoment | null = null;
     const look = () => {
       const { snapshot } = run.getState();
@@ -30,7 +30,7 @@ export function useShownMoment(): ShownMoment {
       for (const end of ends) end();
     };
   }, [run, timeline, store]);
-  return useStore(store);
+  return store;
 }
 
 const BEGINNING: ShownMoment = { tick: 0, who: null, event: null };

@@ -1,0 +1,51 @@
+/**
+ * The timeline for the keyboard and for those who listen: a native slider without a look. Written straight
+ * to the page: React would draw the whole timeline again each second, and write all that an input has.
+ */
+import { useEffectEvent, useLayoutEffect, type ComponentProps, type RefObject } from "react";
+import { useTranslation } from "react-i18next";
+import type { StoreApi } from "zustand";
+import { sayMoment, type ShownMoment } from "./shown-moment.ts";
+import styles from "./timeline.module.css";
+
+interface TimelineSliderProps extends Pick<
+  ComponentProps<"input">,
+  "onKeyDown" | "onFocus" | "onBlur"
+> {
+  inputRef: RefObject<HTMLInputElement | null>;
+  moment: StoreApi<ShownMoment>;
+  /** the run's last tick, as far as the picture knows */
+  endTick: number;
+  /** the slider was moved, by whatever moves one */
+  onMove: (tick: number) => void;
+}
+
+export function TimelineSlider({
+  inputRef,
+  moment,
+  endTick,
+  onMove,
+  ...rest
+}: TimelineSliderProps) {
+  const { t } = useTranslation();
+  const write = useEffectEvent((shown: ShownMoment) => {
+    const slider = inputRef.current;
+    if (slider === null) return;
+    slider.max = String(Math.max(1, shown.tick, endTick));
+    slider.value = String(shown.tick);
+    slider.setAttribute("aria-valuetext", sayMoment(t, shown));
+  });
+  useLayoutEffect(() => write(moment.getState()), [moment, endTick, t]);
+  useLayoutEffect(() => moment.subscribe((shown) => write(shown)), [moment]);
+  return (
+    <input
+      ref={inputRef}
+      type="range"
+      className={styles["slider"]}
+      aria-label={t("timeline.name")}
+      min={0}
+      onInput={({ currentTarget }) => onMove(Number(currentTarget.value))}
+      {...rest}
+    />
+  );
+}
