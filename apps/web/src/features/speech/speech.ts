@@ -60,6 +60,17 @@ export class Speech {
     this.#speak();
   }
 
+  /** What is said with the next `breathe`, if nothing newer takes its place. */
+  offer(utterance: Utterance): void {
+    this.#queue.offer(utterance);
+  }
+
+  /** Says what waits, if it may be said by now: called where the page is painted anyway. */
+  breathe(): void {
+    const text = this.#queue.take(this.#ports.now());
+    if (text !== null) this.said.setState(({ id }) => ({ id: id + 1, text }));
+  }
+
   /** The run goes too fast to be told, or is not to be told any more: what waits of it is not said. */
   hush(): void {
     this.#queue.dropChatter();
@@ -71,10 +82,8 @@ export class Speech {
   }
 
   #speak(): void {
-    const now = this.#ports.now();
-    const text = this.#queue.take(now);
-    if (text !== null) this.said.setState(({ id }) => ({ id: id + 1, text }));
-    const rest = this.#queue.rest(now);
+    this.breathe();
+    const rest = this.#queue.rest(this.#ports.now());
     if (rest === null || this.#isTimed) return;
     this.#isTimed = true;
     this.#ports.later(() => {

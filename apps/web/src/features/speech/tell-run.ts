@@ -32,7 +32,10 @@ export function tellRun(
         return;
       case "decision": {
         const about = talk.isTurn ? null : `line ${talk.line}`;
-        speech.say({ kind: "chatter", text: decision(), about });
+        const utterance = { kind: "chatter", text: decision(), about } as const;
+        // A turn paints much of the page anew: its words come with the numbers after it.
+        if (run.getState().snapshot?.state === "running") speech.offer(utterance);
+        else speech.say(utterance);
         return;
       }
       case "past":
@@ -107,7 +110,9 @@ export function tellRun(
 
   const listen = (state: RunState): void => {
     const talk = ear.hear(state, workspace.getState().program);
-    if (talk !== null && screen.getState().speakRun) say(talk);
+    if (!screen.getState().speakRun) return;
+    if (talk !== null) say(talk);
+    else if (state.snapshot?.state === "running") speech.breathe();
   };
   listen(run.getState());
   return run.subscribe(listen);
