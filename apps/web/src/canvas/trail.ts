@@ -30,11 +30,15 @@ export class Trail {
 
   /**
    * Takes what a frame brings.
-   * @param corners x and y by turns, in units
+   * @param corners x and y by turns, in units; packed or not
    * @param end where the robot is now
    * @param isReset whether all before is to be forgotten
    */
-  add(corners: Points, end: { x: number; y: number }, isReset: boolean): TrailChange {
+  add(
+    corners: Points | Float64Array,
+    end: { x: number; y: number },
+    isReset: boolean,
+  ): TrailChange {
     const before = this.#end;
     if (isReset) this.#corners = [];
     for (const value of corners) this.#corners.push(value);

@@ -293,7 +293,8 @@ function tellNews(): void {
       shownMaze = loop.shownMaze;
       post({ type: "shown-maze", maze: shownMaze });
     }
-    post({ type: "frame", frame, timeline: loop.takeTimeline() });
+    const corners = Float64Array.from(frame.corners);
+    post({ type: "frame", frame: { ...frame, corners }, timeline: loop.takeTimeline() });
   }
   if (news !== null) {
     for (const moment of news.moments) post({ type: "moment", moment });

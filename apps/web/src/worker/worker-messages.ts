@@ -113,8 +113,11 @@ export interface Frame {
   nowDriver: DriverName;
   /** rises whenever inputs came to the run or were forgotten: then a run saved before is out of date */
   revision: number;
-  /** corners of the trail since the last frame, x and y by turns, in units; its end is the pose */
-  corners: number[];
+  /**
+   * Corners of the trail since the last frame, x and y by turns, in units; its end is the pose. Packed where
+   * they cross to the page: a jump brings 40,000 numbers, and as many objects cost 15 ms of clearing up.
+   */
+  corners: readonly number[] | Float64Array;
   /** where the robot's centre was at bumps since the last frame, x and y by turns, in units */
   bumps: number[];
   /** true when the trail and the bumps begin anew: forget those drawn so far */
