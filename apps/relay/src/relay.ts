@@ -4,6 +4,7 @@ import { join } from "node:path";
 import type { Router } from "express";
 import type { Logger } from "pino";
 import { createApp } from "./app.ts";
+import { openBacking } from "./backing.ts";
 import type { Clock } from "./clock.ts";
 import type { Config } from "./config.ts";
 import { DocumentShelf } from "./documents/document-shelf.ts";
@@ -17,7 +18,6 @@ import { Readiness } from "./readiness.ts";
 import { builtPage } from "./routes/built-page.ts";
 import { developmentPage, HOT_RELOAD_PREFIX } from "./routes/development-page.ts";
 import { SessionHub } from "./sessions/session-hub.ts";
-import { openStores } from "./store/stores.ts";
 import { timedStore } from "./store/timed-store.ts";
 
 /** Whoever has not ended so long after being told is cut off: process managers kill after 10 s. */
@@ -47,15 +47,18 @@ export interface Relay {
 
 /**
  * Starts a relay and waits until it listens.
- * @throws the error of `listen`, such as EADDRINUSE, or of `openStores`
+ * @throws the error of `listen`, such as EADDRINUSE, or of `openBacking`
  */
 export async function startRelay(options: RelayOptions): Promise<Relay> {
   const { config, clock, log, webRoot, isDevelopment } = options;
-  const stores = await openStores(config, log);
+  const backing = await openBacking(config, clock, log);
   const metrics = new Metrics();
-  const store = timedStore(stores.sessions, (seconds) => metrics.committed(seconds));
-  const documents = new DocumentShelf(stores.documents, clock, log);
-  const hub = new SessionHub(store, clock, log, metrics);
+  const store = timedStore(backing.sessions, (seconds) => metrics.committed(seconds));
+  const documents = new DocumentShelf(backing.documents, clock, log);
+  const hub = new SessionHub(store, clock, log, {
+    witness: metrics,
+    switchboard: backing.switchboard,
+  });
   const entrance = new Entrance(config);
   const readiness = new Readiness(store, clock, log);
   const gateway = new WebSocketGateway({ hub, clock, log, entrance, metrics });
@@ -89,7 +92,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     await closeServer(server, SHUTDOWN_MS, () => gateway.cut());
     await closeServer(figures, 0, () => undefined);
     await documents.close();
-    await stores.close();
+    await backing.close();
   };
   try {
     if (config.metricsPort !== null) {

@@ -40,6 +40,7 @@ export {
   type TakenMessages,
 } from "./lines.ts";
 export {
+  aliveDriverSchema,
   driversSchema,
   driverToRelaySchema,
   helloSchema,

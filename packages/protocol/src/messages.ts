@@ -108,7 +108,7 @@ export const driversSchema = z.strictObject({
 export type Drivers = z.infer<typeof driversSchema>;
 
 /** A script that may hold a motion: the robot goes on with `forward` only while its sender is heard. */
-const aliveDriver = z.strictObject({
+export const aliveDriverSchema = z.strictObject({
   /** as in `command` */
   driver: z.string().max(40),
   /** ms since it was last heard; 0 while a request of it waits for its answer */
@@ -116,7 +116,7 @@ const aliveDriver = z.strictObject({
   /** ms since its newest line was opened; null when it never had one */
   lineMs: milliseconds.nullable(),
 });
-export type AliveDriver = z.infer<typeof aliveDriver>;
+export type AliveDriver = z.infer<typeof aliveDriverSchema>;
 
 export const relayToPageSchema = z.discriminatedUnion(
   "type",
@@ -138,7 +138,7 @@ export const relayToPageSchema = z.discriminatedUnion(
       /** as in `command` */
       ttl: milliseconds,
     }),
-    driversSchema.extend({ type: z.literal("drivers"), alive: z.array(aliveDriver).max(32) }),
+    driversSchema.extend({ type: z.literal("drivers"), alive: z.array(aliveDriverSchema).max(32) }),
     heartbeat,
   ],
   { error: "one of welcome, command, stop, cancel, stored, refused, state, drivers, heartbeat" },

@@ -12,6 +12,8 @@ import { limits } from "./limits.ts";
 interface Listener {
   snapshot(snapshot: Snapshot): void;
   state(event: StateEvent): void;
+  /** states may have been lost on the way here */
+  missed(): void;
   over(reason: "over" | "restart"): void;
 }
 
@@ -77,7 +79,7 @@ export class Audience {
     const { promise, resolve } = Promise.withResolvers<void>();
     const deaf = { snapshot: () => undefined, state: () => undefined };
     const leave = this.#add(
-      { ...deaf, ...listen(resolve), over: () => resolve() },
+      { ...deaf, ...listen(resolve), missed: resolve, over: () => resolve() },
       null,
       "long-poll",
     );
@@ -97,6 +99,12 @@ export class Audience {
       const event = this.#events.add(record);
       for (const { listener } of this.#entries) listener.state(event);
     }
+  }
+
+  /** States may have been lost on the way here: everyone is told of the gap, or looks again. */
+  tellMissed(): void {
+    this.#events.lose();
+    for (const { listener } of this.#entries) listener.missed();
   }
 
   /** Sends everyone away. */

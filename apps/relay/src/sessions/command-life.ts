@@ -17,6 +17,7 @@ import {
   type Resume,
 } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
+import type { Step } from "../cluster/switchboard.ts";
 import { noRobot, Refusal, restarting, retryAfter } from "../problems.ts";
 import type { SessionStore, StoredKey, TermedRecord } from "../store/session-store.ts";
 import type { Audience, Patience } from "./audience.ts";
@@ -27,6 +28,7 @@ import { OrderedWork } from "./ordered-work.ts";
 import { commandFrame } from "./page-frames.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat } from "./page-seat.ts";
+import type { RobotLine } from "./robot-line.ts";
 import type { Witness } from "./witness.ts";
 
 export interface CommandLifeParts {
@@ -36,6 +38,7 @@ export interface CommandLifeParts {
   witness: Witness;
   audience: Audience;
   seat: PageSeat;
+  line: RobotLine;
 }
 
 export class CommandLife {
@@ -45,20 +48,24 @@ export class CommandLife {
   readonly #witness: Witness;
   readonly #audience: Audience;
   readonly #seat: PageSeat;
+  readonly #line: RobotLine;
   readonly #allowance: DriverAllowance;
   readonly #work = new OrderedWork();
   readonly #deadlines: DeadlineTimer;
   /** seq of the newest command while that is a stop */
   #newestStop: number | null = null;
+  /** a step of this relay is being told, in the turn in which it was done */
+  #isTelling = false;
   #end: "over" | "restart" | null = null;
 
-  constructor({ robot, store, clock, witness, audience, seat }: CommandLifeParts) {
+  constructor({ robot, store, clock, witness, audience, seat, line }: CommandLifeParts) {
     this.#robot = robot;
     this.#store = store;
     this.#clock = clock;
     this.#witness = witness;
     this.#audience = audience;
     this.#seat = seat;
+    this.#line = line;
     this.#allowance = new DriverAllowance(clock);
     this.#deadlines = new DeadlineTimer(clock, () => void this.#expire().catch(() => undefined));
     // What was stored before this relay began may be late by now.
@@ -76,8 +83,12 @@ export class CommandLife {
       const taken = await this.#store.takeOver(this.#robot, resume);
       if (taken === null || this.#end !== null)
         return link.close(closeReasons[this.#end ?? "over"]);
+      // Another relay's page may have come after, and its news before our answer.
+      if (this.#seat.isElsewhere && this.#seat.epoch > taken.epoch)
+        return link.close(closeReasons.replaced);
       this.#seat.page?.link.close(closeReasons.replaced);
       this.#seat.take({ link, epoch: taken.epoch });
+      this.#line.pageCame(taken.epoch);
       link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch });
       const refused = new Map(taken.refused.map((record) => [record.seq, record]));
       for (const { seq } of resume.endings) this.#answerEnding(link, seq, refused.get(seq) ?? null);
@@ -104,9 +115,10 @@ export class CommandLife {
   /** Ends what a page has left behind, unless one is there again. */
   async pageIsGone(): Promise<void> {
     await this.#work.run(async () => {
-      if (this.#seat.page !== null) return;
+      if (this.#seat.page !== null || this.#seat.isElsewhere) return;
       this.#seat.settleAway();
-      this.#tellStates(await this.#store.abandon(this.#robot, "the robot's page is gone"));
+      const { epoch } = this.#seat;
+      this.#tellStates(await this.#store.abandon(this.#robot, epoch, "the robot's page is gone"));
     });
   }
 
@@ -168,8 +180,40 @@ export class CommandLife {
 
   /** The relay itself has ended these: readers and page hear of it. */
   #endedHere(ended: readonly TermedRecord[]): void {
-    this.#tellStates(ended.map(({ record }) => record));
-    for (const { record, ttl } of ended) this.#seat.page?.link.send({ type: "state", record, ttl });
+    const changed = ended.map(({ record }) => record);
+    this.#stepped({ changed, ended: [...ended] });
+    this.#show(ended);
+  }
+
+  #show(commands: readonly TermedRecord[]): void {
+    for (const { record, ttl } of commands)
+      this.#seat.page?.link.send({ type: "state", record, ttl });
+  }
+
+  // --- other relays ---
+
+  /** What a step has changed: of this relay, heard again in its turn, or of another one. */
+  heardStep(step: Step, isOwn: boolean): void {
+    if (this.#isTelling) return this.#audience.tellStates(step.changed);
+    const heard = this.#work.run(async () => {
+      this.#audience.tellStates(step.changed);
+      if (isOwn || this.#end !== null) return;
+      if (step.added !== null) this.#newestStop = isStop(step.added) ? step.added.record.seq : null;
+      this.#show(step.ended);
+      if (step.added === null || this.#seat.page === null) return;
+      this.#deadlines.wake(step.added.deadline);
+      await this.#deliverOrShow(step.added);
+    });
+    heard.catch(() => undefined);
+  }
+
+  /** Steps may not have been heard: readers are told of the gap, and the page gets what waits. */
+  missedSteps(): void {
+    const made = this.#work.run(async () => {
+      this.#audience.tellMissed();
+      await this.#deliver();
+    });
+    made.catch(() => undefined);
   }
 
   // --- scripts ---
@@ -237,17 +281,32 @@ export class CommandLife {
           this.#newestStop = isStop ? result.record.seq : null;
           this.#witness.stored(this.#secondsSince(cameAt));
           acknowledge(result.record);
-          this.#deadlines.wake(cameAt + ttl - age);
-          this.#endedHere(result.ended);
-          return this.#deliverOrShow(result.record, ttl);
+          return this.#stored(
+            {
+              record: result.record,
+              driver: grant.hash,
+              ttl,
+              deadline: cameAt + ttl - age,
+              replace,
+              lease,
+            },
+            result.ended,
+          );
       }
     });
   }
 
+  async #stored(added: TermedRecord, ended: TermedRecord[]): Promise<void> {
+    this.#deadlines.wake(added.deadline);
+    this.#stepped({ added, ended, changed: ended.map(({ record }) => record) });
+    this.#show(ended);
+    await this.#deliverOrShow(added);
+  }
+
   /** What cannot be delivered yet is shown to the page all the same. */
-  async #deliverOrShow(record: CommandRecord, ttl: number): Promise<void> {
+  async #deliverOrShow(added: TermedRecord): Promise<void> {
     const sent = await this.#deliver();
-    if (!sent.has(record.seq)) this.#seat.page?.link.send({ type: "state", record, ttl });
+    if (!sent.has(added.record.seq)) this.#show([added]);
   }
 
   /**
@@ -272,6 +331,7 @@ export class CommandLife {
           return result.termed.record;
         case "delivered":
           this.#seat.page?.link.send({ type: "cancel", seq });
+          this.#line.cancel(seq);
           return result.record;
         case "over":
           return result.record;
@@ -334,13 +394,24 @@ export class CommandLife {
   }
 
   #tellStates(records: readonly CommandRecord[]): void {
-    for (const { state } of records) if (hasEnded(state)) this.#witness.ended(state);
-    this.#audience.tellStates(records);
+    this.#stepped({ changed: [...records] });
+  }
+
+  /** A step of this relay is done: everyone on the line is told, its own readers too. */
+  #stepped(step: Partial<Step> & Pick<Step, "changed">): void {
+    for (const { state } of step.changed) if (hasEnded(state)) this.#witness.ended(state);
+    this.#isTelling = true;
+    this.#line.stepped(step);
+    this.#isTelling = false;
   }
 
   #secondsSince(time: number): number {
     return Math.max(0, this.#clock.now() - time) / 1000;
   }
+}
+
+function isStop({ record }: TermedRecord): boolean {
+  return record.action === "stop";
 }
 
 function noCommand(seq: number): Refusal {

@@ -11,7 +11,13 @@ import { driverName } from "./page-frames.ts";
 /** Whoever was silent for longer holds no motion any more. */
 const FORGET_MS = 10_000;
 /** Beyond these nobody is told of: their motions end, that is all. */
-const MOST_TOLD = 16;
+export const MOST_TOLD = 16;
+
+/** What the page is told of its scripts. */
+export interface Scripts extends Drivers {
+  /** those that may hold a motion */
+  alive: AliveDriver[];
+}
 
 interface Life {
   heardAt: number;
@@ -23,7 +29,7 @@ interface Life {
 
 export class DriverRoster {
   readonly #clock: Clock;
-  readonly #tell: (drivers: Drivers, alive: AliveDriver[]) => void;
+  readonly #tell: () => void;
   /** by the hash of its key */
   readonly #lives = new Map<string, Life>();
   #connected = 0;
@@ -32,7 +38,8 @@ export class DriverRoster {
   #cancelTimer: (() => void) | null = null;
   #isNews = false;
 
-  constructor(clock: Clock, tell: (drivers: Drivers, alive: AliveDriver[]) => void) {
+  /** @param tell is called when there is something new to be told */
+  constructor(clock: Clock, tell: () => void) {
     this.#clock = clock;
     this.#tell = tell;
   }
@@ -69,6 +76,10 @@ export class DriverRoster {
       this.#connected -= 1;
       this.#changed();
     };
+  }
+
+  told(): Scripts {
+    return { ...this.now(), alive: this.alive() };
   }
 
   now(): Drivers {
@@ -110,7 +121,7 @@ export class DriverRoster {
     this.#cancelTimer?.();
     this.#isNews = false;
     this.#forgetSilent();
-    this.#tell(this.now(), this.alive());
+    this.#tell();
     this.#cancelTimer = this.#clock.after(limits.driversIntervalMs, () => {
       this.#cancelTimer = null;
       const isWaiting = [...this.#lives.values()].some(({ waiting }) => waiting > 0);

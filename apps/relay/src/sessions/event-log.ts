@@ -42,6 +42,12 @@ export class EventLog {
     return event;
   }
 
+  /** States may have come that nobody here heard of: whoever reads is told of a gap. */
+  lose(): void {
+    this.#n += 1;
+    this.#kept = [];
+  }
+
   /** Lets go of what is too old. */
   forgetOld(): void {
     const oldest = this.#clock.now() - KEPT_EVENTS_MS;

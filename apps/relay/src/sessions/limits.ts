@@ -34,6 +34,11 @@ export const limits = {
   heldReaderBytes: 32 * 1024,
   /** a reader with more unsent bytes is closed: it does not read at all */
   stuckReaderBytes: 1024 * 1024,
+  /** a relay that holds a robot says so to the page's relay this often; silence of that length ends it */
+  relayHereMs: 2_000,
+  relaySilenceMs: 6_000,
+  /** how long a relay that begins to hold a robot waits for the newest snapshot from the page's relay */
+  relayMeetMs: 500,
   /** time for the first message of a socket */
   helloMs: 5_000,
   /** a ping and a heartbeat each so often; silence of more than twice that closes the socket */

@@ -98,6 +98,11 @@ export class ReaderFeed {
     else this.#tell(event);
   }
 
+  /** States were lost: the reader is told of the gap. */
+  missed(): void {
+    if (!this.#isMissing) this.#missed();
+  }
+
   /** The reader has read all that came up to this snapshot. */
   seen(seq: number): void {
     this.#saysSeen = true;

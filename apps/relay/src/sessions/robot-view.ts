@@ -34,6 +34,12 @@ export class RobotView {
     this.#state = "awake";
   }
 
+  /** Takes a snapshot as the page's relay tells it, which has seen to its number and its state. */
+  hear(snapshot: Snapshot): void {
+    this.#newest = snapshot;
+    this.#state = "awake";
+  }
+
   pageCame(now: number): void {
     this.#heardAt = now;
     this.#tick = null;

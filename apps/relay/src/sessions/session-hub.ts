@@ -5,6 +5,8 @@
 import type { Registration } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../clock.ts";
+import { LocalSwitchboard } from "../cluster/local-switchboard.ts";
+import type { Switchboard } from "../cluster/switchboard.ts";
 import { hashKey, mintId, mintKey } from "../keys.ts";
 import { noRobot, notAuthorised, Refusal, retryAfter, restarting } from "../problems.ts";
 import type { KeyKind, SessionStore, StoredKey } from "../store/session-store.ts";
@@ -24,6 +26,14 @@ export interface Census {
   readers: Record<ReaderDoor, number>;
 }
 
+/** What a hub can do without. */
+export interface HubOptions {
+  /** counts what happens to commands; default: nobody */
+  witness?: Witness;
+  /** the lines to other relays; default: there are none */
+  switchboard?: Switchboard;
+}
+
 export interface Grant {
   session: Session;
   key: StoredKey;
@@ -34,6 +44,7 @@ export class SessionHub {
   readonly #clock: Clock;
   readonly #log: Logger;
   readonly #witness: Witness;
+  readonly #switchboard: Switchboard;
   readonly #sessions = new Map<string, Promise<Session | null>>();
   /** by address; kept in memory only */
   readonly #registrations = new Map<string, TokenBucket>();
@@ -41,11 +52,12 @@ export class SessionHub {
   #expiryAt: number;
   #isClosing = false;
 
-  constructor(store: SessionStore, clock: Clock, log: Logger, witness = noWitness) {
+  constructor(store: SessionStore, clock: Clock, log: Logger, options: HubOptions = {}) {
     this.#store = store;
     this.#clock = clock;
     this.#log = log;
-    this.#witness = witness;
+    this.#witness = options.witness ?? noWitness;
+    this.#switchboard = options.switchboard ?? new LocalSwitchboard();
     this.#expiryAt = clock.now();
     this.#cancelTimer = clock.after(LIFE_CHECK_MS, () => void this.#check());
   }
@@ -153,7 +165,14 @@ export class SessionHub {
 
   async #load(id: string): Promise<Session | null> {
     const stored = await this.#store.find(id);
-    return stored === null ? null : new Session(stored, this.#store, this.#clock, this.#witness);
+    if (stored === null) return null;
+    return Session.open(stored, {
+      store: this.#store,
+      clock: this.#clock,
+      witness: this.#witness,
+      switchboard: this.#switchboard,
+      forgotten: () => this.#sessions.delete(id),
+    });
   }
 
   async #check(): Promise<void> {
@@ -172,7 +191,9 @@ export class SessionHub {
       if (session === null) continue;
       await session.noteUse();
       await session.checkLife();
-      if (session.isQuiet) this.#sessions.delete(id);
+      if (!session.isQuiet) continue;
+      this.#sessions.delete(id);
+      session.leave();
     }
   }
 

@@ -12,6 +12,7 @@ import {
   type Snapshot,
 } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
+import type { News, Switchboard } from "../cluster/switchboard.ts";
 import { matchKey } from "../keys.ts";
 import type { SessionStore, StoredKey, StoredSession } from "../store/session-store.ts";
 import { Audience, type Patience, type ReaderDoor } from "./audience.ts";
@@ -23,14 +24,24 @@ import { limits } from "./limits.ts";
 import type { PageLink } from "./page-link.ts";
 import { PageSeat } from "./page-seat.ts";
 import { ReaderFeed, type ReaderSink, type ReaderSource } from "./reader-feed.ts";
+import { RobotLine } from "./robot-line.ts";
 import { RobotView } from "./robot-view.ts";
-import { noWitness } from "./witness.ts";
+import type { Witness } from "./witness.ts";
 
 /** A reader's hold on the session. */
 export interface JoinedReader {
   /** It has read all that came up to this snapshot. */
   seen(seq: number): void;
   leave(): void;
+}
+
+export interface SessionParts {
+  store: SessionStore;
+  clock: Clock;
+  witness: Witness;
+  switchboard: Switchboard;
+  /** is called when the robot was forgotten at another relay */
+  forgotten: () => void;
 }
 
 export class Session {
@@ -45,11 +56,16 @@ export class Session {
   readonly #audience: Audience;
   readonly #seat: PageSeat;
   readonly #life: CommandLife;
+  readonly #line: RobotLine;
+  readonly #forgotten: () => void;
+  /** ends the wait for the page's relay */
+  #met: () => void = () => undefined;
   #lastUsedAt: number;
   #touchedAt: number;
   #isOver = false;
 
-  constructor(stored: StoredSession, store: SessionStore, clock: Clock, witness = noWitness) {
+  private constructor(stored: StoredSession, parts: SessionParts) {
+    const { store, clock, witness } = parts;
     this.id = stored.id;
     this.createdAt = stored.createdAt;
     this.#keys = stored.keys;
@@ -59,13 +75,26 @@ export class Session {
     this.#clock = clock;
     this.#events = new EventLog(clock);
     const audience = new Audience(clock, this.#events);
-    const seat = new PageSeat(clock.now());
+    const seat = new PageSeat(clock.now(), stored.epoch);
+    const line = new RobotLine(clock);
     this.#audience = audience;
     this.#seat = seat;
-    this.#life = new CommandLife({ robot: this.id, store, clock, witness, audience, seat });
-    this.roster = new DriverRoster(clock, (drivers, alive) => {
-      seat.page?.link.send({ type: "drivers", ...drivers, alive });
+    this.#line = line;
+    this.#forgotten = parts.forgotten;
+    this.#life = new CommandLife({ robot: this.id, store, clock, witness, audience, seat, line });
+    this.roster = new DriverRoster(clock, () => this.#tellScripts());
+  }
+
+  /** Takes a session into memory, and onto the line of the relays that hold it. */
+  static async open(stored: StoredSession, parts: SessionParts): Promise<Session> {
+    const session = new Session(stored, parts);
+    await session.#line.open(parts.switchboard, stored.id, {
+      stepped: (step, isOwn) => session.#life.heardStep(step, isOwn),
+      missed: () => session.missedNews(),
+      heard: (news) => session.#heard(news),
     });
+    await session.#meet();
+    return session;
   }
 
   /** The stored key that belongs to a bearer key; null when it is none of this robot's. */
@@ -99,12 +128,13 @@ export class Session {
 
   /**
    * Whether nobody has used it for a while and nothing is due, so that it need not stay in memory.
-   * One whose robot has reported stays until it expires: nothing else holds the newest snapshot.
+   * One whose robot has reported here stays until it expires: nothing else holds the newest snapshot.
    */
   get isQuiet(): boolean {
     const isUnused = this.#clock.now() - this.#lastUsedAt > limits.touchMs;
     const isAlone = !this.hasPage && this.#audience.isEmpty;
-    return isUnused && isAlone && !this.#seat.isAwayOpen && this.newest === null;
+    const isHeldElsewhere = this.#seat.isElsewhere || this.newest === null;
+    return isUnused && isAlone && !this.#seat.isAwayOpen && isHeldElsewhere;
   }
 
   // --- the page ---
@@ -114,7 +144,7 @@ export class Session {
     await this.#life.takePage(link, resume, () => {
       this.#used();
       this.#view.pageCame(this.#clock.now());
-      link.send({ type: "drivers", ...this.roster.now(), alive: this.roster.alive() });
+      this.#tellScripts();
     });
   }
 
@@ -124,6 +154,7 @@ export class Session {
     this.#seat.leave(this.#clock.now());
     this.#view.pageLeft();
     this.#tellSnapshot();
+    this.#line.pageLeft(this.#seat.epoch);
   }
 
   /** A message of the page. Frames of a page that was replaced or of an older epoch are refused. */
@@ -210,6 +241,7 @@ export class Session {
     const now = this.#clock.now();
     this.#events.forgetOld();
     if (this.hasPage && this.#view.checkAsleep(now)) this.#tellSnapshot();
+    if (this.#seat.isElsewhere) this.#line.stayHere(this.roster.told());
     if (this.#seat.awayMs(now) >= limits.pageAwayMs) await this.#life.pageIsGone();
   }
 
@@ -223,11 +255,80 @@ export class Session {
   /** Ends the session for everyone who is connected. */
   close(reason: "over" | "restart"): void {
     this.#isOver = true;
+    if (this.hasPage) this.#line.pageLeft(this.#seat.epoch);
+    if (reason === "over") this.#line.forgotten();
     this.#life.close(reason);
     this.roster.close();
     this.#seat.page?.link.close(closeReasons[reason]);
     this.#seat.clear();
     this.#audience.close(reason);
+    this.leave();
+  }
+
+  /** Goes out of memory; other relays may hold it still. */
+  leave(): void {
+    this.#line.leave();
+  }
+
+  // --- other relays ---
+
+  /** What other relays said may not have come: readers are told so, and the page gets what waits. */
+  missedNews(): void {
+    this.#life.missedSteps();
+  }
+
+  /** Where the page is at another relay, waits for that one's answer: the newest snapshot, if there is one. */
+  async #meet(): Promise<void> {
+    if (!this.#seat.isElsewhere) return;
+    const { promise, resolve } = Promise.withResolvers<void>();
+    this.#met = resolve;
+    this.#line.sayHere(this.roster.told(), true);
+    const cancelTimer = this.#clock.after(limits.relayMeetMs, resolve);
+    await promise;
+    cancelTimer();
+  }
+
+  #heard(news: News): void {
+    const { page } = this.#seat;
+    switch (news.kind) {
+      case "page":
+        this.#seat.takeElsewhere(news.epoch)?.link.close(closeReasons.replaced);
+        this.#line.sayHere(this.roster.told());
+        return;
+      case "page-left":
+        if (!this.#seat.leaveElsewhere(news.epoch, this.#clock.now())) return;
+        this.#view.pageLeft();
+        return this.#tellReaders();
+      case "snapshot":
+        if (page !== null) return;
+        this.#view.hear(news.snapshot);
+        this.#met();
+        return this.#tellReaders();
+      case "here": {
+        this.#line.heardHere(news.from, news.scripts);
+        if (page === null) return this.#met();
+        if (news.asks) this.#answer();
+        return this.#tellScripts();
+      }
+      case "cancel":
+        return page?.link.send({ type: "cancel", seq: news.seq });
+      case "over":
+        if (this.isOver) return;
+        this.#forgotten();
+        return this.close("over");
+    }
+  }
+
+  #answer(): void {
+    if (this.newest === null) this.#line.sayHere(this.roster.told());
+    else this.#line.snapshot(this.newest);
+  }
+
+  /** Tells the page, here or at another relay, of its scripts. */
+  #tellScripts(): void {
+    const scripts = this.roster.told();
+    if (this.#seat.isElsewhere) return this.#line.sayHere(scripts);
+    this.#seat.page?.link.send({ type: "drivers", ...this.#line.withOthers(scripts) });
   }
 
   #used(): void {
@@ -243,6 +344,11 @@ export class Session {
   }
 
   #tellSnapshot(): void {
+    if (this.newest !== null) this.#line.snapshot(this.newest);
+    this.#tellReaders();
+  }
+
+  #tellReaders(): void {
     if (this.newest !== null) this.#audience.tellSnapshot(this.newest);
   }
 }

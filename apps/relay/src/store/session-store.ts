@@ -127,10 +127,11 @@ export interface SessionStore {
   /** delivered or started → its ending, by the page of the newest epoch. */
   end(id: string, epoch: number, ending: Ending): Promise<EndResult>;
   /**
-   * The page is away for good: raises the epoch, so that nothing of it counts any more, and ends all
-   * that is delivered or started as cancelled. @returns what has ended by this
+   * The page with this epoch is away for good: raises the epoch, so that nothing of it counts any more,
+   * and ends all that is delivered or started as cancelled. Does nothing when a newer page has come.
+   * @returns what has ended by this
    */
-  abandon(id: string, reason: string): Promise<CommandRecord[]>;
+  abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[]>;
   /**
    * A page takes the robot: raises the epoch, stores what the page has done, and makes what never
    * reached it wait again, except what a later stop or replacing command has overtaken meanwhile.

@@ -42,7 +42,7 @@ it("finds the commands of a robot by index, however many have ended", async () =
   await store.deliver(id, 1, 8, 2);
   await store.start(id, 1, 2);
   await store.end(id, 1, completed(2));
-  await store.abandon(id, "gone");
+  await store.abandon(id, 1, "gone");
   await store.expire(id, 2);
   await store.add(id, { ...command, key: null, command: { action: "stop" } });
   await store.takeOver(id, { lastApplied: 2, fresh: true, endings: [] });

@@ -216,9 +216,10 @@ export class SqliteStore implements SessionStore {
     });
   }
 
-  async abandon(id: string, reason: string): Promise<CommandRecord[]> {
+  async abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[]> {
     return this.#file.step(() => {
-      this.#writing.run("UPDATE sessions SET epoch = epoch + 1 WHERE id = ?", [id]);
+      const raised = "UPDATE sessions SET epoch = epoch + 1 WHERE id = ? AND epoch = ?";
+      if (this.#writing.run(raised, [id, epoch]) === 0) return [];
       return recordsIn(
         this.#writing,
         `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = ?

@@ -141,8 +141,8 @@ export class RedisSessionStore implements SessionStore {
     return outcome === "ended" ? { outcome, record } : { outcome, record };
   }
 
-  async abandon(id: string, reason: string): Promise<CommandRecord[]> {
-    return z.array(recordRow).parse(await this.#step("abandon", id, { reason }));
+  async abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[]> {
+    return z.array(recordRow).parse(await this.#step("abandon", id, { epoch, reason }));
   }
 
   async takeOver(id: string, { lastApplied, fresh, endings }: PageState) {

@@ -228,7 +228,7 @@ function steps.finish()
 end
 
 function steps.abandon()
-  if epoch() < 0 then return '[]' end
+  if epoch() ~= given.epoch then return '[]' end
   redis.call('HINCRBY', SESSION, 'epoch', 1)
   local rows = open(function(row) return not waits(row) end)
   for _, row in ipairs(rows) do change(row, 'cancelled', given.reason) end

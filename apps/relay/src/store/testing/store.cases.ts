@@ -185,7 +185,7 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
         record: { state: "completed" },
       });
       expect(await store.end(ID, EPOCH, completed(9))).toEqual({ outcome: "over", record: null });
-      expect(await store.abandon(ID, "gone")).toEqual([]);
+      expect(await store.abandon(ID, EPOCH, "gone")).toEqual([]);
       expect(await store.command(ID, 1)).toMatchObject({ state: "completed", pose: { x: 250 } });
     });
 
@@ -194,7 +194,7 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
       for (let n = 0; n < 3; n++) await add(LEFT);
       await deliver(2);
       await store.start(ID, EPOCH, 1);
-      await store.abandon(ID, "the robot is gone");
+      await store.abandon(ID, EPOCH, "the robot is gone");
       expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 accepted"]);
       expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({
         outcome: "over",
@@ -353,7 +353,7 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
       await add(LEFT);
       await deliver(8);
       await store.end(ID, EPOCH, completed(1));
-      await store.abandon(ID, "gone");
+      await store.abandon(ID, EPOCH, "gone");
       const endings = [completed(1), completed(2)];
       const taken = await store.takeOver(ID, { lastApplied: 2, fresh: false, endings });
       expect(taken).toMatchObject({ changed: [], refused: [{ seq: 2, state: "cancelled" }] });

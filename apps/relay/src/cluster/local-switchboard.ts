@@ -1,0 +1,51 @@
+/**
+ * The lines of one relay, on which nobody else is. In tests several relays of one process share one, and
+ * are a cluster.
+ */
+import type { Ears, Line, News, Step, Switchboard } from "./switchboard.ts";
+
+interface Place {
+  ears: Ears;
+  /** the epoch of the page that it has; null: it has none */
+  page: number | null;
+}
+
+export class LocalSwitchboard implements Switchboard {
+  readonly #lines = new Map<string, Set<Place>>();
+
+  async join(robot: string, ears: Ears): Promise<Line> {
+    const places = this.#lines.get(robot) ?? new Set();
+    this.#lines.set(robot, places);
+    for (const { page } of places) if (page !== null) ears.heard({ kind: "page", epoch: page });
+    const place: Place = { ears, page: null };
+    places.add(place);
+    const tell = (news: News): void => {
+      for (const other of places) if (other !== place) other.ears.heard(news);
+    };
+    const leftPage = (): void => {
+      const epoch = place.page;
+      place.page = null;
+      if (epoch !== null) tell({ kind: "page-left", epoch });
+    };
+    return {
+      stepped: (step: Step) => {
+        if (step.added === null && step.changed.length === 0) return;
+        for (const other of places) other.ears.stepped(step, other === place);
+      },
+      tell: (news) => {
+        if (news.kind === "page-left") return leftPage();
+        if (news.kind === "page") place.page = news.epoch;
+        return tell(news);
+      },
+      leave: () => {
+        places.delete(place);
+        leftPage();
+        if (places.size === 0 && this.#lines.get(robot) === places) this.#lines.delete(robot);
+      },
+    };
+  }
+
+  async close(): Promise<void> {
+    this.#lines.clear();
+  }
+}

@@ -1,0 +1,60 @@
+import { pino } from "pino";
+import { describe, expect, it, onTestFinished, vi } from "vitest";
+import { systemClock } from "../clock.ts";
+import { connectRedis } from "../store/redis/connection.ts";
+import { ForgottenBytes } from "../store/redis/forgotten-bytes.ts";
+import { RedisSessionStore } from "../store/redis/redis-session-store.ts";
+import { hasRedis, startTestRedis } from "../testing/test-redis.ts";
+import { RedisSwitchboard } from "./redis-switchboard.ts";
+import { placeOf, switchboardCases } from "./testing/switchboard.cases.ts";
+
+const ID = "AAAAAAAAAAAAAAAAAAAAAA";
+
+async function relayAt(url: string, relay: string) {
+  const connect = async () => {
+    const connection = await connectRedis(url, () => undefined);
+    onTestFinished(() => connection.destroy());
+    return connection;
+  };
+  const [redis, hearing] = [await connect(), await connect()];
+  const log = pino({ level: "silent" });
+  const options = { redis, hearing, relay, clock: systemClock, log };
+  const switchboard = await RedisSwitchboard.open(options);
+  const store = new RedisSessionStore(redis, new ForgottenBytes(redis), relay);
+  const die = (): void => {
+    redis.destroy();
+    hearing.destroy();
+  };
+  onTestFinished(() => switchboard.close());
+  return { switchboard, store, redis, die };
+}
+
+async function twoRelays() {
+  const { url } = await startTestRedis();
+  return [await relayAt(url, "relay-a"), await relayAt(url, "relay-b")] as const;
+}
+
+describe.skipIf(!hasRedis)("with Redis", () => {
+  switchboardCases("RedisSwitchboard", async () => [...(await twoRelays())]);
+
+  it("takes the page of a relay that has died for away, within five seconds", async () => {
+    const [dying, other] = await twoRelays();
+    await other.store.create({ id: ID, createdAt: 1, keys: [] });
+    const epoch = await (await placeOf(dying)).take();
+    const { heard } = await placeOf(other);
+    expect(heard).toMatchObject([{ kind: "page", epoch }]);
+    dying.die();
+    await vi.waitFor(() => expect(heard.at(-1)).toMatchObject({ kind: "page-left", epoch }), 5_000);
+    expect((await placeOf(other)).heard).toEqual([]);
+  });
+
+  it("says that something was missed when the line was broken, and hears again", async () => {
+    const [relay, other] = await twoRelays();
+    await relay.store.create({ id: ID, createdAt: 1, keys: [] });
+    const place = await placeOf(relay);
+    await other.redis.sendCommand(["CLIENT", "KILL", "TYPE", "pubsub"]);
+    await vi.waitFor(() => expect(place.missed).toHaveBeenCalled(), 5_000);
+    await (await placeOf(other)).add();
+    await vi.waitFor(() => expect(place.steps).toEqual(["+1"]));
+  });
+});

@@ -1,0 +1,178 @@
+/**
+ * Lines over Redis: a channel for each robot that this relay holds. The scripts of the store tell the
+ * steps there, numbered, in the moment in which they are done; a number that is missing, or a connection
+ * that was broken, is heard as `missed`. A relay that does not give a sign of life for three seconds counts as
+ * dead, and the pages that it had as away.
+ */
+import { aliveDriverSchema, driversSchema, hasEnded, snapshotSchema } from "@corridor/protocol";
+import type { Logger } from "pino";
+import { z } from "zod";
+import type { Clock } from "../clock.ts";
+import { asked, type Redis } from "../store/redis/connection.ts";
+import { lineOf, sessionOf } from "../store/redis/redis-keys.ts";
+import { termedRow } from "../store/redis/rows.ts";
+import { Script } from "../store/redis/script.ts";
+import type { Ears, Line, News, Switchboard } from "./switchboard.ts";
+
+const BEAT_MS = 1_000;
+/** A relay that was silent for so long counts as dead. */
+const ALIVE_MS = 3_000;
+const RELAYS = "corridor:relays";
+
+const holderSchema = z.object({ relay: z.string(), epoch: z.int() });
+const scriptsSchema = driversSchema.extend({ alive: z.array(aliveDriverSchema) });
+const from = z.string();
+const epoch = z.int();
+const messageSchema = z.discriminatedUnion("kind", [
+  z.object({
+    kind: z.literal("step"),
+    from,
+    n: z.int(),
+    added: termedRow.nullable(),
+    changed: z.array(termedRow),
+  }),
+  z.object({ kind: z.literal("page"), from, epoch }),
+  z.object({ kind: z.literal("page-left"), from, epoch }),
+  z.object({ kind: z.literal("snapshot"), from, snapshot: snapshotSchema }),
+  z.object({ kind: z.literal("here"), from, scripts: scriptsSchema, asks: z.boolean() }),
+  z.object({ kind: z.literal("cancel"), from, seq: z.int() }),
+  z.object({ kind: z.literal("over"), from }),
+]);
+type Message = z.infer<typeof messageSchema>;
+
+interface Place {
+  ears: Ears;
+  /** number of the newest step that was heard; null: none yet */
+  n: number | null;
+  /** the relay that has the page, as far as this one knows */
+  holder: z.infer<typeof holderSchema> | null;
+}
+
+export interface RedisSwitchboardOptions {
+  redis: Redis;
+  /** a connection of its own, for what is heard */
+  hearing: Redis;
+  relay: string;
+  clock: Clock;
+  log: Logger;
+}
+
+export class RedisSwitchboard implements Switchboard {
+  readonly #options: RedisSwitchboardOptions;
+  readonly #script: Script;
+  readonly #places = new Map<string, Place>();
+  #cancelTimer: () => void = () => undefined;
+  #isClosed = false;
+
+  private constructor(options: RedisSwitchboardOptions) {
+    this.#options = options;
+    this.#script = new Script(options.redis, "../../cluster/switchboard.lua", [options.relay]);
+  }
+
+  /** Opens the switchboard; from now on this relay counts as alive. */
+  static async open(options: RedisSwitchboardOptions): Promise<RedisSwitchboard> {
+    const switchboard = new RedisSwitchboard(options);
+    await switchboard.#beat();
+    // The client listens again by itself, but nobody keeps for it what was said meanwhile.
+    options.hearing.on("ready", () => switchboard.#missed());
+    return switchboard;
+  }
+
+  async join(robot: string, ears: Ears): Promise<Line> {
+    const { hearing, relay, log } = this.#options;
+    const place: Place = { ears, n: null, holder: null };
+    const hear = (text: string): void => {
+      const message = messageSchema.safeParse(JSON.parse(text));
+      if (message.success) this.#hear(place, message.data);
+      else
+        log.warn({ err: message.error }, "another relay said something that this one cannot read");
+    };
+    const channel = lineOf(robot);
+    await asked(hearing.subscribe(channel, hear));
+    this.#places.set(robot, place);
+    const holder = holderSchema.nullable().parse(await this.#run("holder", robot));
+    if (holder !== null && holder.relay !== relay && place.holder === null) {
+      place.holder = holder;
+      ears.heard({ kind: "page", epoch: holder.epoch });
+    }
+    return {
+      // The script that did the step has told it.
+      stepped: () => undefined,
+      tell: (news) => this.#tell(robot, news),
+      leave: () => {
+        if (this.#places.get(robot) === place) this.#places.delete(robot);
+        hearing.unsubscribe(channel, hear).catch(() => undefined);
+      },
+    };
+  }
+
+  async close(): Promise<void> {
+    this.#isClosed = true;
+    this.#cancelTimer();
+    this.#places.clear();
+    await this.#run("stop", "").catch(() => undefined);
+  }
+
+  #tell(robot: string, news: News): void {
+    const { redis, relay, log } = this.#options;
+    // The script of the store has told it, with the new epoch.
+    if (news.kind === "page" || news.kind === "over") return;
+    const told =
+      news.kind === "page-left"
+        ? this.#run("left", robot, { epoch: news.epoch })
+        : redis.publish(lineOf(robot), JSON.stringify({ ...news, from: relay }));
+    told.catch((error: unknown) =>
+      log.debug({ err: error }, "news did not reach the other relays"),
+    );
+  }
+
+  #hear(place: Place, message: Message): void {
+    const { relay } = this.#options;
+    if (message.kind === "step") return this.#hearStep(place, message);
+    if (message.from === relay) {
+      if (message.kind === "page") place.holder = null;
+      return;
+    }
+    if (message.kind === "page") place.holder = { relay: message.from, epoch: message.epoch };
+    if (message.kind === "page-left") place.holder = null;
+    place.ears.heard(message);
+  }
+
+  #hearStep(place: Place, { n, from: teller, added, changed }: Message & { kind: "step" }): void {
+    if (place.n !== null && n !== place.n + 1) place.ears.missed();
+    place.n = n;
+    const ended = changed.filter(({ record }) => hasEnded(record.state));
+    const step = { added, ended, changed: changed.map(({ record }) => record) };
+    place.ears.stepped(step, teller === this.#options.relay);
+  }
+
+  #missed(): void {
+    for (const place of this.#places.values()) {
+      place.n = null;
+      place.ears.missed();
+    }
+  }
+
+  /** Gives a sign of life, and looks for those who do not any more. */
+  async #beat(): Promise<void> {
+    try {
+      const alive = new Set(
+        z.array(z.string()).parse(await this.#run("beat", "", { ms: ALIVE_MS })),
+      );
+      for (const place of this.#places.values()) {
+        const { holder } = place;
+        if (holder === null || alive.has(holder.relay)) continue;
+        place.holder = null;
+        place.ears.heard({ kind: "page-left", epoch: holder.epoch });
+      }
+    } catch (error) {
+      this.#options.log.debug({ err: error }, "no sign of life could be given");
+    }
+    if (this.#isClosed) return;
+    this.#cancelTimer = this.#options.clock.after(BEAT_MS, () => void this.#beat());
+  }
+
+  async #run(step: string, robot: string, values: unknown = {}): Promise<unknown> {
+    return this.#script.run(step, [sessionOf(robot), lineOf(robot), RELAYS], values);
+  }
+}

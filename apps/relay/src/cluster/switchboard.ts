@@ -1,0 +1,58 @@
+/**
+ * What relays that serve the same robot tell each other: a line for each robot. Nothing on it is needed
+ * for a command to be neither lost nor doubled; the store alone sees to that. Every form of it passes
+ * `testing/switchboard.cases.ts`; see docs/adr/0010-several-relays.md.
+ */
+import type { CommandRecord, Snapshot } from "@corridor/protocol";
+import type { Scripts } from "../sessions/driver-roster.ts";
+import type { TermedRecord } from "../store/session-store.ts";
+
+/** What one step of the store has changed. */
+export interface Step {
+  /** a command that was accepted and waits */
+  added: TermedRecord | null;
+  /** new states, for whoever reads */
+  changed: CommandRecord[];
+  /** which of them a relay has ended, for the page to show */
+  ended: TermedRecord[];
+}
+
+/** Whatever else there is to say. */
+export type News =
+  /** the newest, many times a second */
+  | { kind: "snapshot"; snapshot: Snapshot }
+  /** a page has taken the robot at another relay */
+  | { kind: "page"; epoch: number }
+  /** that page is away, or its relay is */
+  | { kind: "page-left"; epoch: number }
+  /** another relay has the robot on its line, and these scripts; `asks` for the newest snapshot at once */
+  | { kind: "here"; from: string; scripts: Scripts; asks: boolean }
+  /** the page is asked to end this command */
+  | { kind: "cancel"; seq: number }
+  /** the robot was forgotten */
+  | { kind: "over" };
+
+export interface Ears {
+  /** A step of a relay, this one included: everyone on the line hears all steps in the same order. */
+  stepped(step: Step, isOwn: boolean): void;
+  /** Steps may not have been heard. */
+  missed(): void;
+  /** News of another relay. */
+  heard(news: News): void;
+}
+
+export interface Line {
+  /** Passes on what a step of this relay has changed, unless the store has done so. */
+  stepped(step: Step): void;
+  tell(news: News): void;
+  leave(): void;
+}
+
+export interface Switchboard {
+  /**
+   * Puts this relay on a robot's line. Where a page has the robot at another relay, that is heard
+   * before this returns.
+   */
+  join(robot: string, ears: Ears): Promise<Line>;
+  close(): Promise<void>;
+}

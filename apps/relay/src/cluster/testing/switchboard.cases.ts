@@ -1,0 +1,121 @@
+/** What every switchboard must do, whatever its lines are made of. */
+import { snapshotOf } from "@corridor/protocol/testing";
+import { describe, expect, it, vi } from "vitest";
+import { sentCommand } from "../../store/testing/sent-command.ts";
+import type { SessionStore } from "../../store/session-store.ts";
+import type { Line, News, Switchboard } from "../switchboard.ts";
+
+const ID = "AAAAAAAAAAAAAAAAAAAAAA";
+const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";
+const nothingDone = { lastApplied: 0, fresh: false, endings: [] };
+const scripts = { connected: 1, client: "Python", silentMs: 5, alive: [] };
+
+export interface TestRelay {
+  store: SessionStore;
+  switchboard: Switchboard;
+}
+
+/** One relay's place on a line, with all that it has heard. */
+export async function placeOf({ store, switchboard }: TestRelay, robot = ID) {
+  const steps: string[] = [];
+  const heard: News[] = [];
+  const missed = vi.fn<() => void>();
+  const line: Line = await switchboard.join(robot, {
+    stepped: ({ added, changed }, isOwn) => {
+      const told = changed.map(({ seq, state }) => `${seq} ${state}`);
+      if (added !== null) told.unshift(`+${added.record.seq}`);
+      steps.push(`${told.join(", ")}${isOwn ? " (own)" : ""}`);
+    },
+    missed,
+    heard: (news) => heard.push(news),
+  });
+  return {
+    line,
+    steps,
+    heard,
+    missed,
+    add: async () => {
+      const result = await store.add(robot, sentCommand());
+      if (result.outcome !== "stored") throw new Error(result.outcome);
+      const { record, ended } = result;
+      const added = { ...sentCommand(), record };
+      line.stepped({ added, ended, changed: ended.map((each) => each.record) });
+      return record.seq;
+    },
+    take: async () => {
+      const taken = await store.takeOver(robot, nothingDone);
+      if (taken === null) throw new Error("there is no such session");
+      line.stepped({ added: null, ended: [], changed: taken.changed });
+      line.tell({ kind: "page", epoch: taken.epoch });
+      return taken.epoch;
+    },
+    deliver: async (epoch: number) => {
+      const due = await store.deliver(robot, epoch, 8, sentCommand().acceptedAt);
+      const changed = due.map(({ record }) => record);
+      line.stepped({ added: null, ended: [], changed });
+    },
+  };
+}
+
+/** @param open two relays with one store that end with the test */
+export function switchboardCases(name: string, open: () => Promise<[TestRelay, TestRelay]>): void {
+  async function withLine() {
+    const relays = await open();
+    for (const id of [ID, OTHER]) {
+      await relays[0].store.create({ id, createdAt: 1, keys: [] });
+    }
+    const [a, b] = [await placeOf(relays[0]), await placeOf(relays[1])];
+    return { relays, a, b };
+  }
+
+  describe(`${name}: lines between relays`, () => {
+    it("tells everyone the steps in the same order, and whose they are", async () => {
+      const { a, b } = await withLine();
+      await a.add();
+      const epoch = await b.take();
+      await b.deliver(epoch);
+      await a.add();
+      await vi.waitFor(() => {
+        expect(a.steps).toEqual(["+1 (own)", "1 delivered", "+2 (own)"]);
+        expect(b.steps).toEqual(["+1", "1 delivered (own)", "+2"]);
+      });
+      expect(a.missed).not.toHaveBeenCalled();
+    });
+
+    it("tells news to the others, and of this robot only", async () => {
+      const { relays, a, b } = await withLine();
+      const elsewhere = await placeOf(relays[1], OTHER);
+      const all: News[] = [
+        { kind: "snapshot", snapshot: snapshotOf({ seq: 7 }) },
+        { kind: "here", from: "a", scripts, asks: true },
+        { kind: "cancel", seq: 3 },
+      ];
+      for (const news of all) a.line.tell(news);
+      await vi.waitFor(() => expect(b.heard.map(({ kind }) => kind)).toHaveLength(3));
+      expect(b.heard).toMatchObject([all[0], { kind: "here", scripts }, all[2]]);
+      expect([a.heard, elsewhere.heard]).toEqual([[], []]);
+    });
+
+    it("says where the page is, to those who come later as well, and when it left", async () => {
+      const { relays, a, b } = await withLine();
+      const epoch = await a.take();
+      await vi.waitFor(() => expect(b.heard).toMatchObject([{ kind: "page", epoch }]));
+      b.line.leave();
+      const later = await placeOf(relays[1]);
+      expect(later.heard).toMatchObject([{ kind: "page", epoch }]);
+      a.line.tell({ kind: "page-left", epoch });
+      await vi.waitFor(() =>
+        expect(later.heard.at(-1)).toMatchObject({ kind: "page-left", epoch }),
+      );
+    });
+
+    it("is silent to who has left", async () => {
+      const { a, b } = await withLine();
+      b.line.leave();
+      a.line.tell({ kind: "cancel", seq: 3 });
+      await a.add();
+      await vi.waitFor(() => expect(a.steps).toEqual(["+1 (own)"]));
+      expect([b.heard, b.steps]).toEqual([[], []]);
+    });
+  });
+}

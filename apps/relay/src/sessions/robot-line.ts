@@ -1,0 +1,138 @@
+/**
+ * A robot's line to the other relays that hold it: what this one tells there, how often, and who is
+ * there. With nobody else on the line it costs next to nothing.
+ */
+import type { AliveDriver, Snapshot } from "@corridor/protocol";
+import type { Clock } from "../clock.ts";
+import type { Ears, Line, Step, Switchboard } from "../cluster/switchboard.ts";
+import { MOST_TOLD, type Scripts } from "./driver-roster.ts";
+import { limits } from "./limits.ts";
+
+export class RobotLine {
+  readonly #clock: Clock;
+  #line: Line | null = null;
+  /** other relays by their names, when they were heard, and the scripts that they have */
+  readonly #others = new Map<string, { heardAt: number; scripts: Scripts }>();
+  #saidHereAt = -Infinity;
+  #pending: Snapshot | null = null;
+  #cancelTimer: (() => void) | null = null;
+
+  constructor(clock: Clock) {
+    this.#clock = clock;
+  }
+
+  async open(switchboard: Switchboard, robot: string, ears: Ears): Promise<void> {
+    this.#line = await switchboard.join(robot, ears);
+  }
+
+  /** What a step of this relay has changed, for everybody's readers and for the page. */
+  stepped(step: Partial<Step>): void {
+    this.#line?.stepped({ added: null, changed: [], ended: [], ...step });
+  }
+
+  pageCame(epoch: number): void {
+    this.#line?.tell({ kind: "page", epoch });
+  }
+
+  pageLeft(epoch: number): void {
+    this.#line?.tell({ kind: "page-left", epoch });
+  }
+
+  /** Asks the page, wherever it is, to end a command. */
+  cancel(seq: number): void {
+    this.#line?.tell({ kind: "cancel", seq });
+  }
+
+  forgotten(): void {
+    this.#line?.tell({ kind: "over" });
+  }
+
+  /** Offers a snapshot to the other relays; it is told now, later, or never when a newer one comes first. */
+  snapshot(snapshot: Snapshot): void {
+    if (!this.#hasOthers) return;
+    this.#pending = snapshot;
+    if (this.#cancelTimer === null) this.#flush();
+  }
+
+  /**
+   * Tells the page's relay that this one is on the line, so that it gets snapshots.
+   * @param asks for the newest at once
+   */
+  sayHere(scripts: Scripts, asks = false): void {
+    this.#saidHereAt = this.#clock.now();
+    this.#line?.tell({ kind: "here", from: "", scripts, asks });
+  }
+
+  /** Says so again, once in a while. */
+  stayHere(scripts: Scripts): void {
+    if (this.#clock.now() - this.#saidHereAt >= limits.relayHereMs) this.sayHere(scripts);
+  }
+
+  heardHere(from: string, scripts: Scripts): void {
+    this.#others.set(from, { heardAt: this.#clock.now(), scripts });
+  }
+
+  /** The scripts of all relays as one; what others said has grown older meanwhile. */
+  withOthers(own: Scripts): Scripts {
+    this.#forgetSilent();
+    const all = [...this.#others.values()].map(({ heardAt, scripts }) =>
+      older(scripts, this.#clock.now() - heardAt),
+    );
+    return all.reduce(together, own);
+  }
+
+  leave(): void {
+    this.#cancelTimer?.();
+    this.#cancelTimer = null;
+    this.#pending = null;
+    this.#line?.leave();
+    this.#line = null;
+  }
+
+  get #hasOthers(): boolean {
+    this.#forgetSilent();
+    return this.#others.size > 0;
+  }
+
+  #forgetSilent(): void {
+    const oldest = this.#clock.now() - limits.relaySilenceMs;
+    for (const [name, { heardAt }] of this.#others) {
+      if (heardAt < oldest) this.#others.delete(name);
+    }
+  }
+
+  #flush(): void {
+    if (this.#pending !== null) this.#line?.tell({ kind: "snapshot", snapshot: this.#pending });
+    this.#pending = null;
+    this.#cancelTimer = this.#clock.after(limits.snapshotIntervalMs, () => {
+      this.#cancelTimer = null;
+      if (this.#pending !== null) this.#flush();
+    });
+  }
+}
+
+function older({ silentMs, alive, ...rest }: Scripts, ms: number): Scripts {
+  return {
+    ...rest,
+    silentMs: silentMs === null ? null : silentMs + ms,
+    alive: alive.map((each) => ({
+      ...each,
+      silentMs: each.silentMs + ms,
+      lineMs: each.lineMs === null ? null : each.lineMs + ms,
+    })),
+  };
+}
+
+function together(a: Scripts, b: Scripts): Scripts {
+  const newest = (a.silentMs ?? Infinity) <= (b.silentMs ?? Infinity) ? a : b;
+  const alive = new Map<string, AliveDriver>();
+  for (const each of [...a.alive, ...b.alive].toSorted((c, d) => d.silentMs - c.silentMs)) {
+    const lines = [each.lineMs, alive.get(each.driver)?.lineMs].filter(
+      (ms) => typeof ms === "number",
+    );
+    alive.set(each.driver, { ...each, lineMs: lines.length > 0 ? Math.min(...lines) : null });
+  }
+  const { client, silentMs } = newest;
+  const connected = a.connected + b.connected;
+  return { connected, client, silentMs, alive: [...alive.values()].slice(-MOST_TOLD) };
+}

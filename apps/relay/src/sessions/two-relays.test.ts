@@ -1,0 +1,230 @@
+/** Sessions of one robot at two relays that share a store and a line, in one process and by a fake clock. */
+import { join } from "node:path";
+import {
+  closeReasons,
+  termsOf,
+  type CommandRecord,
+  type Order,
+  type RelayToPage,
+  type Resume,
+} from "@corridor/protocol";
+import { snapshotOf } from "@corridor/protocol/testing";
+import { pino } from "pino";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { LocalSwitchboard } from "../cluster/local-switchboard.ts";
+import { SqliteStore } from "../store/sqlite-store.ts";
+import { FakeClock, settled } from "../testing/fake-clock.ts";
+import { completed } from "../testing/messages.ts";
+import { testFolder } from "../testing/test-relay.ts";
+import { limits } from "./limits.ts";
+import type { PageLink } from "./page-link.ts";
+import { SessionHub } from "./session-hub.ts";
+
+const LEFT: Order = { action: "left 90" };
+const patience = (milliseconds: number) => ({ milliseconds, signal: new AbortController().signal });
+
+/** A robot whose page is at the first relay and whose scripts are at the second. */
+async function withRelays() {
+  const clock = new FakeClock();
+  const store = new SqliteStore(join(testFolder(), "corridor.sqlite"));
+  onTestFinished(() => store.close());
+  const switchboard = new LocalSwitchboard();
+  const log = pino({ level: "silent" });
+  const hubs = [0, 1].map(() => new SessionHub(store, clock, log, { switchboard }));
+  const [pages, scripts] = hubs;
+  if (pages === undefined || scripts === undefined) throw new Error("there are two");
+  const robot = await pages.register("10.0.0.1", "http://localhost");
+  const atPages = (await pages.authorise(robot.id, robot.ownerKey, ["own"])).session;
+  const page = async (session = atPages, resume: Partial<Resume> = {}) => {
+    const told: RelayToPage[] = [];
+    const closed: number[] = [];
+    const link: PageLink = {
+      send: (message) => told.push(message),
+      close: ({ code }) => closed.push(code),
+    };
+    const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
+    await session.takePage(link, { ...nothing, ...resume });
+    const welcome = told.find((message) => message.type === "welcome");
+    return { session, link, told, closed, epoch: welcome?.epoch ?? 0 };
+  };
+  const host = await page();
+  const { session: atScripts, key } = await scripts.authorise(robot.id, robot.driverKey, ["drive"]);
+  const submit = async (order: Order, idempotencyKey: string | null = null) => {
+    const records: CommandRecord[] = [];
+    const request = { key: idempotencyKey, ...termsOf(order) };
+    await atScripts.submit(key, request, (record) => records.push(record));
+    await settled();
+    return records[0];
+  };
+  /** What a reader at the second relay hears. */
+  const read = (): string[] => {
+    const said: string[] = [];
+    atScripts.join(
+      key,
+      {
+        door: "websocket",
+        flow: { sentBytes: 0, takenBytes: 0, ask: () => undefined, isProof: false },
+        began: () => undefined,
+        snapshot: ({ seq, state }) => said.push(`snapshot ${seq} ${state}`),
+        state: ({ record }) => said.push(`${record.seq} ${record.state}`),
+        gap: ({ open }) => said.push(`gap ${open.map(({ seq }) => seq).join()}`),
+        over: (reason) => said.push(reason),
+      },
+      null,
+    );
+    return said;
+  };
+  return {
+    clock,
+    switchboard,
+    pages,
+    scripts,
+    robot,
+    atPages,
+    atScripts,
+    key,
+    page,
+    host,
+    submit,
+    read,
+  };
+}
+
+type Host = Awaited<ReturnType<Awaited<ReturnType<typeof withRelays>>["page"]>>;
+
+const report = ({ session, link, epoch }: Host, change = {}) =>
+  session.hearPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) });
+const seqs = ({ told }: Host): number[] =>
+  told.flatMap((message) =>
+    message.type === "command" || message.type === "stop" ? [message.seq] : [],
+  );
+
+describe("page and script at different relays", () => {
+  it("takes a command to the page and its states back, in order", async () => {
+    const { host, submit, read, atScripts } = await withRelays();
+    const said = read();
+    expect(await submit(LEFT)).toMatchObject({ seq: 1, state: "accepted" });
+    expect(seqs(host)).toEqual([1]);
+    const { session, link, epoch } = host;
+    await session.hearPage(link, { type: "started", epoch, seq: 1 });
+    const end = atScripts.endOf(1, patience(25_000));
+    await session.hearPage(link, { type: "ended", epoch, ...completed(1) });
+    expect(await end).toMatchObject({ seq: 1, state: "completed" });
+    expect(said).toEqual(["1 delivered", "1 started", "1 completed"]);
+  });
+
+  it("shows the page what waits and what was ended elsewhere, and asks it to cancel", async () => {
+    const { host, submit, atScripts, key } = await withRelays();
+    for (let n = 0; n < 9; n++) await submit(LEFT);
+    expect(host.told.at(-1)).toMatchObject({
+      type: "state",
+      record: { seq: 9, state: "accepted" },
+    });
+    await atScripts.cancel(key, 9);
+    await settled();
+    expect(host.told.at(-1)).toMatchObject({
+      type: "state",
+      record: { seq: 9, state: "cancelled" },
+    });
+    await atScripts.cancel(key, 1);
+    expect(host.told.at(-1)).toEqual({ type: "cancel", seq: 1 });
+    await submit({ action: "stop" });
+    expect(seqs(host)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 10]);
+  });
+
+  it("shows the newest snapshot to readers at the other relay, and when the page goes", async () => {
+    const { host, clock, atScripts, read } = await withRelays();
+    await clock.pass(limits.relayHereMs);
+    const said = read();
+    await report(host, { seq: 7 });
+    expect(atScripts.newest).toMatchObject({ seq: 7, state: "running" });
+    const next = atScripts.nextSnapshot(7, patience(25_000));
+    await clock.pass(limits.snapshotIntervalMs);
+    await report(host, { seq: 8, tick: 9 });
+    await clock.pass(limits.snapshotIntervalMs);
+    expect(await next).toMatchObject({ seq: 8 });
+    host.session.leavePage(host.link);
+    await clock.pass(limits.snapshotIntervalMs);
+    expect(said.at(-1)).toBe("snapshot 8 gone");
+    expect(atScripts.newest).toMatchObject({ state: "gone" });
+  });
+
+  it("knows the newest snapshot at once where a script comes to a relay that never saw the robot", async () => {
+    const { host, scripts, atScripts, robot, clock } = await withRelays();
+    await report(host, { seq: 7 });
+    // Nobody used it there for a while: it went out of memory.
+    await clock.pass(limits.touchMs + 2_000);
+    const again = await scripts.authorise(robot.id, robot.driverKey, ["drive"]);
+    expect(again.session).not.toBe(atScripts);
+    expect(again.session.newest).toMatchObject({ seq: 7 });
+  });
+
+  it("sends nothing to a relay that does not hold the robot any more", async () => {
+    const { host, clock, atScripts, switchboard, robot } = await withRelays();
+    atScripts.leave();
+    await clock.pass(limits.relaySilenceMs + 2_000);
+    const heard: string[] = [];
+    await switchboard.join(robot.id, {
+      stepped: () => undefined,
+      missed: () => undefined,
+      heard: ({ kind }) => heard.push(kind),
+    });
+    await report(host, { seq: 8 });
+    expect(heard).toEqual(["page"]);
+  });
+
+  it("tells the page of the scripts at all relays", async () => {
+    const { host, clock, atScripts, key, read } = await withRelays();
+    read();
+    atScripts.heard("Python", key)();
+    await clock.pass(limits.driversIntervalMs);
+    const drivers = host.told.findLast(({ type }) => type === "drivers");
+    expect(drivers).toMatchObject({ connected: 1, client: "Python", alive: [{ lineMs: 1_000 }] });
+  });
+
+  it("sends the page away when another takes the robot at the other relay, and believes it no more", async () => {
+    const { host, atScripts, page, submit } = await withRelays();
+    await submit(LEFT);
+    const second = await page(atScripts);
+    expect(host.closed).toEqual([closeReasons.replaced.code]);
+    expect(second.epoch).toBe(host.epoch + 1);
+    expect(seqs(second)).toEqual([1]);
+    await host.session.hearPage(host.link, { type: "started", epoch: host.epoch, seq: 1 });
+    expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "delivered" }]);
+  });
+
+  it("ends what a page has left behind once, and nothing of one that has come back elsewhere", async () => {
+    const { host, atScripts, page, submit, clock, read } = await withRelays();
+    await submit(LEFT);
+    host.session.leavePage(host.link);
+    await clock.pass(limits.pageAwayMs - 5_000);
+    const second = await page(atScripts, { lastApplied: 1 });
+    await clock.pass(20_000);
+    expect(await atScripts.commandsAfter(0)).toMatchObject([{ state: "started" }]);
+    const said = read();
+    atScripts.leavePage(second.link);
+    await clock.pass(limits.pageAwayMs + 5_000);
+    expect(said.filter((text) => text.endsWith("cancelled"))).toEqual(["1 cancelled"]);
+  });
+
+  it("says gap, and delivers what waits, when news between the relays were lost", async () => {
+    const { host, robot, pages, atScripts, read, submit } = await withRelays();
+    const said = read();
+    for (const session of [host.session, atScripts]) session.missedNews();
+    await settled();
+    await submit(LEFT);
+    expect(said).toEqual(["gap ", "1 delivered"]);
+    expect(seqs(host)).toEqual([1]);
+    expect((await pages.authorise(robot.id, robot.ownerKey, ["own"])).session).toBe(host.session);
+  });
+
+  it("forgets the robot at every relay at once", async () => {
+    const { host, pages, scripts, robot, read } = await withRelays();
+    const said = read();
+    await pages.remove(host.session);
+    expect(said).toEqual(["over"]);
+    await expect(scripts.authorise(robot.id, robot.driverKey, ["drive"])).rejects.toMatchObject({
+      kind: "no-robot",
+    });
+  });
+});

@@ -1,0 +1,19 @@
+/** A command as a relay stores it. */
+import type { NewCommand } from "../session-store.ts";
+
+export function sentCommand(change: Partial<NewCommand> = {}): NewCommand {
+  const acceptedAt = 5_000;
+  return {
+    driver: "d",
+    key: null,
+    command: { action: "left 90" },
+    acceptedAt,
+    ttl: 10_000,
+    deadline: acceptedAt + 10_000,
+    replace: false,
+    lease: null,
+    maxWaiting: 64,
+    keep: 100,
+    ...change,
+  };
+}
