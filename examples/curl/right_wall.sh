@@ -36,10 +36,10 @@ api="${BASH_REMATCH[1]}/api/v1/robots/${BASH_REMATCH[2]}"
 key=${BASH_REMATCH[3]}
 
 # One field of a JSON text, in which each of the names that are asked for comes once.
-field() { sed -nE "s/.*\"$2\":\"?([^,\"}]*).*/\1/p" <<<"$1"; }
+field() { sed -nE "s/.*\"$2\": *\"?([^,\"}]*).*/\1/p" <<<"$1"; }
 
 # The sentence in which the service says what is wrong.
-sentence() { sed -nE 's/.*"detail":"(([^"\\]|\\.)*)".*/\1/p' <<<"$1" | sed 's/\\"/"/g'; }
+sentence() { sed -nE 's/.*"detail": *"(([^"\\]|\\.)*)".*/\1/p' <<<"$1" | sed 's/\\"/"/g'; }
 
 # One request: ask METHOD PATH [FIELDS]. Tries again when the network or the service has a bad moment.
 # The answer is in $answer.

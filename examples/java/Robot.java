@@ -171,7 +171,7 @@ public class Robot {
 
   /** The sentence in which the service says what is wrong. */
   private static String sentence(int status, String body) {
-    Matcher detail = Pattern.compile("\"detail\":\"((?:[^\"\\\\]|\\\\.)*)\"").matcher(body);
+    Matcher detail = Pattern.compile("\"detail\":\\s*\"((?:[^\"\\\\]|\\\\.)*)\"").matcher(body);
     if (detail.find()) return detail.group(1).replace("\\\"", "\"");
     if (status == PROXY_WANTS_A_NAME) return "The network's proxy wants a name and a password.";
     return "The service answered with status " + status + ".";
@@ -184,7 +184,7 @@ public class Robot {
   }
 
   private static String field(String json, String name, String value) {
-    Matcher found = Pattern.compile("\"" + name + "\":" + value).matcher(json);
+    Matcher found = Pattern.compile("\"" + name + "\":\\s*" + value).matcher(json);
     if (found.find()) return found.group(1);
     throw new RobotException("What answers at this address is not a robot's host.");
   }

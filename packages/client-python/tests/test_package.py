@@ -56,3 +56,11 @@ def test_no_name_is_used_twice_because_the_modules_are_served_as_one_file() -> N
             for name in names:
                 assert name not in seen, f"{name} is in {file.name} and in {seen[name]}"
                 seen[name] = file.name
+
+
+def test_every_type_of_the_physical_robot_holds() -> None:
+    pytest.importorskip("mypy", reason="mypy needs a newer Python than this one")
+    folder = PACKAGE.parents[1] / "examples/physical-robot"
+    check = [sys.executable, "-m", "mypy", "--strict", "--no-error-summary", "robot_host.py"]
+    done = subprocess.run(check, cwd=folder, capture_output=True, text=True)
+    assert done.stdout + done.stderr == ""

@@ -1,0 +1,298 @@
+"""The door: HTTP calls below /api/v1/robots/ID, as Corridor's docs/protocol.md lists them."""
+
+from __future__ import annotations
+
+import hmac
+import json
+import re
+import time
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any, Callable, Dict, Optional
+from urllib.parse import parse_qsl, urlsplit
+
+from .ledger import Ledger
+from .orders import Json, Order, read_order
+from .pilot import Pilot
+from .problems import Problem
+
+MOST_BYTES = 16 * 1024
+LONGEST_WAIT = 25.0
+_KEY = re.compile(r"[A-Za-z0-9_-]{8,64}")
+_WAIT = re.compile(r"\d{1,2}(\.\d{1,3})?")
+_NUMBER = re.compile(r"\d{1,15}")
+_SINCE = re.compile(r"[A-Za-z0-9_]{8}-\d{1,15}")
+_HEARTBEAT = 15.0
+
+
+class RobotServer(ThreadingHTTPServer):
+    """Serves one robot to whoever has its key."""
+
+    daemon_threads = True
+
+    def __init__(self, place: Any, ledger: Ledger, pilot: Pilot, robot_id: str, key: str) -> None:
+        super().__init__(place, _Handler)
+        self.ledger = ledger
+        self.pilot = pilot
+        self.robot_id = robot_id
+        self.key = key
+
+
+class _Handler(BaseHTTPRequestHandler):
+    protocol_version = "HTTP/1.1"
+    server: RobotServer
+    #: seconds for a request to arrive
+    timeout = 30
+
+    def do_GET(self) -> None:
+        self._answer()
+
+    do_POST = do_DELETE = do_PUT = do_PATCH = do_OPTIONS = do_GET
+
+    def log_message(self, format: str, *args: Any) -> None:
+        """Nothing is written down: a header or an address could hold a key."""
+
+    def _answer(self) -> None:
+        try:
+            body = self._body()
+            if self.command == "OPTIONS":
+                return self._send(204, None)
+            self._route(body)
+        except Problem as problem:
+            kind = "application/problem+json"
+            self._send(problem.status, problem.document, problem.headers, kind)
+        except (BrokenPipeError, ConnectionResetError, TimeoutError):
+            self.close_connection = True
+
+    def _body(self) -> bytes:
+        """The whole body, so that the next request on this line begins where it should."""
+        length = self.headers.get("Content-Length", "0")
+        if not _NUMBER.fullmatch(length) or "Transfer-Encoding" in self.headers:
+            self.close_connection = True
+            raise Problem(400, "bad-request", "Send the body with its Content-Length.")
+        rest, body = int(length), b""
+        while rest > 0:
+            piece = self.rfile.read(min(rest, 65_536))
+            if piece == b"":
+                break
+            rest -= len(piece)
+            body = (body + piece)[: MOST_BYTES + 1]
+        if len(body) > MOST_BYTES:
+            raise Problem(413, "too-large", f"A body may have {MOST_BYTES // 1024} KiB at most.")
+        return body
+
+    def _route(self, body: bytes) -> None:
+        parts = urlsplit(self.path)
+        query = dict(parse_qsl(parts.query, keep_blank_values=True))
+        match = re.fullmatch(r"/api/v1/robots/([^/]+)(/.*)?", parts.path)
+        if match is None:
+            raise _nothing_here()
+        if match[1] != self.server.robot_id:
+            detail = "There is no robot with this id. Copy the address that the host printed."
+            raise Problem(404, "no-robot", detail)
+        self._check_key()
+        path = match[2] or ""
+        record = re.fullmatch(r"/commands/([^/]+)", path)
+        calls: Dict[str, Callable[[], None]]
+        if path == "/sensors":
+            calls = {"GET": lambda: self._sensors(query)}
+        elif path == "/events":
+            calls = {"GET": lambda: self._events(query)}
+        elif path == "/commands":
+            calls = {
+                "GET": lambda: self._log(query),
+                "POST": lambda: self._take(body),
+                "DELETE": lambda: self._submit(Order({"action": "stop"})),
+            }
+        elif record is not None:
+            seq = _number(record[1], "seq")
+            calls = {"GET": lambda: self._record(seq, query), "DELETE": lambda: self._cancel(seq)}
+        else:
+            raise _nothing_here()
+        if self.command not in calls:
+            allowed = ", ".join(calls)
+            detail = f"{self.command} is not known here. This address knows: {allowed}."
+            raise Problem(405, "method-not-allowed", detail, headers={"Allow": allowed})
+        calls[self.command]()
+
+    def _check_key(self) -> None:
+        kind, _, key = self.headers.get("Authorization", "").partition(" ")
+        is_right = hmac.compare_digest(key.strip().encode(), self.server.key.encode())
+        if kind.lower() != "bearer" or not is_right:
+            detail = "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY"
+            raise Problem(401, "not-authorised", detail, headers={"WWW-Authenticate": "Bearer"})
+        self.server.ledger.heard_at = time.monotonic()
+
+    # --- the calls ---
+
+    def _sensors(self, query: Dict[str, str]) -> None:
+        after = -1 if "after" not in query else _number(query["after"], "after")
+        self._wait(query, lambda: self.server.pilot.snapshot["seq"] > after)
+        self._send(200, self.server.pilot.snapshot)
+
+    def _take(self, body: bytes) -> None:
+        kind = self.headers.get("Content-Type", "").partition(";")[0].strip().lower()
+        if kind != "application/json":
+            detail = 'Send the body as JSON, with the header "Content-Type: application/json".'
+            raise Problem(415, "not-json", detail)
+        self._submit(read_order(body))
+
+    def _submit(self, order: Order) -> None:
+        key: Optional[str] = self.headers.get("Idempotency-Key")
+        if key is not None and _KEY.fullmatch(key) is None:
+            raise _wrong("Idempotency-Key", key, "8 to 64 letters, digits, - or _")
+        with self.server.ledger.changed:
+            record = self.server.ledger.submit(order, key)
+        self._accepted(record)
+
+    def _cancel(self, seq: int) -> None:
+        with self.server.ledger.changed:
+            record = self.server.ledger.cancel(seq)
+        self._accepted(record)
+
+    def _record(self, seq: int, query: Dict[str, str]) -> None:
+        with self.server.ledger.changed:
+            entry = self.server.ledger.entry(seq)
+        self._wait(query, lambda: entry.ended)
+        with self.server.ledger.changed:
+            record = entry.record()
+        self._send(200, record)
+
+    def _log(self, query: Dict[str, str]) -> None:
+        after = _number(query.get("after", "0"), "after")
+        with self.server.ledger.changed:
+            commands = self.server.ledger.log(after)
+        self._send(200, {"commands": commands})
+
+    def _events(self, query: Dict[str, str]) -> None:
+        ledger, pilot = self.server.ledger, self.server.pilot
+        since = query.get("since") or self.headers.get("Last-Event-ID")
+        if since is not None and _SINCE.fullmatch(since) is None:
+            raise _wrong("since", since, "STREAM-n of the last state that was told")
+        if "wait" not in query:
+            return self._stream(since)
+        after = None if "after" not in query else _number(query["after"], "after")
+        n = self._place(since)
+
+        def has_news() -> bool:
+            has_states = since is None or n is None or ledger.newest_event > n
+            return has_states or (after is not None and pilot.snapshot["seq"] > after)
+
+        self._wait(query, has_news)
+        with ledger.changed:
+            gap, events = self._news(since, n)
+            newest = ledger.newest_event
+            snapshot = pilot.snapshot
+        self._send(
+            200,
+            {
+                "since": f"{ledger.stream}-{newest}",
+                "gap": gap,
+                "states": [{"n": number, "record": record} for number, record in events],
+                "snapshot": snapshot if after is None or snapshot["seq"] > after else None,
+            },
+        )
+
+    def _stream(self, since: Optional[str]) -> None:
+        ledger, pilot = self.server.ledger, self.server.pilot
+        self._head(200, {"Content-Type": "text/event-stream", "Connection": "close"})
+        self.close_connection = True
+        with ledger.changed:
+            gap, events = self._news(since, self._place(since))
+            n, seq = ledger.newest_event, -1
+        self._write(f"id: {ledger.stream}-{n}\n\n" if since is None else ": hello\n\n")
+        if gap is not None:
+            self._event("gap", gap, n)
+        told_at = time.monotonic()
+        while True:
+            for number, record in events:
+                self._event("state", record, number)
+                n = number
+            snapshot = pilot.snapshot
+            if snapshot["seq"] > seq:
+                self._event("snapshot", snapshot)
+                seq, told_at = snapshot["seq"], time.monotonic()
+            if time.monotonic() - told_at > _HEARTBEAT:
+                self._write(": still here\n\n")
+                told_at = time.monotonic()
+            with ledger.changed:
+                ledger.changed.wait_for(
+                    lambda: ledger.newest_event > n or pilot.snapshot["seq"] > seq, _HEARTBEAT
+                )
+                gap, events = ledger.events_after(n)
+
+    def _place(self, since: Optional[str]) -> Optional[int]:
+        """The number of the event after which it goes on; None in a stream of before."""
+        stream, _, n = (since or f"{self.server.ledger.stream}-0").rpartition("-")
+        return int(n) if stream == self.server.ledger.stream else None
+
+    def _news(self, since: Optional[str], n: Optional[int]) -> Any:
+        if since is None:
+            return None, []
+        return (self.server.ledger.gap(), []) if n is None else self.server.ledger.events_after(n)
+
+    # --- waiting and answering ---
+
+    def _wait(self, query: Dict[str, str], is_there: Callable[[], bool]) -> None:
+        wait = query.get("wait", "0")
+        if _WAIT.fullmatch(wait) is None or float(wait) > LONGEST_WAIT:
+            raise _wrong("wait", wait, f"seconds to wait, from 0 to {LONGEST_WAIT:g}")
+        ledger = self.server.ledger
+        with ledger.changed:
+            # Whoever waits is there: a motion without an end goes on meanwhile.
+            ledger.listeners += 1
+            try:
+                ledger.changed.wait_for(is_there, float(wait))
+            finally:
+                ledger.listeners -= 1
+                ledger.heard_at = time.monotonic()
+
+    def _accepted(self, record: Json) -> None:
+        place = f"/api/v1/robots/{self.server.robot_id}/commands/{record['seq']}"
+        self._send(202, record, {"Location": place})
+
+    def _send(
+        self,
+        status: int,
+        document: Optional[Json],
+        headers: Optional[Dict[str, str]] = None,
+        kind: str = "application/json",
+    ) -> None:
+        body = b"" if document is None else json.dumps(document).encode()
+        self._head(
+            status, {"Content-Type": kind, "Content-Length": str(len(body)), **(headers or {})}
+        )
+        self.wfile.write(body)
+
+    def _head(self, status: int, headers: Dict[str, str]) -> None:
+        self.send_response(status)
+        # Pages of other sites may use it: whoever has no key gets nothing.
+        self.send_header("Access-Control-Allow-Origin", "*")
+        self.send_header("Access-Control-Allow-Methods", "GET, POST, DELETE")
+        self.send_header("Access-Control-Allow-Headers", "Authorization, Content-Type, Idempotency-Key")
+        self.send_header("Cache-Control", "no-store")
+        for name, value in headers.items():
+            self.send_header(name, value)
+        self.end_headers()
+
+    def _event(self, event: str, data: Json, n: Optional[int] = None) -> None:
+        number = "" if n is None else f"id: {self.server.ledger.stream}-{n}\n"
+        self._write(f"{number}event: {event}\ndata: {json.dumps(data)}\n\n")
+
+    def _write(self, text: str) -> None:
+        self.wfile.write(text.encode())
+        self.wfile.flush()
+
+
+def _number(text: str, name: str) -> int:
+    if _NUMBER.fullmatch(text) is None:
+        raise _wrong(name, text, "a whole number of at most 15 digits")
+    return int(text)
+
+
+def _wrong(path: str, found: str, expected: str) -> Problem:
+    error = {"path": path, "found": found[:60], "expected": expected}
+    return Problem(400, "bad-request", 'The request is wrong. See "errors" for each field.', [error])
+
+
+def _nothing_here() -> Problem:
+    return Problem(404, "not-found", "Check the address. The API begins with /api/v1/robots/ID.")

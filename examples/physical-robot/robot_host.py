@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""A robot on the network: start it, and give the address that it prints to any script.
+
+    python3 robot_host.py
+
+It needs Python 3.9 or newer and nothing else.
+"""
+
+import argparse
+import secrets
+import sys
+
+from physical_robot.body import SimulatedBody
+from physical_robot.ledger import Ledger
+from physical_robot.pilot import Pilot
+from physical_robot.server import RobotServer
+
+#: The room in which the simulated robot stands; one character is one metre.
+ROOM = "#######,#.#...#,#.#.#.#,#...#.#,#######"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description="A host for a robot with two driven wheels.")
+    parser.add_argument("--host", default="127.0.0.1", help="0.0.0.0 lets other machines in")
+    parser.add_argument("--port", type=int, default=8090)
+    parser.add_argument("--name", help="the name of this machine in the address (default: --host)")
+    parser.add_argument("--room", default=ROOM, help="rows of # and ., with commas between")
+    parser.add_argument("--haste", type=float, default=1.0, help="how many times faster it moves")
+    options = parser.parse_args()
+
+    robot_id, key = secrets.token_urlsafe(16), "drv_" + secrets.token_urlsafe(16)
+    ledger = Ledger()
+    pilot = Pilot(ledger, SimulatedBody(options.room.split(",")), options.haste)
+    try:
+        server = RobotServer((options.host, options.port), ledger, pilot, robot_id, key)
+    except OSError as error:
+        sys.exit(f"The host cannot start on port {options.port}: {error}")
+    pilot.start()
+    where = options.name or options.host
+    print(f"http://{where}:{server.server_port}/r/{robot_id}#{key}", flush=True)
+    try:
+        server.serve_forever()
+    except KeyboardInterrupt:
+        server.server_close()
+
+
+if __name__ == "__main__":
+    main()
