@@ -65,6 +65,7 @@ const allowed: Record<string, readonly string[]> = {
     "node:",
     "pino",
     "prom-client",
+    "swagger-ui-dist",
     "vite",
     "ws",
     "zod",

@@ -9,6 +9,7 @@ import type { Metrics } from "./metrics/metrics.ts";
 import type { Readiness } from "./readiness.ts";
 import { commandRoutes } from "./routes/commands.ts";
 import { descriptionRoutes } from "./routes/description.ts";
+import { docsRoutes } from "./routes/docs.ts";
 import { documentRoutes } from "./routes/documents.ts";
 import { eventRoutes } from "./routes/events.ts";
 import { notFound, problemAnswers } from "./routes/fallbacks.ts";
@@ -53,6 +54,7 @@ export function createApp(dependencies: AppDependencies): Express {
     next();
   });
   app.use(descriptionRoutes());
+  app.use(docsRoutes());
   app.use(pythonClientRoutes());
   const api = Router();
   api.use(openToAllSites);

@@ -132,6 +132,25 @@ async function* log(origin: string, robot: { id: string; driverKey: string }) {
   }
 }
 
+describe("the example of /docs", () => {
+  it("drives to the wall ahead and turns, as it stands there", async () => {
+    const { relay, robot, registration } = await robotIn([
+      "#####",
+      "#...#",
+      "#.###",
+      "#.###",
+      "#####",
+    ]);
+    await (await scriptFor(registration.address)).right90();
+    const page = await (await fetch(`${relay.origin}/docs`)).text();
+    const html = /<pre id="example"[^>]*><code>([^]*?)<\/code>/.exec(page)?.[1] ?? "";
+    const program = html.replaceAll("&gt;", ">").replaceAll("&lt;", "<").replaceAll("&amp;", "&");
+    const { stdout } = await run("python3", ["-c", program, registration.address]);
+    expect(stdout.trim().split("\n")).toEqual(["completed", "completed", "completed"]);
+    expect(robot.done.map(({ action }) => action)).toEqual(["right 90", "move", "move", "left 90"]);
+  });
+});
+
 describe("the examples", () => {
   it.each([
     { name: "Python", program: "python3", file: "python/right_wall.py" },

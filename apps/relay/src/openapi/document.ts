@@ -29,8 +29,8 @@ const DESCRIPTION = `A robot lives in a page. The page registers it, and gets an
 
 Lengths are in cm, angles in degrees clockwise from north, x to the right and y downward. A tick is 1/60 s.
 
-The same events and commands go over a WebSocket at \`/api/v1/robots/{id}/socket\`, which OpenAPI cannot
-describe: see docs/protocol.md, also for the life of a command.`;
+The same events and commands go over a WebSocket at \`/api/v1/robots/{id}/socket\`: \`/asyncapi.json\` describes its
+messages. \`/docs\` shows both, with the life of a command (docs/protocol.md).`;
 
 /** The whole document, as plain data. */
 export function describeApi(): oas31.OpenAPIObject {

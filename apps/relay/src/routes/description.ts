@@ -1,18 +1,22 @@
-/** `/openapi.json`: the description of the API for machines, made once when the relay starts. */
+/** `/openapi.json` and `/asyncapi.json`: the descriptions of the API for machines, made once at the start. */
 import { Router } from "express";
+import { describeMessages } from "../asyncapi/document.ts";
 import { describeApi } from "../openapi/document.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 import { openToAllSites } from "./security-headers.ts";
 
 export function descriptionRoutes(): Router {
-  const text = JSON.stringify(describeApi());
   const router = Router();
-  router
-    .route("/openapi.json")
-    .all(openToAllSites)
-    .get((_request, response) => {
-      response.set("Cache-Control", "public, max-age=300").type("json").send(text);
-    })
-    .all(methodNotAllowed("GET"));
+  const descriptions = { "/openapi.json": describeApi(), "/asyncapi.json": describeMessages() };
+  for (const [path, description] of Object.entries(descriptions)) {
+    const text = JSON.stringify(description);
+    router
+      .route(path)
+      .all(openToAllSites)
+      .get((_request, response) => {
+        response.set("Cache-Control", "public, max-age=300").type("json").send(text);
+      })
+      .all(methodNotAllowed("GET"));
+  }
   return router;
 }

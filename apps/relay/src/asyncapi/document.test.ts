@@ -1,0 +1,90 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import asyncApiSchema from "@asyncapi/specs/schemas/3.0.0-without-$id.json" with { type: "json" };
+import { Ajv } from "ajv";
+import { describe, expect, it } from "vitest";
+import { startTestRelay } from "../testing/test-relay.ts";
+import { describeMessages, messageName } from "./document.ts";
+
+interface Described {
+  channels: { robot: { messages: Record<string, unknown> } };
+  operations: Record<string, { action: string; messages: { $ref: string }[] }>;
+  components: { messages: Record<string, { payload: object }>; schemas: Record<string, object> };
+}
+
+const document = describeMessages() as unknown as Described;
+const text = JSON.stringify(document);
+
+/** A golden message's name in the document. */
+function nameOf(fixture: string): string[] {
+  if (fixture === "hello") return [messageName("script", "hello"), messageName("page", "hello")];
+  const sides = {
+    "relay-to-driver-": "toScript",
+    "relay-to-page-": "toPage",
+    "driver-": "script",
+    "page-": "page",
+  };
+  const [prefix, side] = Object.entries(sides).find(([start]) => fixture.startsWith(start)) ?? [
+    "",
+    "",
+  ];
+  return [messageName(side, fixture.slice(prefix.length))];
+}
+
+const FIXTURES = join(import.meta.dirname, "../../../../packages/protocol/src/fixtures");
+const golden = readdirSync(FIXTURES).map((file) => ({
+  name: file.replace(".json", ""),
+  message: JSON.parse(readFileSync(join(FIXTURES, file), "utf8")) as Record<string, unknown>,
+}));
+
+function validatorOf(name: string) {
+  const ajv = new Ajv({ strict: false, validateFormats: false });
+  const { payload } = document.components.messages[name] ?? { payload: { not: {} } };
+  return ajv.compile({ ...payload, components: document.components });
+}
+
+describe("/asyncapi.json", () => {
+  it("is AsyncAPI 3.0, by its official schema", () => {
+    const ajv = new Ajv({ strict: false, validateFormats: false, allErrors: true });
+    const validate = ajv.compile(asyncApiSchema);
+    expect(validate(JSON.parse(text)) ? [] : validate.errors).toEqual([]);
+    expect(validate({ ...(document as object), channels: [] })).toBe(false);
+  });
+
+  it("is served to every site", async () => {
+    const { origin } = await startTestRelay();
+    const answer = await fetch(`${origin}/asyncapi.json`);
+    expect(answer.headers.get("access-control-allow-origin")).toBe("*");
+    expect(await answer.text()).toBe(text);
+  });
+
+  it("has an answer to every reference", () => {
+    const references = [...text.matchAll(/"\$ref":"([^"]+)"/g)].map(([, path]) => path ?? "");
+    expect(references.length).toBeGreaterThan(30);
+    const missing = references.filter((path) => {
+      const parts = path.slice(2).split("/");
+      const found = parts.reduce<unknown>(
+        (node, part) => (node as Record<string, unknown> | undefined)?.[part],
+        document,
+      );
+      return !path.startsWith("#/") || typeof found !== "object";
+    });
+    expect(missing).toEqual([]);
+  });
+
+  it("names every message that there is, once, and no other", () => {
+    const names = golden.flatMap(({ name }) => nameOf(name)).toSorted();
+    expect(Object.keys(document.components.messages).toSorted()).toEqual(names);
+    const told = Object.values(document.operations).flatMap(({ messages }) => messages);
+    expect(told.map(({ $ref }) => $ref.replace(/^.*\//, "")).toSorted()).toEqual(names);
+  });
+
+  it.each(golden)("describes $name as it is on the wire", ({ name, message }) => {
+    for (const described of nameOf(name)) {
+      const validate = validatorOf(described);
+      expect(validate(message) ? [] : validate.errors).toEqual([]);
+      expect(validate({ ...message, extra: 1 })).toBe(false);
+      expect(validate({ ...message, type: "another" })).toBe(false);
+    }
+  });
+});
