@@ -1,0 +1,112 @@
+/** A page that is the robot, as its worker is: host, link, run and driver, with the tab's storage. */
+import type { Platform } from "../../../../../packages/client/src/platform.ts";
+import type { SocketEvents, SocketPort } from "@corridor/protocol";
+import type { RemoteDriverEvents } from "../../../../web/src/drivers/remote-driver.ts";
+import { firstMaze, firstProgram } from "../../../../web/src/worker/first-work.ts";
+import { RemoteHost } from "../../../../web/src/worker/remote-host.ts";
+import { RunLoop } from "../../../../web/src/worker/run-loop.ts";
+import type { RemoteSession } from "../../../../web/src/worker/worker-messages.ts";
+import type { VirtualTime } from "./virtual-time.ts";
+
+const nothing = (): void => undefined;
+const INTERVAL_MS = 16;
+const SNAPSHOT_MS = 250;
+
+/** What a tab keeps over reloads. */
+export interface Tab {
+  session: RemoteSession;
+}
+
+export interface PageOptions {
+  tab: Tab;
+  time: VirtualTime;
+  platform: Omit<Platform, "uniqueText">;
+  did(seq: number, what: "started" | Parameters<RemoteDriverEvents["ended"]>[1]["state"]): void;
+}
+
+export class FaultyPage {
+  readonly #options: PageOptions;
+  readonly #loop: RunLoop;
+  readonly #host: RemoteHost;
+  /** settled once it has begun to open its first line */
+  readonly opening: Promise<void>;
+  #opened: () => void = () => undefined;
+  #isAlive = true;
+  #shownAt = 0;
+
+  constructor(options: PageOptions) {
+    this.#options = options;
+    const { tab, time, platform } = options;
+    const events: RemoteDriverEvents = {
+      started: (seq) => {
+        options.did(seq, "started");
+        this.#host.started(seq);
+      },
+      ended: (seq, ending) => {
+        options.did(seq, ending.state);
+        this.#host.ended(seq, ending);
+      },
+    };
+    this.#loop = new RunLoop(firstMaze, firstProgram, () => time.now(), events);
+    const { remote } = this.#loop;
+    this.#host = new RemoteHost({
+      origin: "http://robots.example",
+      now: () => time.now(),
+      snapshot: () => this.#loop.snapshot(),
+      onView: ({ session }) => {
+        if (this.#isAlive && session !== null) tab.session = session;
+      },
+      onDelivery: (delivery) => this.#loop.accept(delivery),
+      cancel: (reason) => this.#loop.cancelRemote(reason),
+      takeBack: (seq) => remote.takeBack(seq),
+      giveBack: () => remote.giveBack(),
+      hear: (alive) => remote.hear(alive),
+      fetch: () => Promise.reject(new Error("A session is there already.")),
+      platform: { ...platform, connect: (url, events) => this.#connect(url, events) },
+    });
+    this.opening = new Promise((resolve) => {
+      this.#opened = resolve;
+    });
+    this.#loop.setDriver("remote");
+    this.#host.open(tab.session, true);
+    // What opens the line comes in a file of its own, which takes as long as it takes.
+    void time.during(() => this.opening);
+    this.#turn();
+  }
+
+  /** The tab goes, in the midst of whatever it does. */
+  leave(): void {
+    this.#isAlive = false;
+  }
+
+  get isAlive(): boolean {
+    return this.#isAlive;
+  }
+
+  /** What a page that is gone would have heard and said is nobody's. */
+  #connect(url: string, events: SocketEvents): SocketPort {
+    this.#opened();
+    if (!this.#isAlive) return { send: nothing, close: nothing, isOpen: false, waitingBytes: 0 };
+    const ifAlive = (tell: () => void): void => {
+      if (this.#isAlive) tell();
+    };
+    return this.#options.platform.connect(url, {
+      opened: () => ifAlive(() => events.opened()),
+      received: (text) => ifAlive(() => events.received(text)),
+      closed: (code) => ifAlive(() => events.closed(code)),
+    });
+  }
+
+  #turn(): void {
+    if (!this.#isAlive) return;
+    const { time } = this.#options;
+    this.#loop.advance();
+    this.#loop.takeNews();
+    this.#loop.takeTimeline();
+    if (this.#host.isOpen && time.now() - this.#shownAt >= SNAPSHOT_MS) {
+      this.#shownAt = time.now();
+      this.#host.sendSnapshot(this.#loop.snapshot());
+    }
+    time.after(INTERVAL_MS, () => this.#turn());
+  }
+}
