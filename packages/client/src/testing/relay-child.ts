@@ -10,9 +10,13 @@ const READY = /Corridor is ready: http:\/\/localhost:(\d+)/;
  * Starts a relay and waits until it listens.
  * @param port 0 for any that is free
  */
-export async function startRelayChild(dataDir: string, port: number) {
+export async function startRelayChild(
+  dataDir: string,
+  port: number,
+  environment: Record<string, string> = {},
+) {
   const child = spawn(process.execPath, [MAIN], {
-    env: { PORT: String(port), HOST: "127.0.0.1", DATA_DIR: dataDir },
+    env: { PORT: String(port), HOST: "127.0.0.1", DATA_DIR: dataDir, ...environment },
     stdio: ["ignore", "pipe", "inherit"],
   });
   let text = "";
