@@ -37,7 +37,9 @@ def main() -> None:
         sys.exit(f"The host cannot start on port {options.port}: {error}")
     pilot.start()
     where = options.name or options.host
-    print(f"http://{where}:{server.server_port}/r/{robot_id}#{key}", flush=True)
+    # In one piece, so that whoever reads the line may go away after it.
+    sys.stdout.write(f"http://{where}:{server.server_port}/r/{robot_id}#{key}\n")
+    sys.stdout.flush()
     try:
         server.serve_forever()
     except KeyboardInterrupt:

@@ -47,7 +47,7 @@ export const reading: CheckGroup = {
         const began = performance.now();
         await host.snapshot("?after=900000000000000&wait=0.3");
         const waited = performance.now() - began;
-        must(waited < 2_000, "an answer after 0.3 s", `${Math.round(waited)} ms`);
+        must(waited < 5_000, "an answer after 0.3 s", `${Math.round(waited)} ms`);
       },
     },
     {

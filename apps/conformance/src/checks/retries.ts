@@ -82,11 +82,12 @@ export const retries: CheckGroup = {
           action: "drive",
           left: 0,
           right: 0,
-          milliseconds: 1_500,
+          milliseconds: 5_000,
         });
         const before = await host.snapshot();
         const wish = await host.send({ action: "right 90", ttl: 300 });
         const end = await host.ended(wish.seq);
+        await host.done({ action: "stop" });
         await host.ended(seq);
         if (end.state === "completed") {
           throw new NotSeen("this robot does everything at once: nothing ever waits for it");

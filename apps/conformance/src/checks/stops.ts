@@ -4,7 +4,8 @@ import type { CheckGroup } from "../check.ts";
 import type { Host } from "../host.ts";
 import { must, shaped } from "../mismatch.ts";
 
-const STOP_MS = 3_000;
+/** Far more than a robot needs, far less than what it is kept busy with. */
+const STOP_MS = 5_000;
 
 export const stops: CheckGroup = {
   title: "Stop",
