@@ -2,15 +2,27 @@
  * The one live region of the page, and what feeds it with the run: that comes in a file of its own once
  * the robot has been let go.
  */
-import { useEffect } from "react";
+import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
-import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import type { Said } from "./speech.ts";
 
 export function SpokenRun() {
   const services = useServices();
   const { i18n } = useTranslation();
-  const { id, text } = useStore(services.speech.said);
+  const region = useRef<HTMLOutputElement>(null);
+  useEffect(() => {
+    // Written straight to the page, in the frame in which it is said: React would take as long as all the numbers.
+    const write = ({ text }: Said): void => {
+      // A new element each time: the same words said again are heard again.
+      const words = document.createElement("span");
+      words.textContent = text;
+      region.current?.replaceChildren(words);
+    };
+    const { said } = services.speech;
+    write(said.getState());
+    return said.subscribe(write);
+  }, [services]);
   useEffect(() => {
     const { run } = services;
     let hasEnded = false;
@@ -38,10 +50,5 @@ export function SpokenRun() {
       end?.();
     };
   }, [services, i18n]);
-  // A new element each time: the same words said again are heard again.
-  return (
-    <output id="spoken" className="visually-hidden">
-      <span key={id}>{text}</span>
-    </output>
-  );
+  return <output ref={region} id="spoken" className="visually-hidden" />;
 }

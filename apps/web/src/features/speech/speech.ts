@@ -6,9 +6,8 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { SpeechQueue, type Utterance } from "./speech-queue.ts";
 
-/** `id` rises with each message, so that the same words can be said again. */
+/** Told anew with each message, so that the same words can be said again. */
 export interface Said {
-  id: number;
   text: string;
 }
 
@@ -21,7 +20,7 @@ interface SpeechPorts {
 
 export class Speech {
   /** what the live region says */
-  readonly said: StoreApi<Said> = createStore<Said>()(() => ({ id: 0, text: "" }));
+  readonly said: StoreApi<Said> = createStore<Said>()(() => ({ text: "" }));
   readonly #queue = new SpeechQueue();
   readonly #ports: SpeechPorts;
   /** what was told of things that stay as they are for a while */
@@ -45,7 +44,7 @@ export class Speech {
     if (text === null) {
       // What is no longer so is not left for readers to find.
       if (this.#told.get(about) === this.said.getState().text) {
-        this.said.setState(({ id }) => ({ id, text: "" }));
+        this.said.setState({ text: "" });
       }
       this.#told.delete(about);
       return;
@@ -68,7 +67,7 @@ export class Speech {
   /** Says what waits, if it may be said by now: called where the page is painted anyway. */
   breathe(): void {
     const text = this.#queue.take(this.#ports.now());
-    if (text !== null) this.said.setState(({ id }) => ({ id: id + 1, text }));
+    if (text !== null) this.said.setState({ text });
   }
 
   /** The run goes too fast to be told, or is not to be told any more: what waits of it is not said. */
