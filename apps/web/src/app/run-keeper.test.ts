@@ -18,8 +18,7 @@ function openPage(
   const listeners = new Set<(message: FromWorker) => void>();
   const timers: (() => void)[] = [];
   const lost: string[] = [];
-  const none = { started: () => {}, ended: () => {} };
-  const loop = new RunLoop(maze, firstProgram, () => time, none);
+  const loop = new RunLoop(maze, firstProgram, () => time);
   const post = (message: FromWorker) => {
     for (const listener of listeners) listener(message);
   };

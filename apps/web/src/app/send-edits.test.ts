@@ -7,7 +7,6 @@ import type { ToWorker } from "../worker/worker-messages.ts";
 import { firstMaze, firstProgram } from "../worker/first-work.ts";
 import { sendEdits } from "./send-edits.ts";
 
-const silent = { started: () => {}, ended: () => {} };
 const maze = { ...firstMaze, name: "Recorded" };
 const program = { ...firstProgram, name: "Recorded" };
 const edited = { ...firstMaze, name: "Edited meanwhile" };
@@ -15,7 +14,7 @@ const edited = { ...firstMaze, name: "Edited meanwhile" };
 /** A second of a run of other documents. */
 function recorded(): RunDocument {
   let time = 0;
-  const loop = new RunLoop(maze, program, () => time, silent);
+  const loop = new RunLoop(maze, program, () => time);
   loop.run();
   for (; time < 1000; time += 100) loop.advance();
   const written = loop.saveRun();
@@ -26,7 +25,7 @@ function recorded(): RunDocument {
 /** A page whose messages reach the real run when the test says so. */
 function newPage() {
   const workspace = createWorkspaceStore(firstMaze, firstProgram);
-  const loop = new RunLoop(firstMaze, firstProgram, () => 0, silent);
+  const loop = new RunLoop(firstMaze, firstProgram, () => 0);
   const waiting: ToWorker[] = [];
   const sent: ToWorker["type"][] = [];
   sendEdits(workspace, {

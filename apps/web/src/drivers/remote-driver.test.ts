@@ -50,7 +50,7 @@ describe("a remote command that waits in the robot", () => {
     deliver(MOVE);
     deliver(MOVE);
     bench.pass(100);
-    bench.loop.remote.giveBack();
+    bench.loop.remote?.giveBack();
     bench.pass(2_000);
     expect(bench.story).toEqual(["started 1", "completed 1"]);
   });
@@ -74,7 +74,7 @@ describe("a remote command that its sender takes back", () => {
     const { bench, deliver } = robot();
     deliver({ action: "forward" });
     bench.pass(100);
-    bench.loop.remote.takeBack(1);
+    bench.loop.remote?.takeBack(1);
     bench.pass(100);
     expect(bench.story).toEqual(["started 1", "cancelled 1"]);
     expect(bench.loop.snapshot()).toMatchObject({ motion: "stop", command: null });
@@ -84,8 +84,8 @@ describe("a remote command that its sender takes back", () => {
     const { bench, deliver } = robot();
     for (let n = 0; n < 3; n++) deliver(MOVE);
     bench.pass(100);
-    bench.loop.remote.takeBack(2);
-    bench.loop.remote.takeBack(2);
+    bench.loop.remote?.takeBack(2);
+    bench.loop.remote?.takeBack(2);
     bench.pass(4_000);
     expect(bench.story).toEqual([
       "started 1",
@@ -106,7 +106,7 @@ describe("a motion without an end", () => {
     bench.loop.setSpeed(0.25);
     deliver({ action: "forward" });
     bench.pass(2_000);
-    bench.loop.remote.hear(heard(500));
+    bench.loop.remote?.hear(heard(500));
     bench.pass(2_400);
     expect(bench.story).toEqual(["started 1"]);
     bench.pass(200);
@@ -120,7 +120,7 @@ describe("a motion without an end", () => {
     bench.loop.setSpeed(0.25);
     deliver({ action: "forward" });
     bench.pass(2_000);
-    bench.loop.remote.hear([{ driver: "other1", silentMs: 0, lineMs: null }]);
+    bench.loop.remote?.hear([{ driver: "other1", silentMs: 0, lineMs: null }]);
     bench.pass(1_100);
     expect(bench.story).toEqual(["started 1", "cancelled 1"]);
   });
@@ -132,7 +132,7 @@ describe("a motion without an end", () => {
     const { bench, deliver } = robot();
     deliver({ action: "drive", left: 0.1, right: -0.1 }, { lease });
     bench.pass(ends - 20);
-    bench.loop.remote.hear(heard());
+    bench.loop.remote?.hear(heard());
     expect(bench.story).toEqual(["started 1"]);
     bench.pass(100);
     expect(bench.story).toEqual(["started 1", "cancelled 1"]);
@@ -179,11 +179,11 @@ describe("wheel powers that come all at once", () => {
   });
 
   it.each([
-    { name: "the page's own line", begin: (bench: Bench) => bench.loop.remote.giveBack() },
+    { name: "the page's own line", begin: (bench: Bench) => bench.loop.remote?.giveBack() },
     {
       name: "the script's line",
       begin: (bench: Bench) =>
-        bench.loop.remote.hear([{ driver: "Zx81qP", silentMs: 0, lineMs: 0 }]),
+        bench.loop.remote?.hear([{ driver: "Zx81qP", silentMs: 0, lineMs: 0 }]),
     },
   ])("count for the last of the first 100 ms of $name", ({ begin }) => {
     const { bench, deliver } = robot();
@@ -197,7 +197,7 @@ describe("wheel powers that come all at once", () => {
 
   it("leave a stop and a manoeuvre alone", () => {
     const { bench, deliver } = robot();
-    bench.loop.remote.giveBack();
+    bench.loop.remote?.giveBack();
     deliver({ action: "left 90" });
     bench.pass(30);
     expect(bench.story).toEqual(["started 1"]);

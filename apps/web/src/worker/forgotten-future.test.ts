@@ -5,13 +5,12 @@ import { RunLoop } from "./run-loop.ts";
 import { loadRun } from "./testing/load-run.ts";
 import type { Moment } from "./worker-messages.ts";
 
-const silent = { started: () => {}, ended: () => {} };
 /** Drives straight on, into the wall. */
 const straight: ProgramDocument = { ...firstProgram, rules: [] };
 
 function newBench(program = straight) {
   let time = 0;
-  const loop = new RunLoop(firstMaze, program, () => time, silent);
+  const loop = new RunLoop(firstMaze, program, () => time);
   const forgotten: number[] = [];
   const news = (): Moment[] => {
     const taken = loop.takeNews();

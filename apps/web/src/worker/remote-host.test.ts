@@ -2,6 +2,7 @@
 import type { SocketEvents, SocketPort } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-work.ts";
+import { RemoteDriver } from "../drivers/remote-driver.ts";
 import { RemoteHost } from "./remote-host.ts";
 import { RunLoop } from "./run-loop.ts";
 import { deliveryOf } from "./testing/bench.ts";
@@ -112,13 +113,14 @@ function openPage() {
     onView: (newest) => (view = newest),
     onDelivery: (delivery) => loop.accept(delivery),
     cancel: (reason) => loop.cancelRemote(reason),
-    takeBack: (seq) => loop.remote.takeBack(seq),
-    giveBack: () => loop.remote.giveBack(),
-    hear: (alive) => loop.remote.hear(alive),
+    takeBack: (seq) => loop.remote?.takeBack(seq),
+    giveBack: () => loop.remote?.giveBack(),
+    hear: (alive) => loop.remote?.hear(alive),
     fetch: relay.fetch,
     platform: relay.platform,
   });
-  const loop = new RunLoop(firstMaze, firstProgram, () => time, host);
+  const loop = new RunLoop(firstMaze, firstProgram, () => time);
+  loop.connect((robot) => new RemoteDriver(host, robot, () => time));
   loop.setDriver("remote");
   return {
     relay,

@@ -5,7 +5,6 @@ import { RunLoop } from "./run-loop.ts";
 import type { Moment } from "./worker-messages.ts";
 
 let time = 0;
-const silent = { started: () => undefined, ended: () => undefined };
 
 function mazeOf(blocks: string[], row: number): MazeDocument {
   const start = { column: 0, row, heading: "east" } as const;
@@ -37,7 +36,7 @@ const other = { ...programOf([]), name: "other" };
 
 describe("a bump of the program", () => {
   it("pauses the run, with an edit that would have kept it off", () => {
-    const loop = new RunLoop(corner, delayedAtTheWall, () => time, silent);
+    const loop = new RunLoop(corner, delayedAtTheWall, () => time);
     loop.run();
     const [moment] = pass(loop, 5);
     expect(moment).toMatchObject({ kind: "bump", line: 0, bumps: 1 });
@@ -48,7 +47,7 @@ describe("a bump of the program", () => {
   });
 
   it("tells of the program that drove, though another one came before it was told", () => {
-    const loop = new RunLoop(corner, delayedAtTheWall, () => time, silent);
+    const loop = new RunLoop(corner, delayedAtTheWall, () => time);
     loop.run();
     while (loop.snapshot().bumps === 0) {
       time += 8;
@@ -60,7 +59,7 @@ describe("a bump of the program", () => {
   });
 
   it("of a turn that began before an edit is explained by the program that began it", () => {
-    const loop = new RunLoop(corner, delayedAtTheWall, () => time, silent);
+    const loop = new RunLoop(corner, delayedAtTheWall, () => time);
     loop.run();
     while (loop.snapshot().line !== 0) {
       time += 8;
@@ -80,7 +79,7 @@ describe("a bump of the program", () => {
     const way = Array.from({ length: 8 }, () => "##.##");
     const opening = mazeOf(["#####", ".....", ...way], 1);
     const tooEarly = programOf([{ when: { sensor: "right", is: ">", than: 60 }, do: "right 90" }]);
-    const loop = new RunLoop(opening, tooEarly, () => time, silent);
+    const loop = new RunLoop(opening, tooEarly, () => time);
     loop.run();
     const [moment] = pass(loop, 8);
     expect(moment).toMatchObject({ kind: "bump", line: "default" });
@@ -88,7 +87,7 @@ describe("a bump of the program", () => {
   });
 
   it("is explained once a line: the reader who runs on is not stopped again", () => {
-    const loop = new RunLoop(corner, programOf([]), () => time, silent);
+    const loop = new RunLoop(corner, programOf([]), () => time);
     loop.run();
     pass(loop, 5);
     expect(loop.isRunning).toBe(false);
@@ -101,7 +100,7 @@ describe("a bump of the program", () => {
     { name: "another program", change: (loop: RunLoop) => loop.editProgram(other) },
     { name: "a new run", change: (loop: RunLoop) => loop.reset() },
   ])("is explained again to $name", ({ change }) => {
-    const loop = new RunLoop(corner, programOf([]), () => time, silent);
+    const loop = new RunLoop(corner, programOf([]), () => time);
     loop.run();
     pass(loop, 5);
     change(loop);
@@ -112,7 +111,7 @@ describe("a bump of the program", () => {
   });
 
   it("does not stop a hand that bumps", () => {
-    const loop = new RunLoop(corner, programOf([]), () => time, silent);
+    const loop = new RunLoop(corner, programOf([]), () => time);
     loop.hold("forward");
     const [moment] = pass(loop, 5);
     expect(moment).toMatchObject({ kind: "bump", driver: "me", mends: null, program: null });
@@ -122,7 +121,7 @@ describe("a bump of the program", () => {
 
 describe("a robot that gets nowhere", () => {
   it("is noticed once while it pushes a wall, and again after a change", () => {
-    const loop = new RunLoop(corner, programOf([]), () => time, silent);
+    const loop = new RunLoop(corner, programOf([]), () => time);
     loop.run();
     pass(loop, 5);
     loop.run();

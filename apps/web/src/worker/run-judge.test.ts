@@ -85,11 +85,7 @@ class Bench {
   ) {
     const document = challenge.mazes[maze];
     if (document === undefined) throw new Error("no such maze");
-    const ignore = () => undefined;
-    this.loop = new RunLoop(document, program, () => (this.time += 0.5), {
-      started: ignore,
-      ended: ignore,
-    });
+    this.loop = new RunLoop(document, program, () => (this.time += 0.5));
     this.loop.judgeBy(new RunJudge(termsOf(challenge, maze)));
   }
 

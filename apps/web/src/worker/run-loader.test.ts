@@ -5,11 +5,9 @@ import { RunLoader } from "./run-loader.ts";
 import { RunLoop } from "./run-loop.ts";
 import type { FromWorker } from "./worker-messages.ts";
 
-const none = { started: () => {}, ended: () => {} };
-
 /** A run of the first program, longer than a slice. */
 function longRun(ticks: number): RunDocument {
-  const loop = new RunLoop(firstMaze, { ...firstProgram, default: "stop", rules: [] }, now, none);
+  const loop = new RunLoop(firstMaze, { ...firstProgram, default: "stop", rules: [] }, now);
   loop.setSpeed(16);
   loop.run();
   while (loop.snapshot().tick < ticks) loop.advance();
@@ -24,7 +22,7 @@ function now(): number {
 
 /** A worker whose slices come when the test says so. */
 function newLoader(open?: () => never) {
-  const loop = new RunLoop(firstMaze, firstProgram, now, none);
+  const loop = new RunLoop(firstMaze, firstProgram, now);
   const posted: FromWorker[] = [];
   let waiting = 0;
   const loader = new RunLoader({

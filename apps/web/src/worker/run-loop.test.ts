@@ -4,6 +4,7 @@ import type { MazeDocument } from "@corridor/maze";
 import { beforeEach, describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-work.ts";
 import type { Ending } from "../drivers/remote-driver.ts";
+import { RemoteDriver } from "../drivers/remote-driver.ts";
 import { RunLoop } from "./run-loop.ts";
 import { deliveryOf } from "./testing/bench.ts";
 import type { Moment } from "./worker-messages.ts";
@@ -27,7 +28,9 @@ beforeEach(() => {
 });
 
 function loopOf(maze: MazeDocument = firstMaze, program: ProgramDocument = firstProgram): RunLoop {
-  return new RunLoop(maze, program, () => time, events);
+  const loop = new RunLoop(maze, program, () => time);
+  loop.connect((robot) => new RemoteDriver(events, robot, () => time));
+  return loop;
 }
 
 /** Lets real time pass in intervals as the worker's timer gives them, and collects what is told. */

@@ -14,7 +14,7 @@ import type { MazeDocument } from "@corridor/maze";
 import type { Recording, TimelineNews, WrittenRun } from "@corridor/recording";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
 import { commandOfKey } from "../drivers/hand-driver.ts";
-import { RemoteDriver, type RemoteDriverEvents } from "../drivers/remote-driver.ts";
+import type { RemoteDriver, RemoteRobot } from "../drivers/remote-driver.ts";
 import { LiveRun } from "./live-run.ts";
 import { RunClock } from "./run-clock.ts";
 import type { RunJudge } from "./run-judge.ts";
@@ -23,9 +23,7 @@ import { ScreenMoment } from "./screen-moment.ts";
 import type { DriveKey, Frame, Moment, Speed } from "./worker-messages.ts";
 
 export class RunLoop {
-  /** the commands of scripts; they come in by `accept`, and all end by `cancelRemote` */
-  readonly remote: Pick<RemoteDriver, "takeBack" | "giveBack" | "hear">;
-  readonly #remote: RemoteDriver;
+  #remote: RemoteDriver | null = null;
   readonly #clock: RunClock;
   readonly #watch = new RunWatch();
   readonly #live: LiveRun;
@@ -38,17 +36,20 @@ export class RunLoop {
   #isDirty = true;
 
   /** @param now monotonic milliseconds */
-  constructor(
-    maze: MazeDocument,
-    program: ProgramDocument,
-    now: () => number,
-    remoteEvents: RemoteDriverEvents,
-  ) {
+  constructor(maze: MazeDocument, program: ProgramDocument, now: () => number) {
     this.#clock = new RunClock(now);
     this.#live = new LiveRun(maze, program);
-    this.#remote = new RemoteDriver(remoteEvents, () => this.#recording, now);
-    this.remote = this.#remote;
     this.#screen = new ScreenMoment(this.#live);
+  }
+
+  /** From now on scripts can drive, which many a visit never needs: what they need for it comes late. */
+  connect(driverOf: (robot: () => RemoteRobot) => RemoteDriver): void {
+    this.#remote = driverOf(() => this.#recording);
+  }
+
+  /** the commands of scripts; they come in by `accept`, and all end by `cancelRemote` */
+  get remote(): Pick<RemoteDriver, "takeBack" | "giveBack" | "hear"> | null {
+    return this.#remote;
   }
 
   /** Whether simulated time flows, live or played again. */
@@ -67,7 +68,7 @@ export class RunLoop {
     this.now();
     this.#isDirty = true;
     if (this.#live.run.tick > 0 && this.#live.bringMaze()) return;
-    this.#remote.cancel("mazeChanged");
+    this.#remote?.cancel("mazeChanged");
     this.#beginRun();
   }
 
@@ -106,7 +107,7 @@ export class RunLoop {
 
   /** Robot to start; maze, program, driver and speed stay. A new run begins. */
   reset(): void {
-    this.#remote.cancel("reset");
+    this.#remote?.cancel("reset");
     this.#beginRun();
   }
 
@@ -118,7 +119,7 @@ export class RunLoop {
   setDriver(driver: DriverName): void {
     this.now();
     if (driver === this.driver) return;
-    if (this.driver === "remote") this.#remote.cancel("handedOver");
+    if (this.driver === "remote") this.#remote?.cancel("handedOver");
     this.#recording.input({ do: "driver", driver });
     this.pause();
     if (driver === "remote") this.#start();
@@ -146,16 +147,16 @@ export class RunLoop {
    * live: the newest moment is shown again.
    */
   accept(delivery: DeliveredCommand): void {
-    this.#remote.accept(delivery);
+    this.#remote?.accept(delivery);
     if (this.driver === "remote") this.now();
-    else this.#remote.cancel("notRemote");
+    else this.#remote?.cancel("notRemote");
     this.#isDirty = true;
   }
 
   /** Ends what remote commands run and wait, and stops the robot. */
   cancelRemote(reason: CancelReason): void {
     if (this.driver !== "remote") return;
-    this.#remote.cancel(reason);
+    this.#remote?.cancel(reason);
     this.#recording.input({ do: "cancel" });
     this.#isDirty = true;
   }
@@ -201,7 +202,7 @@ export class RunLoop {
 
   /** Shows another run where it ended, paused. @returns the documents that it ended with */
   open(recording: Recording): { ok: true; maze: MazeDocument; program: ProgramDocument } {
-    this.#remote.cancel("movedInTime");
+    this.#remote?.cancel("movedInTime");
     this.#live.open(recording);
     this.#begun();
     const { maze, program } = this.#live;
@@ -212,7 +213,7 @@ export class RunLoop {
 
   /** Runs the ticks that real time asks for since the last call. */
   advance(): void {
-    this.#remote.tend();
+    this.#remote?.tend();
     this.#clock.advance(this.isRunning, (count) => this.#runTicks(count));
   }
 
@@ -276,7 +277,7 @@ export class RunLoop {
     this.#screen.leavePast();
     this.#resumesNow = false;
     this.#isDirty = true;
-    this.#remote.cancel("movedInTime");
+    this.#remote?.cancel("movedInTime");
     this.#recording.truncate(tick);
     this.#watch.cut(this.#recording);
     if (!this.#live.bringMaze()) {
@@ -314,11 +315,11 @@ export class RunLoop {
     const recording = this.#recording;
     const { run } = recording;
     const isRemote = run.driver === "remote";
-    if (isRemote) this.#remote.begin();
+    if (isRemote) this.#remote?.begin();
     this.#watch.before(run);
     recording.step();
     const isToWait = this.#watch.after(recording);
-    if (isRemote) this.#remote.finish();
+    if (isRemote) this.#remote?.finish();
     if (isToWait) this.pause();
     const isDecisionDone = !run.isManoeuvring || run.decidedAt === run.tick;
     if (this.#isStepping && isDecisionDone) this.pause();

@@ -8,7 +8,6 @@ import type { MazeDocument } from "@corridor/maze";
 import { describeFault } from "./describe-fault.ts";
 import { earlyWork, type FirstWork } from "./first-work.ts";
 import { FramePace } from "./frame-pace.ts";
-import type { RemoteDriverEvents } from "../drivers/remote-driver.ts";
 import type { RemoteHost } from "./remote-host.ts";
 import type { RunLoader } from "./run-loader.ts";
 import { RunLoop } from "./run-loop.ts";
@@ -38,10 +37,6 @@ let judgeId = 0;
 /** The relay link comes in a file of its own when Remote is opened for the first time. */
 let remote: RemoteHost | null = null;
 let remoteLoading: Promise<RemoteHost> | null = null;
-const remoteEvents: RemoteDriverEvents = {
-  started: (seq) => remote?.started(seq),
-  ended: (seq, ending) => remote?.ended(seq, ending),
-};
 
 /** Does something with the relay link, in the order of the calls. */
 function withRemote(use: (host: RemoteHost) => void): void {
@@ -58,20 +53,25 @@ function withRemote(use: (host: RemoteHost) => void): void {
 }
 
 async function loadRemote(): Promise<RemoteHost> {
-  const { RemoteHost: Host } = await import("./remote-host.ts");
-  remote = new Host({
+  const [{ RemoteHost: Host }, { RemoteDriver }] = await Promise.all([
+    import("./remote-host.ts"),
+    import("../drivers/remote-driver.ts"),
+  ]);
+  const host = new Host({
     origin: worker.location.origin,
     now: () => Date.now(),
     snapshot: () => loop?.snapshot() ?? null,
     onView: (view) => post({ type: "remote", remote: view }),
     onDelivery: (delivery) => loop?.accept(delivery),
     cancel: (reason) => loop?.cancelRemote(reason),
-    takeBack: (seq) => loop?.remote.takeBack(seq),
-    giveBack: () => loop?.remote.giveBack(),
-    hear: (alive) => loop?.remote.hear(alive),
+    takeBack: (seq) => loop?.remote?.takeBack(seq),
+    giveBack: () => loop?.remote?.giveBack(),
+    hear: (alive) => loop?.remote?.hear(alive),
     fetch: (url, request) => fetch(url, request),
   });
-  return remote;
+  loop?.connect((robot) => new RemoteDriver(host, robot, now));
+  remote = host;
+  return host;
 }
 
 /** A run that was brought up to now so recently is not once more before it is drawn, in milliseconds. */
@@ -252,7 +252,7 @@ function handle(message: ToWorker): void {
 /** A run that began before the page was there goes on: nothing but names can be new to it. */
 function load({ maze, program }: FirstWork): void {
   if (loop === null) {
-    loop = new RunLoop(maze, program, now, remoteEvents);
+    loop = new RunLoop(maze, program, now);
     return;
   }
   loop.editMaze(maze);

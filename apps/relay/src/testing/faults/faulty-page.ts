@@ -1,7 +1,10 @@
 /** A page that is the robot, as its worker is: host, link, run and driver, with the tab's storage. */
 import type { Platform } from "../../../../../packages/client/src/platform.ts";
 import type { SocketEvents, SocketPort } from "@corridor/protocol";
-import type { RemoteDriverEvents } from "../../../../web/src/drivers/remote-driver.ts";
+import {
+  RemoteDriver,
+  type RemoteDriverEvents,
+} from "../../../../web/src/drivers/remote-driver.ts";
 import { firstMaze, firstProgram } from "../../../../web/src/worker/first-work.ts";
 import { RemoteHost } from "../../../../web/src/worker/remote-host.ts";
 import { RunLoop } from "../../../../web/src/worker/run-loop.ts";
@@ -47,8 +50,8 @@ export class FaultyPage {
         this.#host.ended(seq, ending);
       },
     };
-    this.#loop = new RunLoop(firstMaze, firstProgram, () => time.now(), events);
-    const { remote } = this.#loop;
+    this.#loop = new RunLoop(firstMaze, firstProgram, () => time.now());
+    this.#loop.connect((robot) => new RemoteDriver(events, robot, () => time.now()));
     this.#host = new RemoteHost({
       origin: "http://robots.example",
       now: () => time.now(),
@@ -58,9 +61,9 @@ export class FaultyPage {
       },
       onDelivery: (delivery) => this.#loop.accept(delivery),
       cancel: (reason) => this.#loop.cancelRemote(reason),
-      takeBack: (seq) => remote.takeBack(seq),
-      giveBack: () => remote.giveBack(),
-      hear: (alive) => remote.hear(alive),
+      takeBack: (seq) => this.#loop.remote?.takeBack(seq),
+      giveBack: () => this.#loop.remote?.giveBack(),
+      hear: (alive) => this.#loop.remote?.hear(alive),
       fetch: () => Promise.reject(new Error("A session is there already.")),
       platform: { ...platform, connect: (url, events) => this.#connect(url, events) },
     });

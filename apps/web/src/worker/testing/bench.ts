@@ -2,6 +2,7 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { Command, DeliveredCommand, Snapshot } from "@corridor/protocol";
+import { RemoteDriver } from "../../drivers/remote-driver.ts";
 import { firstMaze, firstProgram } from "../first-work.ts";
 import { RunLoop } from "../run-loop.ts";
 import type { Frame } from "../worker-messages.ts";
@@ -17,7 +18,8 @@ export class Bench {
     const started = (seq: number) => void this.story.push(`started ${seq}`);
     const ended = (seq: number, { state }: { state: string }) =>
       void this.story.push(`${state} ${seq}`);
-    this.loop = new RunLoop(maze, program, () => this.time, { started, ended });
+    this.loop = new RunLoop(maze, program, () => this.time);
+    this.loop.connect((robot) => new RemoteDriver({ started, ended }, robot, () => this.time));
   }
 
   /** @returns the last frame */
