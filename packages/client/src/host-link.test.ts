@@ -1,5 +1,5 @@
 import { snapshotOf } from "@corridor/protocol/testing";
-import type { CommandState, DeliveredCommand } from "@corridor/protocol";
+import type { AliveDriver, CommandState, DeliveredCommand } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { HostLink, type HostStatus } from "./host-link.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
@@ -8,6 +8,7 @@ import { record } from "./testing/messages.ts";
 const done = { state: "completed" as const, reason: null, pose: null, distance: 100 };
 const command = (seq: number) => ({
   type: "command",
+  at: 0,
   seq,
   key: null,
   command: { action: "left 90" },
@@ -27,6 +28,8 @@ function host(start: { lastApplied?: number; fresh?: boolean } = {}) {
   const stops: DeliveredCommand[] = [];
   const statuses: HostStatus[] = [];
   const heard: string[] = [];
+  const delivered: DeliveredCommand[] = [];
+  const alive: AliveDriver[] = [];
   const link = new HostLink({
     origin: "http://localhost:8080",
     credentials: { id: "AAAAAAAAAAAAAAAAAAAAAA", ownerKey: "own_CCCCCCCCCCCCCCCCCCCCCC" },
@@ -34,7 +37,10 @@ function host(start: { lastApplied?: number; fresh?: boolean } = {}) {
     fresh: false,
     ...start,
     snapshot: () => snapshotOf(),
-    onCommand: ({ seq }) => commands.push(seq),
+    onCommand: (each) => {
+      delivered.push(each);
+      commands.push(each.seq);
+    },
     onStop: (stop) => {
       stops.push(stop);
       for (const seq of commands) link.ended(seq, { ...done, state: "cancelled" });
@@ -44,19 +50,19 @@ function host(start: { lastApplied?: number; fresh?: boolean } = {}) {
     onState: ({ seq, state }, ttl) => heard.push(`${seq} ${state} within ${ttl}`),
     onRefused: ({ seq, state }) => heard.push(`${seq} was ${state}`),
     onStatus: (status) => statuses.push(status),
-    onDrivers: () => undefined,
+    onDrivers: (_drivers, scripts) => alive.push(...scripts),
     platform,
   });
   const welcome = (epoch = 1): void => {
     platform.socket.open();
-    platform.socket.receive({ type: "welcome", version: 1, epoch });
+    platform.socket.receive({ type: "welcome", version: 1, epoch, at: 0 });
   };
   const reconnect = (epoch: number): void => {
     platform.socket.cut(1006);
     platform.pass(10_000);
     welcome(epoch);
   };
-  return { platform, link, commands, stops, statuses, heard, welcome, reconnect };
+  return { platform, link, commands, stops, statuses, heard, delivered, alive, welcome, reconnect };
 }
 
 describe("HostLink", () => {
@@ -210,6 +216,19 @@ describe("HostLink", () => {
     expect(platform.socket.sent[1]).toMatchObject({ endings: [] });
   });
 
+  it("takes from the time that is left what a command was held up, and from the life of a script", () => {
+    const { platform, delivered, alive, welcome } = host();
+    welcome();
+    platform.pass(3_000);
+    platform.socket.receive({ ...command(1), at: 2_000 });
+    platform.socket.receive({ ...command(2), at: 2_900, remaining: 50 });
+    const scripts = [{ driver: "Zx81qP", silentMs: 100, lineMs: null }];
+    const drivers = { connected: 1, client: "Python", silentMs: 100 };
+    platform.socket.receive({ type: "drivers", ...drivers, alive: scripts, at: 1_500 });
+    expect(delivered.map(({ remaining }) => remaining)).toEqual([9_000, 0]);
+    expect(alive).toEqual([{ driver: "Zx81qP", silentMs: 1_600, lineMs: null }]);
+  });
+
   it("does not hand on what it did before a reload", () => {
     const { platform, commands, welcome } = host({ lastApplied: 5, fresh: true });
     welcome();
@@ -241,7 +260,7 @@ describe("HostLink", () => {
     link.started(1);
     link.ended(1, done);
     expect(platform.socket.sent).toHaveLength(2);
-    platform.socket.receive({ type: "welcome", version: 1, epoch: 2 });
+    platform.socket.receive({ type: "welcome", version: 1, epoch: 2, at: 0 });
     expect(platform.socket.sent.at(-1)).toMatchObject({ type: "ended", seq: 1, epoch: 2 });
   });
 

@@ -29,6 +29,7 @@ import { AppliedCommands } from "./applied-commands.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
 import { doorUrls } from "./robot-address.ts";
+import { TransitClock } from "./transit-clock.ts";
 
 /** A snapshot is left out while so many bytes wait: a newer one will do. */
 const CROWDED_BYTES = 64 * 1024;
@@ -84,6 +85,8 @@ export class HostLink {
   #resumed = new Set<number>();
   #epoch = 1;
   #fresh: boolean;
+  readonly #clock: Platform["clock"];
+  readonly #transit = new TransitClock();
   readonly #applied: AppliedCommands;
 
   /** Opens the link at once. */
@@ -91,10 +94,11 @@ export class HostLink {
     this.#options = options;
     this.#fresh = options.fresh;
     this.#applied = new AppliedCommands(options.lastApplied);
-    const { origin, credentials } = options;
+    const { origin, credentials, platform = globalPlatform() } = options;
+    this.#clock = platform.clock;
     this.#connection = new Connection({
       urls: doorUrls(origin, credentials.id),
-      platform: options.platform ?? globalPlatform(),
+      platform,
       greeting: () => this.#greeting(),
       decode: (text) => decodeFrame(relayToPageSchema, text),
       received: (message) => this.#received(message),
@@ -158,6 +162,7 @@ export class HostLink {
   #greeting(): string[] {
     this.#applied.giveBack();
     this.#options.onGiveBack();
+    this.#transit.greeted(this.#clock.now());
     const endings = [...this.#endings.values()].slice(0, MAX_RESUMED_ENDINGS);
     this.#resumed = new Set(endings.map(({ seq }) => seq));
     const { ownerKey } = this.#options.credentials;
@@ -175,6 +180,7 @@ export class HostLink {
   #received(message: RelayToPage): void {
     switch (message.type) {
       case "welcome":
+        this.#transit.came(message.at, this.#clock.now());
         this.#epoch = message.epoch;
         this.#fresh = false;
         for (const ending of this.#endings.values()) {
@@ -182,12 +188,12 @@ export class HostLink {
         }
         return;
       case "command": {
-        const { type: _type, ...command } = message;
+        const command = this.#delivered(message);
         if (this.#isNew(command.seq)) this.#options.onCommand(command);
         return;
       }
       case "stop": {
-        const { type: _type, ...stop } = message;
+        const stop = this.#delivered(message);
         if (this.#isNew(stop.seq)) this.#stop(stop);
         return;
       }
@@ -202,12 +208,24 @@ export class HostLink {
       case "state":
         return this.#options.onState(message.record, message.ttl);
       case "drivers": {
-        const { type: _type, alive, ...drivers } = message;
-        return this.#options.onDrivers(drivers, alive);
+        const { type: _type, alive, at, ...drivers } = message;
+        const waited = this.#transit.came(at, this.#clock.now());
+        const now = alive.map(({ driver, silentMs, lineMs }) => ({
+          driver,
+          silentMs: silentMs + waited,
+          lineMs: lineMs === null ? null : lineMs + waited,
+        }));
+        return this.#options.onDrivers(drivers, now);
       }
       case "heartbeat":
         return;
     }
+  }
+
+  /** A command as it is now: what was held up on the way has less time left. */
+  #delivered({ type: _type, at, ...command }: DeliveredCommand & { type: string; at: number }) {
+    const remaining = command.remaining - this.#transit.came(at, this.#clock.now());
+    return { ...command, remaining: Math.max(0, remaining) };
   }
 
   /** Whether the command is handed on for the first time; a repeated one is answered from memory. */

@@ -77,6 +77,9 @@ export const pageToRelaySchema = z.discriminatedUnion(
 );
 export type PageToRelay = z.infer<typeof pageToRelaySchema>;
 
+/** ms by the relay's own clock when it sent this: how much later another message comes shows a delay */
+const at = milliseconds;
+
 /** A command on its way to the robot. */
 const deliveredCommand = z.strictObject({
   seq,
@@ -121,10 +124,10 @@ export type AliveDriver = z.infer<typeof aliveDriverSchema>;
 export const relayToPageSchema = z.discriminatedUnion(
   "type",
   [
-    z.strictObject({ type: z.literal("welcome"), version, epoch }),
-    deliveredCommand.extend({ type: z.literal("command") }),
+    z.strictObject({ type: z.literal("welcome"), version, epoch, at }),
+    deliveredCommand.extend({ type: z.literal("command"), at }),
     /** overtakes: ends what runs and what waits in the page, then ends itself as completed */
-    deliveredCommand.extend({ type: z.literal("stop") }),
+    deliveredCommand.extend({ type: z.literal("stop"), at }),
     /** the sender wishes that this command ends; the robot decides, and says so by `ended` */
     z.strictObject({ type: z.literal("cancel"), seq }),
     /** the ending of this command is stored: the page may forget it */
@@ -138,7 +141,11 @@ export const relayToPageSchema = z.discriminatedUnion(
       /** as in `command` */
       ttl: milliseconds,
     }),
-    driversSchema.extend({ type: z.literal("drivers"), alive: z.array(aliveDriverSchema).max(32) }),
+    driversSchema.extend({
+      type: z.literal("drivers"),
+      alive: z.array(aliveDriverSchema).max(32),
+      at,
+    }),
     heartbeat,
   ],
   { error: "one of welcome, command, stop, cancel, stored, refused, state, drivers, heartbeat" },

@@ -89,7 +89,8 @@ export class CommandLife {
       this.#seat.page?.link.close(closeReasons.replaced);
       this.#seat.take({ link, epoch: taken.epoch });
       this.#line.pageCame(taken.epoch);
-      link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch });
+      const at = this.#clock.now();
+      link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch, at });
       const refused = new Map(taken.refused.map((record) => [record.seq, record]));
       for (const { seq } of resume.endings) this.#answerEnding(link, seq, refused.get(seq) ?? null);
       seated();

@@ -20,5 +20,6 @@ export function commandFrame(
   // Where the clock was set back a little, a command has no more time than it was given.
   const remaining = Math.min(ttl, Math.max(0, deadline - now));
   const name = driverName(driver);
-  return { type, seq, key, command, acceptedAt, driver: name, ttl, remaining, replace, lease };
+  const terms = { driver: name, ttl, remaining, replace, lease };
+  return { type, at: now, seq, key, command, acceptedAt, ...terms };
 }

@@ -328,7 +328,11 @@ export class Session {
   #tellScripts(): void {
     const scripts = this.roster.told();
     if (this.#seat.isElsewhere) return this.#line.sayHere(scripts);
-    this.#seat.page?.link.send({ type: "drivers", ...this.#line.withOthers(scripts) });
+    this.#seat.page?.link.send({
+      type: "drivers",
+      at: this.#clock.now(),
+      ...this.#line.withOthers(scripts),
+    });
   }
 
   #used(): void {

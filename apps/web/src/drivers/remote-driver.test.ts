@@ -114,6 +114,16 @@ describe("a motion without an end", () => {
     expect(bench.loop.snapshot()).toMatchObject({ motion: "stop", command: null });
   });
 
+  it("is not renewed once it has run out, as while the page was frozen", () => {
+    const { bench, deliver } = robot();
+    bench.loop.setSpeed(0.25);
+    deliver({ action: "forward" });
+    bench.pass(100);
+    bench.time += 5_000;
+    bench.loop.remote.hear(heard());
+    expect(bench.story).toEqual(["started 1", "cancelled 1"]);
+  });
+
   it("is not held by another script", () => {
     const { bench, deliver } = robot();
     // Slow enough not to meet a wall: leases count real time.

@@ -78,6 +78,8 @@ export class RemoteDriver {
 
   /** Scripts were heard: who is, keeps the motion that it wished. */
   hear(alive: readonly AliveDriver[]): void {
+    // A lease that ran out while the page slept is not renewed any more.
+    this.tend();
     const now = this.#now();
     for (const { driver, silentMs, lineMs } of alive) {
       this.#running?.lease?.heard(driver, now - silentMs);

@@ -72,7 +72,7 @@ class Relay {
   /** Takes the newest line and delivers what the page has not begun. */
   welcome(robot: string): void {
     this.#events.at(-1)?.opened();
-    this.#say({ type: "welcome", version: 1, epoch: this.lines });
+    this.#say({ type: "welcome", version: 1, epoch: this.lines, at: 0 });
     const [, resume] = this.#sent.at(-1) ?? [];
     for (const seq of this.accepted.get(robot) ?? []) {
       if (seq > Number(resume?.["lastApplied"])) this.#deliver(seq);
@@ -94,7 +94,7 @@ class Relay {
   }
 
   #deliver(seq: number): void {
-    this.#say({ type: "command", ...deliveryOf(seq, { action: "move", distance: 20 }) });
+    this.#say({ type: "command", at: 0, ...deliveryOf(seq, { action: "move", distance: 20 }) });
   }
 
   #say(message: Message): void {

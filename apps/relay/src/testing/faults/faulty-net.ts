@@ -17,6 +17,7 @@ export class FaultyNet {
   readonly #robot: string;
   readonly #tap: Tap;
   readonly #breaks = new Set<() => void>();
+  #heldUntil = 0;
 
   /** @param tap is told of all that a client sends and gets */
   constructor(time: VirtualTime, dice: Dice, relay: () => FaultyRelay, robot: string, tap: Tap) {
@@ -30,6 +31,11 @@ export class FaultyNet {
   /** Breaks all lines. Each side learns of it in its own time. */
   cut(): void {
     for (const breakLine of this.#breaks) breakLine();
+  }
+
+  /** Holds up all that is sent for so long; nothing is lost. */
+  holdUp(ms: number): void {
+    this.#heldUntil = this.#time.now() + ms;
   }
 
   connect(events: SocketEvents): SocketPort {
@@ -113,7 +119,8 @@ export class FaultyNet {
   #direction(): (arrive: () => void) => void {
     let latest = 0;
     return (arrive) => {
-      const at = Math.max(latest, this.#time.now() + this.#dice.between(1, SLOWEST_MS));
+      const soon = this.#time.now() + this.#dice.between(1, SLOWEST_MS);
+      const at = Math.max(latest, soon, this.#heldUntil);
       latest = at;
       this.#time.after(at - this.#time.now(), arrive);
     };

@@ -36,6 +36,9 @@ export class FaultyPage {
   #opened: () => void = () => undefined;
   #isAlive = true;
   #shownAt = 0;
+  #thawsAt = 0;
+  /** what came while it was frozen */
+  #unheard: (() => void)[] = [];
 
   constructor(options: PageOptions) {
     this.#options = options;
@@ -82,6 +85,11 @@ export class FaultyPage {
     this.#isAlive = false;
   }
 
+  /** Stands still for so long; what comes meanwhile waits, and is heard first. */
+  freeze(ms: number): void {
+    this.#thawsAt = Math.max(this.#thawsAt, this.#options.time.now() + ms);
+  }
+
   get isAlive(): boolean {
     return this.#isAlive;
   }
@@ -91,7 +99,8 @@ export class FaultyPage {
     this.#opened();
     if (!this.#isAlive) return { send: nothing, close: nothing, isOpen: false, waitingBytes: 0 };
     const ifAlive = (tell: () => void): void => {
-      if (this.#isAlive) tell();
+      if (this.#options.time.now() < this.#thawsAt) this.#unheard.push(() => ifAlive(tell));
+      else if (this.#isAlive) tell();
     };
     return this.#options.platform.connect(url, {
       opened: () => ifAlive(() => events.opened()),
@@ -103,6 +112,13 @@ export class FaultyPage {
   #turn(): void {
     if (!this.#isAlive) return;
     const { time } = this.#options;
+    if (time.now() < this.#thawsAt) {
+      time.after(this.#thawsAt - time.now(), () => this.#turn());
+      return;
+    }
+    const unheard = this.#unheard;
+    this.#unheard = [];
+    for (const hear of unheard) hear();
     this.#loop.advance();
     this.#loop.takeNews();
     this.#loop.takeTimeline();

@@ -94,7 +94,9 @@ export class FaultyWorld {
     else if (chance < 0.53) this.#breakFor(this.#scriptNet, dice.between(50, 3_000));
     else if (chance < 0.55) this.#killRelay();
     else if (chance < 0.57) this.#loadPage();
-    else if (chance < 0.572) this.#breakFor(this.#pageNet, 125_000);
+    else if (chance < 0.58) this.#page?.freeze(dice.between(100, 6_000));
+    else if (chance < 0.59) this.#pageNet.holdUp(dice.between(100, 4_000));
+    else if (chance < 0.592) this.#breakFor(this.#pageNet, 125_000);
     await this.#time.pass(dice.isLucky(0.9) ? dice.between(0, 150) : dice.between(150, 2_000));
   }
 
