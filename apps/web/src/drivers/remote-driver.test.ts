@@ -120,7 +120,7 @@ describe("a motion without an end", () => {
     deliver({ action: "forward" });
     bench.pass(100);
     bench.time += 5_000;
-    bench.loop.remote.hear(heard());
+    bench.loop.remote?.hear(heard());
     expect(bench.story).toEqual(["started 1", "cancelled 1"]);
   });
 
