@@ -15,6 +15,7 @@ import { eventRoutes } from "./routes/events.ts";
 import { notFound, problemAnswers } from "./routes/fallbacks.ts";
 import { healthRoutes } from "./routes/health.ts";
 import { pythonClientRoutes } from "./routes/python-client.ts";
+import { keyRoutes } from "./routes/keys.ts";
 import { lineRoutes } from "./routes/lines.ts";
 import { requestLog } from "./routes/request-log.ts";
 import { robotRoutes } from "./routes/robots.ts";
@@ -59,6 +60,7 @@ export function createApp(dependencies: AppDependencies): Express {
   const api = Router();
   api.use(openToAllSites);
   api.use(robotRoutes(hub, entrance));
+  api.use(keyRoutes(hub, entrance));
   api.use(sensorRoutes(hub));
   api.use(commandRoutes(hub));
   api.use(eventRoutes(hub, clock));

@@ -6,6 +6,7 @@ import type { KeyKind, StoredKey } from "./store/session-store.ts";
 const PREFIX: Record<KeyKind | "delete" | "line", string> = {
   own: "own_",
   drive: "drv_",
+  watch: "wch_",
   delete: "del_",
   line: "lin_",
 };
@@ -39,9 +40,14 @@ export function hashKey(key: string): string {
   return createHash("sha256").update(key).digest("base64url");
 }
 
+/** The name of a key that anybody may know, from its hash: enough to tell the keys of a robot apart. */
+export function keyId(hash: string): string {
+  return hash.slice(0, 6);
+}
+
 /** What a log may show of a key: enough to tell two apart, too little to find the hash. */
 export function markOf(key: string | null): string | null {
-  return key === null ? null : hashKey(key).slice(0, 6);
+  return key === null ? null : keyId(hashKey(key));
 }
 
 /** Finds the stored key that belongs to the given one, in a time that does not depend on the match. */

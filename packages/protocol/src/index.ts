@@ -29,6 +29,16 @@ export {
   type StateEvent,
 } from "./events.ts";
 export {
+  keyIdSchema,
+  keyListSchema,
+  keyWishSchema,
+  madeKeySchema,
+  MAX_KEYS,
+  type KeyList,
+  type KeyWish,
+  type MadeKey,
+} from "./keys.ts";
+export {
   fetchedMessagesSchema,
   MAX_LINE_MESSAGES,
   openedLineSchema,

@@ -44,8 +44,8 @@ export type Ending = z.infer<typeof endingSchema>;
 export const helloSchema = z.strictObject({
   type: z.literal("hello"),
   version,
-  /** own: the page that is the robot; drive: a script */
-  role: z.enum(["own", "drive"], { error: "one of own, drive" }),
+  /** own: the page that is the robot; drive: a script; watch: whoever only reads */
+  role: z.enum(["own", "drive", "watch"], { error: "one of own, drive, watch" }),
   key: keySchema,
   /** a script that comes back: the last state that it was told */
   since: sinceSchema.optional(),

@@ -36,6 +36,7 @@ const messageSchema = z.discriminatedUnion("kind", [
   z.object({ kind: z.literal("snapshot"), from, snapshot: snapshotSchema }),
   z.object({ kind: z.literal("here"), from, scripts: scriptsSchema, asks: z.boolean() }),
   z.object({ kind: z.literal("cancel"), from, seq: z.int() }),
+  z.object({ kind: z.literal("keys"), from }),
   z.object({ kind: z.literal("over"), from }),
 ]);
 type Message = z.infer<typeof messageSchema>;
@@ -115,8 +116,8 @@ export class RedisSwitchboard implements Switchboard {
 
   #tell(robot: string, news: News): void {
     const { redis, relay, log } = this.#options;
-    // The script of the store has told it, with the new epoch.
-    if (news.kind === "page" || news.kind === "over") return;
+    // The script of the store has told it, a page with the new epoch.
+    if (news.kind === "page" || news.kind === "keys" || news.kind === "over") return;
     const told =
       news.kind === "page-left"
         ? this.#run("left", robot, { epoch: news.epoch })

@@ -2,7 +2,8 @@
  * What is said on one socket after its first message: a page's or a script's part of the protocol.
  * Knows the messages, not the WebSocket.
  */
-import type { CloseReason } from "@corridor/protocol";
+import { closeReasons, type CloseReason } from "@corridor/protocol";
+import type { OverReason } from "../sessions/reader-feed.ts";
 
 export interface Conversation {
   /** One message of the client. Calls do not overlap in effect: the session puts them in order. */
@@ -20,6 +21,13 @@ export function closeWith(
   detail?: string,
 ): void {
   port.close(reason.code, shortReason(detail ?? `${reason.cause}. ${reason.remedy}`));
+}
+
+/** Tells a reader why it gets nothing more. */
+export function sayGoodbye(port: Parameters<typeof closeWith>[0], reason: OverReason): void {
+  if (reason !== "revoked") return closeWith(port, closeReasons[reason]);
+  const detail = "This key was revoked. Copy the robot's new address from its page.";
+  closeWith(port, closeReasons.notAuthorised, detail);
 }
 
 /** A close reason may have 123 bytes of UTF-8. */

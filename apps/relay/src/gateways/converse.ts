@@ -32,7 +32,7 @@ export interface Guest {
  * @throws Refusal when too many read already
  */
 export function converse({ hello, grant, line, client, metrics }: Guest): Conversation {
-  if (hello.role === "own") return new PageConversation(grant.session, line);
+  if (hello.role === "own") return new PageConversation(grant, line);
   const refused = (kind: ProblemKind): void => metrics.refused(kind);
   return new DriverConversation({ grant, line, client, since: hello.since ?? null, refused });
 }

@@ -1,4 +1,4 @@
-/** A script's part: it sends commands and gets records, states and snapshots. */
+/** A script's part: it sends commands and gets records, states and snapshots. A watcher's: it gets them. */
 import {
   closeReasons,
   decodeFrame,
@@ -13,7 +13,7 @@ import { limits } from "../sessions/limits.ts";
 import type { ReaderSink } from "../sessions/reader-feed.ts";
 import type { Grant } from "../sessions/session-hub.ts";
 import type { JoinedReader } from "../sessions/session.ts";
-import { closeWith, type Conversation } from "./conversation.ts";
+import { closeWith, sayGoodbye, type Conversation } from "./conversation.ts";
 import type { ReaderLine } from "./reader-line.ts";
 
 export interface DriverOptions {
@@ -47,7 +47,7 @@ export class DriverConversation implements Conversation {
       snapshot: (snapshot) => this.#send({ type: "snapshot", snapshot }),
       state: (event) => this.#send({ type: "state", ...event }),
       gap: (gap) => this.#send({ type: "gap", ...gap }),
-      over: (reason) => closeWith(line, closeReasons[reason]),
+      over: (reason) => sayGoodbye(line, reason),
     };
     this.#reader = grant.session.join(grant.key, sink, since);
     grant.session.heard(client, grant.key)();
@@ -57,6 +57,7 @@ export class DriverConversation implements Conversation {
     const { session, key: grant } = this.#options.grant;
     const message = decodeFrame(driverToRelaySchema, text);
     if (!message.ok) return this.#refuse(badRequest("The message is wrong.", message.problems));
+    session.keys.check(grant, message.value.type === "command" ? "command" : "read");
     session.heard(this.#options.client, grant)();
     if (message.value.type === "seen") return this.#reader.seen(message.value.seq);
     const { key = null, command } = message.value;

@@ -14,6 +14,7 @@ import { hashKey, markOf, mintKey } from "../keys.ts";
 import { Refusal, retryAfter } from "../problems.ts";
 import type { Patience } from "../sessions/audience.ts";
 import { limits } from "../sessions/limits.ts";
+import { verbOfRole } from "../sessions/rights.ts";
 import { closeWith } from "./conversation.ts";
 import { closeFor, converse } from "./converse.ts";
 import { HttpLine } from "./http-line.ts";
@@ -37,7 +38,7 @@ export class HttpLines {
    */
   async open(robot: string, hello: Hello, from: string, client: string): Promise<OpenedLine> {
     const { hub, clock, log, metrics } = this.#options;
-    const grant = await hub.authorise(robot, hello.key, [hello.role]);
+    const grant = await hub.authorise(robot, hello.key, verbOfRole[hello.role]);
     const ofAddress = [...this.#lines.values()].filter(({ address }) => address === from).length;
     if (ofAddress >= limits.socketsPerAddress) {
       throw new Refusal("too-many-readers", "Too many lines are open from this network.", {
@@ -52,7 +53,7 @@ export class HttpLines {
       clock,
       // As each message of a script on a socket; that a request waits says nothing of the script.
       onRequest: () => {
-        if (hello.role === "drive") grant.session.heard(client, grant.key)();
+        if (hello.role !== "own") grant.session.heard(client, grant.key)();
       },
       onGone: () => void this.#lines.delete(hash),
     });

@@ -10,17 +10,17 @@ import {
   type SocketPort,
 } from "@corridor/protocol";
 import type { PageLink } from "../sessions/page-link.ts";
-import type { Session } from "../sessions/session.ts";
+import type { Grant } from "../sessions/session-hub.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
 
 export class PageConversation implements Conversation {
-  readonly #session: Session;
+  readonly #grant: Grant;
   readonly #port: SocketPort;
   readonly #link: PageLink;
   #hasResumed = false;
 
-  constructor(session: Session, port: SocketPort) {
-    this.#session = session;
+  constructor(grant: Grant, port: SocketPort) {
+    this.#grant = grant;
     this.#port = port;
     this.#link = {
       send: (message) => port.send(encodeFrame(message)),
@@ -29,15 +29,17 @@ export class PageConversation implements Conversation {
   }
 
   async received(text: string): Promise<void> {
+    const { session, key } = this.#grant;
+    session.keys.check(key, "host");
     if (!this.#hasResumed) {
       const resume = decodeFrame(resumeSchema, text);
       if (!resume.ok) return this.#refuse(resume.problems);
       this.#hasResumed = true;
-      return this.#session.takePage(this.#link, resume.value);
+      return session.takePage(this.#link, resume.value);
     }
     const message = decodeFrame(pageToRelaySchema, text);
     if (!message.ok) return this.#refuse(message.problems);
-    await this.#session.hearPage(this.#link, message.value);
+    await session.hearPage(this.#link, message.value);
   }
 
   heartbeat(): void {
@@ -45,7 +47,7 @@ export class PageConversation implements Conversation {
   }
 
   closed(): void {
-    this.#session.leavePage(this.#link);
+    this.#grant.session.leavePage(this.#link);
   }
 
   #refuse(problems: FieldProblem[]): void {

@@ -23,6 +23,7 @@ import type { Entrance } from "../entrance/entrance.ts";
 import type { Metrics } from "../metrics/metrics.ts";
 import { asRefusal, Refusal } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
+import { verbOfRole } from "../sessions/rights.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
 import { closeFor, converse } from "./converse.ts";
@@ -163,7 +164,7 @@ export class WebSocketGateway {
     if (!robotIdSchema.safeParse(id).success) return closeWith(socket, closeReasons.noRobot);
     const { role, key } = hello.value;
     const client = clientName(request.headers["user-agent"]);
-    const grant = await this.#options.hub.authorise(id, key, [role]);
+    const grant = await this.#options.hub.authorise(id, key, verbOfRole[role]);
     if (socket.readyState !== socket.OPEN) return;
     guest.key = markOf(key);
     this.#options.log.info({ role, client, key: guest.key }, "a socket said hello");

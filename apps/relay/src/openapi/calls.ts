@@ -5,6 +5,9 @@ import {
   orderSchema,
   fetchedMessagesSchema,
   helloSchema,
+  keyListSchema,
+  keyWishSchema,
+  madeKeySchema,
   openedLineSchema,
   registrationSchema,
   robotIdSchema,
@@ -32,11 +35,13 @@ import {
   seqPath,
   waitQuery,
 } from "../routes/reading.ts";
+import { keyPath } from "../routes/keys.ts";
 import { answer, location, parameters, refusals } from "./parts.ts";
 
 const robot = parameters("path", z.object({ id: robotIdSchema }));
 const idempotencyKey = parameters("header", idempotencyHeader);
 const driver = [{ driverKey: [] }];
+const reader = [{ driverKey: [] }, { watchKey: [] }];
 const line = [{ lineKey: [] }];
 const owner = [{ ownerKey: [] }];
 const shortLink = parameters("path", z.object({ id: shortLinkIdSchema }));
@@ -73,6 +78,43 @@ export const calls: ZodOpenApiPathsObject = {
       },
     },
   },
+  "/api/v1/robots/{id}/keys": {
+    parameters: robot,
+    post: {
+      operationId: "makeKey",
+      summary: "Make a key for a script or for somebody who only watches",
+      description:
+        "With `replace` all earlier keys of the kind are revoked in the same step. The key is shown here " +
+        "and never again.",
+      security: owner,
+      requestBody: { required: true, content: { "application/json": { schema: keyWishSchema } } },
+      responses: {
+        201: answer("The key, with the address for whoever uses it.", madeKeySchema, location),
+        ...refusals(...keyed, "too-many-keys", "too-large", "not-json", "storage-full"),
+      },
+    },
+    get: {
+      operationId: "listKeys",
+      summary: "List the keys of a robot by their ids",
+      security: owner,
+      responses: { 200: answer("All that count.", keyListSchema), ...refusals(...keyed) },
+    },
+  },
+  "/api/v1/robots/{id}/keys/{keyId}": {
+    parameters: [...robot, ...parameters("path", keyPath)],
+    delete: {
+      operationId: "revokeKey",
+      summary: "Revoke a key",
+      description:
+        "It counts no more at once. Lines, event streams and requests that wait by it are closed, and " +
+        "commands that were sent by it and have not ended are cancelled.",
+      security: owner,
+      responses: {
+        204: { description: "It is revoked." },
+        ...refusals(...keyed, "no-key", "storage-full"),
+      },
+    },
+  },
   "/api/v1/robots/{id}/sensors": {
     parameters: robot,
     get: {
@@ -81,7 +123,7 @@ export const calls: ZodOpenApiPathsObject = {
       description:
         "With `after` and `wait`, answers as soon as there is a snapshot with a higher `seq`, and " +
         "with the newest there is when the time is over.",
-      security: driver,
+      security: reader,
       parameters: parameters("query", newerQuery),
       responses: {
         200: answer("The newest snapshot.", snapshotSchema),
@@ -118,7 +160,7 @@ export const calls: ZodOpenApiPathsObject = {
       operationId: "listCommands",
       summary: "List the commands of a robot in their order, with their states",
       description: "Ask again with `after` set to the last `seq` for the next part.",
-      security: driver,
+      security: reader,
       parameters: parameters("query", logQuery),
       responses: {
         200: answer("The next part of the log; empty at its end.", commandLogSchema),
@@ -141,7 +183,7 @@ export const calls: ZodOpenApiPathsObject = {
     get: {
       operationId: "followCommand",
       summary: "Read the record of a command, or wait for its end",
-      security: driver,
+      security: reader,
       parameters: parameters("query", waitQuery),
       responses: {
         200: answer("The record, at its end or when the time is over.", commandRecordSchema),
@@ -171,7 +213,7 @@ export const calls: ZodOpenApiPathsObject = {
         "With `wait`: one answer, as soon as there is a state after `since` or a snapshot newer than " +
         "`after`. Ask first without `since`, then each time with the `since` of the answer before. The " +
         "newest 1,000 states are kept, for 10 minutes.",
-      security: driver,
+      security: reader,
       parameters: [
         ...parameters("query", eventsQuery),
         {

@@ -80,7 +80,13 @@ export function describeApi(): oas31.OpenAPIObject {
           ownerKey: {
             type: "http",
             scheme: "bearer",
-            description: "The key of the robot's own page: shows and deletes what is held.",
+            description:
+              "The key of the robot's own page: shows and deletes what is held, makes keys.",
+          },
+          watchKey: {
+            type: "http",
+            scheme: "bearer",
+            description: "A key that its owner made for watching: reads only.",
           },
         },
       },

@@ -139,6 +139,10 @@ describe("real answers are as described", () => {
     });
 
     const key = api.robot.ownerKey;
+    const keys = `${ROBOT}/keys` as const;
+    expect((await api.call("post", keys, { key, body: { kind: "watch" } })).status).toBe(201);
+    expect((await api.call("post", keys, { key, body: { kind: "own" } })).status).toBe(400);
+    expect((await api.call("get", keys, { key })).body).toHaveProperty("keys.2");
     expect((await api.call("get", ROBOT, { key })).body).toMatchObject({ snapshot: snapshotOf() });
     expect((await api.call("delete", ROBOT, { key })).status).toBe(204);
     expect((await api.call("get", SENSORS)).status).toBe(404);

@@ -23,24 +23,24 @@ export function commandRoutes(hub: SessionHub): Router {
     .post(
       // Who may not is told so before the body is read.
       async (request, response, next) => {
-        await hearScript(hub, request, response);
+        await hearScript(hub, request, response, "command");
         next();
       },
       jsonText(),
       async (request, response) => {
-        const { session, key } = await hearScript(hub, request, response);
+        const { session, key } = await hearScript(hub, request, response, "command");
         const command = readCommandRequest(request);
         await session.submit(key, command, (record) => accepted(response, session.id, record));
       },
     )
     .get(async (request, response) => {
-      const { session } = await hearScript(hub, request, response);
+      const { session } = await hearScript(hub, request, response, "read");
       const { after } = readAfter(request);
       const log: CommandLog = { commands: await session.commandsAfter(after) };
       response.json(log);
     })
     .delete(async (request, response) => {
-      const { session, key } = await hearScript(hub, request, response);
+      const { session, key } = await hearScript(hub, request, response, "command");
       const stop = { key: readIdempotencyKey(request), ...termsOf({ action: "stop" }) };
       await session.submit(key, stop, (record) => accepted(response, session.id, record));
     })
@@ -49,13 +49,13 @@ export function commandRoutes(hub: SessionHub): Router {
   router
     .route("/robots/:id/commands/:seq")
     .get(async (request, response) => {
-      const { session } = await hearScript(hub, request, response);
+      const { session, key } = await hearScript(hub, request, response, "read");
       const { wait } = readWait(request);
       const seq = readSeq(request.params.seq);
-      response.json(await session.endOf(seq, patienceOf(response, wait)));
+      response.json(await session.endOf(seq, patienceOf(response, wait, key)));
     })
     .delete(async (request, response) => {
-      const { session, key } = await hearScript(hub, request, response);
+      const { session, key } = await hearScript(hub, request, response, "command");
       const seq = readSeq(request.params.seq);
       accepted(response, session.id, await session.cancel(key, seq));
     })

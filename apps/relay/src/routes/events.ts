@@ -25,10 +25,10 @@ export function eventRoutes(hub: SessionHub, clock: Clock): Router {
   router
     .route("/robots/:id/events")
     .get(async (request, response) => {
-      const { session, key, answered } = await hearScript(hub, request, response);
+      const { session, key, answered } = await hearScript(hub, request, response, "read");
       const { since, after, wait } = readEvents(request);
       if (wait !== undefined) {
-        const page = await session.nextEvents({ since, after }, patienceOf(response, wait));
+        const page = await session.nextEvents({ since, after }, patienceOf(response, wait, key));
         return void response.json(page);
       }
       // Who only listens holds no motion, for as long as the stream may be open.

@@ -1,6 +1,7 @@
 /** A request of a script: who may not is refused, and who may is heard until the answer is out. */
 import type { Request, Response } from "express";
 import type { Grant, SessionHub } from "../sessions/session-hub.ts";
+import type { Verb } from "../sessions/rights.ts";
 import { readBearer, readClient } from "./reading.ts";
 
 /**
@@ -11,8 +12,9 @@ export async function hearScript(
   hub: SessionHub,
   request: Request<{ id: string }>,
   response: Response,
+  verb: Verb,
 ): Promise<Grant & { answered: () => void }> {
-  const grant = await hub.authorise(request.params.id, readBearer(request), ["drive"]);
+  const grant = await hub.authorise(request.params.id, readBearer(request), verb);
   const answered = grant.session.heard(readClient(request), grant.key);
   response.once("close", answered);
   // Whoever hung up while it was authorised is not waited for.

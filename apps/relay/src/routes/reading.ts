@@ -14,6 +14,7 @@ import { z } from "zod";
 import { clientName } from "../client-name.ts";
 import { badRequest, Refusal } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
+import type { StoredKey } from "../store/session-store.ts";
 import type { Patience } from "../sessions/audience.ts";
 
 // First the text is checked, then the number that it stands for: /openapi.json describes the number.
@@ -70,7 +71,7 @@ export const idempotencyHeader = z.object({
     .describe("makes a retry safe; a new one for each command"),
 });
 
-function read<T>(schema: z.ZodType<T>, input: unknown, what: string): T {
+export function read<T>(schema: z.ZodType<T>, input: unknown, what: string): T {
   const result = readValue(schema, input);
   if (!result.ok) throw badRequest(what, result.problems);
   return result.value;
@@ -171,9 +172,10 @@ export function readIdempotencyKey(request: Request): string | null {
   return read(idempotencyHeader, given, "The request is wrong.")["Idempotency-Key"] ?? null;
 }
 
-/** Waits as long as asked, or until the client hangs up. */
-export function patienceOf(response: Response, seconds: number): Patience {
+/** Waits as long as asked, or until the client hangs up, or its key is revoked. */
+export function patienceOf(response: Response, seconds: number, key?: StoredKey): Patience {
   const controller = new AbortController();
   response.once("close", () => controller.abort());
-  return { milliseconds: seconds * 1000, signal: controller.signal };
+  const patience = { milliseconds: seconds * 1000, signal: controller.signal };
+  return key === undefined ? patience : { ...patience, key };
 }

@@ -25,7 +25,7 @@ export function robotRoutes(hub: SessionHub, entrance: Entrance): Router {
   router
     .route("/robots/:id")
     .get(async (request, response) => {
-      const { session } = await hub.authorise(request.params.id, readBearer(request), ["own"]);
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "inspect");
       const held: HeldSession = {
         id: session.id,
         createdAt: new Date(session.createdAt).toISOString(),
@@ -36,7 +36,7 @@ export function robotRoutes(hub: SessionHub, entrance: Entrance): Router {
       response.json(held);
     })
     .delete(async (request, response) => {
-      const { session } = await hub.authorise(request.params.id, readBearer(request), ["own"]);
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "remove");
       await hub.remove(session);
       response.status(204).end();
     })

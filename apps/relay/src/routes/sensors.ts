@@ -11,9 +11,9 @@ export function sensorRoutes(hub: SessionHub): Router {
   router
     .route("/robots/:id/sensors")
     .get(async (request, response) => {
-      const { session } = await hearScript(hub, request, response);
+      const { session, key } = await hearScript(hub, request, response, "read");
       const { after = -1, wait } = readNewer(request);
-      const snapshot = await session.nextSnapshot(after, patienceOf(response, wait));
+      const snapshot = await session.nextSnapshot(after, patienceOf(response, wait, key));
       if (snapshot === null) {
         throw new Refusal(
           "no-snapshot",

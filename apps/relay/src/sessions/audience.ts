@@ -6,6 +6,8 @@ import type { CommandRecord, Snapshot, StateEvent } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import { Refusal, retryAfter } from "../problems.ts";
 import type { EventLog } from "./event-log.ts";
+import type { StoredKey } from "../store/session-store.ts";
+import { keyRevoked } from "./key-ring.ts";
 import { limits } from "./limits.ts";
 
 /** Whoever follows the robot: a reader's feed, or a request that waits. */
@@ -14,8 +16,11 @@ interface Listener {
   state(event: StateEvent): void;
   /** states may have been lost on the way here */
   missed(): void;
-  over(reason: "over" | "restart"): void;
+  over(reason: AwayReason): void;
 }
+
+/** Why somebody is sent away. revoked: the key was, by which they read */
+export type AwayReason = "over" | "restart" | "revoked";
 
 /** The ways in which a robot is followed. */
 export type ReaderDoor = "websocket" | "line" | "events" | "long-poll";
@@ -24,13 +29,14 @@ export type ReaderDoor = "websocket" | "line" | "events" | "long-poll";
 export interface Patience {
   milliseconds: number;
   signal: AbortSignal;
+  /** by which key they read; who waits is sent away when it is revoked */
+  key?: StoredKey;
 }
 
 export class Audience {
   readonly #clock: Clock;
   readonly #events: EventLog;
-  /** with the key that counts for the limit, or null for a request that waits */
-  readonly #entries = new Set<{ listener: Listener; key: string | null; door: ReaderDoor }>();
+  readonly #entries = new Set<{ listener: Listener; key: StoredKey | null; door: ReaderDoor }>();
 
   /** @param events numbers what is told, and keeps it for those who come back */
   constructor(clock: Clock, events: EventLog) {
@@ -49,14 +55,16 @@ export class Audience {
   }
 
   /**
-   * Adds the feed of a connected script.
-   * @param key hash of the script's key
+   * Adds the feed of a connected script or watcher.
    * @returns a function that lets it go; false from it: it was gone already
    * @throws Refusal when too many read already, with this key or at this robot
    */
-  join(listener: Listener, key: string, door: ReaderDoor): () => boolean {
-    const ofKey = [...this.#entries].filter((entry) => entry.key === key).length;
-    if (ofKey >= limits.readersPerKey) {
+  join(listener: Listener, key: StoredKey, door: ReaderDoor): () => boolean {
+    const ofKey = [...this.#entries].filter(
+      (entry) => entry.door !== "long-poll" && entry.key?.hash === key.hash,
+    ).length;
+    // One watch key is for many: a class looks on.
+    if (key.kind !== "watch" && ofKey >= limits.readersPerKey) {
       throw new Refusal(
         "too-many-readers",
         `${limits.readersPerKey} scripts are connected with this key. End one of them first.`,
@@ -69,25 +77,27 @@ export class Audience {
   /**
    * Waits until `done` is called, until patience ends or until the session does.
    * @param listen what to listen for; calls `done` when it came
-   * @throws Refusal when too many read already
+   * @throws Refusal when too many read already, or when the key is revoked meanwhile
    */
   async until(
-    { milliseconds, signal }: Patience,
+    { milliseconds, signal, key }: Patience,
     listen: (done: () => void) => Partial<Pick<Listener, "snapshot" | "state">>,
   ): Promise<void> {
     if (milliseconds === 0 || signal.aborted) return;
-    const { promise, resolve } = Promise.withResolvers<void>();
+    const { promise, resolve, reject } = Promise.withResolvers<void>();
+    const over = (reason: AwayReason): void =>
+      reason === "revoked" ? reject(keyRevoked()) : resolve();
     const deaf = { snapshot: () => undefined, state: () => undefined };
-    const leave = this.#add(
-      { ...deaf, ...listen(resolve), missed: resolve, over: () => resolve() },
-      null,
-      "long-poll",
-    );
+    const listener = { ...deaf, ...listen(resolve), missed: resolve, over };
+    const leave = this.#add(listener, key ?? null, "long-poll");
     const cancelTimer = this.#clock.after(milliseconds, resolve);
     signal.addEventListener("abort", () => resolve(), { once: true });
-    await promise;
-    cancelTimer();
-    leave();
+    try {
+      await promise;
+    } finally {
+      cancelTimer();
+      leave();
+    }
   }
 
   tellSnapshot(snapshot: Snapshot): void {
@@ -107,14 +117,26 @@ export class Audience {
     for (const { listener } of this.#entries) listener.missed();
   }
 
+  /** Sends those away who read by this key. */
+  dismiss(hash: string, reason: AwayReason): void {
+    for (const entry of this.#entries) {
+      if (entry.key?.hash !== hash) continue;
+      this.#entries.delete(entry);
+      entry.listener.over(reason);
+    }
+  }
+
   /** Sends everyone away. */
   close(reason: "over" | "restart"): void {
     for (const { listener } of this.#entries) listener.over(reason);
     this.#entries.clear();
   }
 
-  #add(listener: Listener, key: string | null, door: ReaderDoor): () => boolean {
-    if (this.#entries.size >= limits.readersPerRobot) {
+  #add(listener: Listener, key: StoredKey | null, door: ReaderDoor): () => boolean {
+    // Watchers are counted by themselves, so that they never keep a script out.
+    const isWatcher = key?.kind === "watch";
+    const alike = [...this.#entries].filter((entry) => (entry.key?.kind === "watch") === isWatcher);
+    if (alike.length >= limits.readersPerRobot) {
       throw new Refusal(
         "too-many-readers",
         `${limits.readersPerRobot} connections read this robot already. End some of them first.`,

@@ -331,13 +331,29 @@ export class CommandLife {
           this.#endedHere([result.termed]);
           return result.termed.record;
         case "delivered":
-          this.#seat.page?.link.send({ type: "cancel", seq });
-          this.#line.cancel(seq);
+          this.#askToCancel(seq);
           return result.record;
         case "over":
           return result.record;
       }
     });
+  }
+
+  /** Takes back all that a driver has sent and that has not ended. */
+  async takeBackAll(driver: string, reason: string): Promise<void> {
+    await this.#work.run(async () => {
+      for (const { seq } of await this.#store.openCommands(this.#robot)) {
+        const result = await this.#store.cancel(this.#robot, seq, { driver, reason });
+        if (result.outcome === "cancelled") this.#endedHere([result.termed]);
+        if (result.outcome === "delivered") this.#askToCancel(seq);
+      }
+    });
+  }
+
+  /** Asks the page, wherever it is. */
+  #askToCancel(seq: number): void {
+    this.#seat.page?.link.send({ type: "cancel", seq });
+    this.#line.cancel(seq);
   }
 
   /** The stop that has not ended and after which nothing came: another would change nothing. */

@@ -5,8 +5,8 @@
  */
 import type { AliveDriver, Drivers } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
+import { keyId } from "../keys.ts";
 import { limits } from "./limits.ts";
-import { driverName } from "./page-frames.ts";
 
 /** Whoever was silent for longer holds no motion any more. */
 const FORGET_MS = 10_000;
@@ -92,7 +92,7 @@ export class DriverRoster {
     const now = this.#clock.now();
     return [...this.#lives]
       .map(([driver, { heardAt, waiting, lineAt }]) => ({
-        driver: driverName(driver),
+        driver: keyId(driver),
         silentMs: waiting > 0 ? 0 : Math.max(0, now - heardAt),
         lineMs: lineAt === null ? null : Math.max(0, now - lineAt),
       }))

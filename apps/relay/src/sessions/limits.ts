@@ -19,7 +19,7 @@ export const limits = {
   documentNoteMs: 24 * 60 * 60 * 1000,
   /** open sockets and event streams of one driver key */
   readersPerKey: 4,
-  /** open sockets, event streams and waiting requests of one robot */
+  /** open sockets, event streams and waiting requests of one robot; watchers are as many besides */
   readersPerRobot: 60,
   /** sockets from one address: a whole school may share one */
   socketsPerAddress: 400,

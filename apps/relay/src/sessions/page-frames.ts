@@ -1,14 +1,7 @@
 /** What a page is told of a command, from what the store knows of it. */
 import type { RelayToPage } from "@corridor/protocol";
+import { keyId } from "../keys.ts";
 import type { TermedRecord } from "../store/session-store.ts";
-
-/** Enough to tell the keys of one robot apart, and nothing to guess a key from. */
-const NAME_LENGTH = 6;
-
-/** How the page is told of a driver key: by the beginning of its hash. */
-export function driverName(hash: string): string {
-  return hash.slice(0, NAME_LENGTH);
-}
 
 /** The command on its way to the robot, with the time that is left to start it. */
 export function commandFrame(
@@ -19,7 +12,7 @@ export function commandFrame(
   const type = command.action === "stop" ? "stop" : "command";
   // Where the clock was set back a little, a command has no more time than it was given.
   const remaining = Math.min(ttl, Math.max(0, deadline - now));
-  const name = driverName(driver);
+  const name = keyId(driver);
   const terms = { driver: name, ttl, remaining, replace, lease };
   return { type, at: now, seq, key, command, acceptedAt, ...terms };
 }

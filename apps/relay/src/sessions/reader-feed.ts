@@ -8,7 +8,7 @@
  */
 import { hasEnded, type EventGap, type Snapshot, type StateEvent } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
-import type { ReaderDoor } from "./audience.ts";
+import type { AwayReason, ReaderDoor } from "./audience.ts";
 import type { EventLog } from "./event-log.ts";
 import { limits } from "./limits.ts";
 
@@ -32,11 +32,11 @@ export interface ReaderSink {
   snapshot(snapshot: Snapshot): void;
   state(event: StateEvent): void;
   gap(gap: EventGap): void;
-  /** the session is over, the relay stops, or the reader cannot be served */
+  /** it may not read any more, the relay stops, or it cannot be served */
   over(reason: OverReason): void;
 }
 
-export type OverReason = "over" | "restart" | "tooSlow" | "busy";
+export type OverReason = AwayReason | "tooSlow" | "busy";
 
 /** What is read. */
 export interface ReaderSource {

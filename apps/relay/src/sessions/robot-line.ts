@@ -43,6 +43,10 @@ export class RobotLine {
     this.#line?.tell({ kind: "cancel", seq });
   }
 
+  keysChanged(): void {
+    this.#line?.tell({ kind: "keys" });
+  }
+
   forgotten(): void {
     this.#line?.tell({ kind: "over" });
   }

@@ -9,9 +9,10 @@ import { LocalSwitchboard } from "../cluster/local-switchboard.ts";
 import type { Switchboard } from "../cluster/switchboard.ts";
 import { hashKey, mintId, mintKey } from "../keys.ts";
 import { noRobot, notAuthorised, Refusal, retryAfter, restarting } from "../problems.ts";
-import type { KeyKind, SessionStore, StoredKey } from "../store/session-store.ts";
+import type { SessionStore, StoredKey } from "../store/session-store.ts";
 import type { ReaderDoor } from "./audience.ts";
 import { limits } from "./limits.ts";
+import { checkRight, type Verb } from "./rights.ts";
 import { Session } from "./session.ts";
 import { TokenBucket } from "./token-bucket.ts";
 import { noWitness, type Witness } from "./witness.ts";
@@ -92,10 +93,10 @@ export class SessionHub {
   }
 
   /**
-   * Finds the session and checks that the key may do one of the given things there.
+   * Finds the session and checks that the key allows what is asked of it.
    * @throws Refusal no-robot, not-authorised, forbidden or restarting
    */
-  async authorise(id: string, key: string | null, kinds: readonly KeyKind[]): Promise<Grant> {
+  async authorise(id: string, key: string | null, verb: Verb): Promise<Grant> {
     const session = await this.#find(id);
     // A key that is not known any more would be given up for good; a restart is not the key's fault.
     if (this.#isClosing) throw restarting();
@@ -106,14 +107,7 @@ export class SessionHub {
         "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY",
       );
     }
-    if (!kinds.includes(stored.kind)) {
-      throw new Refusal(
-        "forbidden",
-        stored.kind === "own"
-          ? "The owner key is for the robot's page only. Use the driver key, the part of the address after the #."
-          : "The driver key cannot do this. Only the robot's own page can.",
-      );
-    }
+    checkRight(stored.kind, verb);
     return { session, key: stored };
   }
 

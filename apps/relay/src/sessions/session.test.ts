@@ -38,7 +38,7 @@ async function withRobot() {
   onTestFinished(() => store.close());
   const hub = new SessionHub(store, clock, pino({ level: "silent" }));
   const robot = await hub.register("10.0.0.1", "http://localhost");
-  const { session, key } = await hub.authorise(robot.id, robot.driverKey, ["drive"]);
+  const { session, key } = await hub.authorise(robot.id, robot.driverKey, "command");
   const submit = async (order: Order, idempotencyKey: string | null = null) => {
     const records: CommandRecord[] = [];
     const request = { key: idempotencyKey, ...termsOf(order) };
@@ -561,7 +561,7 @@ describe("a robot session: its end", () => {
     expect(host.closed).toEqual([closeReasons.over.code]);
     const { hub, robot: registration } = robot;
     await expect(
-      hub.authorise(registration.id, registration.driverKey, ["drive"]),
+      hub.authorise(registration.id, registration.driverKey, "command"),
     ).rejects.toMatchObject({ kind: "no-robot" });
   });
 
@@ -583,7 +583,7 @@ describe("a relay that ends", () => {
     await hub.close();
     const restarting = expect.objectContaining({ kind: "restarting" });
     await expect(submit(LEFT)).rejects.toEqual(restarting);
-    await expect(hub.authorise(robot.id, robot.driverKey, ["drive"])).rejects.toEqual(restarting);
+    await expect(hub.authorise(robot.id, robot.driverKey, "command")).rejects.toEqual(restarting);
     await expect(hub.register("10.0.0.1", "http://localhost")).rejects.toEqual(restarting);
   });
 });

@@ -13,13 +13,13 @@ import {
 } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import type { News, Switchboard } from "../cluster/switchboard.ts";
-import { matchKey } from "../keys.ts";
 import type { SessionStore, StoredKey, StoredSession } from "../store/session-store.ts";
 import { Audience, type Patience, type ReaderDoor } from "./audience.ts";
 import { CommandLife } from "./command-life.ts";
 import { DriverRoster } from "./driver-roster.ts";
 import { EventLog } from "./event-log.ts";
 import { nextEvents, type WantedEvents } from "./next-events.ts";
+import { KeyRing } from "./key-ring.ts";
 import { limits } from "./limits.ts";
 import type { PageLink } from "./page-link.ts";
 import { PageSeat } from "./page-seat.ts";
@@ -48,7 +48,7 @@ export class Session {
   readonly id: string;
   readonly createdAt: number;
   readonly roster: DriverRoster;
-  readonly #keys: readonly StoredKey[];
+  readonly keys: KeyRing;
   readonly #store: SessionStore;
   readonly #clock: Clock;
   readonly #view = new RobotView();
@@ -68,7 +68,6 @@ export class Session {
     const { store, clock, witness } = parts;
     this.id = stored.id;
     this.createdAt = stored.createdAt;
-    this.#keys = stored.keys;
     this.#lastUsedAt = stored.lastUsedAt;
     this.#touchedAt = stored.lastUsedAt;
     this.#store = store;
@@ -82,6 +81,13 @@ export class Session {
     this.#line = line;
     this.#forgotten = parts.forgotten;
     this.#life = new CommandLife({ robot: this.id, store, clock, witness, audience, seat, line });
+    this.keys = new KeyRing({
+      robot: this.id,
+      keys: stored.keys,
+      store,
+      changed: () => line.keysChanged(),
+      revoked: (key) => this.#revoked(key),
+    });
     this.roster = new DriverRoster(clock, () => this.#tellScripts());
   }
 
@@ -100,7 +106,7 @@ export class Session {
   /** The stored key that belongs to a bearer key; null when it is none of this robot's. */
   grantOf(key: string): StoredKey | null {
     if (this.isOver) return null;
-    const grant = matchKey(key, this.#keys);
+    const grant = this.keys.match(key);
     if (grant !== null) this.#used();
     return grant;
   }
@@ -193,9 +199,10 @@ export class Session {
   }
 
   /** A script was heard by HTTP or socket. @returns to be called once its request is answered */
-  heard(client: string, { hash }: StoredKey): () => void {
+  heard(client: string, { hash, kind }: StoredKey): () => void {
     this.#used();
-    return this.roster.heard(client, hash);
+    // Who looks on is no script.
+    return kind === "watch" ? () => undefined : this.roster.heard(client, hash);
   }
 
   /**
@@ -205,8 +212,9 @@ export class Session {
    */
   join(grant: StoredKey, sink: ReaderSink, since: string | null): JoinedReader {
     const feed = new ReaderFeed(sink, this.#source, this.#clock);
-    const leave = this.#audience.join(feed, grant.hash, sink.door);
-    const disconnected = this.roster.connected(grant.hash);
+    const leave = this.#audience.join(feed, grant, sink.door);
+    const isWatcher = grant.kind === "watch";
+    const disconnected = isWatcher ? () => undefined : this.roster.connected(grant.hash);
     feed.begin(since);
     return {
       seen: (seq) => feed.seen(seq),
@@ -275,6 +283,7 @@ export class Session {
   /** What other relays said may not have come: readers are told so, and the page gets what waits. */
   missedNews(): void {
     this.#life.missedSteps();
+    this.keys.refresh().catch(() => undefined);
   }
 
   /** Where the page is at another relay, waits for that one's answer: the newest snapshot, if there is one. */
@@ -312,6 +321,8 @@ export class Session {
       }
       case "cancel":
         return page?.link.send({ type: "cancel", seq: news.seq });
+      case "keys":
+        return void this.keys.refresh().catch(() => undefined);
       case "over":
         if (this.isOver) return;
         this.#forgotten();
@@ -333,6 +344,12 @@ export class Session {
       at: this.#clock.now(),
       ...this.#line.withOthers(scripts),
     });
+  }
+
+  /** Whoever used the key is sent away, and what it asked for ends. */
+  #revoked({ hash }: StoredKey): void {
+    this.#audience.dismiss(hash, "revoked");
+    this.#life.takeBackAll(hash, "its key was revoked").catch(() => undefined);
   }
 
   #used(): void {

@@ -34,7 +34,7 @@ async function withRelays() {
   const [pages, scripts] = hubs;
   if (pages === undefined || scripts === undefined) throw new Error("there are two");
   const robot = await pages.register("10.0.0.1", "http://localhost");
-  const atPages = (await pages.authorise(robot.id, robot.ownerKey, ["own"])).session;
+  const atPages = (await pages.authorise(robot.id, robot.ownerKey, "host")).session;
   const page = async (session = atPages, resume: Partial<Resume> = {}) => {
     const told: RelayToPage[] = [];
     const closed: number[] = [];
@@ -48,7 +48,7 @@ async function withRelays() {
     return { session, link, told, closed, epoch: welcome?.epoch ?? 0 };
   };
   const host = await page();
-  const { session: atScripts, key } = await scripts.authorise(robot.id, robot.driverKey, ["drive"]);
+  const { session: atScripts, key } = await scripts.authorise(robot.id, robot.driverKey, "command");
   const submit = async (order: Order, idempotencyKey: string | null = null) => {
     const records: CommandRecord[] = [];
     const request = { key: idempotencyKey, ...termsOf(order) };
@@ -154,7 +154,7 @@ describe("page and script at different relays", () => {
     await report(host, { seq: 7 });
     // Nobody used it there for a while: it went out of memory.
     await clock.pass(limits.touchMs + 2_000);
-    const again = await scripts.authorise(robot.id, robot.driverKey, ["drive"]);
+    const again = await scripts.authorise(robot.id, robot.driverKey, "command");
     expect(again.session).not.toBe(atScripts);
     expect(again.session.newest).toMatchObject({ seq: 7 });
   });
@@ -215,7 +215,20 @@ describe("page and script at different relays", () => {
     await submit(LEFT);
     expect(said).toEqual(["gap ", "1 delivered"]);
     expect(seqs(host)).toEqual([1]);
-    expect((await pages.authorise(robot.id, robot.ownerKey, ["own"])).session).toBe(host.session);
+    expect((await pages.authorise(robot.id, robot.ownerKey, "host")).session).toBe(host.session);
+  });
+
+  it("ends a revoked key at every relay at once", async () => {
+    const { host, scripts, robot, read, submit } = await withRelays();
+    const said = read();
+    await submit(LEFT);
+    await host.session.keys.make({ kind: "drive", replace: true });
+    await settled();
+    expect(said).toEqual(["1 delivered", "revoked"]);
+    expect(host.told.filter(({ type }) => type === "cancel")).not.toEqual([]);
+    await expect(scripts.authorise(robot.id, robot.driverKey, "read")).rejects.toMatchObject({
+      kind: "not-authorised",
+    });
   });
 
   it("forgets the robot at every relay at once", async () => {
@@ -223,7 +236,7 @@ describe("page and script at different relays", () => {
     const said = read();
     await pages.remove(host.session);
     expect(said).toEqual(["over"]);
-    await expect(scripts.authorise(robot.id, robot.driverKey, ["drive"])).rejects.toMatchObject({
+    await expect(scripts.authorise(robot.id, robot.driverKey, "command")).rejects.toMatchObject({
       kind: "no-robot",
     });
   });

@@ -7,8 +7,9 @@
  */
 import type { Command, CommandRecord, Ending } from "@corridor/protocol";
 
-/** own: be the robot's page. drive: send commands and read. */
-export type KeyKind = "own" | "drive";
+/** own: be the robot's page. drive: send commands and read. watch: read. */
+export const keyKinds = ["own", "drive", "watch"] as const;
+export type KeyKind = (typeof keyKinds)[number];
 
 export interface StoredKey {
   kind: KeyKind;
@@ -24,6 +25,19 @@ export interface StoredSession {
   lastUsedAt: number;
   keys: StoredKey[];
 }
+
+export interface KeyChange {
+  add: StoredKey[];
+  /** hashes */
+  remove: string[];
+  /** refuse to add when there would be more */
+  most: number;
+}
+
+export type KeysResult =
+  | { outcome: "changed"; keys: StoredKey[] }
+  | { outcome: "full" }
+  | { outcome: "no-session" };
 
 export interface NewCommand {
   /** hash of the key that sent it: the scope of `key` */
@@ -95,6 +109,8 @@ export interface PageState {
 export interface SessionStore {
   create(session: Omit<StoredSession, "epoch" | "lastUsedAt">): Promise<void>;
   find(id: string): Promise<StoredSession | null>;
+  /** Makes and revokes keys in one step. */
+  changeKeys(id: string, change: KeyChange): Promise<KeysResult>;
   /** Notes that the session is in use. */
   touch(id: string, now: number): Promise<void>;
   /** Deletes the session and everything of it. @returns false when there was none */

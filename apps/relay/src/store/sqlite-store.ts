@@ -12,6 +12,8 @@ import {
   type AddResult,
   type CancelResult,
   type EndResult,
+  type KeyChange,
+  type KeysResult,
   type NewCommand,
   type PageState,
   type SessionStore,
@@ -19,6 +21,7 @@ import {
   type TermedRecord,
 } from "./session-store.ts";
 import { SqliteFile } from "./sqlite-file.ts";
+import { addKeys, changeKeys, keysIn } from "./sqlite-keys.ts";
 import { end, meetPage, overtake, OVERTAKES, recordOf, STOP } from "./sqlite-overtaking.ts";
 import { numberIn, RECORD, recordsIn, TERMED, termedIn } from "./sqlite-rows.ts";
 import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
@@ -31,7 +34,6 @@ const sessionRow = z.object({
   created_at: z.int(),
   last_used_at: z.int(),
 });
-const keyRow = z.object({ hash: z.string(), kind: z.enum(["own", "drive"]) });
 
 /** Condition of an accepted command that must not start any more at the time ?1. */
 const IS_LATE = `(deadline <= ?1 OR accepted_at > ?1 + ${CLOCK_TOLERANCE_MS})`;
@@ -51,13 +53,7 @@ export class SqliteStore implements SessionStore {
         createdAt,
         createdAt,
       ]);
-      for (const { hash, kind } of keys) {
-        this.#writing.run("INSERT INTO keys (robot, hash, kind) VALUES (?, ?, ?)", [
-          id,
-          hash,
-          kind,
-        ]);
-      }
+      addKeys(this.#writing, id, keys);
     });
   }
 
@@ -65,14 +61,22 @@ export class SqliteStore implements SessionStore {
     const { reading } = this.#file;
     const row = sessionIn(reading, id);
     if (row === null) return null;
-    const keys = reading.all("SELECT hash, kind FROM keys WHERE robot = ?", [id]);
     return {
       id,
       epoch: row.epoch,
       createdAt: row.created_at,
       lastUsedAt: row.last_used_at,
-      keys: keys.map((key) => keyRow.parse(key)),
+      keys: keysIn(reading, id),
     };
+  }
+
+  async changeKeys(id: string, change: KeyChange): Promise<KeysResult> {
+    const work = (): KeysResult =>
+      sessionIn(this.#writing, id) === null
+        ? { outcome: "no-session" }
+        : changeKeys(this.#writing, id, change);
+    // A key can be revoked on a full disk, too.
+    return change.add.length === 0 ? this.#file.step(work) : this.#file.growingStep(work);
   }
 
   async touch(id: string, now: number): Promise<void> {

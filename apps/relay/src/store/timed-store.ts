@@ -4,6 +4,7 @@ import type { SessionStore } from "./session-store.ts";
 /** Every step that ends in a commit. */
 const COMMITS: ReadonlySet<string | symbol> = new Set([
   "create",
+  "changeKeys",
   "touch",
   "remove",
   "removeExpired",

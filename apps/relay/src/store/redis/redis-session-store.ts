@@ -7,9 +7,12 @@ import { z } from "zod";
 import { StoreFull } from "../disk-full.ts";
 import {
   CLOCK_TOLERANCE_MS,
+  keyKinds,
   type AddResult,
   type CancelResult,
   type EndResult,
+  type KeyChange,
+  type KeysResult,
   type NewCommand,
   type PageState,
   type SessionStore,
@@ -28,7 +31,7 @@ const MOST_AT_ONCE = 200;
 const keysText = z
   .string()
   .transform((text): unknown => JSON.parse(text))
-  .pipe(z.array(z.object({ kind: z.enum(["own", "drive"]), hash: z.string() })));
+  .pipe(z.array(z.object({ kind: z.enum(keyKinds), hash: z.string() })));
 const sessionAnswer = z
   .object({
     epoch: z.int(),
@@ -37,6 +40,10 @@ const sessionAnswer = z
     keys: keysText,
   })
   .nullable();
+const changeAnswer = z.discriminatedUnion("outcome", [
+  z.object({ outcome: z.literal("changed"), keys: keysText }),
+  z.object({ outcome: z.enum(["full", "no-session"]) }),
+]);
 const addAnswer = z.discriminatedUnion("outcome", [
   z.object({ outcome: z.literal("stored"), row: recordRow, ended: z.array(termedRow) }),
   z.object({ outcome: z.enum(["duplicate", "conflict"]), row: recordRow }),
@@ -78,6 +85,10 @@ export class RedisSessionStore implements SessionStore {
   async find(id: string): Promise<StoredSession | null> {
     const found = sessionAnswer.parse(await this.#step("find", id, { id }));
     return found === null ? null : { id, ...found };
+  }
+
+  async changeKeys(id: string, change: KeyChange): Promise<KeysResult> {
+    return changeAnswer.parse(await this.#step("changeKeys", id, change));
   }
 
   async touch(id: string, now: number): Promise<void> {

@@ -114,6 +114,22 @@ function steps.find()
     lastUsedAt = tonumber(redis.call('ZSCORE', USES, given.id)) })
 end
 
+function steps.changeKeys()
+  local text = redis.call('HGET', SESSION, 'keys')
+  if not text then return '{"outcome":"no-session"}' end
+  local removed, keys = {}, {}
+  for _, hash in ipairs(given.remove) do removed[hash] = true end
+  for _, key in ipairs(cjson.decode(text)) do
+    if not removed[key.hash] then keys[#keys + 1] = key end
+  end
+  for _, key in ipairs(given.add) do keys[#keys + 1] = key end
+  if #given.add > 0 and #keys > given.most then return '{"outcome":"full"}' end
+  local now = cjson.encode(keys)
+  redis.call('HSET', SESSION, 'keys', now)
+  redis.call('PUBLISH', LINE, '{"kind":"keys","from":"' .. relay .. '"}')
+  return cjson.encode({ outcome = 'changed', keys = now })
+end
+
 function steps.touch()
   redis.call('ZADD', USES, 'XX', 'GT', given.now, given.id)
   return 'null'

@@ -49,6 +49,37 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
     return { ...opened, add, deliver, states };
   }
 
+  describe(`${name}: keys`, () => {
+    const watch = { kind: "watch" as const, hash: "watcher-hash" };
+    const first = { kind: "drive" as const, hash: "driver-hash-of-this-robot" };
+
+    it("makes and revokes keys in one step, also for after a restart", async () => {
+      const { store, reopen } = await withRobot();
+      const change = { add: [watch], remove: [first.hash], most: 12 };
+      const changed = { outcome: "changed", keys: [watch] };
+      expect(await store.changeKeys(ID, change)).toEqual(changed);
+      const again = { add: [first], remove: [], most: 12 };
+      expect(await store.changeKeys(ID, again)).toMatchObject({ outcome: "changed" });
+      const keys = (await (await reopen()).find(ID))?.keys ?? [];
+      expect(keys.toSorted((a, b) => a.hash.localeCompare(b.hash))).toEqual([first, watch]);
+    });
+
+    it("refuses one too many and leaves all as it was, but revokes and replaces then, too", async () => {
+      const { store } = await withRobot();
+      const full = await store.changeKeys(ID, { add: [watch], remove: [], most: 1 });
+      expect(full).toEqual({ outcome: "full" });
+      expect((await store.find(ID))?.keys).toEqual([first]);
+      const replaced = await store.changeKeys(ID, { add: [watch], remove: [first.hash], most: 1 });
+      expect(replaced).toEqual({ outcome: "changed", keys: [watch] });
+    });
+
+    it("has no keys where there is no robot", async () => {
+      const { store } = await withRobot();
+      const change = { add: [watch], remove: [], most: 12 };
+      expect(await store.changeKeys("B".repeat(22), change)).toEqual({ outcome: "no-session" });
+    });
+  });
+
   describe(`${name}: commands`, () => {
     it("numbers commands 1, 2, 3 and keeps the whole request", async () => {
       const { add, store } = await withRobot();

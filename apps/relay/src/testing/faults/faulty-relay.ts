@@ -7,6 +7,7 @@ import { DriverConversation } from "../../gateways/driver-conversation.ts";
 import { PageConversation } from "../../gateways/page-conversation.ts";
 import type { ReaderLine } from "../../gateways/reader-line.ts";
 import { SessionHub } from "../../sessions/session-hub.ts";
+import { verbOfRole } from "../../sessions/rights.ts";
 import { SqliteFile } from "../../store/sqlite-file.ts";
 import { SqliteStore } from "../../store/sqlite-store.ts";
 import type { VirtualTime } from "./virtual-time.ts";
@@ -67,11 +68,11 @@ export class FaultyRelay {
       const hello = decodeFrame(helloSchema, text);
       if (!hello.ok) throw new Error("The client did not say hello.");
       const { role, key, since = null } = hello.value;
-      const grant = await this.hub.authorise(robot, key, [role]);
+      const grant = await this.hub.authorise(robot, key, verbOfRole[role]);
       if (isClosed) return;
       conversation =
         role === "own"
-          ? new PageConversation(grant.session, line)
+          ? new PageConversation(grant, line)
           : new DriverConversation({
               grant,
               line,

@@ -127,7 +127,7 @@ export class FaultyWorld {
     const back = this.#dice.between(0, 4);
     this.#time.touch();
     void (async () => {
-      const { session, key } = await hub.authorise(id, driverKey, ["drive"]);
+      const { session, key } = await hub.authorise(id, driverKey, "command");
       const { seq = 0 } = (await session.commandsAfter(0)).at(-1) ?? {};
       await session.cancel(key, seq - back);
     })().catch(() => undefined);

@@ -1,0 +1,171 @@
+import { madeKeySchema, type MadeKey, type Registration } from "@corridor/protocol";
+import { snapshotOf } from "@corridor/protocol/testing";
+import { describe, expect, it } from "vitest";
+import { startTestRelay, testFolder, type TestRelay } from "../testing/test-relay.ts";
+import { TestSocket } from "../testing/test-socket.ts";
+
+async function make(relay: TestRelay, robot: Registration, wish: object): Promise<MadeKey> {
+  const request = { method: "POST", key: robot.ownerKey, body: wish };
+  const answer = await relay.ask(robot, "/keys", request);
+  expect(answer.status).toBe(201);
+  return madeKeySchema.parse(await answer.json());
+}
+
+async function revoke(relay: TestRelay, robot: Registration, id: string): Promise<number> {
+  const request = { method: "DELETE", key: robot.ownerKey };
+  return (await relay.ask(robot, `/keys/${id}`, request)).status;
+}
+
+async function withRobot() {
+  const relay = await startTestRelay();
+  return { relay, robot: await relay.register() };
+}
+
+describe("keys of a robot", () => {
+  it("are made by its owner, with the address for a script", async () => {
+    const { relay, robot } = await withRobot();
+    const drive = await make(relay, robot, { kind: "drive" });
+    expect(drive.key).toMatch(/^drv_[A-Za-z0-9_-]{22}$/);
+    expect(drive.address).toBe(`${relay.origin}/r/${robot.id}#${drive.key}`);
+    const watch = await make(relay, robot, { kind: "watch" });
+    expect(watch.key).toMatch(/^wch_/);
+    const list = await (await relay.ask(robot, "/keys", { key: robot.ownerKey })).json();
+    const { keys } = list as { keys: { id: string; kind: string }[] };
+    expect(keys.map(({ kind }) => kind).toSorted()).toEqual(["drive", "drive", "own", "watch"]);
+    expect(keys.map(({ id }) => id)).toContain(watch.id);
+    expect(JSON.stringify(list)).not.toContain(watch.key.slice(4));
+  });
+
+  it("still count after the relay was restarted, and a revoked one does not", async () => {
+    const dataDir = testFolder();
+    const before = await startTestRelay({ dataDir });
+    const robot = await before.register();
+    const kept = await make(before, robot, { kind: "drive" });
+    const gone = await make(before, robot, { kind: "drive" });
+    expect(await revoke(before, robot, gone.id)).toBe(204);
+    await before.close();
+    const after = await startTestRelay({ dataDir });
+    expect((await after.ask(robot, "/commands", { key: kept.key })).status).toBe(200);
+    expect((await after.ask(robot, "/commands", { key: gone.key })).status).toBe(401);
+  });
+
+  it("are at most a dozen, and the owner's own cannot be revoked", async () => {
+    const { relay, robot } = await withRobot();
+    for (let count = 2; count < 12; count++) await make(relay, robot, { kind: "watch" });
+    const request = { method: "POST", key: robot.ownerKey, body: { kind: "drive" } };
+    const refused = await relay.ask(robot, "/keys", request);
+    expect(refused.status).toBe(409);
+    expect(await refused.json()).toMatchObject({ type: "/problems/too-many-keys" });
+    const { keys } = (await (await relay.ask(robot, "/keys", { key: robot.ownerKey })).json()) as {
+      keys: { id: string; kind: string }[];
+    };
+    const own = keys.find(({ kind }) => kind === "own")?.id ?? "";
+    expect(await revoke(relay, robot, own)).toBe(403);
+    expect(await revoke(relay, robot, "______")).toBe(404);
+    // A dozen is no reason why the old key should stay.
+    await make(relay, robot, { kind: "drive", replace: true });
+  });
+
+  it("lets a watcher read everything and be no script", async () => {
+    const { relay, robot } = await withRobot();
+    const { socket: page, epoch } = await TestSocket.page(relay, robot);
+    const { key } = await make(relay, robot, { kind: "watch" });
+    const watcher = await TestSocket.open(relay, robot.id);
+    watcher.send({ type: "hello", version: 1, role: "watch", key });
+    await watcher.next("welcome");
+    page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq: 5 }) });
+    expect(await watcher.next("snapshot")).toMatchObject({ snapshot: { seq: 5 } });
+    await relay.ask(robot, "/commands", { method: "POST", body: { action: "left 90" } });
+    expect(await watcher.next("state")).toMatchObject({ record: { seq: 1 } });
+    const held = await relay.ask(robot, "", { key: robot.ownerKey });
+    expect(await held.json()).toMatchObject({ drivers: { connected: 0 } });
+  });
+
+  it("sends a watcher away who commands", async () => {
+    const { relay, robot } = await withRobot();
+    const { key } = await make(relay, robot, { kind: "watch" });
+    const watcher = await TestSocket.open(relay, robot.id);
+    watcher.send({ type: "hello", version: 1, role: "watch", key });
+    await watcher.next("welcome");
+    watcher.send({ type: "command", command: { action: "left 90" } });
+    expect((await watcher.closed).code).toBe(4403);
+    expect(await (await relay.ask(robot, "/commands")).json()).toEqual({ commands: [] });
+  });
+
+  it("lets more look on by one key than scripts may drive, and no watcher keeps a script out", async () => {
+    const { relay, robot } = await withRobot();
+    const { key } = await make(relay, robot, { kind: "watch" });
+    const look = async () => {
+      const watcher = await TestSocket.open(relay, robot.id);
+      watcher.send({ type: "hello", version: 1, role: "watch", key });
+      return watcher;
+    };
+    const watchers = await Promise.all(Array.from({ length: 60 }, look));
+    for (const watcher of watchers) await watcher.next("welcome");
+    expect((await (await look()).closed).code).toBe(4429);
+    await TestSocket.driver(relay, robot);
+  });
+});
+
+describe("a new driver key", () => {
+  it("ends the old one at once: sockets, lines, streams and requests that wait", async () => {
+    const { relay, robot } = await withRobot();
+    const { socket: page, epoch } = await TestSocket.page(relay, robot);
+    page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq: 5 }) });
+    const script = await TestSocket.driver(relay, robot);
+    const hello = { type: "hello", version: 1, role: "drive", key: robot.driverKey };
+    const opened = await relay.ask(robot, "/line", { method: "POST", body: hello });
+    const { line } = (await opened.json()) as { line: string };
+    const stream = await relay.ask(robot, "/events");
+    const streamed = stream.text();
+    const sensors = relay.ask(robot, "/sensors?after=99&wait=25");
+    const states = relay.ask(robot, "/events?since=AAAAAAAA-0&wait=25");
+    await states;
+    // Begun before the key is changed.
+    await relay.ask(robot, "/sensors");
+    const made = await make(relay, robot, { kind: "drive", replace: true });
+
+    const { code, reason } = await script.closed;
+    expect(code).toBe(4401);
+    expect(reason).toContain("was revoked");
+    expect((await sensors).status).toBe(401);
+    expect(await streamed).toContain("event: snapshot");
+    const fetched = await relay.ask(robot, "/line/messages?after=1", { key: line });
+    expect(await fetched.json()).toMatchObject({ closed: { code: 4401 } });
+    expect((await relay.ask(robot, "/commands")).status).toBe(401);
+    expect((await relay.ask(robot, "/commands", { key: made.key })).status).toBe(200);
+    // The page goes on as before.
+    await relay.ask(robot, "/commands", {
+      method: "POST",
+      key: made.key,
+      body: { action: "left 90" },
+    });
+    expect(await page.next("command")).toMatchObject({ seq: 1 });
+  });
+
+  it("ends what the old one asked for and has not ended", async () => {
+    const { relay, robot } = await withRobot();
+    const { socket: page, epoch } = await TestSocket.page(relay, robot);
+    const other = await make(relay, robot, { kind: "drive" });
+    for (let count = 0; count < 10; count++) {
+      await relay.ask(robot, "/commands", { method: "POST", body: { action: "left 90" } });
+    }
+    page.send({ type: "started", epoch, seq: 1 });
+    const stop = { method: "POST", key: other.key, body: { action: "right 90" } };
+    await relay.ask(robot, "/commands", stop);
+    const { keys } = (await (await relay.ask(robot, "/keys", { key: robot.ownerKey })).json()) as {
+      keys: { id: string; kind: string }[];
+    };
+    const mine = keys.find(({ id, kind }) => kind === "drive" && id !== other.id)?.id ?? "";
+    expect(await revoke(relay, robot, mine)).toBe(204);
+    // What the robot has, the robot ends.
+    expect(await page.next("cancel")).toMatchObject({ seq: 1 });
+    const waited = await relay.ask(robot, "/commands/10?wait=5", { key: other.key });
+    expect(await waited.json()).toMatchObject({
+      state: "cancelled",
+      reason: "its key was revoked",
+    });
+    const kept = await relay.ask(robot, "/commands/11", { key: other.key });
+    expect((await kept.json()) as object).not.toMatchObject({ state: "cancelled" });
+  });
+});

@@ -1,0 +1,59 @@
+/** Keys that a robot's owner makes for others, and takes back. */
+import { keyIdSchema, keyWishSchema, type KeyList, type MadeKey } from "@corridor/protocol";
+import { Router } from "express";
+import { z } from "zod";
+import type { Entrance } from "../entrance/entrance.ts";
+import type { SessionHub } from "../sessions/session-hub.ts";
+import { methodNotAllowed } from "./fallbacks.ts";
+import { jsonText, read, readBearer, readBody } from "./reading.ts";
+
+/** A wish has a few words. */
+const MAX_WISH_BYTES = 1024;
+
+/** The id of a key, as the last part of a path. */
+export const keyPath = z.object({ keyId: keyIdSchema.describe("id of the key") });
+
+export function keyRoutes(hub: SessionHub, entrance: Entrance): Router {
+  const router = Router();
+
+  router
+    .route("/robots/:id/keys")
+    .post(
+      // Who may not is told so before the body is read.
+      async (request, _response, next) => {
+        await hub.authorise(request.params.id, readBearer(request), "grant");
+        next();
+      },
+      jsonText(MAX_WISH_BYTES),
+      async (request, response) => {
+        const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+        const wish = readBody(request, keyWishSchema, MAX_WISH_BYTES, "The wish is wrong.");
+        const made = await session.keys.make(wish);
+        const address = `${entrance.originOf(request)}/r/${session.id}#${made.key}`;
+        const answer: MadeKey = { ...made, address };
+        response
+          .status(201)
+          .location(`/api/v1/robots/${session.id}/keys/${made.id}`)
+          .set("Cache-Control", "no-store")
+          .json(answer);
+      },
+    )
+    .get(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+      const list: KeyList = { keys: session.keys.list() };
+      response.json(list);
+    })
+    .all(methodNotAllowed("POST, GET"));
+
+  router
+    .route("/robots/:id/keys/:keyId")
+    .delete(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+      const { keyId } = read(keyPath, { keyId: request.params.keyId }, "The path is wrong.");
+      await session.keys.revoke(keyId);
+      response.status(204).end();
+    })
+    .all(methodNotAllowed("DELETE"));
+
+  return router;
+}

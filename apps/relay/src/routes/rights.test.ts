@@ -1,0 +1,129 @@
+/** Who may do what: every call and every kind of message with every kind of key, and with none. */
+import { madeKeySchema, type Registration } from "@corridor/protocol";
+import { snapshotOf } from "@corridor/protocol/testing";
+import { describe, expect, it } from "vitest";
+import { rights, type Verb } from "../sessions/rights.ts";
+import { startTestRelay, type TestRelay } from "../testing/test-relay.ts";
+import { TestSocket } from "../testing/test-socket.ts";
+
+const ACT = { action: "left 90" };
+
+/** The calls that each right is for. */
+const calls: { verb: Verb; method: string; path: string; body?: unknown }[] = [
+  { verb: "read", method: "GET", path: "/sensors" },
+  { verb: "read", method: "GET", path: "/commands" },
+  { verb: "read", method: "GET", path: "/commands/1" },
+  { verb: "read", method: "GET", path: "/events?wait=0" },
+  { verb: "read", method: "GET", path: "/events" },
+  { verb: "command", method: "POST", path: "/commands", body: ACT },
+  { verb: "command", method: "DELETE", path: "/commands" },
+  { verb: "command", method: "DELETE", path: "/commands/1" },
+  { verb: "grant", method: "POST", path: "/keys", body: { kind: "watch" } },
+  { verb: "grant", method: "GET", path: "/keys" },
+  { verb: "grant", method: "DELETE", path: "/keys/______" },
+  { verb: "inspect", method: "GET", path: "" },
+  { verb: "remove", method: "DELETE", path: "" },
+];
+
+const holders = [
+  "none",
+  "unknown",
+  "of another robot",
+  "revoked",
+  "of a line",
+  "watch",
+  "drive",
+  "own",
+] as const;
+type Holder = (typeof holders)[number];
+
+async function keysOf(relay: TestRelay, robot: Registration): Promise<Record<Holder, string>> {
+  const make = async (kind: string) => {
+    const request = { method: "POST", key: robot.ownerKey, body: { kind } };
+    return madeKeySchema.parse(await (await relay.ask(robot, "/keys", request)).json());
+  };
+  const gone = await make("drive");
+  await relay.ask(robot, `/keys/${gone.id}`, { method: "DELETE", key: robot.ownerKey });
+  const hello = { type: "hello", version: 1, role: "drive", key: robot.driverKey };
+  const opened = await relay.ask(robot, "/line", { method: "POST", body: hello });
+  return {
+    none: "",
+    unknown: `drv_${"A".repeat(22)}`,
+    "of another robot": (await relay.register()).ownerKey,
+    revoked: gone.key,
+    "of a line": String(((await opened.json()) as { line: string }).line),
+    watch: (await make("watch")).key,
+    drive: robot.driverKey,
+    own: robot.ownerKey,
+  };
+}
+
+/** What must come of it, by who asks. */
+function expectedFor(verb: Verb, answers: { yes: unknown; forbidden: unknown; stranger: unknown }) {
+  const kinds: readonly string[] = rights[verb];
+  const known = (kind: string) => (kinds.includes(kind) ? answers.yes : answers.forbidden);
+  return Object.fromEntries(
+    holders.map((holder) => {
+      const isKey = holder === "own" || holder === "drive" || holder === "watch";
+      return [holder, isKey ? known(holder) : answers.stranger];
+    }),
+  );
+}
+
+async function withRobot() {
+  const relay = await startTestRelay();
+  const robot = await relay.register();
+  const { socket: page, epoch } = await TestSocket.page(relay, robot);
+  page.send({ type: "snapshot", epoch, snapshot: snapshotOf() });
+  await relay.ask(robot, "/sensors?wait=5");
+  await relay.ask(robot, "/commands", { method: "POST", body: ACT });
+  return { relay, robot, keys: await keysOf(relay, robot) };
+}
+
+describe("who may", () => {
+  it.each(calls)("$method $path", async ({ verb, method, path, body }) => {
+    const { relay, robot, keys } = await withRobot();
+    const found: Partial<Record<Holder, unknown>> = {};
+    for (const holder of holders) {
+      const stop = new AbortController();
+      const { signal } = stop;
+      const { status } = await relay.ask(robot, path, { method, key: keys[holder], body, signal });
+      // A key that may is told that there is nothing to revoke.
+      found[holder] = status < 300 || status === 404 ? "yes" : status;
+      stop.abort();
+    }
+    expect(found).toEqual(expectedFor(verb, { yes: "yes", forbidden: 403, stranger: 401 }));
+  });
+
+  it.each([
+    { role: "own", verb: "host" },
+    { role: "drive", verb: "command" },
+    { role: "watch", verb: "read" },
+  ] as const)("a hello as $role", async ({ role, verb }) => {
+    const { relay, robot, keys } = await withRobot();
+    const bySocket: Partial<Record<Holder, unknown>> = {};
+    const byLine: Partial<Record<Holder, unknown>> = {};
+    for (const holder of holders) {
+      const hello = { type: "hello", version: 1, role, key: keys[holder] };
+      const socket = await TestSocket.open(relay, robot.id);
+      socket.send(hello);
+      socket.send({ type: "resume", lastApplied: 0, fresh: true, endings: [] });
+      const welcome = socket.next("welcome").then(
+        () => "yes",
+        async () => (await socket.closed).code,
+      );
+      bySocket[holder] = await welcome;
+      socket.close();
+      await socket.closed;
+      const opened = await relay.ask(robot, "/line", { method: "POST", body: hello });
+      byLine[holder] = opened.ok ? "yes" : opened.status;
+      if (!opened.ok) continue;
+      const { line } = (await opened.json()) as { line: string };
+      await relay.ask(robot, "/line", { method: "DELETE", key: line });
+    }
+    expect(bySocket).toEqual(expectedFor(verb, { yes: "yes", forbidden: 4403, stranger: 4401 }));
+    // A hello without a key is not even one.
+    const expected = expectedFor(verb, { yes: "yes", forbidden: 403, stranger: 401 });
+    expect(byLine).toEqual({ ...expected, none: 400 });
+  });
+});

@@ -1,0 +1,40 @@
+/** Who may do what with a robot: every call and every message asks for one of these verbs. */
+import type { Hello } from "@corridor/protocol";
+import { Refusal } from "../problems.ts";
+import type { KeyKind } from "../store/session-store.ts";
+
+export const rights = {
+  /** be the robot: take commands, report what became of them */
+  host: ["own"],
+  /** see what is held of the robot */
+  inspect: ["own"],
+  /** make, list and revoke keys */
+  grant: ["own"],
+  /** delete the robot with all that is held of it */
+  remove: ["own"],
+  /** send commands, take back its own, stop the robot */
+  command: ["drive"],
+  /** snapshots, states of commands and their log */
+  read: ["drive", "watch"],
+} as const satisfies Record<string, readonly KeyKind[]>;
+
+export type Verb = keyof typeof rights;
+
+/** What a key must allow for somebody to say hello in a role. */
+export const verbOfRole = {
+  own: "host",
+  drive: "command",
+  watch: "read",
+} as const satisfies Record<Hello["role"], Verb>;
+
+const remedies: Record<KeyKind, string> = {
+  own: "The owner key is for the robot's page only. Use the driver key, the part of the address after the #.",
+  drive: "The driver key cannot do this. Only the robot's own page can.",
+  watch: "The watch key only reads. To do more, ask the robot's owner for another address.",
+};
+
+/** @throws Refusal when keys of this kind do not allow it */
+export function checkRight(kind: KeyKind, verb: Verb): void {
+  const kinds: readonly KeyKind[] = rights[verb];
+  if (!kinds.includes(kind)) throw new Refusal("forbidden", remedies[kind]);
+}
