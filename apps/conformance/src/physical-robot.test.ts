@@ -75,6 +75,11 @@ with Robot(sys.argv[1]) as robot:
       probe: ["python3", "--version"],
     },
     { language: "Java", words: ["java", "java/Robot.java"], probe: ["java", "-version"] },
+    {
+      language: "JavaScript",
+      words: [process.execPath, "javascript/right-wall.ts"],
+      probe: [process.execPath, "--version"],
+    },
     { language: "Bash", words: ["bash", "curl/right_wall.sh"], probe: ["curl", "--version"] },
   ])("is driven by the unchanged script in $language", async ({ words, probe }, { skip }) => {
     const [program = "", file = ""] = words;

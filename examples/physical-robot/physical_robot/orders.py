@@ -52,12 +52,19 @@ class Order:
         self.lease: Optional[float] = fields.get("lease")
 
 
-def read_order(body: bytes) -> Order:
-    """The order in a request's body. Raises Problem that names each wrong field."""
+def read_json(body: bytes) -> Json:
+    """The object in a request's body."""
     try:
         fields = json.loads(body.decode("utf-8"), parse_constant=_no_number)
     except (ValueError, RecursionError) as error:
         raise _wrong([_error("", str(error)[:60], "a JSON document")]) from None
+    if not isinstance(fields, dict):
+        raise _wrong([_error("", _show(fields), "an object of JSON")])
+    return fields
+
+
+def order_of(fields: Any) -> Order:
+    """What a script asks for. Raises Problem that names each wrong field."""
     if not isinstance(fields, dict):
         raise _wrong([_error("", _show(fields), "a command such as {\"action\": \"left 90\"}")])
     action = fields.get("action")

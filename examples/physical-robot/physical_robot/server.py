@@ -6,20 +6,21 @@ import hmac
 import json
 import re
 import time
+import traceback
+from functools import partial
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any, Callable, Dict, Optional
 from urllib.parse import parse_qsl, urlsplit
 
 from .ledger import Ledger
-from .orders import Json, Order, read_order
+from .lines import Lines
+from .orders import Json, Order, order_of, read_json
 from .pilot import Pilot
 from .problems import Problem
+from .reading import not_known, nothing_here, number_in, wait_in, wrong
 
 MOST_BYTES = 16 * 1024
-LONGEST_WAIT = 25.0
 _KEY = re.compile(r"[A-Za-z0-9_-]{8,64}")
-_WAIT = re.compile(r"\d{1,2}(\.\d{1,3})?")
-_NUMBER = re.compile(r"\d{1,15}")
 _SINCE = re.compile(r"[A-Za-z0-9_]{8}-\d{1,15}")
 _HEARTBEAT = 15.0
 
@@ -35,6 +36,10 @@ class RobotServer(ThreadingHTTPServer):
         self.pilot = pilot
         self.robot_id = robot_id
         self.key = key
+        self.lines = Lines(ledger, pilot, key)
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """Lines break: that is no matter for a log. Everything else has been answered."""
 
 
 class _Handler(BaseHTTPRequestHandler):
@@ -60,13 +65,18 @@ class _Handler(BaseHTTPRequestHandler):
         except Problem as problem:
             kind = "application/problem+json"
             self._send(problem.status, problem.document, problem.headers, kind)
-        except (BrokenPipeError, ConnectionResetError, TimeoutError):
+        except (ConnectionError, TimeoutError):
             self.close_connection = True
+        except Exception:
+            # No stack for whoever asked: it goes to the owner of the robot.
+            traceback.print_exc()
+            detail = "It was noted on the robot's own machine. Try again in a moment."
+            self._send(500, Problem(500, "internal", detail).document)
 
     def _body(self) -> bytes:
         """The whole body, so that the next request on this line begins where it should."""
         length = self.headers.get("Content-Length", "0")
-        if not _NUMBER.fullmatch(length) or "Transfer-Encoding" in self.headers:
+        if not length.isdigit() or "Transfer-Encoding" in self.headers:
             self.close_connection = True
             raise Problem(400, "bad-request", "Send the body with its Content-Length.")
         rest, body = int(length), b""
@@ -85,12 +95,17 @@ class _Handler(BaseHTTPRequestHandler):
         query = dict(parse_qsl(parts.query, keep_blank_values=True))
         match = re.fullmatch(r"/api/v1/robots/([^/]+)(/.*)?", parts.path)
         if match is None:
-            raise _nothing_here()
+            raise nothing_here()
         if match[1] != self.server.robot_id:
             detail = "There is no robot with this id. Copy the address that the host printed."
             raise Problem(404, "no-robot", detail)
-        self._check_key()
         path = match[2] or ""
+        if path.startswith("/line"):
+            key = self._bearer() or ""
+            wait = partial(self._wait, query)
+            lines = self.server.lines
+            return self._send(*lines.call(self.command, path, key, query, body, wait))
+        self._check_key()
         record = re.fullmatch(r"/commands/([^/]+)", path)
         calls: Dict[str, Callable[[], None]]
         if path == "/sensors":
@@ -104,20 +119,21 @@ class _Handler(BaseHTTPRequestHandler):
                 "DELETE": lambda: self._submit(Order({"action": "stop"})),
             }
         elif record is not None:
-            seq = _number(record[1], "seq")
+            seq = number_in(record[1], "seq")
             calls = {"GET": lambda: self._record(seq, query), "DELETE": lambda: self._cancel(seq)}
         else:
-            raise _nothing_here()
+            raise nothing_here()
         if self.command not in calls:
-            allowed = ", ".join(calls)
-            detail = f"{self.command} is not known here. This address knows: {allowed}."
-            raise Problem(405, "method-not-allowed", detail, headers={"Allow": allowed})
+            raise not_known(self.command, ", ".join(calls))
         calls[self.command]()
 
-    def _check_key(self) -> None:
+    def _bearer(self) -> Optional[str]:
         kind, _, key = self.headers.get("Authorization", "").partition(" ")
-        is_right = hmac.compare_digest(key.strip().encode(), self.server.key.encode())
-        if kind.lower() != "bearer" or not is_right:
+        return key.strip() if kind.lower() == "bearer" else None
+
+    def _check_key(self) -> None:
+        key = self._bearer()
+        if key is None or not hmac.compare_digest(key.encode(), self.server.key.encode()):
             detail = "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY"
             raise Problem(401, "not-authorised", detail, headers={"WWW-Authenticate": "Bearer"})
         self.server.ledger.heard_at = time.monotonic()
@@ -125,7 +141,7 @@ class _Handler(BaseHTTPRequestHandler):
     # --- the calls ---
 
     def _sensors(self, query: Dict[str, str]) -> None:
-        after = -1 if "after" not in query else _number(query["after"], "after")
+        after = -1 if "after" not in query else number_in(query["after"], "after")
         self._wait(query, lambda: self.server.pilot.snapshot["seq"] > after)
         self._send(200, self.server.pilot.snapshot)
 
@@ -134,12 +150,12 @@ class _Handler(BaseHTTPRequestHandler):
         if kind != "application/json":
             detail = 'Send the body as JSON, with the header "Content-Type: application/json".'
             raise Problem(415, "not-json", detail)
-        self._submit(read_order(body))
+        self._submit(order_of(read_json(body)))
 
     def _submit(self, order: Order) -> None:
         key: Optional[str] = self.headers.get("Idempotency-Key")
         if key is not None and _KEY.fullmatch(key) is None:
-            raise _wrong("Idempotency-Key", key, "8 to 64 letters, digits, - or _")
+            raise wrong("Idempotency-Key", key, "8 to 64 letters, digits, - or _")
         with self.server.ledger.changed:
             record = self.server.ledger.submit(order, key)
         self._accepted(record)
@@ -158,7 +174,7 @@ class _Handler(BaseHTTPRequestHandler):
         self._send(200, record)
 
     def _log(self, query: Dict[str, str]) -> None:
-        after = _number(query.get("after", "0"), "after")
+        after = number_in(query.get("after", "0"), "after")
         with self.server.ledger.changed:
             commands = self.server.ledger.log(after)
         self._send(200, {"commands": commands})
@@ -167,10 +183,10 @@ class _Handler(BaseHTTPRequestHandler):
         ledger, pilot = self.server.ledger, self.server.pilot
         since = query.get("since") or self.headers.get("Last-Event-ID")
         if since is not None and _SINCE.fullmatch(since) is None:
-            raise _wrong("since", since, "STREAM-n of the last state that was told")
+            raise wrong("since", since, "STREAM-n of the last state that was told")
         if "wait" not in query:
             return self._stream(since)
-        after = None if "after" not in query else _number(query["after"], "after")
+        after = None if "after" not in query else number_in(query["after"], "after")
         n = self._place(since)
 
         def has_news() -> bool:
@@ -233,15 +249,13 @@ class _Handler(BaseHTTPRequestHandler):
     # --- waiting and answering ---
 
     def _wait(self, query: Dict[str, str], is_there: Callable[[], bool]) -> None:
-        wait = query.get("wait", "0")
-        if _WAIT.fullmatch(wait) is None or float(wait) > LONGEST_WAIT:
-            raise _wrong("wait", wait, f"seconds to wait, from 0 to {LONGEST_WAIT:g}")
+        wait = wait_in(query)
         ledger = self.server.ledger
         with ledger.changed:
             # Whoever waits is there: a motion without an end goes on meanwhile.
             ledger.listeners += 1
             try:
-                ledger.changed.wait_for(is_there, float(wait))
+                ledger.changed.wait_for(is_there, wait)
             finally:
                 ledger.listeners -= 1
                 ledger.heard_at = time.monotonic()
@@ -282,17 +296,3 @@ class _Handler(BaseHTTPRequestHandler):
         self.wfile.write(text.encode())
         self.wfile.flush()
 
-
-def _number(text: str, name: str) -> int:
-    if _NUMBER.fullmatch(text) is None:
-        raise _wrong(name, text, "a whole number of at most 15 digits")
-    return int(text)
-
-
-def _wrong(path: str, found: str, expected: str) -> Problem:
-    error = {"path": path, "found": found[:60], "expected": expected}
-    return Problem(400, "bad-request", 'The request is wrong. See "errors" for each field.', [error])
-
-
-def _nothing_here() -> Problem:
-    return Problem(404, "not-found", "Check the address. The API begins with /api/v1/robots/ID.")
