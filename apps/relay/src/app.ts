@@ -7,6 +7,7 @@ import type { Entrance } from "./entrance/entrance.ts";
 import type { HttpLines } from "./gateways/http-lines.ts";
 import type { Metrics } from "./metrics/metrics.ts";
 import type { Readiness } from "./readiness.ts";
+import { checkRoutes } from "./routes/check.ts";
 import { commandRoutes } from "./routes/commands.ts";
 import { descriptionRoutes } from "./routes/description.ts";
 import { docsRoutes } from "./routes/docs.ts";
@@ -56,6 +57,7 @@ export function createApp(dependencies: AppDependencies): Express {
   });
   app.use(descriptionRoutes());
   app.use(docsRoutes());
+  app.use(checkRoutes(entrance, clock));
   app.use(pythonClientRoutes());
   const api = Router();
   api.use(openToAllSites);

@@ -9,6 +9,7 @@ import type { Clock } from "./clock.ts";
 import type { Config } from "./config.ts";
 import { DocumentShelf } from "./documents/document-shelf.ts";
 import { Entrance } from "./entrance/entrance.ts";
+import { CheckSocket } from "./gateways/check-socket.ts";
 import { HttpLines } from "./gateways/http-lines.ts";
 import { WebSocketGateway } from "./gateways/websocket-gateway.ts";
 import { closeServer, listen, portOf } from "./listening.ts";
@@ -63,6 +64,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   const readiness = new Readiness(store, clock, log);
   const gateway = new WebSocketGateway({ hub, clock, log, entrance, metrics });
   const lines = new HttpLines({ hub, clock, log, metrics });
+  const checkSocket = new CheckSocket(entrance, clock);
   const server = createServer({
     // Old HTTP clients offer "Upgrade: h2c"; that is an ordinary request, not a WebSocket.
     shouldUpgradeCallback: (request) => request.headers.upgrade?.toLowerCase() === "websocket",
@@ -78,7 +80,9 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     // Vite listens for its own socket by itself.
     const protocol = request.headers["sec-websocket-protocol"] ?? "";
     const isHotReload = isDevelopment && protocol.startsWith(HOT_RELOAD_PREFIX);
-    if (!isHotReload) gateway.upgrade(request, socket, head);
+    if (isHotReload) return;
+    if (checkSocket.isFor(request)) checkSocket.upgrade(request, socket, head);
+    else gateway.upgrade(request, socket, head);
   });
 
   const figures = metricsServer(metrics, log);
@@ -87,6 +91,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     if (noticeMs > 0) await new Promise<void>((resolve) => clock.after(noticeMs, resolve));
     gateway.close();
     lines.close();
+    checkSocket.close();
     await hub.close();
     await development?.close();
     await closeServer(server, SHUTDOWN_MS, () => gateway.cut());

@@ -94,6 +94,12 @@ export function readEvents(request: Request): z.infer<typeof eventsQuery> {
   return read(eventsQuery, query, "The query or the header Last-Event-ID is wrong.");
 }
 
+/** The `?seconds=S` of an answer that only takes its time. */
+export function readWaitSeconds(request: Request): number {
+  const query = z.object({ seconds: waitText });
+  return read(query, request.query, "The query is wrong.").seconds;
+}
+
 /** Which messages of a line are wanted, and for how long to wait for them. */
 export function readFetch(request: Request): z.infer<typeof fetchQuery> {
   return read(fetchQuery, request.query, "The query is wrong.");

@@ -21,6 +21,8 @@ export const limits = {
   readersPerKey: 4,
   /** open sockets, event streams and waiting requests of one robot; watchers are as many besides */
   readersPerRobot: 60,
+  /** answers and sockets of /check that are held at once, by anybody */
+  heldChecks: 100,
   /** sockets from one address: a whole school may share one */
   socketsPerAddress: 400,
   /** snapshots pushed to one reader: 20 a second; by a line each one costs a request */

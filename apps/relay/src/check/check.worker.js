@@ -1,0 +1,2 @@
+/* Says that it runs. */
+globalThis.postMessage("here");

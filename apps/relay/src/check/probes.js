@@ -1,0 +1,93 @@
+/* What Corridor needs of a network, each tried as Corridor uses it. A probe that passes is true. */
+
+const WAIT_S = 20;
+const IDLE_MS = 25_000;
+const QUICK_MS = 8_000;
+
+/** A text that filters which meddle with bodies would change. */
+const BODY = JSON.stringify({ text: '<script> {"move": 100} äé漢🤖 '.repeat(40) });
+
+async function asked(path, request = {}, ms = QUICK_MS) {
+  const answer = await fetch(`/check/${path}`, {
+    cache: "no-store",
+    ...request,
+    signal: AbortSignal.timeout(ms),
+  });
+  if (!answer.ok) throw new Error(String(answer.status));
+  return answer;
+}
+
+const KEY = "Bearer a-key-of-nobody";
+
+async function echoOf(method, body) {
+  const headers = { Authorization: KEY, "Content-Type": "application/json" };
+  const answer = await asked("echo", { method, headers, ...(body && { body }) });
+  return answer.json();
+}
+
+/** Opens the socket that says everything again. */
+function opened() {
+  const socket = new WebSocket(`${location.origin.replace(/^http/, "ws")}/check/socket`);
+  return new Promise((resolve, reject) => {
+    socket.addEventListener("open", () => resolve(socket));
+    socket.addEventListener("close", () => reject(new Error("closed")));
+    setTimeout(() => reject(new Error("silence")), QUICK_MS);
+  });
+}
+
+function echoes(socket, text) {
+  return new Promise((resolve) => {
+    socket.addEventListener("message", ({ data }) => resolve(data === text), { once: true });
+    socket.addEventListener("close", () => resolve(false));
+    setTimeout(() => resolve(false), QUICK_MS);
+    socket.send(text);
+  });
+}
+
+const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+/** The probes by name, in the order in which they are shown. */
+export const probes = {
+  get: async () => (await (await asked("echo")).json()).method === "GET",
+  post: async () => (await echoOf("POST", BODY)).body === BODY,
+  authorization: async () => (await echoOf("POST", BODY)).authorization === KEY,
+  remove: async () => (await echoOf("DELETE")).method === "DELETE",
+  compressed: async () => (await (await asked("compressed")).text()) === "Corridor ".repeat(500),
+  events: async () => {
+    const times = [];
+    const { body } = await asked("events", {}, 2 * QUICK_MS);
+    const reader = body.pipeThrough(new TextDecoderStream()).getReader();
+    for (let part = await reader.read(); !part.done; part = await reader.read()) {
+      for (const _event of part.value.matchAll(/data:/g)) times.push(performance.now());
+    }
+    // Five events in 1.6 s: what is collected on the way comes in one moment.
+    return times.length === 5 && times.at(-1) - times[0] > 800;
+  },
+  wait: async () => {
+    const answer = await asked(`wait?seconds=${WAIT_S}`, {}, WAIT_S * 1_000 + QUICK_MS);
+    return (await answer.json()).waited === WAIT_S;
+  },
+  socket: async () => {
+    const socket = await opened();
+    const isEcho = await echoes(socket, "forward");
+    socket.close();
+    return isEcho;
+  },
+  idle: async () => {
+    const socket = await opened();
+    await pause(IDLE_MS);
+    const isEcho = await echoes(socket, "still here");
+    socket.close();
+    return isEcho;
+  },
+  worker: async () => {
+    const worker = new Worker("/check/check.worker.js");
+    const { promise, resolve } = Promise.withResolvers();
+    worker.addEventListener("message", () => resolve(true));
+    worker.addEventListener("error", () => resolve(false));
+    const isHere = await Promise.race([promise, pause(QUICK_MS).then(() => false)]);
+    worker.terminate();
+    return isHere;
+  },
+  offline: async () => isSecureContext && "serviceWorker" in navigator,
+};

@@ -1,0 +1,65 @@
+/** The WebSocket of /check: it says again what it hears, for a minute, to anybody. */
+import type { IncomingMessage } from "node:http";
+import type { Duplex } from "node:stream";
+import { WebSocketServer, type WebSocket } from "ws";
+import type { Clock } from "../clock.ts";
+import type { Entrance } from "../entrance/entrance.ts";
+import { asRefusal, Refusal } from "../problems.ts";
+import { limits } from "../sessions/limits.ts";
+import { refuseUpgrade } from "./refuse-upgrade.ts";
+
+const PATH = "/check/socket";
+const LIFE_MS = 60_000;
+const MAX_MESSAGES = 20;
+
+export class CheckSocket {
+  readonly #entrance: Entrance;
+  readonly #clock: Clock;
+  readonly #server = new WebSocketServer({
+    noServer: true,
+    maxPayload: 256,
+    perMessageDeflate: false,
+  });
+
+  constructor(entrance: Entrance, clock: Clock) {
+    this.#entrance = entrance;
+    this.#clock = clock;
+  }
+
+  isFor(request: IncomingMessage): boolean {
+    return request.url === PATH;
+  }
+
+  upgrade(request: IncomingMessage, socket: Duplex, head: Buffer): void {
+    try {
+      this.#entrance.checkHost(request);
+      if (!this.#entrance.isOwnPage(request)) {
+        throw new Refusal("forbidden", "Pages of other sites cannot open this socket.");
+      }
+      if (this.#server.clients.size >= limits.heldChecks) {
+        throw new Refusal("too-many-readers", "Too many check this network at once.");
+      }
+    } catch (error) {
+      return refuseUpgrade(socket, asRefusal(error));
+    }
+    this.#server.handleUpgrade(request, socket, head, (opened) => this.#echo(opened));
+  }
+
+  close(): void {
+    for (const socket of this.#server.clients) socket.terminate();
+    this.#server.close();
+  }
+
+  #echo(socket: WebSocket): void {
+    let left = MAX_MESSAGES;
+    const cancel = this.#clock.after(LIFE_MS, () => socket.terminate());
+    socket.on("message", (data: Buffer, isBinary) => {
+      left -= 1;
+      if (left < 0 || isBinary) socket.close(1008);
+      else socket.send(data.toString("utf8"));
+    });
+    // A line that breaks is told by "close" as well.
+    socket.on("error", () => undefined);
+    socket.on("close", cancel);
+  }
+}

@@ -1,0 +1,134 @@
+/**
+ * `/check`: a page that tells a school's administrator what their filter lets through, and the answers
+ * that it tries it with. It is a small page of its own, since it is asked for where little comes through.
+ */
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+import express, { Router, type RequestHandler } from "express";
+import { checkPage, checkWords } from "../check/check-words.ts";
+import type { Clock } from "../clock.ts";
+import type { Entrance } from "../entrance/entrance.ts";
+import { Refusal, retryAfter } from "../problems.ts";
+import { limits } from "../sessions/limits.ts";
+import { methodNotAllowed } from "./fallbacks.ts";
+import { ownFiles } from "./own-files.ts";
+import { patienceOf, readWaitSeconds } from "./reading.ts";
+
+const FOLDER = join(import.meta.dirname, "../check");
+const FILES = {
+  "/check/check.css": join(FOLDER, "check.css"),
+  "/check/check.js": join(FOLDER, "check.js"),
+  "/check/probes.js": join(FOLDER, "probes.js"),
+  "/check/check.worker.js": join(FOLDER, "check.worker.js"),
+};
+const COMPRESSED = gzipSync("Corridor ".repeat(500));
+const EVENTS = 5;
+const EVENT_MS = 400;
+
+export function checkRoutes(entrance: Entrance, clock: Clock): Router {
+  // Before the routes: a router that ends with another one lets every other request wait for a turn.
+  const router = Router().use(ownFiles(FILES));
+  const html = readFileSync(join(FOLDER, "check.html"), "utf8");
+  router
+    .route("/check")
+    .get((request, response) => {
+      const { lang } = request.query;
+      const known = [...checkWords.keys()];
+      const asked = known.find((language) => language === lang);
+      // The Chinese that there is answers to every name of it.
+      const accepted = request.acceptsLanguages(["en", "zh", ...known]);
+      const best = accepted === "zh" ? "zh-Hans" : accepted === false ? "en" : accepted;
+      const { host } = new URL(entrance.originOf(request));
+      response.vary("Accept-Language").set("Cache-Control", "no-cache");
+      response.type("html").send(checkPage(html, asked ?? best, host));
+    })
+    .all(methodNotAllowed("GET"));
+
+  const echo: RequestHandler = (request, response) => {
+    const { method } = request;
+    const body: unknown = request.body;
+    const authorization = request.get("authorization") ?? null;
+    response.set("Cache-Control", "no-store");
+    response.json({ method, authorization, body: typeof body === "string" ? body : null });
+  };
+  router
+    .route("/check/echo")
+    .get(echo)
+    .post(express.text({ type: "application/json", limit: "8kb", inflate: false }), echo)
+    .delete(echo)
+    .all(methodNotAllowed("GET, POST, DELETE"));
+
+  router
+    .route("/check/compressed")
+    .get((_request, response) => {
+      response.set({ "Cache-Control": "no-store", "Content-Encoding": "gzip" });
+      response.type("text").send(COMPRESSED);
+    })
+    .all(methodNotAllowed("GET"));
+
+  const held = new HeldAnswers();
+  router
+    .route("/check/wait")
+    .get(async (request, response) => {
+      const waited = readWaitSeconds(request);
+      await held.hold(async () => {
+        const { milliseconds, signal } = patienceOf(response, waited);
+        await pause(clock, milliseconds, signal);
+      });
+      response.set("Cache-Control", "no-store").json({ waited });
+    })
+    .all(methodNotAllowed("GET"));
+
+  router
+    .route("/check/events")
+    .get(async (_request, response) => {
+      await held.hold(async () => {
+        const { signal } = patienceOf(response, 0);
+        response.on("error", () => response.destroy());
+        response.writeHead(200, {
+          "Content-Type": "text/event-stream",
+          "Cache-Control": "no-store",
+          "X-Accel-Buffering": "no",
+        });
+        for (let n = 1; n <= EVENTS && !signal.aborted; n++) {
+          response.write(`data: ${n}\n\n`);
+          if (n < EVENTS) await pause(clock, EVENT_MS, signal);
+        }
+        response.end();
+      });
+    })
+    .all(methodNotAllowed("GET"));
+
+  return router;
+}
+
+/** Answers that take their time: anybody may ask for them, so there are not many at once. */
+class HeldAnswers {
+  #count = 0;
+
+  /** @throws Refusal when too many are held already */
+  async hold(answer: () => Promise<void>): Promise<void> {
+    if (this.#count >= limits.heldChecks) {
+      throw new Refusal("too-fast", "Too many check this network at once. Try again in a minute.", {
+        headers: retryAfter(30_000),
+      });
+    }
+    this.#count += 1;
+    try {
+      await answer();
+    } finally {
+      this.#count -= 1;
+    }
+  }
+}
+
+function pause(clock: Clock, ms: number, signal: AbortSignal): Promise<void> {
+  return new Promise((resolve) => {
+    const cancel = clock.after(ms, resolve);
+    signal.addEventListener("abort", () => {
+      cancel();
+      resolve();
+    });
+  });
+}
