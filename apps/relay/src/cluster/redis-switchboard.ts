@@ -4,14 +4,16 @@
  * that was broken, is heard as `missed`. A relay that does not give a sign of life for three seconds counts as
  * dead, and the pages that it had as away.
  */
-import { aliveDriverSchema, driversSchema, hasEnded, snapshotSchema } from "@corridor/protocol";
+import { aliveDriverSchema, driversSchema, hasEnded, type Snapshot } from "@corridor/protocol";
 import type { Logger } from "pino";
 import { z } from "zod";
 import type { Clock } from "../clock.ts";
+import { limits } from "../sessions/limits.ts";
 import { asked, type Redis } from "../store/redis/connection.ts";
-import { lineOf, sessionOf } from "../store/redis/redis-keys.ts";
+import { lineOf, postOf, sessionOf } from "../store/redis/redis-keys.ts";
 import { termedRow } from "../store/redis/rows.ts";
 import { Script } from "../store/redis/script.ts";
+import { readPost, SnapshotPost } from "./snapshot-post.ts";
 import type { Ears, Line, News, Switchboard } from "./switchboard.ts";
 
 const BEAT_MS = 1_000;
@@ -33,7 +35,6 @@ const messageSchema = z.discriminatedUnion("kind", [
   }),
   z.object({ kind: z.literal("page"), from, epoch }),
   z.object({ kind: z.literal("page-left"), from, epoch }),
-  z.object({ kind: z.literal("snapshot"), from, snapshot: snapshotSchema }),
   z.object({ kind: z.literal("here"), from, scripts: scriptsSchema, asks: z.boolean() }),
   z.object({ kind: z.literal("cancel"), from, seq: z.int() }),
   z.object({ kind: z.literal("keys"), from }),
@@ -47,6 +48,8 @@ interface Place {
   n: number | null;
   /** the relay that has the page, as far as this one knows */
   holder: z.infer<typeof holderSchema> | null;
+  /** other relays that hold the robot, and when they said so */
+  others: Map<string, number>;
 }
 
 export interface RedisSwitchboardOptions {
@@ -62,17 +65,29 @@ export class RedisSwitchboard implements Switchboard {
   readonly #options: RedisSwitchboardOptions;
   readonly #script: Script;
   readonly #places = new Map<string, Place>();
+  readonly #post: SnapshotPost;
   #cancelTimer: () => void = () => undefined;
   #isClosed = false;
 
   private constructor(options: RedisSwitchboardOptions) {
     this.#options = options;
     this.#script = new Script(options.redis, "../../cluster/switchboard.lua", [options.relay]);
+    this.#post = new SnapshotPost(options.clock, (relay, text) => {
+      // Lost with the connection: the next one is newer.
+      options.redis.publish(postOf(relay), text).catch(() => undefined);
+    });
   }
 
   /** Opens the switchboard; from now on this relay counts as alive. */
   static async open(options: RedisSwitchboardOptions): Promise<RedisSwitchboard> {
     const switchboard = new RedisSwitchboard(options);
+    await asked(
+      options.hearing.subscribe(postOf(options.relay), (text) => {
+        for (const [robot, snapshot] of Object.entries(readPost(text) ?? {})) {
+          switchboard.#places.get(robot)?.ears.heard({ kind: "snapshot", snapshot });
+        }
+      }),
+    );
     await switchboard.#beat();
     // The client listens again by itself, but nobody keeps for it what was said meanwhile.
     options.hearing.on("ready", () => switchboard.#missed());
@@ -81,7 +96,7 @@ export class RedisSwitchboard implements Switchboard {
 
   async join(robot: string, ears: Ears): Promise<Line> {
     const { hearing, relay, log } = this.#options;
-    const place: Place = { ears, n: null, holder: null };
+    const place: Place = { ears, n: null, holder: null, others: new Map() };
     const hear = (text: string): void => {
       const message = messageSchema.safeParse(JSON.parse(text));
       if (message.success) this.#hear(place, message.data);
@@ -110,6 +125,7 @@ export class RedisSwitchboard implements Switchboard {
   async close(): Promise<void> {
     this.#isClosed = true;
     this.#cancelTimer();
+    this.#post.close();
     this.#places.clear();
     await this.#run("stop", "").catch(() => undefined);
   }
@@ -118,6 +134,7 @@ export class RedisSwitchboard implements Switchboard {
     const { redis, relay, log } = this.#options;
     // The script of the store has told it, a page with the new epoch.
     if (news.kind === "page" || news.kind === "keys" || news.kind === "over") return;
+    if (news.kind === "snapshot") return this.#tellSnapshot(robot, news.snapshot);
     const told =
       news.kind === "page-left"
         ? this.#run("left", robot, { epoch: news.epoch })
@@ -125,6 +142,14 @@ export class RedisSwitchboard implements Switchboard {
     told.catch((error: unknown) =>
       log.debug({ err: error }, "news did not reach the other relays"),
     );
+  }
+
+  #tellSnapshot(robot: string, snapshot: Snapshot): void {
+    const others = this.#places.get(robot)?.others;
+    if (others === undefined) return;
+    const oldest = this.#options.clock.now() - limits.relaySilenceMs;
+    for (const [relay, heardAt] of others) if (heardAt < oldest) others.delete(relay);
+    this.#post.post(robot, snapshot, others.keys());
   }
 
   #hear(place: Place, message: Message): void {
@@ -136,6 +161,7 @@ export class RedisSwitchboard implements Switchboard {
     }
     if (message.kind === "page") place.holder = { relay: message.from, epoch: message.epoch };
     if (message.kind === "page-left") place.holder = null;
+    if (message.kind === "here") place.others.set(message.from, this.#options.clock.now());
     place.ears.heard(message);
   }
 

@@ -19,7 +19,7 @@ export interface Step {
 
 /** Whatever else there is to say. */
 export type News =
-  /** the newest, many times a second */
+  /** the newest, many times a second; for those who said that they are here */
   | { kind: "snapshot"; snapshot: Snapshot }
   /** a page has taken the robot at another relay */
   | { kind: "page"; epoch: number }

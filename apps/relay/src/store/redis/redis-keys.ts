@@ -12,6 +12,11 @@ export function lineOf(id: string): string {
   return `${sessionOf(id)}:line`;
 }
 
+/** The channel on which a relay gets what is for it alone. */
+export function postOf(relay: string): string {
+  return `corridor:relay:${relay}`;
+}
+
 /** What the script of the sessions is given, in its order. */
 export function keysOf(id: string): string[] {
   const session = sessionOf(id);
