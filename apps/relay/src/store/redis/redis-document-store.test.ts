@@ -7,7 +7,8 @@ import { RedisDocumentStore } from "./redis-document-store.ts";
 
 describe.skipIf(!hasRedis)("with Redis", () => {
   documentStoreCases("RedisDocumentStore", async () => {
-    const server = await startTestRedis();
+    // At once: on a busy disk, "everysec" lets even the writing wait for a second or two.
+    const server = await startTestRedis(["--appendfsync", "always"]);
     const open = async () => {
       const redis = await connectRedis(server.url, () => undefined);
       onTestFinished(() => redis.destroy());

@@ -14,7 +14,8 @@ async function openAt(url: string) {
 
 describe.skipIf(!hasRedis)("with Redis", () => {
   storeCases("RedisSessionStore", async () => {
-    const server = await startTestRedis();
+    // At once: on a busy disk, "everysec" lets even the writing wait for a second or two.
+    const server = await startTestRedis(["--appendfsync", "always"]);
     return {
       store: (await openAt(server.url)).store,
       reopen: async () => (await openAt(server.url)).store,
