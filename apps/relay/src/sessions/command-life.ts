@@ -12,15 +12,16 @@ import {
   type CommandRecord,
   type CommandTerms,
   type Ending,
-  type EventGap,
   type PageToRelay,
   type Resume,
 } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import type { Step } from "../cluster/switchboard.ts";
-import { noRobot, Refusal, restarting, retryAfter } from "../problems.ts";
+import { noRobot, restarting } from "../problems.ts";
 import type { SessionStore, StoredKey, TermedRecord } from "../store/session-store.ts";
-import type { Audience, Patience } from "./audience.ts";
+import type { Audience } from "./audience.ts";
+import { CommandLog } from "./command-log.ts";
+import { notStored, notYourCommand, noCommand } from "./command-refusals.ts";
 import { DeadlineTimer } from "./deadline-timer.ts";
 import { DriverAllowance } from "./driver-allowance.ts";
 import { limits } from "./limits.ts";
@@ -51,6 +52,8 @@ export class CommandLife {
   readonly #line: RobotLine;
   readonly #allowance: DriverAllowance;
   readonly #work = new OrderedWork();
+  /** the same commands, as they are read */
+  readonly log: CommandLog;
   readonly #deadlines: DeadlineTimer;
   /** seq of the newest command while that is a stop */
   #newestStop: number | null = null;
@@ -67,6 +70,7 @@ export class CommandLife {
     this.#seat = seat;
     this.#line = line;
     this.#allowance = new DriverAllowance(clock);
+    this.log = new CommandLog(robot, store, audience, this.#work);
     this.#deadlines = new DeadlineTimer(clock, () => void this.#expire().catch(() => undefined));
     // What was stored before this relay began may be late by now.
     this.#deadlines.wake(clock.now());
@@ -134,6 +138,8 @@ export class CommandLife {
 
   async #ended(link: PageLink, epoch: number, ending: Ending): Promise<void> {
     const { outcome, record } = await this.#store.end(this.#robot, epoch, ending);
+    // Not this page's to end at the moment: it keeps the ending, and tells it with its next greeting.
+    if (outcome === "over" && record !== null && !hasEnded(record.state)) return;
     const isRepeated = record?.state === ending.state;
     this.#answerEnding(link, ending.seq, isRepeated ? null : record);
     if (outcome === "ended") this.#tellStates([record]);
@@ -257,43 +263,14 @@ export class CommandLife {
         maxWaiting: limits.waitingCommands,
         keep: limits.keptCommands,
       });
-      switch (result.outcome) {
-        case "no-session":
-          throw noRobot();
-        case "full":
-          throw new Refusal(
-            "queue-full",
-            `${limits.waitingCommands} commands wait at this robot. Wait until one has ended, then send this one again.`,
-            { headers: retryAfter(1000) },
-          );
-        case "late":
-          throw new Refusal(
-            "too-late",
-            `This command was to start within ${ttl} ms and is ${age} ms old. Look where the robot is now, then send what fits as a new command.`,
-          );
-        case "conflict":
-          throw new Refusal(
-            "key-conflict",
-            `This key belongs to command ${result.record.seq} (${result.record.action}). Use a new key for each command.`,
-          );
-        case "duplicate":
-          return acknowledge({ ...result.record, duplicate: true });
-        case "stored":
-          this.#newestStop = isStop ? result.record.seq : null;
-          this.#witness.stored(this.#secondsSince(cameAt));
-          acknowledge(result.record);
-          return this.#stored(
-            {
-              record: result.record,
-              driver: grant.hash,
-              ttl,
-              deadline: cameAt + ttl - age,
-              replace,
-              lease,
-            },
-            result.ended,
-          );
-      }
+      if (result.outcome === "duplicate") return acknowledge({ ...result.record, duplicate: true });
+      if (result.outcome !== "stored") throw notStored(result, request);
+      const { record, ended } = result;
+      this.#newestStop = isStop ? record.seq : null;
+      this.#witness.stored(this.#secondsSince(cameAt));
+      acknowledge(record);
+      const terms = { driver: grant.hash, ttl, deadline: cameAt + ttl - age, replace, lease };
+      return this.#stored({ record, ...terms }, ended);
     });
   }
 
@@ -323,10 +300,7 @@ export class CommandLife {
         case "no-command":
           throw noCommand(seq);
         case "not-yours":
-          throw new Refusal(
-            "forbidden",
-            "Another key sent this command. Only its sender can take it back; a stop ends everything.",
-          );
+          throw notYourCommand();
         case "cancelled":
           this.#endedHere([result.termed]);
           return result.termed.record;
@@ -363,51 +337,10 @@ export class CommandLife {
     return record === null || hasEnded(record.state) ? null : record;
   }
 
-  // --- the log ---
-
-  /** @throws Refusal when there is no command with this number */
-  async command(seq: number): Promise<CommandRecord> {
-    const record = await this.#store.command(this.#robot, seq);
-    if (record === null) throw noCommand(seq);
-    return record;
-  }
-
-  async commandsAfter(seq: number): Promise<CommandRecord[]> {
-    return this.#store.commandsAfter(this.#robot, seq, limits.logPage);
-  }
-
-  /** Tells the commands that have not ended, between two changes. */
-  async tellOpen(tell: (open: EventGap["open"]) => void): Promise<void> {
-    await this.#work.run(async () => {
-      const open = await this.#store.openCommands(this.#robot);
-      tell(open.map(({ seq, state }) => ({ seq, state })));
-    });
-  }
-
-  /** Waits for the command to end. @returns its record then, whether it has ended or not */
-  async endOf(seq: number, patience: Patience): Promise<CommandRecord> {
-    // Begun between two changes, so that no ending falls between asking and listening.
-    const { record, end } = await this.#work.run(async () => {
-      const now = await this.command(seq);
-      return { record: now, end: hasEnded(now.state) ? null : this.#nextEnd(seq, patience) };
-    });
-    if (end === null) return record;
-    await end;
-    return this.command(seq);
-  }
-
   /** Takes and delivers nothing any more. */
   close(reason: "over" | "restart"): void {
     this.#end = reason;
     this.#deadlines.close();
-  }
-
-  #nextEnd(seq: number, patience: Patience): Promise<void> {
-    return this.#audience.until(patience, (done) => ({
-      state: ({ record }) => {
-        if (record.seq === seq && hasEnded(record.state)) done();
-      },
-    }));
   }
 
   #tellStates(records: readonly CommandRecord[]): void {
@@ -429,11 +362,4 @@ export class CommandLife {
 
 function isStop({ record }: TermedRecord): boolean {
   return record.action === "stop";
-}
-
-function noCommand(seq: number): Refusal {
-  return new Refusal(
-    "no-command",
-    `This robot has no command ${seq}. GET .../commands lists those that it has.`,
-  );
 }

@@ -190,12 +190,12 @@ export class Session {
   }
 
   async commandsAfter(seq: number): Promise<CommandRecord[]> {
-    return this.#life.commandsAfter(seq);
+    return this.#life.log.after(seq);
   }
 
   /** Waits for the command to end. @returns its record then, whether it has ended or not */
   async endOf(seq: number, patience: Patience): Promise<CommandRecord> {
-    return this.#life.endOf(seq, patience);
+    return this.#life.log.endOf(seq, patience);
   }
 
   /** A script was heard by HTTP or socket. @returns to be called once its request is answered */
@@ -360,7 +360,7 @@ export class Session {
     return {
       events: this.#events,
       newest: () => this.newest,
-      tellOpen: (tell) => this.#life.tellOpen(tell),
+      tellOpen: (tell) => this.#life.log.tellOpen(tell),
     };
   }
 

@@ -1,0 +1,61 @@
+/** The commands of one robot as they are read: one of them, the list, the open ones, or the end of one. */
+import { hasEnded, type CommandRecord, type EventGap } from "@corridor/protocol";
+import type { SessionStore } from "../store/session-store.ts";
+import type { Audience, Patience } from "./audience.ts";
+import { noCommand } from "./command-refusals.ts";
+import { limits } from "./limits.ts";
+import type { OrderedWork } from "./ordered-work.ts";
+
+export class CommandLog {
+  readonly #robot: string;
+  readonly #store: SessionStore;
+  readonly #audience: Audience;
+  readonly #work: OrderedWork;
+
+  /** @param work what changes commands: some reads come between two changes */
+  constructor(robot: string, store: SessionStore, audience: Audience, work: OrderedWork) {
+    this.#robot = robot;
+    this.#store = store;
+    this.#audience = audience;
+    this.#work = work;
+  }
+
+  /** @throws Refusal when there is no command with this number */
+  async command(seq: number): Promise<CommandRecord> {
+    const record = await this.#store.command(this.#robot, seq);
+    if (record === null) throw noCommand(seq);
+    return record;
+  }
+
+  async after(seq: number): Promise<CommandRecord[]> {
+    return this.#store.commandsAfter(this.#robot, seq, limits.logPage);
+  }
+
+  /** Tells the commands that have not ended, between two changes. */
+  async tellOpen(tell: (open: EventGap["open"]) => void): Promise<void> {
+    await this.#work.run(async () => {
+      const open = await this.#store.openCommands(this.#robot);
+      tell(open.map(({ seq, state }) => ({ seq, state })));
+    });
+  }
+
+  /** Waits for the command to end. @returns its record then, whether it has ended or not */
+  async endOf(seq: number, patience: Patience): Promise<CommandRecord> {
+    // Begun between two changes, so that no ending falls between asking and listening.
+    const { record, end } = await this.#work.run(async () => {
+      const now = await this.command(seq);
+      return { record: now, end: hasEnded(now.state) ? null : this.#nextEnd(seq, patience) };
+    });
+    if (end === null) return record;
+    await end;
+    return this.command(seq);
+  }
+
+  #nextEnd(seq: number, patience: Patience): Promise<void> {
+    return this.#audience.until(patience, (done) => ({
+      state: ({ record }) => {
+        if (record.seq === seq && hasEnded(record.state)) done();
+      },
+    }));
+  }
+}

@@ -1,0 +1,45 @@
+/** Why a command is not stored, in words that its sender can act on. */
+import type { CommandTerms } from "@corridor/protocol";
+import { noRobot, Refusal, retryAfter } from "../problems.ts";
+import type { AddResult } from "../store/session-store.ts";
+import { limits } from "./limits.ts";
+
+/** What the store may answer instead of storing a command or finding it stored. */
+type NotStored = Exclude<AddResult, { outcome: "stored" | "duplicate" }>;
+
+export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusal {
+  switch (result.outcome) {
+    case "no-session":
+      return noRobot();
+    case "full":
+      return new Refusal(
+        "queue-full",
+        `${limits.waitingCommands} commands wait at this robot. Wait until one has ended, then send this one again.`,
+        { headers: retryAfter(1000) },
+      );
+    case "late":
+      return new Refusal(
+        "too-late",
+        `This command was to start within ${ttl} ms and is ${age} ms old. Look where the robot is now, then send what fits as a new command.`,
+      );
+    case "conflict":
+      return new Refusal(
+        "key-conflict",
+        `This key belongs to command ${result.record.seq} (${result.record.action}). Use a new key for each command.`,
+      );
+  }
+}
+
+export function noCommand(seq: number): Refusal {
+  return new Refusal(
+    "no-command",
+    `This robot has no command ${seq}. GET .../commands lists those that it has.`,
+  );
+}
+
+export function notYourCommand(): Refusal {
+  return new Refusal(
+    "forbidden",
+    "Another key sent this command. Only its sender can take it back; a stop ends everything.",
+  );
+}
