@@ -27,6 +27,9 @@ const RECORD = `${COMMANDS}/{seq}`;
 const DOCUMENTS = "/api/v1/mazes";
 const DOCUMENT = `${DOCUMENTS}/{id}`;
 const SENSORS = `${ROBOT}/sensors`;
+const EVENTS = `${ROBOT}/events`;
+const LINE = `${ROBOT}/line`;
+const MESSAGES = `${LINE}/messages`;
 /** Files to take along, which are no calls of the API. */
 const FILES = new Set(["get /openapi.json", "get /asyncapi.json", "get /corridor.py"]);
 
@@ -146,6 +149,27 @@ describe("real answers are as described", () => {
     expect((await api.call("get", ROBOT, { key })).body).toMatchObject({ snapshot: snapshotOf() });
     expect((await api.call("delete", ROBOT, { key })).status).toBe(204);
     expect((await api.call("get", SENSORS)).status).toBe(404);
+  });
+
+  it("from the opening of a line to its end, and of events by long poll", async () => {
+    const api = await DescribedRelay.start();
+    const hello = { type: "hello", version: 1, role: "drive", key: api.robot.driverKey };
+    const opened = await api.call("post", LINE, { body: hello });
+    const key = (opened.body as { line: string }).line;
+    const messages = [{ type: "command", command: { action: "left 90" } }];
+    const sent = await api.call("post", MESSAGES, { key, body: { first: 1, messages } });
+    expect(sent.body).toEqual({ taken: 1 });
+    const fetched = await api.call("get", MESSAGES, { key, query: "?wait=5" });
+    expect(fetched.body).toMatchObject({ first: 1, closed: null });
+    expect((await api.call("delete", LINE, { key })).status).toBe(204);
+    expect((await api.call("get", MESSAGES, { key })).status).toBe(404);
+    expect((await api.call("post", LINE, { body: { ...hello, key: "drv_x" } })).status).toBe(401);
+    const first = await api.call("get", EVENTS, { query: "?wait=1" });
+    const { since } = first.body as { since: string };
+    const next = await api.call("get", EVENTS, { query: `?wait=0&since=${since}` });
+    expect(next.body).toEqual({ since, gap: null, states: [], snapshot: null });
+    const missed = await api.call("get", EVENTS, { query: "?wait=0&since=00000000-9" });
+    expect(missed.body).toMatchObject({ gap: { open: [{ seq: 1, state: "accepted" }] } });
   });
 
   it.each([
