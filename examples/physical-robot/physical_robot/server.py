@@ -65,7 +65,8 @@ class _Handler(BaseHTTPRequestHandler):
         except Problem as problem:
             kind = "application/problem+json"
             self._send(problem.status, problem.document, problem.headers, kind)
-        except (ConnectionError, TimeoutError):
+        except OSError:
+            # The line broke, or nothing came on it in time.
             self.close_connection = True
         except Exception:
             # No stack for whoever asked: it goes to the owner of the robot.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import http.client
 import ipaddress
+import socket
 import ssl
 import time
 import urllib.error
@@ -66,7 +67,8 @@ def _taken_in(status: int, answer: Any) -> Answer:
 
 def _lost(error: object) -> Answer:
     is_untrusted = isinstance(error, ssl.SSLCertVerificationError)
-    if isinstance(error, TimeoutError):
+    # One and the same only since Python 3.10.
+    if isinstance(error, (TimeoutError, socket.timeout)):
         return Answer(0, lost="no answer in time")
     return Answer(0, lost=str(error)[:200] or "the line was cut", is_untrusted=is_untrusted)
 
