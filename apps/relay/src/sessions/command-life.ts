@@ -21,7 +21,8 @@ import { noRobot, restarting } from "../problems.ts";
 import type { SessionStore, StoredKey, TermedRecord } from "../store/session-store.ts";
 import type { Audience } from "./audience.ts";
 import { CommandLog } from "./command-log.ts";
-import { notStored, notYourCommand, noCommand } from "./command-refusals.ts";
+import { CommandRecall } from "./command-recall.ts";
+import { notStored } from "./command-refusals.ts";
 import { DeadlineTimer } from "./deadline-timer.ts";
 import { DriverAllowance } from "./driver-allowance.ts";
 import { limits } from "./limits.ts";
@@ -54,6 +55,8 @@ export class CommandLife {
   readonly #work = new OrderedWork();
   /** the same commands, as they are read */
   readonly log: CommandLog;
+  /** the same commands, as their senders take them back */
+  readonly recall: CommandRecall;
   readonly #deadlines: DeadlineTimer;
   /** seq of the newest command while that is a stop */
   #newestStop: number | null = null;
@@ -71,6 +74,16 @@ export class CommandLife {
     this.#line = line;
     this.#allowance = new DriverAllowance(clock);
     this.log = new CommandLog(robot, store, audience, this.#work);
+    this.recall = new CommandRecall({
+      robot,
+      store,
+      work: this.#work,
+      ended: (termed) => this.#endedHere([termed]),
+      ask: (seq) => {
+        seat.page?.link.send({ type: "cancel", seq });
+        line.cancel(seq);
+      },
+    });
     this.#deadlines = new DeadlineTimer(clock, () => void this.#expire().catch(() => undefined));
     // What was stored before this relay began may be late by now.
     this.#deadlines.wake(clock.now());
@@ -285,49 +298,6 @@ export class CommandLife {
   async #deliverOrShow(added: TermedRecord): Promise<void> {
     const sent = await this.#deliver();
     if (!sent.has(added.record.seq)) this.#show([added]);
-  }
-
-  /**
-   * Takes one command back: what waits ends here; for what the robot has, the robot is asked.
-   * @returns the record, which has not ended yet where the robot was asked
-   * @throws Refusal when there is no such command, or another key sent it
-   */
-  async cancel(grant: StoredKey, seq: number): Promise<CommandRecord> {
-    return this.#work.run(async () => {
-      const by = { driver: grant.hash, reason: "cancelled by its sender" };
-      const result = await this.#store.cancel(this.#robot, seq, by);
-      switch (result.outcome) {
-        case "no-command":
-          throw noCommand(seq);
-        case "not-yours":
-          throw notYourCommand();
-        case "cancelled":
-          this.#endedHere([result.termed]);
-          return result.termed.record;
-        case "delivered":
-          this.#askToCancel(seq);
-          return result.record;
-        case "over":
-          return result.record;
-      }
-    });
-  }
-
-  /** Takes back all that a driver has sent and that has not ended. */
-  async takeBackAll(driver: string, reason: string): Promise<void> {
-    await this.#work.run(async () => {
-      for (const { seq } of await this.#store.openCommands(this.#robot)) {
-        const result = await this.#store.cancel(this.#robot, seq, { driver, reason });
-        if (result.outcome === "cancelled") this.#endedHere([result.termed]);
-        if (result.outcome === "delivered") this.#askToCancel(seq);
-      }
-    });
-  }
-
-  /** Asks the page, wherever it is. */
-  #askToCancel(seq: number): void {
-    this.#seat.page?.link.send({ type: "cancel", seq });
-    this.#line.cancel(seq);
   }
 
   /** The stop that has not ended and after which nothing came: another would change nothing. */

@@ -184,9 +184,9 @@ export class Session {
     await this.#life.submit(grant, request, acknowledge);
   }
 
-  /** Takes one command back: see `CommandLife.cancel`. */
+  /** Takes one command back: see `CommandRecall.one`. */
   async cancel(grant: StoredKey, seq: number): Promise<CommandRecord> {
-    return this.#life.cancel(grant, seq);
+    return this.#life.recall.one(grant, seq);
   }
 
   async commandsAfter(seq: number): Promise<CommandRecord[]> {
@@ -349,7 +349,7 @@ export class Session {
   /** Whoever used the key is sent away, and what it asked for ends. */
   #revoked({ hash }: StoredKey): void {
     this.#audience.dismiss(hash, "revoked");
-    this.#life.takeBackAll(hash, "its key was revoked").catch(() => undefined);
+    this.#life.recall.allOf(hash, "its key was revoked").catch(() => undefined);
   }
 
   #used(): void {
