@@ -31,3 +31,15 @@ it("nothing is lost, doubled, reordered, ended twice or late, whatever breaks", 
   }
   expect(faults).toEqual({});
 });
+
+it("nothing is lost, doubled, reordered or ended twice at two relays, whichever page and script reach", async () => {
+  const folder = quickFolder();
+  const faults: Record<number, string[]> = {};
+  for (const seed of seeds.slice(0, 40)) {
+    const found = await FaultyWorld.run(seed, folder, STEPS, 2);
+    // How late something starts is between the page and its line, and looked at above.
+    const ofRelays = found.filter((fault) => !fault.endsWith("too late"));
+    if (ofRelays.length > 0) faults[seed] = ofRelays;
+  }
+  expect(faults).toEqual({});
+});

@@ -2,6 +2,8 @@
 import { decodeFrame, helloSchema, type SocketPort } from "@corridor/protocol";
 import { pino } from "pino";
 import type { Clock } from "../../clock.ts";
+import { LocalSwitchboard } from "../../cluster/local-switchboard.ts";
+import type { Line, Switchboard } from "../../cluster/switchboard.ts";
 import type { Conversation } from "../../gateways/conversation.ts";
 import { DriverConversation } from "../../gateways/driver-conversation.ts";
 import { PageConversation } from "../../gateways/page-conversation.ts";
@@ -14,13 +16,24 @@ import type { VirtualTime } from "./virtual-time.ts";
 
 const noBallast = { hold: () => true, giveUp: () => false };
 
+/** What outlives a relay: its database, and the lines to others that share it. */
+export class Backing {
+  readonly store: SqliteStore;
+  readonly switchboard = new LocalSwitchboard();
+
+  constructor(path: string) {
+    this.store = new SqliteStore(new SqliteFile(path, noBallast));
+  }
+}
+
 export class FaultyRelay {
   readonly store: SqliteStore;
   readonly hub: SessionHub;
   readonly #time: VirtualTime;
+  readonly #lines: Line[] = [];
   #isAlive = true;
 
-  constructor(path: string, time: VirtualTime) {
+  constructor({ store, switchboard }: Backing, time: VirtualTime) {
     this.#time = time;
     const clock: Clock = {
       now: () => time.now(),
@@ -31,18 +44,35 @@ export class FaultyRelay {
           call();
         }),
     };
-    this.store = watched(new SqliteStore(new SqliteFile(path, noBallast)), time);
-    this.hub = new SessionHub(this.store, clock, pino({ level: "silent" }));
+    this.store = watched(store, time, () => this.#isAlive);
+    const lines = { switchboard: this.#mortal(switchboard) };
+    this.hub = new SessionHub(this.store, clock, pino({ level: "silent" }), lines);
   }
 
   get isAlive(): boolean {
     return this.#isAlive;
   }
 
-  /** Nothing is said and done any more; what is in the file stays. */
+  /** Nothing is said and done any more; what is in the file stays, and others find it gone. */
   kill(): void {
     this.#isAlive = false;
-    void this.store.close();
+    for (const line of this.#lines) line.leave();
+  }
+
+  /** Lines on which a dead relay is deaf. What its last step has changed is told: the store does that. */
+  #mortal(switchboard: Switchboard): Switchboard {
+    return {
+      join: async (robot, ears) => {
+        const line = await switchboard.join(robot, {
+          stepped: (step, isOwn) => this.#isAlive && ears.stepped(step, isOwn),
+          missed: () => this.#isAlive && ears.missed(),
+          heard: (news) => this.#isAlive && ears.heard(news),
+        });
+        this.#lines.push(line);
+        return line;
+      },
+      close: () => switchboard.close(),
+    };
   }
 
   /** Somebody connects. @returns what to do with each message, and with the end of the line */
@@ -109,14 +139,17 @@ export class FaultyRelay {
   }
 }
 
-/** The store; time stands still while it works. */
-function watched(store: SqliteStore, time: VirtualTime): SqliteStore {
+/** The store; time stands still while it works, and a dead relay gets nothing from it. */
+function watched(store: SqliteStore, time: VirtualTime, isAlive: () => boolean): SqliteStore {
   return new Proxy(store, {
     get(target, name) {
       const part: unknown = Reflect.get(target, name);
       if (typeof part !== "function") return part;
       return (...values: unknown[]) =>
-        time.during(async () => Reflect.apply(part, target, values) as Promise<unknown>);
+        time.during(async () => {
+          if (!isAlive()) throw new Error("the relay is dead");
+          return Reflect.apply(part, target, values) as Promise<unknown>;
+        });
     },
   });
 }

@@ -16,7 +16,7 @@ import { RobotClient } from "../../../../../packages/client/src/robot-client.ts"
 import { Dice } from "./dice.ts";
 import { FaultyNet, type Tap } from "./faulty-net.ts";
 import { FaultyPage, type Tab } from "./faulty-page.ts";
-import { FaultyRelay } from "./faulty-relay.ts";
+import { Backing, FaultyRelay } from "./faulty-relay.ts";
 import { History } from "./history.ts";
 import { VirtualTime } from "./virtual-time.ts";
 
@@ -28,43 +28,51 @@ const HEALING_MS = 30_000;
 export class FaultyWorld {
   readonly #time = new VirtualTime();
   readonly #dice: Dice;
-  readonly #path: string;
+  readonly #backing: Backing;
   readonly #history = new History();
   readonly #registration: Registration;
   readonly #tab: Tab;
   readonly #pageNet: FaultyNet;
   readonly #scriptNet: FaultyNet;
-  #relay: FaultyRelay;
+  /** one, or two that share the store */
+  readonly #relays: FaultyRelay[] = [];
   #page: FaultyPage | null = null;
   #pages = 0;
   #script: RobotClient | null = null;
   #keys = 0;
 
-  private constructor(seed: number, path: string, relay: FaultyRelay, robot: Registration) {
+  private constructor(seed: number, backing: Backing, robot: Registration) {
     this.#dice = new Dice(seed);
-    this.#path = path;
-    this.#relay = relay;
+    this.#backing = backing;
     this.#registration = robot;
     this.#tab = { session: { ...robot, lastApplied: 0 } };
     const net = (tap: Tap): FaultyNet =>
-      new FaultyNet(this.#time, this.#dice, () => this.#relay, robot.id, tap);
+      new FaultyNet(this.#time, this.#dice, () => this.#anyRelay(), robot.id, tap);
     this.#pageNet = net(() => undefined);
     this.#scriptNet = net((direction, text) => this.#tapScript(direction, text));
   }
 
-  /** @param folder for the database */
-  static async run(seed: number, folder: string, steps: number): Promise<string[]> {
-    const path = join(folder, `${seed}.sqlite`);
+  /**
+   * @param folder for the database
+   * @param relays how many share it
+   */
+  static async run(
+    seed: number,
+    folder: string,
+    steps: number,
+    relays: 1 | 2 = 1,
+  ): Promise<string[]> {
+    const backing = new Backing(join(folder, `${seed}-${relays}.sqlite`));
     const time = new VirtualTime();
-    const first = new FaultyRelay(path, time);
+    const first = new FaultyRelay(backing, time);
     const robot = await first.hub.register("10.0.0.1", "http://robots.example");
     first.kill();
-    const world = new FaultyWorld(seed, path, first, robot);
-    return world.#live(steps);
+    const world = new FaultyWorld(seed, backing, robot);
+    return world.#live(steps, relays);
   }
 
-  async #live(steps: number): Promise<string[]> {
-    this.#relay = new FaultyRelay(this.#path, this.#time);
+  async #live(steps: number, relays: number): Promise<string[]> {
+    for (let n = 0; n < relays; n++) this.#startRelay(n);
     this.#loadPage();
     const connecting = RobotClient.connect(this.#registration.address, {
       platform: this.#platform(this.#scriptNet),
@@ -75,11 +83,12 @@ export class FaultyWorld {
     this.#script = await connecting;
     for (let n = 0; n < steps; n++) await this.#step();
     await this.#heal();
-    const stored = await this.#relay.store.commandsAfter(this.#registration.id, 0, 10_000);
+    const stored = await this.#backing.store.commandsAfter(this.#registration.id, 0, 10_000);
     this.#script.close();
     this.#page?.leave();
-    this.#relay.kill();
+    for (const relay of this.#relays) relay.kill();
     await turn();
+    await this.#backing.store.close();
     return this.#history.check(stored);
   }
 
@@ -121,8 +130,9 @@ export class FaultyWorld {
   }
 
   #takeBack(): void {
-    if (!this.#relay.isAlive) return;
-    const { hub } = this.#relay;
+    const relay = this.#anyRelay();
+    if (!relay.isAlive) return;
+    const { hub } = relay;
     const { id, driverKey } = this.#registration;
     const back = this.#dice.between(0, 4);
     this.#time.touch();
@@ -142,15 +152,27 @@ export class FaultyWorld {
   }
 
   #killRelay(): void {
-    if (!this.#relay.isAlive) return;
-    this.#relay.kill();
+    const relay = this.#anyRelay();
+    if (!relay.isAlive) return;
+    const n = this.#relays.indexOf(relay);
+    relay.kill();
     this.#pageNet.cut();
     this.#scriptNet.cut();
-    this.#time.after(this.#dice.between(20, 1_500), () => this.#startRelay());
+    this.#time.after(this.#dice.between(20, 1_500), () => this.#startRelay(n));
   }
 
-  #startRelay(): void {
-    if (!this.#relay.isAlive) this.#relay = new FaultyRelay(this.#path, this.#time);
+  #startRelay(n: number): void {
+    if (this.#relays[n]?.isAlive === true) return;
+    this.#relays[n] = new FaultyRelay(this.#backing, this.#time);
+  }
+
+  /** The one that a balancer happens to choose. */
+  #anyRelay(): FaultyRelay {
+    const alive = this.#relays.filter(({ isAlive }) => isAlive);
+    const [only] = this.#relays;
+    if (only === undefined) throw new Error("there is no relay yet");
+    if (this.#relays.length === 1 || alive.length === 0) return only;
+    return this.#dice.pick(alive);
   }
 
   #loadPage(): void {
@@ -176,7 +198,7 @@ export class FaultyWorld {
   async #heal(): Promise<void> {
     this.#pageNet.isUp = true;
     this.#scriptNet.isUp = true;
-    this.#startRelay();
+    for (const n of this.#relays.keys()) this.#startRelay(n);
     await this.#time.pass(HEALING_MS);
   }
 
