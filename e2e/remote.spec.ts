@@ -153,6 +153,31 @@ test("what the robot cannot start in time is listed as expired", async ({ page }
   await expect(row).toContainText("expired");
 });
 
+test("a new key cuts off who has the old one, and the page goes on with the new address", async ({
+  page,
+}) => {
+  await page.goto("/");
+  const address = await copyAddress(page);
+  const panel = page.getByRole("region", { name: "Remote" }).locator("..");
+  await expect(panel).toContainText(/Ends in 23 h \d+ min\./);
+  const waiting = api(address, "/sensors?after=999999999&wait=25");
+  await page.getByRole("button", { name: "New key" }).click();
+  await page.getByRole("dialog").getByRole("button", { name: "Keep the old key" }).click();
+  expect((await api(address, "/sensors")).status).toBe(200);
+  await page.getByRole("button", { name: "New key" }).click();
+  await page.getByRole("dialog").getByRole("button", { name: "New key" }).click();
+  await expect(panel).toContainText("The new key counts now");
+  expect((await waiting).status).toBe(401);
+  expect((await api(address, "/commands", { action: "left 90" })).status).toBe(401);
+  await page.getByRole("button", { name: "Copy address with key" }).click();
+  const next = await page.evaluate(() => navigator.clipboard.readText());
+  expect(next.split("#")[0]).toBe(address.split("#")[0]);
+  expect((await api(next, "/commands", { action: "left 90" })).status).toBe(202);
+  await expect(page.getByRole("row", { name: /left 90/ })).toContainText("completed");
+  // For a reload.
+  expect(await page.evaluate(() => sessionStorage.getItem("corridor.remote"))).toContain(next);
+});
+
 test("taking over by hand cancels what the script asked for and says why", async ({ page }) => {
   await page.goto("/");
   const address = await copyAddress(page);

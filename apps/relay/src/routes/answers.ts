@@ -29,6 +29,12 @@ export const heldSessionSchema = z.strictObject({
   id: robotIdSchema,
   createdAt: z.iso.datetime(),
   lastUsedAt: z.iso.datetime(),
+  endsInSeconds: z
+    .int()
+    .min(0)
+    .describe(
+      "until it is forgotten, however much it is used; earlier when nobody uses it for 2 h",
+    ),
   drivers: driversSchema,
   /** null while the robot has not reported */
   snapshot: snapshotSchema.nullable(),

@@ -30,6 +30,7 @@ export function robotRoutes(hub: SessionHub, entrance: Entrance): Router {
         id: session.id,
         createdAt: new Date(session.createdAt).toISOString(),
         lastUsedAt: new Date(session.lastUsedAt).toISOString(),
+        endsInSeconds: Math.floor(session.leftMs / 1000),
         drivers: session.roster.now(),
         snapshot: session.newest,
       };

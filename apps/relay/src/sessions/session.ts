@@ -119,6 +119,11 @@ export class Session {
     return this.#lastUsedAt;
   }
 
+  /** Milliseconds until it is forgotten, as long as it is in use. */
+  get leftMs(): number {
+    return Math.max(0, this.createdAt + limits.sessionLifeMs - this.#clock.now());
+  }
+
   get hasPage(): boolean {
     return this.#seat.page !== null;
   }

@@ -148,6 +148,20 @@ async function openRobot() {
   return { ...page, session };
 }
 
+describe("a new key for scripts", () => {
+  it("is taken over while the robot drives on", async () => {
+    const { relay, host, view, states, drive, session } = await openRobot();
+    relay.accept("A", 1);
+    drive(50);
+    const address = session.address.replace(/#.*/, "#drv_new");
+    host.open({ ...session, driverKey: "drv_new", address }, false);
+    expect(view().session).toMatchObject({ driverKey: "drv_new", address, lastApplied: 1 });
+    drive(2_000);
+    expect(states()).toEqual([[1, "completed", null]]);
+    expect(relay.lines).toBe(1);
+  });
+});
+
 describe("connecting again while the line is lost", () => {
   it("drives each command once and loses no ending", async () => {
     const { relay, host, view, states, drive, session } = await openRobot();

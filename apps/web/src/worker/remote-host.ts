@@ -70,7 +70,10 @@ export class RemoteHost implements RemoteDriverEvents {
    * @param fresh whether a session's commands cannot be running any more: the page was loaded anew
    */
   open(session: RemoteSession | null, fresh: boolean): void {
-    if (this.#link !== null && session?.id === this.#session?.id) {
+    if (this.#link !== null && session !== null && session.id === this.#session?.id) {
+      // The robot may have a new key for scripts meanwhile.
+      const { driverKey, address } = session;
+      this.#session = { ...this.#session, driverKey, address };
       this.#link.open();
       return this.#tell(this.#status);
     }

@@ -4,13 +4,24 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { IconButton } from "../../ui/Button.tsx";
 import { CopyButton } from "../share/CopyButton.tsx";
+import type { RemoteSession } from "../../worker/worker-messages.ts";
+import { NewKey } from "./NewKey.tsx";
+import { useMinutesLeft } from "./use-minutes-left.ts";
 import { maskKey, type RobotAddress } from "./robot-address.ts";
 import styles from "./remote.module.css";
 
-export function AddressFields({ address }: { address: RobotAddress }) {
+interface AddressFieldsProps {
+  address: RobotAddress;
+  session: RemoteSession;
+}
+
+export function AddressFields({ address, session }: AddressFieldsProps) {
   const { t } = useTranslation();
   const [isKeyShown, setKeyShown] = useState(false);
   const [isRefused, setRefused] = useState(false);
+  const [newKey, setNewKey] = useState<"made" | "failed" | null>(null);
+  const minutesLeft = useMinutesLeft(session);
+  const timeLeft = useTimeText(minutesLeft);
   return (
     <dl className={styles["fields"]}>
       <dt className={styles["label"]}>{t("remote.address")}</dt>
@@ -47,8 +58,31 @@ export function AddressFields({ address }: { address: RobotAddress }) {
         />
       </dd>
       <dd className={styles["fieldNote"]}>
-        <output>{isRefused ? t("remote.copyByHand") : t("remote.keepPrivate")}</output>
+        <p>
+          <output>
+            {isRefused && t("remote.copyByHand")}
+            {!isRefused && newKey === "made" && t("remote.newKeyMade")}
+            {!isRefused && newKey === "failed" && t("remote.newKeyFailed")}
+          </output>
+          {!isRefused && newKey === null && t("remote.keepPrivate")} {timeLeft}
+        </p>
+        <NewKey
+          session={session}
+          onDone={(isMade) => {
+            setNewKey(isMade ? "made" : "failed");
+            setKeyShown(false);
+          }}
+        />
       </dd>
     </dl>
   );
+}
+
+function useTimeText(minutesLeft: number | null): string {
+  const { t } = useTranslation();
+  if (minutesLeft === null) return "";
+  const [hours, minutes] = [Math.floor(minutesLeft / 60), minutesLeft % 60];
+  return hours > 0
+    ? t("remote.endsInHours", { hours, minutes })
+    : t("remote.endsInMinutes", { minutes });
 }

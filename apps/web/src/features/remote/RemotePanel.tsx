@@ -13,12 +13,12 @@ export function RemotePanel() {
   const session = useStore(remote, (state) => state.session);
   const kind = useStore(remote, (state) => state.status.kind);
   const address = session === null ? null : robotAddress(session);
-  const isShown = address !== null && kind !== "off" && kind !== "over";
+  const isShown = session !== null && address !== null && kind !== "off" && kind !== "over";
   return (
     <div className={styles["panel"]}>
       <div className={styles["section"]}>
         <ConnectionCard />
-        {isShown && <AddressFields address={address} />}
+        {isShown && <AddressFields address={address} session={session} />}
       </div>
       {isShown && <Snippets address={address} />}
       <CommandList />

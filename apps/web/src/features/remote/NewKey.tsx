@@ -1,0 +1,51 @@
+/** A new key for scripts, in place of one that went astray: asks first, for scripts are cut off by it. */
+import { useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useServices } from "../../app/services.ts";
+import { Button } from "../../ui/Button.tsx";
+import { Dialog } from "../../ui/Dialog.tsx";
+import type { RemoteSession } from "../../worker/worker-messages.ts";
+import { withNewKey } from "./owner-calls.ts";
+import styles from "./remote.module.css";
+
+interface NewKeyProps {
+  session: RemoteSession;
+  /** @param isMade whether there is a new key now */
+  onDone: (isMade: boolean) => void;
+}
+
+export function NewKey({ session, onDone }: NewKeyProps) {
+  const { t } = useTranslation();
+  const { simulator } = useServices();
+  const [isAsking, setAsking] = useState(false);
+  const make = async (): Promise<void> => {
+    setAsking(false);
+    const next = await withNewKey(fetch, session);
+    // The worker keeps the link; what it tells back is kept for a reload.
+    if (next !== null) simulator.send({ type: "remote-open", session: next, fresh: false });
+    onDone(next !== null);
+  };
+  return (
+    <>
+      <button type="button" className={styles["link"]} onClick={() => setAsking(true)}>
+        {t("remote.newKey")}
+      </button>
+      <Dialog
+        isOpen={isAsking}
+        onClose={() => setAsking(false)}
+        title={t("remote.newKeyTitle")}
+        width="narrow"
+        footer={
+          <div className={styles["choices"]}>
+            <Button onClick={() => setAsking(false)}>{t("remote.keepKey")}</Button>
+            <Button kind="primary" onClick={() => void make()}>
+              {t("remote.newKey")}
+            </Button>
+          </div>
+        }
+      >
+        <p>{t("remote.newKeyNote")}</p>
+      </Dialog>
+    </>
+  );
+}

@@ -1,0 +1,26 @@
+/** How long a robot's address is good for, asked of the service now and then. */
+import { useEffect, useState } from "react";
+import type { RemoteSession } from "../../worker/worker-messages.ts";
+import { secondsLeft } from "./owner-calls.ts";
+
+const ASK_EVERY_MS = 60_000;
+
+/** Whole minutes; null while nobody can tell. */
+export function useMinutesLeft(session: RemoteSession): number | null {
+  const [minutes, setMinutes] = useState<number | null>(null);
+  const { id, ownerKey } = session;
+  useEffect(() => {
+    let isOver = false;
+    const look = async (): Promise<void> => {
+      const seconds = await secondsLeft(fetch, { id, ownerKey });
+      if (!isOver) setMinutes(seconds === null ? null : Math.floor(seconds / 60));
+    };
+    void look();
+    const timer = setInterval(() => void look(), ASK_EVERY_MS);
+    return () => {
+      isOver = true;
+      clearInterval(timer);
+    };
+  }, [id, ownerKey]);
+  return minutes;
+}
