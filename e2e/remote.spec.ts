@@ -178,6 +178,20 @@ test("a new key cuts off who has the old one, and the page goes on with the new 
   expect(await page.evaluate(() => sessionStorage.getItem("corridor.remote"))).toContain(next);
 });
 
+test("an address to watch reads the robot and cannot drive it", async ({ page }) => {
+  await page.goto("/");
+  await copyAddress(page);
+  await page.getByRole("button", { name: "Make an address that only reads" }).click();
+  await expect(page.getByRole("button", { name: "Copy address to watch" })).toBeFocused();
+  await page.keyboard.press("Enter");
+  const copied = () => page.evaluate(() => navigator.clipboard.readText());
+  await expect.poll(copied).toContain("#wch_");
+  const address = await copied();
+  expect((await api(address, "/sensors?wait=5")).status).toBe(200);
+  expect((await api(address, "/commands", { action: "left 90" })).status).toBe(403);
+  await expect(connection(page)).toHaveText("Waiting for a script");
+});
+
 test("taking over by hand cancels what the script asked for and says why", async ({ page }) => {
   await page.goto("/");
   const address = await copyAddress(page);

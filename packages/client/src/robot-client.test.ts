@@ -46,6 +46,14 @@ describe("RobotClient", () => {
     ]);
   });
 
+  it("says that it only looks on where its key is for watching", () => {
+    const platform = new FakePlatform();
+    const address = ADDRESS.replace("#drv_", "#wch_");
+    void RobotClient.connect(address, { platform }).catch(() => undefined);
+    platform.socket.open();
+    expect(platform.socket.sent).toMatchObject([{ type: "hello", role: "watch" }]);
+  });
+
   it("keeps the promise of a manoeuvre when the robot has ended it", async () => {
     const { robot, tell } = await connected();
     const move = robot.move(120);

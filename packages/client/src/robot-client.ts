@@ -261,7 +261,9 @@ export class RobotClient {
 
   #hello(key: string): string {
     const since = this.#since === null ? {} : { since: this.#since };
-    return encodeFrame({ type: "hello", version: PROTOCOL_VERSION, role: "drive", key, ...since });
+    // A watch key reads all there is; commands are refused by the service.
+    const role = key.startsWith("wch_") ? "watch" : "drive";
+    return encodeFrame({ type: "hello", version: PROTOCOL_VERSION, role, key, ...since });
   }
 
   #sendFirst(): void {

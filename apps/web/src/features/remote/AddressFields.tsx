@@ -6,6 +6,7 @@ import { IconButton } from "../../ui/Button.tsx";
 import { CopyButton } from "../share/CopyButton.tsx";
 import type { RemoteSession } from "../../worker/worker-messages.ts";
 import { NewKey } from "./NewKey.tsx";
+import { WatchField } from "./WatchField.tsx";
 import { useMinutesLeft } from "./use-minutes-left.ts";
 import { maskKey, type RobotAddress } from "./robot-address.ts";
 import styles from "./remote.module.css";
@@ -74,6 +75,7 @@ export function AddressFields({ address, session }: AddressFieldsProps) {
           }}
         />
       </dd>
+      <WatchField session={session} />
     </dl>
   );
 }

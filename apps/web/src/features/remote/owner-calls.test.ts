@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { secondsLeft, withNewKey, type Ask } from "./owner-calls.ts";
+import { secondsLeft, watchAddress, withNewKey, type Ask } from "./owner-calls.ts";
 
 const id = "A".repeat(22);
 const session = {
@@ -30,6 +30,14 @@ describe("a new key for scripts", () => {
     ]);
   });
 
+  it("is made for onlookers beside it", async () => {
+    const address = `https://host/r/${id}#wch_new`;
+    const made = { id: "k3J9x2", kind: "watch", key: "wch_new", address };
+    const { asked, ask } = service(() => Response.json(made, { status: 201 }));
+    expect(await watchAddress(ask, session)).toBe(address);
+    expect(asked[0]).toContain('{"kind":"watch","replace":true}');
+  });
+
   it.each([
     { what: "nothing answers", answer: () => Promise.reject(new TypeError("offline")) },
     { what: "files alone answer", answer: () => new Response("<html>") },
@@ -37,6 +45,7 @@ describe("a new key for scripts", () => {
   ])("is not to be had where $what, and the time left neither", async ({ answer }) => {
     const { ask } = service(answer);
     expect(await withNewKey(ask, session)).toBeNull();
+    expect(await watchAddress(ask, session)).toBeNull();
     expect(await secondsLeft(ask, session)).toBeNull();
   });
 });

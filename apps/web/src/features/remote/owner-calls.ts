@@ -1,5 +1,5 @@
-/** What the owner of a robot asks of the service: how long the robot has left, and a new key for scripts. */
-import { madeKeySchema, readJson } from "@corridor/protocol";
+/** What the owner of a robot asks of the service: how long the robot has left, and new keys. */
+import { madeKeySchema, readJson, type MadeKey } from "@corridor/protocol";
 import type { RemoteSession } from "../../worker/worker-messages.ts";
 
 const MAX_ANSWER = 4_096;
@@ -30,16 +30,31 @@ export async function secondsLeft(
  * @returns the session with the new address; null when the service made none
  */
 export async function withNewKey(ask: Ask, session: RemoteSession): Promise<RemoteSession | null> {
-  const { id, ownerKey } = session;
+  const made = await makeKey(ask, session, "drive");
+  return made === null ? null : { ...session, driverKey: made.key, address: made.address };
+}
+
+/**
+ * Makes a key for whoever only looks on; an earlier one ends.
+ * @returns the address with it; null when the service made none
+ */
+export async function watchAddress(ask: Ask, session: RemoteSession): Promise<string | null> {
+  return (await makeKey(ask, session, "watch"))?.address ?? null;
+}
+
+async function makeKey(
+  ask: Ask,
+  { id, ownerKey }: RemoteSession,
+  kind: MadeKey["kind"],
+): Promise<MadeKey | null> {
   try {
     const answer = await ask(`/api/v1/robots/${id}/keys`, {
       method: "POST",
       headers: { ...bearer(ownerKey), "Content-Type": "application/json" },
-      body: JSON.stringify({ kind: "drive", replace: true }),
+      body: JSON.stringify({ kind, replace: true }),
     });
     const made = readJson(madeKeySchema, await answer.text(), MAX_ANSWER);
-    if (!answer.ok || !made.ok) return null;
-    return { ...session, driverKey: made.value.key, address: made.value.address };
+    return answer.ok && made.ok ? made.value : null;
   } catch {
     return null;
   }
