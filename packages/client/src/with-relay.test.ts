@@ -112,6 +112,28 @@ describe("a script and a robot at the real relay", () => {
     });
   });
 
+  it("tells a script at once when its key was revoked, and not to try again", async () => {
+    const { relay, registration } = await robotIn(CORRIDOR);
+    const robot = await RobotClient.connect(registration.address);
+    const made = await fetch(`${relay.origin}/api/v1/robots/${registration.id}/keys`, {
+      method: "POST",
+      headers: {
+        Authorization: `Bearer ${registration.ownerKey}`,
+        "Content-Type": "application/json",
+      },
+      body: JSON.stringify({ kind: "drive", replace: true }),
+    });
+    expect(made.status).toBe(201);
+    await expect(robot.move(10)).rejects.toMatchObject({
+      code: "not-authorised",
+      message: expect.stringContaining("revoked") as string,
+    });
+    const { address } = (await made.json()) as { address: string };
+    const next = await RobotClient.connect(address);
+    await next.move(10);
+    next.close();
+  });
+
   it("tells a script with a wrong key and one without a robot apart", async () => {
     const { relay, registration } = await robotIn(CORRIDOR);
     const wrongKey = `${relay.origin}/r/${registration.id}#drv_AAAAAAAAAAAAAAAAAAAAAA`;

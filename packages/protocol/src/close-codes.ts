@@ -30,7 +30,7 @@ export const closeReasons = {
   },
   notAuthorised: {
     code: 4401,
-    cause: "the first message did not carry a valid key in time",
+    cause: "no valid key came in time, or it was revoked",
     remedy: "Copy the robot's address again, with everything after the #.",
     retry: false,
   },
