@@ -112,11 +112,21 @@ test("a robot keeps its address over a reload, and a running command ends cancel
   await page.goto("/");
   const address = await copyAddress(page);
   await setSpeed(page, "0.25");
+  const poseOf = async () => (await (await api(address, "/sensors")).json()).pose;
+  const start = await poseOf();
+  const wayFrom = async ({ x, y }: typeof start) => {
+    const pose = await poseOf();
+    return Math.hypot(pose.x - x, pose.y - y);
+  };
   await api(address, "/commands", { action: "move", distance: 200 });
   await expect(page.getByRole("row", { name: /move 200/ })).toContainText("running");
+  await expect.poll(() => wayFrom(start)).toBeGreaterThan(5);
   await page.reload();
   const record = await (await api(address, "/commands/1?wait=20")).json();
   expect(record).toMatchObject({ state: "cancelled" });
+  // The way that it had come is there, and Remote still drives.
+  await expect(page.getByRole("radio", { name: "Remote" })).toBeChecked();
+  expect(await wayFrom(start)).toBeGreaterThan(5);
   await setSpeed(page, "16");
   await api(address, "/commands", { action: "move", distance: 50 });
   const next = await (await api(address, "/commands/2?wait=20")).json();

@@ -125,7 +125,10 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   // The page stands before what its address asks for: a link may take long, or never come to an end.
   void followOrTell().finally(() => {
     screen.setState({ isOpening: false });
-    void services.runKeeper.resume().then(() => services.lessons.handOver());
+    void services.runKeeper.resume().then(() => {
+      services.connection.goOn();
+      services.lessons.handOver();
+    });
   });
 
   await whenSettled(services.run);

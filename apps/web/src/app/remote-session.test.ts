@@ -101,6 +101,8 @@ describe("RemoteConnection", () => {
     for (let reload = 0; reload < 2; reload++) {
       const reloaded = openPage(page.tab);
       reloaded.drive("program");
+      expect(reloaded.sent).toEqual([]);
+      reloaded.connection.goOn();
       reloaded.drive("remote");
       expect(reloaded.sent).toEqual([
         { type: "remote-open", session, fresh: true },
@@ -109,12 +111,24 @@ describe("RemoteConnection", () => {
     }
   });
 
+  it("leaves the robot to the hand that took it while the run of before was brought back", () => {
+    const page = openPage();
+    page.drive("remote");
+    page.remote.setState({ status: { kind: "waiting" }, session });
+    const reloaded = openPage(page.tab);
+    reloaded.drive("me");
+    reloaded.connection.goOn();
+    expect(reloaded.sent).toEqual([]);
+  });
+
   it.each(["me", "program"] as const)("leaves a reload alone when %s drove last", (driver) => {
     const page = openPage();
     page.drive("remote");
     page.remote.setState({ status: { kind: "waiting" }, session });
     page.drive(driver);
-    expect(openPage(page.tab).sent).toEqual([]);
+    const reloaded = openPage(page.tab);
+    reloaded.connection.goOn();
+    expect(reloaded.sent).toEqual([]);
   });
 
   it("asks for another robot once the session is over", () => {

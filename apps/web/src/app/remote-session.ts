@@ -27,16 +27,18 @@ export class RemoteConnection {
   #isFresh = true;
   /** asked for, and no word from the worker yet */
   #isOpening = false;
+  /** Remote drove when the page was reloaded */
+  #goesOn: boolean;
 
-  /**
-   * Connects by itself whenever the driver becomes remote and nothing is connected, and when the page
-   * was reloaded while Remote drove.
-   */
+  /** Connects by itself whenever the driver becomes remote and nothing is connected. */
   constructor(ports: RemotePorts) {
     this.#ports = ports;
     const { run, remote, tab } = ports;
+    this.#goesOn = tab.getItem(DRIVING_KEY) !== null && readSession(tab) !== null;
     run.subscribe(({ nowDriver: driver }, before) => {
       if (driver === null || driver === before.nowDriver) return;
+      if (driver === "me") this.#goesOn = false;
+      if (this.#goesOn) return;
       if (driver !== "remote") return tab.removeItem(DRIVING_KEY);
       keep(tab, DRIVING_KEY, "yes");
       if (remote.getState().status.kind === "off" && !this.#isOpening) this.connect();
@@ -48,7 +50,16 @@ export class RemoteConnection {
         keep(tab, SESSION_KEY, JSON.stringify(session));
       }
     });
-    if (tab.getItem(DRIVING_KEY) !== null && readSession(tab) !== null) this.connect();
+  }
+
+  /**
+   * Lets Remote drive again where it drove before a reload. Called once the run of before is back: one that
+   * is opened ends with another driver, and is not opened at all where somebody drives already.
+   */
+  goOn(): void {
+    if (!this.#goesOn) return;
+    this.#goesOn = false;
+    this.connect();
   }
 
   /** Lets Remote drive, and opens the robot of this tab again or asks for a new one. */
