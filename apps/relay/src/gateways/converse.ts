@@ -4,6 +4,7 @@ import type { Logger } from "pino";
 import type { Metrics } from "../metrics/metrics.ts";
 import { asRefusal, type ProblemKind } from "../problems.ts";
 import type { Grant } from "../sessions/session-hub.ts";
+import { bounded } from "./bounded.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
 import { DriverConversation } from "./driver-conversation.ts";
 import { PageConversation } from "./page-conversation.ts";
@@ -32,9 +33,10 @@ export interface Guest {
  * @throws Refusal when too many read already
  */
 export function converse({ hello, grant, line, client, metrics }: Guest): Conversation {
-  if (hello.role === "own") return new PageConversation(grant, line);
+  if (hello.role === "own") return bounded(new PageConversation(grant, line), line);
   const refused = (kind: ProblemKind): void => metrics.refused(kind);
-  return new DriverConversation({ grant, line, client, since: hello.since ?? null, refused });
+  const since = hello.since ?? null;
+  return bounded(new DriverConversation({ grant, line, client, since, refused }), line);
 }
 
 /** Closes a line because of an error; a mistake of the relay goes to its log. */
