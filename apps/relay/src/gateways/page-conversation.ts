@@ -23,6 +23,9 @@ export class PageConversation implements Conversation {
     this.#grant = grant;
     this.#port = port;
     this.#link = {
+      get isOpen() {
+        return port.isOpen;
+      },
       send: (message) => port.send(encodeFrame(message)),
       close: (reason) => closeWith(port, reason),
     };

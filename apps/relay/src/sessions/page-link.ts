@@ -2,6 +2,8 @@
 import type { CloseReason, RelayToPage } from "@corridor/protocol";
 
 export interface PageLink {
+  /** false once the page is gone or was sent away */
+  readonly isOpen: boolean;
   send(message: RelayToPage): void;
   close(reason: CloseReason): void;
 }

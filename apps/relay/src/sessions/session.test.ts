@@ -8,6 +8,7 @@ import {
   type Ending,
   type Order,
   type RelayToPage,
+  type Resume,
 } from "@corridor/protocol";
 import { pino } from "pino";
 import { describe, expect, it, onTestFinished } from "vitest";
@@ -56,6 +57,7 @@ async function page({ session }: Robot, resume: { lastApplied?: number; endings?
   const told: RelayToPage[] = [];
   const closed: number[] = [];
   const link: PageLink = {
+    isOpen: true,
     send: (message) => told.push(message),
     close: ({ code }) => closed.push(code),
   };
@@ -95,6 +97,30 @@ describe("a robot session: delivery", () => {
     await host.ended(completed(1));
     await host.ended(completed(2));
     expect(host.seqs("command")).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+  });
+
+  it("gives nothing to a page that went while it took the robot, and all to the next", async () => {
+    const robot = await withRobot();
+    await robot.submit(LEFT);
+    const told: RelayToPage[] = [];
+    let isOpen = true;
+    const link: PageLink = {
+      get isOpen() {
+        return isOpen;
+      },
+      send: (message) => told.push(message),
+      close: () => undefined,
+    };
+    const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
+    const taken = robot.session.takePage(link, nothing);
+    isOpen = false;
+    robot.session.leavePage(link);
+    await taken;
+    expect(robot.session.hasPage).toBe(false);
+    expect(told.filter(({ type }) => type === "command")).toEqual([]);
+    expect(await robot.states()).toEqual(["1 accepted"]);
+    const host = await page(robot);
+    expect(host.seqs("command")).toEqual([1]);
   });
 
   it("acknowledges a command before anything else is said about it", async () => {

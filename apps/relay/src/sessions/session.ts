@@ -156,6 +156,8 @@ export class Session {
       this.#used();
       this.#view.pageCame(this.#clock.now());
       this.#tellScripts();
+      // It went before it was seated, when there was nothing to leave yet.
+      if (!link.isOpen) this.leavePage(link);
     });
   }
 

@@ -39,6 +39,7 @@ async function withRelays() {
     const told: RelayToPage[] = [];
     const closed: number[] = [];
     const link: PageLink = {
+      isOpen: true,
       send: (message) => told.push(message),
       close: ({ code }) => closed.push(code),
     };
