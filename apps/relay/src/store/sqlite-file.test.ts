@@ -12,8 +12,8 @@ import { SqliteStore } from "./sqlite-store.ts";
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const LONG_REASON = "x".repeat(200);
 
-/** A robot with commands that wait and run, on a disk that is full but for the ballast. */
-async function onFullDisk() {
+/** A robot with commands that wait and run, on a disk that is full but for the ballast, which is held. */
+async function onFillingDisk() {
   const ballast = { isHeld: true, hasRoom: false, giveUp: () => false };
   const holder: Ballast = {
     giveUp: () => ballast.giveUp(),
@@ -48,6 +48,16 @@ async function onFullDisk() {
     return wasHeld;
   };
   fill();
+  const hasRoomAgain = (): void => {
+    makeRoom();
+    ballast.hasRoom = true;
+  };
+  return { store, add, hasRoomAgain };
+}
+
+/** The same after the first command that was refused. */
+async function onFullDisk() {
+  const { store, add, hasRoomAgain } = await onFillingDisk();
   let stored = 0;
   const fails = await (async () => {
     for (;;) {
@@ -59,10 +69,6 @@ async function onFullDisk() {
       }
     }
   })();
-  const hasRoomAgain = (): void => {
-    makeRoom();
-    ballast.hasRoom = true;
-  };
   return { store, add, fails, hasRoomAgain };
 }
 
@@ -87,6 +93,17 @@ describe("a full disk", () => {
     expect(await store.takeOver(ID, page)).toMatchObject({ epoch: 2 });
     expect(await store.remove(ID)).toBe(true);
     expect(await store.find(ID)).toBeNull();
+  });
+
+  it("lets all steps through that it meets at once, a stop among them", async () => {
+    const { store, add } = await onFillingDisk();
+    const endings = Array.from({ length: 50 }, (_, index) =>
+      store.end(ID, 1, { ...completed(index + 1), reason: LONG_REASON }),
+    );
+    const stop = add({ action: "stop" });
+    const outcomes = (await Promise.all(endings)).map(({ outcome }) => outcome);
+    expect(new Set(outcomes)).toEqual(new Set(["ended"]));
+    expect(await stop).toMatchObject({ outcome: "stored" });
   });
 
   it("takes new commands by itself once there is as much room as it holds back", async () => {

@@ -47,7 +47,9 @@ export class SqliteFile {
     try {
       return await this.#commits.run(work);
     } catch (error) {
-      if (!this.#gaveUpBallast(error)) throw error;
+      if (!isDiskFull(error)) throw error;
+      // Once, whoever of its group was first to give the ballast up: the room is there for all of them.
+      this.#noteFull(error);
       return this.#commits.run(work);
     }
   }
@@ -61,7 +63,7 @@ export class SqliteFile {
     try {
       return await this.#commits.run(work);
     } catch (error) {
-      this.#gaveUpBallast(error);
+      this.#noteFull(error);
       throw error;
     }
   }
@@ -87,7 +89,7 @@ export class SqliteFile {
       return "ok";
     } catch (error) {
       if (!isDiskFull(error)) throw error;
-      this.#gaveUpBallast(error);
+      this.#noteFull(error);
       return "full";
     }
   }
@@ -99,10 +101,10 @@ export class SqliteFile {
     this.#db.close();
   }
 
-  #gaveUpBallast(error: unknown): boolean {
-    if (!isDiskFull(error)) return false;
+  #noteFull(error: unknown): void {
+    if (!isDiskFull(error)) return;
     this.#isFull = true;
-    return this.#ballast.giveUp();
+    this.#ballast.giveUp();
   }
 
   #findRoom(everyMs = LOOK_MS): boolean {
