@@ -127,7 +127,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
     screen.setState({ isOpening: false });
     void services.runKeeper.resume().then(() => {
       services.connection.goOn();
-      services.lessons.handOver();
+      void services.lessons.handOver();
     });
   });
 
