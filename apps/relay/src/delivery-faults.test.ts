@@ -11,7 +11,7 @@ import { FaultyWorld } from "./testing/faults/faulty-world.ts";
 
 const STEPS = 200;
 /** Seeds that have failed once; they are never taken away. */
-const failedBefore = [58, 68, 84, 87, 95];
+const failedBefore = [58, 68, 84, 87, 95, 138, 152, 314, 322];
 const seeds = Array.from({ length: 100 }, (_none, index) => index + 1);
 
 /** Where a commit costs no wait for a disk, if there is such a place: what counts here is the order. */
@@ -32,14 +32,12 @@ it("nothing is lost, doubled, reordered, ended twice or late, whatever breaks", 
   expect(faults).toEqual({});
 });
 
-it("nothing is lost, doubled, reordered or ended twice at two relays, whichever page and script reach", async () => {
+it("nothing is lost, doubled, reordered or ended twice or late at two relays, whichever page and script reach", async () => {
   const folder = quickFolder();
   const faults: Record<number, string[]> = {};
   for (const seed of seeds.slice(0, 40)) {
     const found = await FaultyWorld.run(seed, folder, STEPS, 2);
-    // How late something starts is between the page and its line, and looked at above.
-    const ofRelays = found.filter((fault) => !fault.endsWith("too late"));
-    if (ofRelays.length > 0) faults[seed] = ofRelays;
+    if (found.length > 0) faults[seed] = found;
   }
   expect(faults).toEqual({});
 });

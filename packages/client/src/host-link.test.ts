@@ -216,6 +216,23 @@ describe("HostLink", () => {
     expect(platform.socket.sent[1]).toMatchObject({ endings: [] });
   });
 
+  it("trusts no welcome that was held up, and asks for the relay's time until an answer is quick", () => {
+    const { platform, delivered } = host();
+    const asked = () => platform.socket.sent.filter(({ type }) => type === "time");
+    platform.socket.open();
+    platform.pass(3_000);
+    platform.socket.receive({ type: "welcome", version: 1, epoch: 4, at: 0 });
+    platform.socket.receive({ ...command(1), at: 0, remaining: 2_000 });
+    expect(asked()).toEqual([{ type: "time", epoch: 4 }]);
+    platform.pass(20);
+    platform.socket.receive({ type: "time", at: 3_010 });
+    platform.socket.receive({ ...command(2), at: 3_010, remaining: 2_000 });
+    const scripts = { connected: 1, client: "Python", silentMs: 0, alive: [] };
+    platform.socket.receive({ type: "drivers", at: 3_010, ...scripts });
+    expect(delivered.map(({ remaining }) => remaining)).toEqual([0, 1_990]);
+    expect(asked()).toHaveLength(1);
+  });
+
   it("takes from the time that is left what a command was held up, and from the life of a script", () => {
     const { platform, delivered, alive, welcome } = host();
     welcome();

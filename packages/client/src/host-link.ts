@@ -180,13 +180,13 @@ export class HostLink {
   #received(message: RelayToPage): void {
     switch (message.type) {
       case "welcome":
-        this.#transit.came(message.at, this.#clock.now());
+        this.#transit.answered(message.at, this.#clock.now());
         this.#epoch = message.epoch;
         this.#fresh = false;
         for (const ending of this.#endings.values()) {
           if (!this.#resumed.has(ending.seq)) this.#sendEnding(ending);
         }
-        return;
+        return this.#askTime();
       case "command": {
         const command = this.#delivered(message);
         if (this.#isNew(command.seq)) this.#options.onCommand(command);
@@ -215,11 +215,21 @@ export class HostLink {
           silentMs: silentMs + waited,
           lineMs: lineMs === null ? null : lineMs + waited,
         }));
+        this.#askTime();
         return this.#options.onDrivers(drivers, now);
       }
+      case "time":
+        return this.#transit.answered(message.at, this.#clock.now());
       case "heartbeat":
         return;
     }
+  }
+
+  /** Asks for the relay's time where it is not known well, about as often as it tells of scripts. */
+  #askTime(): void {
+    if (!this.#connection.isConnected || !this.#transit.isVague) return;
+    this.#transit.asked(this.#clock.now());
+    this.#send({ type: "time", epoch: this.#epoch });
   }
 
   /** A command as it is now: what was held up on the way has less time left. */

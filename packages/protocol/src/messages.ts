@@ -72,8 +72,10 @@ export const pageToRelaySchema = z.discriminatedUnion(
     z.strictObject({ type: z.literal("snapshot"), epoch, snapshot: snapshotSchema }),
     z.strictObject({ type: z.literal("started"), epoch, seq }),
     endingSchema.extend({ type: z.literal("ended"), epoch }),
+    /** asks for the relay's time: the answer to the greeting took long, which leaves delays in doubt */
+    z.strictObject({ type: z.literal("time"), epoch }),
   ],
-  { error: "one of snapshot, started, ended" },
+  { error: "one of snapshot, started, ended, time" },
 );
 export type PageToRelay = z.infer<typeof pageToRelaySchema>;
 
@@ -146,9 +148,14 @@ export const relayToPageSchema = z.discriminatedUnion(
       alive: z.array(aliveDriverSchema).max(32),
       at,
     }),
+    /** the answer to `time` */
+    z.strictObject({ type: z.literal("time"), at }),
     heartbeat,
   ],
-  { error: "one of welcome, command, stop, cancel, stored, refused, state, drivers, heartbeat" },
+  {
+    error:
+      "one of welcome, command, stop, cancel, stored, refused, state, drivers, time, heartbeat",
+  },
 );
 export type RelayToPage = z.infer<typeof relayToPageSchema>;
 

@@ -120,7 +120,7 @@ export class CommandLife {
   /** The page says what became of a command. */
   async hearPage(
     link: PageLink,
-    message: Exclude<PageToRelay, { type: "snapshot" }>,
+    message: Extract<PageToRelay, { type: "started" | "ended" }>,
   ): Promise<void> {
     await this.#work.run(async () => {
       if (!this.#seat.isHeldBy(link)) return;

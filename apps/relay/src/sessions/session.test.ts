@@ -123,6 +123,14 @@ describe("a robot session: delivery", () => {
     expect(host.seqs("command")).toEqual([1]);
   });
 
+  it("tells the page its time, so that the page knows what a frame was held up", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await robot.session.hearPage(host.link, { type: "time", epoch: host.epoch });
+    const welcome = host.told.find(({ type }) => type === "welcome");
+    expect(host.told.at(-1)).toEqual({ type: "time", at: (welcome as { at: number }).at });
+  });
+
   it("acknowledges a command before anything else is said about it", async () => {
     const robot = await withRobot();
     await page(robot);

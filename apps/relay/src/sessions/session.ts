@@ -174,6 +174,7 @@ export class Session {
   async hearPage(link: PageLink, message: PageToRelay): Promise<void> {
     if (!this.#seat.isHeldBy(link)) return;
     if (message.epoch !== this.#seat.page?.epoch) return link.close(closeReasons.replaced);
+    if (message.type === "time") return link.send({ type: "time", at: this.#clock.now() });
     this.#used();
     if (message.type !== "snapshot") return this.#life.hearPage(link, message);
     this.#view.report(message.snapshot, this.#clock.now());
