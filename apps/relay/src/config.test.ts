@@ -72,6 +72,18 @@ describe("readConfig", () => {
     expect(result).toMatchObject({ ok: false, problems: [{ path: name }] });
   });
 
+  it.each([
+    "http://robot:hunter2@10.0.0.5:6379",
+    "robot:hunter2@10.0.0.5:6379",
+    "redis://:hunter2@",
+    "hunter2",
+  ])("never shows the password of a store: %s", (value) => {
+    const result = readConfig({ STORE_URL: value });
+    const text = result.ok ? "" : describeConfigProblems(result.problems);
+    expect(text).toContain("STORE_URL: found something else");
+    expect(text).not.toContain("hunter2");
+  });
+
   it("names every wrong setting at once, in words", () => {
     const result = readConfig({ PORT: "x", LOG_LEVEL: "loud" });
     const text = result.ok ? "" : describeConfigProblems(result.problems);

@@ -102,6 +102,15 @@ export interface Config {
   logLevel: (typeof LOG_LEVELS)[number];
 }
 
+/** Settings that hold a password, which no log may show, even where it stands in the wrong place. */
+const secretNames: ReadonlySet<string> = new Set(["STORE_URL"]);
+
+function withoutSecrets(problem: FieldProblem): FieldProblem {
+  return secretNames.has(problem.path)
+    ? { ...problem, found: "something else (not shown: it may hold a password)" }
+    : problem;
+}
+
 /**
  * Reads the settings.
  * @param environment such as process.env; an empty value counts as unset
@@ -113,7 +122,7 @@ export function readConfig(
     Object.entries(environment).filter(([, value]) => value !== undefined && value !== ""),
   );
   const result = readValue(environmentSchema, given);
-  if (!result.ok) return result;
+  if (!result.ok) return { ok: false, problems: result.problems.map(withoutSecrets) };
   const { value } = result;
   return {
     ok: true,
