@@ -42,6 +42,7 @@ const robot = parameters("path", z.object({ id: robotIdSchema }));
 const idempotencyKey = parameters("header", idempotencyHeader);
 const driver = [{ driverKey: [] }];
 const reader = [{ driverKey: [] }, { watchKey: [] }];
+const logReader = [...reader, { ownerKey: [] }];
 const line = [{ lineKey: [] }];
 const owner = [{ ownerKey: [] }];
 const shortLink = parameters("path", z.object({ id: shortLinkIdSchema }));
@@ -160,7 +161,7 @@ export const calls: ZodOpenApiPathsObject = {
       operationId: "listCommands",
       summary: "List the commands of a robot in their order, with their states",
       description: "Ask again with `after` set to the last `seq` for the next part.",
-      security: reader,
+      security: logReader,
       parameters: parameters("query", logQuery),
       responses: {
         200: answer("The next part of the log; empty at its end.", commandLogSchema),
@@ -183,7 +184,7 @@ export const calls: ZodOpenApiPathsObject = {
     get: {
       operationId: "followCommand",
       summary: "Read the record of a command, or wait for its end",
-      security: reader,
+      security: logReader,
       parameters: parameters("query", waitQuery),
       responses: {
         200: answer("The record, at its end or when the time is over.", commandRecordSchema),

@@ -34,7 +34,7 @@ export function commandRoutes(hub: SessionHub): Router {
       },
     )
     .get(async (request, response) => {
-      const { session } = await hearScript(hub, request, response, "read");
+      const { session } = await hearScript(hub, request, response, "log");
       const { after } = readAfter(request);
       const log: CommandLog = { commands: await session.commandsAfter(after) };
       response.json(log);
@@ -49,7 +49,7 @@ export function commandRoutes(hub: SessionHub): Router {
   router
     .route("/robots/:id/commands/:seq")
     .get(async (request, response) => {
-      const { session, key } = await hearScript(hub, request, response, "read");
+      const { session, key } = await hearScript(hub, request, response, "log");
       const { wait } = readWait(request);
       const seq = readSeq(request.params.seq);
       response.json(await session.endOf(seq, patienceOf(response, wait, key)));

@@ -11,8 +11,8 @@ const ACT = { action: "left 90" };
 /** The calls that each right is for. */
 const calls: { verb: Verb; method: string; path: string; body?: unknown }[] = [
   { verb: "read", method: "GET", path: "/sensors" },
-  { verb: "read", method: "GET", path: "/commands" },
-  { verb: "read", method: "GET", path: "/commands/1" },
+  { verb: "log", method: "GET", path: "/commands" },
+  { verb: "log", method: "GET", path: "/commands/1" },
   { verb: "read", method: "GET", path: "/events?wait=0" },
   { verb: "read", method: "GET", path: "/events" },
   { verb: "command", method: "POST", path: "/commands", body: ACT },
@@ -93,6 +93,23 @@ describe("who may", () => {
       stop.abort();
     }
     expect(found).toEqual(expectedFor(verb, { yes: "yes", forbidden: 403, stranger: 401 }));
+  });
+
+  it("the owner reads the log of commands, and is no script for that", async () => {
+    const relay = await startTestRelay();
+    const robot = await relay.register();
+    const own = { key: robot.ownerKey };
+    const drivers = async () => {
+      const held = (await (await relay.ask(robot, "", own)).json()) as { drivers: unknown };
+      return held.drivers;
+    };
+    const nobody = await drivers();
+    const log = await relay.ask(robot, "/commands", own);
+    expect(log.status).toBe(200);
+    expect(await log.json()).toEqual({ commands: [] });
+    expect(await drivers()).toEqual(nobody);
+    await relay.ask(robot, "/commands", { method: "POST", body: ACT });
+    expect(await (await relay.ask(robot, "/commands/1", own)).json()).toMatchObject({ seq: 1 });
   });
 
   it.each([

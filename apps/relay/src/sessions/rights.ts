@@ -14,8 +14,10 @@ export const rights = {
   remove: ["own"],
   /** send commands, take back its own, stop the robot */
   command: ["drive"],
-  /** snapshots, states of commands and their log */
+  /** snapshots, and states of commands */
   read: ["drive", "watch"],
+  /** the commands that are held, and what became of them */
+  log: ["own", "drive", "watch"],
 } as const satisfies Record<string, readonly KeyKind[]>;
 
 export type Verb = keyof typeof rights;

@@ -209,8 +209,8 @@ export class Session {
   /** A script was heard by HTTP or socket. @returns to be called once its request is answered */
   heard(client: string, { hash, kind }: StoredKey): () => void {
     this.#used();
-    // Who looks on is no script.
-    return kind === "watch" ? () => undefined : this.roster.heard(client, hash);
+    // Who looks on is no script, nor is the owner.
+    return kind === "drive" ? this.roster.heard(client, hash) : () => undefined;
   }
 
   /**
