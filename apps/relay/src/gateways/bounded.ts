@@ -1,5 +1,5 @@
 /**
- * A bound on the messages of one line that are taken but not finished. They wait for the store one after
+ * A bound on the messages of one page that are taken but not finished. They wait for the store one after
  * the other, so whoever sends without end would fill the memory of the relay.
  */
 import { closeReasons } from "@corridor/protocol";

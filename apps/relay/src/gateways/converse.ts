@@ -36,7 +36,7 @@ export function converse({ hello, grant, line, client, metrics }: Guest): Conver
   if (hello.role === "own") return bounded(new PageConversation(grant, line), line);
   const refused = (kind: ProblemKind): void => metrics.refused(kind);
   const since = hello.since ?? null;
-  return bounded(new DriverConversation({ grant, line, client, since, refused }), line);
+  return new DriverConversation({ grant, line, client, since, refused });
 }
 
 /** Closes a line because of an error; a mistake of the relay goes to its log. */

@@ -41,7 +41,7 @@ export const limits = {
   relaySilenceMs: 6_000,
   /** how long a relay that begins to hold a robot waits for the newest snapshot from the page's relay */
   relayMeetMs: 500,
-  /** messages of one line that are taken and not done: a page or script sends some 20 at most ahead */
+  /** messages of one page that are taken and not done: it sends some 20 at most ahead */
   unfinishedMessages: 128,
   /** time for the first message of a socket */
   helloMs: 5_000,
