@@ -22,7 +22,7 @@ export function WatchField({ session }: { session: RemoteSession }) {
       <dt className={styles["label"]}>{t("remote.watch")}</dt>
       {address === null ? (
         <dd>
-          <Button size="small" onClick={() => void make()}>
+          <Button size="small" className={styles["long"]} onClick={() => void make()}>
             {t("remote.makeWatch")}
           </Button>
         </dd>
