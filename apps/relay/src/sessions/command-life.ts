@@ -112,6 +112,7 @@ export class CommandLife {
       for (const { seq } of resume.endings) this.#answerEnding(link, seq, refused.get(seq) ?? null);
       seated();
       this.#tellStates(taken.changed);
+      await this.recall.askAgain();
       await this.#expireNow();
       await this.#deliver();
     });
@@ -231,6 +232,7 @@ export class CommandLife {
   missedSteps(): void {
     const made = this.#work.run(async () => {
       this.#audience.tellMissed();
+      if (this.#seat.page !== null) await this.recall.askAgain();
       await this.#deliver();
     });
     made.catch(() => undefined);

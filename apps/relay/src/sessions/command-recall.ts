@@ -1,4 +1,7 @@
-/** Taking commands back: what waits ends at the relay; for what the robot has, the robot is asked. */
+/**
+ * Taking commands back: what waits ends at the relay; for what the robot has, the robot is asked. The
+ * store keeps the wish, so that a page that was away is asked when it is back.
+ */
 import type { CommandRecord } from "@corridor/protocol";
 import type { SessionStore, StoredKey, TermedRecord } from "../store/session-store.ts";
 import { noCommand, notYourCommand } from "./command-refusals.ts";
@@ -46,6 +49,12 @@ export class CommandRecall {
           return result.record;
       }
     });
+  }
+
+  /** Asks the page for all that was taken back while it may not have heard. To be called in turn. */
+  async askAgain(): Promise<void> {
+    const { robot, store } = this.#parts;
+    for (const seq of await store.recalled(robot)) this.#parts.ask(seq);
   }
 
   /** Takes back all that a driver has sent and that has not ended. */

@@ -314,6 +314,36 @@ describe("a robot session: replacing and cancelling", () => {
   });
 });
 
+describe("a robot session: taking back while the page is away", () => {
+  it("does not deliver again what was taken back, and asks for what has begun", async () => {
+    const robot = await withRobot();
+    const before = await page(robot);
+    for (let n = 0; n < 3; n++) await robot.submit(LEFT);
+    await before.started(1);
+    robot.session.leavePage(before.link);
+    for (const seq of [1, 2])
+      expect(await robot.session.cancel(robot.key, seq)).toHaveProperty("seq");
+    const after = await page(robot, { lastApplied: 1 });
+    expect(after.seqs("command")).toEqual([3]);
+    expect(after.told).toContainEqual({ type: "cancel", seq: 1 });
+    expect(await robot.states()).toEqual(["1 started", "2 cancelled", "3 delivered"]);
+    await after.ended({ ...completed(1), state: "cancelled" });
+    expect(await robot.states()).toEqual(["1 cancelled", "2 cancelled", "3 delivered"]);
+  });
+
+  it("does not deliver again what a revoked key had sent", async () => {
+    const robot = await withRobot();
+    const before = await page(robot);
+    await robot.submit(LEFT);
+    robot.session.leavePage(before.link);
+    await robot.session.keys.make({ kind: "drive", replace: true });
+    const after = await page(robot);
+    expect(after.seqs("command")).toEqual([]);
+    const [record] = await robot.session.commandsAfter(0);
+    expect(record).toMatchObject({ state: "cancelled", reason: "its key was revoked" });
+  });
+});
+
 describe("a robot session: limits", () => {
   it("takes 40 commands at once and 20 a second, and always a stop", async () => {
     const robot = await withRobot();

@@ -136,7 +136,10 @@ export interface SessionStore {
    * @returns what has expired, and the next deadline of what waits; null: nothing waits
    */
   expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }>;
-  /** Takes one command back for the driver that sent it: accepted → cancelled. */
+  /**
+   * Takes one command back for the driver that sent it: accepted → cancelled. What the robot has keeps the
+   * wish: the robot is asked, and where it turns out that it never got the command, that is cancelled.
+   */
   cancel(id: string, seq: number, by: { driver: string; reason: string }): Promise<CancelResult>;
   /** delivered → started. @returns null when it was not delivered, or the epoch is not the newest */
   start(id: string, epoch: number, seq: number): Promise<CommandRecord | null>;
@@ -150,7 +153,8 @@ export interface SessionStore {
   abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[]>;
   /**
    * A page takes the robot: raises the epoch, stores what the page has done, and makes what never
-   * reached it wait again, except what a later stop or replacing command has overtaken meanwhile.
+   * reached it wait again, except what was taken back or what a later stop or replacing command has
+   * overtaken meanwhile.
    * @returns what has changed, and the records whose ending the page tells otherwise than it was; null
    *   when there is no such session
    */
@@ -164,6 +168,8 @@ export interface SessionStore {
   commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]>;
   /** The commands that have not ended, in order. */
   openCommands(id: string): Promise<CommandRecord[]>;
+  /** Numbers of the commands that were taken back and that the robot has, in order. */
+  recalled(id: string): Promise<number[]>;
   /**
    * Whether the store can be written, found out by writing.
    * @returns full: it answers, and has no room left

@@ -60,8 +60,10 @@ export function meetPage(statements: Statements, id: string, page: PageState) {
   changed.push(
     ...recordsIn(
       statements,
-      `UPDATE ${OPEN_COMMANDS} SET state = CASE WHEN seq > ? THEN 'accepted' ELSE 'started' END
-       WHERE robot = ? AND state = 'delivered' AND ${IS_OPEN} RETURNING ${RECORD}`,
+      `UPDATE ${OPEN_COMMANDS} SET
+         state = CASE WHEN seq <= ?1 THEN 'started' WHEN recalled IS NULL THEN 'accepted' ELSE 'cancelled' END,
+         reason = CASE WHEN seq <= ?1 THEN NULL ELSE recalled END
+       WHERE robot = ?2 AND state = 'delivered' AND ${IS_OPEN} RETURNING ${RECORD}`,
       [page.lastApplied, id],
     ),
   );

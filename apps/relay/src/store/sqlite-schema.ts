@@ -68,8 +68,13 @@ ALTER TABLE commands ADD COLUMN lease INTEGER;
 UPDATE commands SET deadline = accepted_at + ttl;
 `;
 
+// Why a command was taken back that the robot has.
+const RECALLED = `
+ALTER TABLE commands ADD COLUMN recalled TEXT;
+`;
+
 /** What each version added to the one before it: the first leads from an empty file to version 1. */
-const STEPS: readonly string[] = [SESSIONS, DOCUMENTS, TERMS];
+const STEPS: readonly string[] = [SESSIONS, DOCUMENTS, TERMS, RECALLED];
 
 /** Opens a database, made with its folder when it is missing. @throws as `prepareDatabase` does */
 export function openDatabase(file: string): DatabaseSync {

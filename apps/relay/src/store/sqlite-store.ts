@@ -186,7 +186,13 @@ export class SqliteStore implements SessionStore {
       const { record, driver } = found;
       if (driver !== by.driver) return { outcome: "not-yours" };
       if (hasEnded(record.state)) return { outcome: "over", record };
-      if (record.state !== "accepted") return { outcome: "delivered", record };
+      if (record.state !== "accepted") {
+        this.#writing.run(
+          "UPDATE commands SET recalled = coalesce(recalled, ?) WHERE robot = ? AND seq = ?",
+          [by.reason, id, seq],
+        );
+        return { outcome: "delivered", record };
+      }
       const [termed] = termedIn(
         this.#writing,
         `UPDATE commands SET state = 'cancelled', reason = ?
@@ -261,6 +267,13 @@ export class SqliteStore implements SessionStore {
   async openCommands(id: string): Promise<CommandRecord[]> {
     const sql = `SELECT ${RECORD} FROM ${OPEN_COMMANDS} WHERE robot = ? AND ${IS_OPEN} ORDER BY seq`;
     return recordsIn(this.#writing, sql, [id]);
+  }
+
+  async recalled(id: string): Promise<number[]> {
+    const sql = `SELECT seq FROM ${OPEN_COMMANDS}
+      WHERE robot = ? AND state IN ('delivered', 'started') AND ${IS_OPEN} AND recalled IS NOT NULL
+      ORDER BY seq`;
+    return this.#writing.all(sql, [id]).map((row) => Number(row["seq"]));
   }
 
   async check(): Promise<"ok" | "full"> {

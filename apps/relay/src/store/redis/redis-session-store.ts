@@ -174,6 +174,10 @@ export class RedisSessionStore implements SessionStore {
     return z.array(recordRow).parse(await this.#step("open", id, {}));
   }
 
+  async recalled(id: string): Promise<number[]> {
+    return z.array(z.int()).parse(await this.#step("recalled", id, {}));
+  }
+
   async check(): Promise<"ok" | "full"> {
     try {
       await asked(this.#redis.set("corridor:check", "written"));

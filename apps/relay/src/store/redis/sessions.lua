@@ -226,6 +226,8 @@ function steps.cancel()
     change(row, 'cancelled', given.reason)
   elseif row.state == HELD or row.state == RUNS then
     outcome = 'delivered'
+    row.recalled = row.recalled or given.reason
+    keep(row)
   end
   return '{"outcome":"' .. outcome .. '","row":' .. cjson.encode(row) .. '}'
 end
@@ -266,7 +268,9 @@ function steps.takeOver()
     if not row and known and known.state ~= ending.state then refused[#refused + 1] = known end
   end
   for _, row in ipairs(open(function(row) return row.state == HELD end)) do
-    change(row, row.seq > given.lastApplied and WAITS or RUNS)
+    if row.seq <= given.lastApplied then change(row, RUNS)
+    elseif row.recalled then change(row, 'cancelled', row.recalled)
+    else change(row, WAITS) end
   end
   if given.fresh then
     for _, row in ipairs(open(function(row) return row.state == RUNS end)) do
@@ -303,6 +307,14 @@ end
 
 function steps.open()
   return list(open(function() return true end))
+end
+
+function steps.recalled()
+  local seqs = {}
+  for i, row in ipairs(open(function(each) return each.recalled and not waits(each) end)) do
+    seqs[i] = row.seq
+  end
+  return '[' .. table.concat(seqs, ',') .. ']'
 end
 
 local answer = steps[step]()

@@ -350,6 +350,24 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
       });
       expect(await store.cancel(ID, 3, by)).toEqual({ outcome: "no-command" });
     });
+
+    it("keeps the wish to take back what the robot has, and ends by it what never arrived", async () => {
+      const { add, deliver, store, states } = await withRobot();
+      const by = { driver: "d", reason: "cancelled by its sender" };
+      for (let n = 0; n < 4; n++) await add(LEFT);
+      await deliver(3);
+      expect(await store.recalled(ID)).toEqual([]);
+      for (const seq of [1, 2, 4]) await store.cancel(ID, seq, by);
+      await store.cancel(ID, 2, { ...by, reason: "later" });
+      expect(await store.recalled(ID)).toEqual([1, 2]);
+      await store.takeOver(ID, { lastApplied: 1, fresh: false, endings: [] });
+      expect(await states()).toEqual(["1 started", "2 cancelled", "3 accepted", "4 cancelled"]);
+      expect(await store.command(ID, 1)).toMatchObject({ reason: null });
+      expect(await store.command(ID, 2)).toMatchObject({ reason: by.reason });
+      expect(await store.recalled(ID)).toEqual([1]);
+      await store.end(ID, EPOCH + 1, completed(1));
+      expect(await store.recalled(ID)).toEqual([]);
+    });
   });
 
   describe(`${name}: a page takes the robot`, () => {
