@@ -39,7 +39,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
 
   it("takes the page of a relay that has died for away, within five seconds", async () => {
     const [dying, other] = await twoRelays();
-    await other.store.create({ id: ID, createdAt: 1, keys: [] });
+    await other.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
     const epoch = await (await placeOf(dying)).take();
     const { heard } = await placeOf(other);
     expect(heard).toMatchObject([{ kind: "page", epoch }]);
@@ -48,9 +48,21 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     expect((await placeOf(other)).heard).toEqual([]);
   });
 
+  it("has keys looked up again and again while it hears nothing: one may be revoked meanwhile", async () => {
+    const redis = await startTestRedis();
+    const relay = await relayAt(redis.url, "relay-a");
+    await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
+    const { heard } = await placeOf(relay);
+    await redis.stop();
+    await vi.waitFor(
+      () => expect(heard.slice(0, 2)).toEqual([{ kind: "keys" }, { kind: "keys" }]),
+      5_000,
+    );
+  });
+
   it("says that something was missed when the line was broken, and hears again", async () => {
     const [relay, other] = await twoRelays();
-    await relay.store.create({ id: ID, createdAt: 1, keys: [] });
+    await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
     const place = await placeOf(relay);
     await other.redis.sendCommand(["CLIENT", "KILL", "TYPE", "pubsub"]);
     await vi.waitFor(() => expect(place.missed).toHaveBeenCalled(), 5_000);

@@ -19,6 +19,8 @@ import type { Ears, Line, News, Switchboard } from "./switchboard.ts";
 const BEAT_MS = 1_000;
 /** A relay that was silent for so long counts as dead. */
 const ALIVE_MS = 3_000;
+/** While nothing can be heard, keys may be revoked unheard: those that count are asked for this often. */
+const DEAF_LOOK_MS = 400;
 const RELAYS = "corridor:relays";
 
 const holderSchema = z.object({ relay: z.string(), epoch: z.int() });
@@ -67,6 +69,7 @@ export class RedisSwitchboard implements Switchboard {
   readonly #places = new Map<string, Place>();
   readonly #post: SnapshotPost;
   #cancelTimer: () => void = () => undefined;
+  #cancelLook: () => void = () => undefined;
   #isClosed = false;
 
   private constructor(options: RedisSwitchboardOptions) {
@@ -91,6 +94,7 @@ export class RedisSwitchboard implements Switchboard {
     await switchboard.#beat();
     // The client listens again by itself, but nobody keeps for it what was said meanwhile.
     options.hearing.on("ready", () => switchboard.#missed());
+    switchboard.#lookWhileDeaf();
     return switchboard;
   }
 
@@ -125,6 +129,7 @@ export class RedisSwitchboard implements Switchboard {
   async close(): Promise<void> {
     this.#isClosed = true;
     this.#cancelTimer();
+    this.#cancelLook();
     this.#post.close();
     this.#places.clear();
     await this.#run("stop", "").catch(() => undefined);
@@ -178,6 +183,14 @@ export class RedisSwitchboard implements Switchboard {
       place.n = null;
       place.ears.missed();
     }
+  }
+
+  #lookWhileDeaf(): void {
+    const { clock, hearing } = this.#options;
+    if (!hearing.isReady) {
+      for (const { ears } of this.#places.values()) ears.heard({ kind: "keys" });
+    }
+    this.#cancelLook = clock.after(DEAF_LOOK_MS, () => this.#lookWhileDeaf());
   }
 
   /** Gives a sign of life, and looks for those who do not any more. */

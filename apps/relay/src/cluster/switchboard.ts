@@ -29,7 +29,7 @@ export type News =
   | { kind: "here"; from: string; scripts: Scripts; asks: boolean }
   /** the page is asked to end this command */
   | { kind: "cancel"; seq: number }
-  /** keys were made or revoked: the store has those that count */
+  /** keys were made or revoked, or may have been: the store has those that count */
   | { kind: "keys" }
   /** the robot was forgotten */
   | { kind: "over" };

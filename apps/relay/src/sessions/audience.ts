@@ -7,6 +7,7 @@ import type { Clock } from "../clock.ts";
 import { Refusal, retryAfter } from "../problems.ts";
 import type { EventLog } from "./event-log.ts";
 import type { StoredKey } from "../store/session-store.ts";
+import { StoreAway } from "../store/store-away.ts";
 import { keyRevoked } from "./key-ring.ts";
 import { limits } from "./limits.ts";
 
@@ -19,8 +20,8 @@ interface Listener {
   over(reason: AwayReason): void;
 }
 
-/** Why somebody is sent away. revoked: the key was, by which they read */
-export type AwayReason = "over" | "restart" | "revoked";
+/** Why somebody is sent away. revoked: the key was, by which they read; busy: nobody knows whether it was */
+export type AwayReason = "over" | "restart" | "revoked" | "busy";
 
 /** The ways in which a robot is followed. */
 export type ReaderDoor = "websocket" | "line" | "events" | "long-poll";
@@ -85,8 +86,11 @@ export class Audience {
   ): Promise<void> {
     if (milliseconds === 0 || signal.aborted) return;
     const { promise, resolve, reject } = Promise.withResolvers<void>();
-    const over = (reason: AwayReason): void =>
-      reason === "revoked" ? reject(keyRevoked()) : resolve();
+    const over = (reason: AwayReason): void => {
+      if (reason === "revoked") return reject(keyRevoked());
+      if (reason === "busy") return reject(new StoreAway("which keys count is not known"));
+      return resolve();
+    };
     const deaf = { snapshot: () => undefined, state: () => undefined };
     const listener = { ...deaf, ...listen(resolve), missed: resolve, over };
     const leave = this.#add(listener, key ?? null, "long-poll");
@@ -117,10 +121,10 @@ export class Audience {
     for (const { listener } of this.#entries) listener.missed();
   }
 
-  /** Sends those away who read by this key. */
-  dismiss(hash: string, reason: AwayReason): void {
+  /** Sends those away who read by such a key. */
+  dismiss(isTheirs: (key: StoredKey) => boolean, reason: AwayReason): void {
     for (const entry of this.#entries) {
-      if (entry.key?.hash !== hash) continue;
+      if (entry.key === null || !isTheirs(entry.key)) continue;
       this.#entries.delete(entry);
       entry.listener.over(reason);
     }

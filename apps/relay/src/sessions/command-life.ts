@@ -78,7 +78,7 @@ export class CommandLife {
       robot,
       store,
       work: this.#work,
-      ended: (termed) => this.#endedHere([termed]),
+      ended: (commands) => this.#endedHere(commands),
       ask: (seq) => {
         seat.page?.link.send({ type: "cancel", seq });
         line.cancel(seq);
@@ -112,7 +112,7 @@ export class CommandLife {
       for (const { seq } of resume.endings) this.#answerEnding(link, seq, refused.get(seq) ?? null);
       seated();
       this.#tellStates(taken.changed);
-      await this.recall.askAgain();
+      await this.recall.askAgainInTurn();
       await this.#expireNow();
       await this.#deliver();
     });
@@ -232,7 +232,7 @@ export class CommandLife {
   missedSteps(): void {
     const made = this.#work.run(async () => {
       this.#audience.tellMissed();
-      if (this.#seat.page !== null) await this.recall.askAgain();
+      if (this.#seat.page !== null) await this.recall.askAgainInTurn();
       await this.#deliver();
     });
     made.catch(() => undefined);

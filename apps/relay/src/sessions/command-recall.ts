@@ -3,7 +3,13 @@
  * store keeps the wish, so that a page that was away is asked when it is back.
  */
 import type { CommandRecord } from "@corridor/protocol";
-import type { SessionStore, StoredKey, TermedRecord } from "../store/session-store.ts";
+import type {
+  KeyChange,
+  KeysResult,
+  SessionStore,
+  StoredKey,
+  TermedRecord,
+} from "../store/session-store.ts";
 import { noCommand, notYourCommand } from "./command-refusals.ts";
 import type { OrderedWork } from "./ordered-work.ts";
 
@@ -11,8 +17,8 @@ export interface CommandRecallParts {
   robot: string;
   store: SessionStore;
   work: OrderedWork;
-  /** a command has ended at the relay */
-  ended(termed: TermedRecord): void;
+  /** commands have ended at the relay */
+  ended(commands: readonly TermedRecord[]): void;
   /** asks the page, wherever it is, to end a command */
   ask(seq: number): void;
 }
@@ -40,7 +46,7 @@ export class CommandRecall {
         case "not-yours":
           throw notYourCommand();
         case "cancelled":
-          this.#parts.ended(result.termed);
+          this.#parts.ended([result.termed]);
           return result.termed.record;
         case "delivered":
           this.#parts.ask(seq);
@@ -51,21 +57,24 @@ export class CommandRecall {
     });
   }
 
-  /** Asks the page for all that was taken back while it may not have heard. To be called in turn. */
-  async askAgain(): Promise<void> {
-    const { robot, store } = this.#parts;
-    for (const seq of await store.recalled(robot)) this.#parts.ask(seq);
+  /** Changes the robot's keys, and takes back what those that go have sent. */
+  async changeKeys(change: KeyChange): Promise<KeysResult> {
+    const { robot, store, work } = this.#parts;
+    return work.run(async () => {
+      const result = await store.changeKeys(robot, change);
+      if (result.outcome === "changed") this.#parts.ended(result.ended);
+      return result;
+    });
   }
 
-  /** Takes back all that a driver has sent and that has not ended. */
-  async allOf(driver: string, reason: string): Promise<void> {
-    const { robot, store, work } = this.#parts;
-    await work.run(async () => {
-      for (const { seq } of await store.openCommands(robot)) {
-        const result = await store.cancel(robot, seq, { driver, reason });
-        if (result.outcome === "cancelled") this.#parts.ended(result.termed);
-        if (result.outcome === "delivered") this.#parts.ask(seq);
-      }
-    });
+  /** Asks the page for all that was taken back and may not have been heard. */
+  async askAgain(): Promise<void> {
+    await this.#parts.work.run(async () => this.askAgainInTurn());
+  }
+
+  /** The same, for whoever has the turn. */
+  async askAgainInTurn(): Promise<void> {
+    const { robot, store } = this.#parts;
+    for (const seq of await store.recalled(robot)) this.#parts.ask(seq);
   }
 }

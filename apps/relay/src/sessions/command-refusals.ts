@@ -2,6 +2,7 @@
 import type { CommandTerms } from "@corridor/protocol";
 import { noRobot, Refusal, retryAfter } from "../problems.ts";
 import type { AddResult } from "../store/session-store.ts";
+import { keyRevoked } from "./key-ring.ts";
 import { limits } from "./limits.ts";
 
 /** What the store may answer instead of storing a command or finding it stored. */
@@ -11,6 +12,8 @@ export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusa
   switch (result.outcome) {
     case "no-session":
       return noRobot();
+    case "revoked":
+      return keyRevoked();
     case "full":
       return new Refusal(
         "queue-full",

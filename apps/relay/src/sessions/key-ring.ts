@@ -2,43 +2,60 @@
 import { MAX_KEYS, type KeyList, type KeyWish, type MadeKey } from "@corridor/protocol";
 import { hashKey, keyId, matchKey, mintKey } from "../keys.ts";
 import { noRobot, notAuthorised, Refusal } from "../problems.ts";
-import type { KeyChange, SessionStore, StoredKey } from "../store/session-store.ts";
+import type { Clock } from "../clock.ts";
+import type { KeyChange, KeysResult, SessionStore, StoredKey } from "../store/session-store.ts";
+import { StoreAway } from "../store/store-away.ts";
+import { limits } from "./limits.ts";
 import { checkRight, type Verb } from "./rights.ts";
 
 export interface KeyRingParts {
   robot: string;
   keys: readonly StoredKey[];
-  store: SessionStore;
+  store: Pick<SessionStore, "find">;
+  clock: Clock;
+  /** changes the stored keys, with all that follows for commands */
+  change: (change: KeyChange) => Promise<KeysResult>;
   /** is told when this relay has changed the keys */
   changed: () => void;
   /** is told of a key that counts no more */
   revoked: (key: StoredKey) => void;
+  /** is told when nobody knows any more which keys count: the store does not answer */
+  doubted: () => void;
 }
 
 export class KeyRing {
-  readonly #robot: string;
-  readonly #store: SessionStore;
-  readonly #changed: () => void;
-  readonly #revoked: (key: StoredKey) => void;
+  readonly #parts: KeyRingParts;
   #keys: readonly StoredKey[];
+  /** how often it was said that the keys may have changed */
+  #news = 0;
+  #isLooking = false;
+  /** false: they may have changed some time ago, and the store did not say how */
+  #isSure = true;
+  #cancelTimers: (() => void)[] = [];
 
-  constructor({ robot, keys, store, changed, revoked }: KeyRingParts) {
-    this.#robot = robot;
-    this.#store = store;
-    this.#changed = changed;
-    this.#revoked = revoked;
-    this.#keys = keys;
+  constructor(parts: KeyRingParts) {
+    this.#parts = parts;
+    this.#keys = parts.keys;
   }
 
-  /** The stored key that belongs to a bearer key; null when it is none of this robot's. */
+  /**
+   * The stored key that belongs to a bearer key; null when it is none of this robot's.
+   * @throws StoreAway when nobody knows whether it counts
+   */
   match(key: string): StoredKey | null {
-    return matchKey(key, this.#keys);
+    const held = matchKey(key, this.#keys);
+    if (held !== null) this.#requireSure(held);
+    return held;
   }
 
-  /** Asked at every message. @throws Refusal when the key was revoked, or does not allow it */
+  /**
+   * Asked at every message.
+   * @throws Refusal when the key was revoked, or does not allow it; StoreAway as `match`
+   */
   check({ hash }: StoredKey, verb: Verb): void {
     const held = this.#keys.find((key) => key.hash === hash);
     if (held === undefined) throw keyRevoked();
+    this.#requireSure(held);
     checkRight(held.kind, verb);
   }
 
@@ -54,43 +71,85 @@ export class KeyRing {
   async make({ kind, replace = false }: KeyWish): Promise<Omit<MadeKey, "address">> {
     const key = this.#mint(kind);
     const hash = hashKey(key);
-    const old = this.#keys.filter((other) => replace && other.kind === kind);
-    await this.#change({ add: [{ kind, hash }], remove: old.map((other) => other.hash) });
+    const removeKind = replace ? kind : null;
+    await this.#change({ add: [{ kind, hash }], remove: [], removeKind });
     return { id: keyId(hash), kind, key };
   }
 
   /** Ends a key at once, wherever it is in use. @throws Refusal when it cannot be revoked */
   async revoke(id: string): Promise<void> {
-    const key = this.#keys.find(({ hash }) => keyId(hash) === id);
+    // Another relay may have made it a moment ago.
+    const stored = await this.#parts.store.find(this.#parts.robot);
+    const key = stored?.keys.find(({ hash }) => keyId(hash) === id);
     if (key === undefined) {
       throw new Refusal("no-key", "It was revoked already, or never was. GET .../keys lists all.");
     }
     if (key.kind === "own") {
       throw new Refusal("forbidden", "The owner key ends with its robot: delete the robot itself.");
     }
-    await this.#change({ add: [], remove: [key.hash] });
+    await this.#change({ add: [], remove: [key.hash], removeKind: null });
   }
 
-  /** Looks again which keys count: another relay has changed them, or may have. */
-  async refresh(): Promise<void> {
-    const stored = await this.#store.find(this.#robot);
-    if (stored !== null) this.#learn(stored.keys);
+  /**
+   * Looks again which keys count: another relay has changed them, or may have. What the store does not
+   * say in time counts for nobody until it does.
+   */
+  refresh(): void {
+    this.#news += 1;
+    if (this.#isLooking) return;
+    this.#isLooking = true;
+    void this.#look();
+  }
+
+  close(): void {
+    for (const cancel of this.#cancelTimers) cancel();
+    this.#cancelTimers = [];
+  }
+
+  async #look(): Promise<void> {
+    const { store, robot, clock } = this.#parts;
+    const cancelDoubt = clock.after(limits.keysUnsureMs, () => {
+      this.#isSure = false;
+      this.#parts.doubted();
+    });
+    this.#cancelTimers = [cancelDoubt];
+    for (let known = -1; known !== this.#news;) {
+      const asked = this.#news;
+      try {
+        const stored = await store.find(robot);
+        if (stored !== null) this.#learn(stored.keys);
+        known = asked;
+      } catch {
+        await new Promise<void>((resolve) => {
+          this.#cancelTimers = [cancelDoubt, clock.after(limits.keysRetryMs, resolve)];
+        });
+      }
+    }
+    cancelDoubt();
+    this.#isSure = true;
+    this.#isLooking = false;
+  }
+
+  /** The owner's key ends only with the robot itself. */
+  #requireSure({ kind }: StoredKey): void {
+    if (!this.#isSure && kind !== "own") throw new StoreAway("which keys count is not known");
   }
 
   #learn(keys: readonly StoredKey[]): void {
     const gone = this.#keys.filter(({ hash }) => !keys.some((key) => key.hash === hash));
     this.#keys = keys;
-    for (const key of gone) this.#revoked(key);
+    for (const key of gone) this.#parts.revoked(key);
   }
 
-  async #change(change: Omit<KeyChange, "most">): Promise<void> {
-    const result = await this.#store.changeKeys(this.#robot, { ...change, most: MAX_KEYS });
+  async #change(change: Pick<KeyChange, "add" | "remove" | "removeKind">): Promise<void> {
+    const reason = "its key was revoked";
+    const result = await this.#parts.change({ ...change, reason, most: MAX_KEYS });
     if (result.outcome === "no-session") throw noRobot();
     if (result.outcome === "full") {
       throw new Refusal("too-many-keys", `A robot has ${MAX_KEYS} at most. Revoke one first.`);
     }
     this.#learn(result.keys);
-    this.#changed();
+    this.#parts.changed();
   }
 
   /** A key whose id no other key of this robot has. */

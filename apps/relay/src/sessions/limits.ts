@@ -41,6 +41,9 @@ export const limits = {
   relaySilenceMs: 6_000,
   /** how long a relay that begins to hold a robot waits for the newest snapshot from the page's relay */
   relayMeetMs: 500,
+  /** how long keys count that may have changed while the store does not say; it is asked so often */
+  keysUnsureMs: 500,
+  keysRetryMs: 200,
   /** messages of one page that are taken and not done: it sends some 20 at most ahead */
   unfinishedMessages: 128,
   /** time for the first message of a socket */

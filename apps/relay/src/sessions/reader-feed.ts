@@ -36,7 +36,7 @@ export interface ReaderSink {
   over(reason: OverReason): void;
 }
 
-export type OverReason = AwayReason | "tooSlow" | "busy";
+export type OverReason = AwayReason | "tooSlow";
 
 /** What is read. */
 export interface ReaderSource {

@@ -85,8 +85,11 @@ export class Session {
       robot: this.id,
       keys: stored.keys,
       store,
+      clock,
+      change: (change) => this.#life.recall.changeKeys(change),
       changed: () => line.keysChanged(),
       revoked: (key) => this.#revoked(key),
+      doubted: () => audience.dismiss(({ kind }) => kind !== "own", "busy"),
     });
     this.roster = new DriverRoster(clock, () => this.#tellScripts());
   }
@@ -283,6 +286,7 @@ export class Session {
 
   /** Goes out of memory; other relays may hold it still. */
   leave(): void {
+    this.keys.close();
     this.#line.leave();
   }
 
@@ -291,7 +295,7 @@ export class Session {
   /** What other relays said may not have come: readers are told so, and the page gets what waits. */
   missedNews(): void {
     this.#life.missedSteps();
-    this.keys.refresh().catch(() => undefined);
+    this.keys.refresh();
   }
 
   /** Where the page is at another relay, waits for that one's answer: the newest snapshot, if there is one. */
@@ -330,7 +334,7 @@ export class Session {
       case "cancel":
         return page?.link.send({ type: "cancel", seq: news.seq });
       case "keys":
-        return void this.keys.refresh().catch(() => undefined);
+        return this.keys.refresh();
       case "over":
         if (this.isOver) return;
         this.#forgotten();
@@ -356,8 +360,9 @@ export class Session {
 
   /** Whoever used the key is sent away, and what it asked for ends. */
   #revoked({ hash }: StoredKey): void {
-    this.#audience.dismiss(hash, "revoked");
-    this.#life.recall.allOf(hash, "its key was revoked").catch(() => undefined);
+    this.#audience.dismiss((key) => key.hash === hash, "revoked");
+    // Where that fails, the page is asked with its next greeting.
+    if (this.hasPage) this.#life.recall.askAgain().catch(() => undefined);
   }
 
   #used(): void {

@@ -12,7 +12,9 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { pino } from "pino";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { LocalSwitchboard } from "../cluster/local-switchboard.ts";
+import type { SessionStore } from "../store/session-store.ts";
 import { SqliteStore } from "../store/sqlite-store.ts";
+import { StoreAway } from "../store/store-away.ts";
 import { FakeClock, settled } from "../testing/fake-clock.ts";
 import { completed } from "../testing/messages.ts";
 import { testFolder } from "../testing/test-relay.ts";
@@ -23,6 +25,22 @@ import { SessionHub } from "./session-hub.ts";
 const LEFT: Order = { action: "left 90" };
 const patience = (milliseconds: number) => ({ milliseconds, signal: new AbortController().signal });
 
+/** The same store for a relay that may be cut off from it. */
+function cutStore(whole: SessionStore) {
+  const cut = { isCut: false, store: whole };
+  cut.store = new Proxy(whole, {
+    get(target, name) {
+      const part: unknown = Reflect.get(target, name);
+      if (typeof part !== "function") return part;
+      return async (...values: unknown[]): Promise<unknown> => {
+        if (cut.isCut) throw new StoreAway("it was cut off");
+        return Reflect.apply(part, target, values) as Promise<unknown>;
+      };
+    },
+  });
+  return cut;
+}
+
 /** A robot whose page is at the first relay and whose scripts are at the second. */
 async function withRelays() {
   const clock = new FakeClock();
@@ -30,9 +48,9 @@ async function withRelays() {
   onTestFinished(() => store.close());
   const switchboard = new LocalSwitchboard();
   const log = pino({ level: "silent" });
-  const hubs = [0, 1].map(() => new SessionHub(store, clock, log, { switchboard }));
-  const [pages, scripts] = hubs;
-  if (pages === undefined || scripts === undefined) throw new Error("there are two");
+  const pages = new SessionHub(store, clock, log, { switchboard });
+  const cut = cutStore(store);
+  const scripts = new SessionHub(cut.store, clock, log, { switchboard });
   const robot = await pages.register("10.0.0.1", "http://localhost");
   const atPages = (await pages.authorise(robot.id, robot.ownerKey, "host")).session;
   const page = async (session = atPages, resume: Partial<Resume> = {}) => {
@@ -77,6 +95,7 @@ async function withRelays() {
   };
   return {
     clock,
+    cut,
     switchboard,
     pages,
     scripts,
@@ -230,6 +249,33 @@ describe("page and script at different relays", () => {
     await expect(scripts.authorise(robot.id, robot.driverKey, "read")).rejects.toMatchObject({
       kind: "not-authorised",
     });
+  });
+
+  it("sends scripts away within a second where nobody can say whether their key was revoked", async () => {
+    const { host, scripts, robot, read, clock, cut } = await withRelays();
+    const said = read();
+    cut.isCut = true;
+    await host.session.keys.make({ kind: "drive", replace: true });
+    await clock.pass(1_000);
+    expect(said).toEqual(["busy"]);
+    const again = (): Promise<unknown> =>
+      scripts.authorise(robot.id, robot.driverKey, "read").catch((error: unknown) => error);
+    expect(await again()).toBeInstanceOf(StoreAway);
+    cut.isCut = false;
+    await clock.pass(limits.keysRetryMs);
+    expect(await again()).toMatchObject({ kind: "not-authorised" });
+  });
+
+  it("leaves scripts alone when the store is back in a moment, and their key was not revoked", async () => {
+    const { host, atScripts, key, read, clock, cut } = await withRelays();
+    const said = read();
+    cut.isCut = true;
+    await host.session.keys.make({ kind: "watch" });
+    await clock.pass(limits.keysRetryMs);
+    cut.isCut = false;
+    await clock.pass(1_000);
+    expect(said).toEqual([]);
+    expect(() => atScripts.keys.check(key, "command")).not.toThrow();
   });
 
   it("forgets the robot at every relay at once", async () => {

@@ -30,12 +30,17 @@ export interface KeyChange {
   add: StoredKey[];
   /** hashes */
   remove: string[];
+  /** all of this kind go, too */
+  removeKind: KeyKind | null;
+  /** why what they had sent is taken back */
+  reason: string;
   /** refuse to add when there would be more */
   most: number;
 }
 
 export type KeysResult =
-  | { outcome: "changed"; keys: StoredKey[] }
+  /** `ended`: what waited and had been sent by a key that is gone */
+  | { outcome: "changed"; keys: StoredKey[]; ended: TermedRecord[] }
   | { outcome: "full" }
   | { outcome: "no-session" };
 
@@ -69,6 +74,8 @@ export type AddResult =
   | { outcome: "full" }
   /** its deadline was past when it came, and its key is not known */
   | { outcome: "late" }
+  /** the key that sent it is none of this robot's any more */
+  | { outcome: "revoked" }
   | { outcome: "no-session" };
 
 /** A record with what only the relay and the robot need of its command. */
@@ -109,7 +116,7 @@ export interface PageState {
 export interface SessionStore {
   create(session: Omit<StoredSession, "epoch" | "lastUsedAt">): Promise<void>;
   find(id: string): Promise<StoredSession | null>;
-  /** Makes and revokes keys in one step. */
+  /** Makes and revokes keys in one step, and takes back what the revoked ones have sent: see `cancel`. */
   changeKeys(id: string, change: KeyChange): Promise<KeysResult>;
   /** Notes that the session is in use. */
   touch(id: string, now: number): Promise<void>;

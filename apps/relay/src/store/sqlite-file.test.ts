@@ -23,7 +23,7 @@ async function onFillingDisk() {
   const { opened, fill, makeRoom } = await withPageLimit(() => new SqliteFile(path, holder));
   const store = new SqliteStore(opened);
   onTestFinished(() => store.close());
-  await store.create({ id: ID, createdAt: 1, keys: [] });
+  await store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
   const add = (command: Command, key: string | null = null) =>
     store.add(ID, {
       driver: "d",
@@ -77,7 +77,9 @@ describe("a full disk", () => {
     const { store, add, fails } = await onFullDisk();
     expect(isDiskFull(fails)).toBe(true);
     await expect(add({ action: "left 90" })).rejects.toSatisfy(isDiskFull);
-    await expect(store.create({ id: "B", createdAt: 1, keys: [] })).rejects.toSatisfy(isDiskFull);
+    await expect(
+      store.create({ id: "B", createdAt: 1, keys: [{ kind: "drive", hash: "d" }] }),
+    ).rejects.toSatisfy(isDiskFull);
     expect(await store.check()).toBe("full");
   });
 

@@ -1,6 +1,13 @@
 /** The hashed keys of a session in SQLite. */
 import { z } from "zod";
-import { keyKinds, type KeyChange, type KeysResult, type StoredKey } from "./session-store.ts";
+import {
+  keyKinds,
+  type KeyChange,
+  type KeysResult,
+  type StoredKey,
+  type TermedRecord,
+} from "./session-store.ts";
+import { recallAllOf } from "./sqlite-overtaking.ts";
 import type { Statements } from "./statements.ts";
 
 const keyRow = z.object({ hash: z.string(), kind: z.enum(keyKinds) });
@@ -20,13 +27,22 @@ export function addKeys(writing: Statements, robot: string, keys: readonly Store
 export function changeKeys(
   writing: Statements,
   robot: string,
-  { add, remove, most }: KeyChange,
+  { add, remove, removeKind, most, reason }: KeyChange,
 ): KeysResult {
-  const kept = keysIn(writing, robot).filter(({ hash }) => !remove.includes(hash));
+  const isGone = ({ hash, kind }: StoredKey): boolean =>
+    remove.includes(hash) || kind === removeKind;
+  const all = keysIn(writing, robot);
+  const kept = all.filter((key) => !isGone(key));
   if (add.length > 0 && kept.length + add.length > most) return { outcome: "full" };
-  for (const hash of remove) {
+  const ended: TermedRecord[] = [];
+  for (const { hash } of all.filter(isGone)) {
     writing.run("DELETE FROM keys WHERE robot = ? AND hash = ?", [robot, hash]);
+    ended.push(...recallAllOf(writing, robot, hash, reason));
   }
   addKeys(writing, robot, add);
-  return { outcome: "changed", keys: [...kept, ...add] };
+  return { outcome: "changed", keys: [...kept, ...add], ended };
+}
+
+export function isKeyOf(writing: Statements, robot: string, hash: string): boolean {
+  return writing.all("SELECT 1 FROM keys WHERE robot = ? AND hash = ?", [robot, hash]).length > 0;
 }

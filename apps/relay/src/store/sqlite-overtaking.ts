@@ -27,6 +27,27 @@ export function overtake(
   );
 }
 
+/** Takes back all that a driver has sent. @returns what waited, and has ended by this */
+export function recallAllOf(
+  statements: Statements,
+  id: string,
+  driver: string,
+  reason: string,
+): TermedRecord[] {
+  const mine = `robot = ? AND driver = ? AND ${IS_OPEN}`;
+  statements.run(
+    `UPDATE ${OPEN_COMMANDS} SET recalled = coalesce(recalled, ?)
+     WHERE ${mine} AND state IN ('delivered', 'started')`,
+    [reason, id, driver],
+  );
+  return termedIn(
+    statements,
+    `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = ?
+     WHERE ${mine} AND state = 'accepted' RETURNING ${TERMED}`,
+    [reason, id, driver],
+  );
+}
+
 /** delivered or started → its ending. @returns null when it was neither */
 export function end(statements: Statements, id: string, ending: Ending): CommandRecord | null {
   const { seq, state, reason, pose, distance } = ending;

@@ -21,7 +21,7 @@ import {
   type TermedRecord,
 } from "./session-store.ts";
 import { SqliteFile } from "./sqlite-file.ts";
-import { addKeys, changeKeys, keysIn } from "./sqlite-keys.ts";
+import { addKeys, changeKeys, isKeyOf, keysIn } from "./sqlite-keys.ts";
 import { end, meetPage, overtake, OVERTAKES, recordOf, STOP } from "./sqlite-overtaking.ts";
 import { numberIn, RECORD, recordsIn, TERMED, termedIn } from "./sqlite-rows.ts";
 import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
@@ -107,6 +107,7 @@ export class SqliteStore implements SessionStore {
       const session = sessionIn(this.#writing, id);
       if (session === null) return { outcome: "no-session" };
       const { driver, key, acceptedAt, ttl, deadline, replace, lease } = command;
+      if (!isKeyOf(this.#writing, id, driver)) return { outcome: "revoked" };
       const earlier = recordsIn(
         this.#writing,
         `SELECT ${RECORD} FROM commands WHERE robot = ? AND driver = ? AND key = ?`,

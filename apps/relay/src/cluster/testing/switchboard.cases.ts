@@ -62,7 +62,7 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
   async function withLine() {
     const relays = await open();
     for (const id of [ID, OTHER]) {
-      await relays[0].store.create({ id, createdAt: 1, keys: [] });
+      await relays[0].store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
     }
     const [a, b] = [await placeOf(relays[0]), await placeOf(relays[1])];
     return { relays, a, b };

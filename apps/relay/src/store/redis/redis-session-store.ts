@@ -41,13 +41,13 @@ const sessionAnswer = z
   })
   .nullable();
 const changeAnswer = z.discriminatedUnion("outcome", [
-  z.object({ outcome: z.literal("changed"), keys: keysText }),
+  z.object({ outcome: z.literal("changed"), keys: keysText, ended: z.array(termedRow) }),
   z.object({ outcome: z.enum(["full", "no-session"]) }),
 ]);
 const addAnswer = z.discriminatedUnion("outcome", [
   z.object({ outcome: z.literal("stored"), row: recordRow, ended: z.array(termedRow) }),
   z.object({ outcome: z.enum(["duplicate", "conflict"]), row: recordRow }),
-  z.object({ outcome: z.enum(["full", "late", "no-session"]) }),
+  z.object({ outcome: z.enum(["full", "late", "revoked", "no-session"]) }),
 ]);
 const expireAnswer = z.object({ ended: z.array(termedRow), next: z.number().nullable() });
 const cancelAnswer = z.discriminatedUnion("outcome", [

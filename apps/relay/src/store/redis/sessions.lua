@@ -81,6 +81,14 @@ local function overtake(seq, isStop)
   return rows
 end
 
+-- What waits ends; for what the robot has the wish is kept. Returns whether it has ended by this.
+local function recall(row, reason)
+  if waits(row) then return change(row, 'cancelled', reason) and true end
+  row.recalled = row.recalled or reason
+  keep(row)
+  return false
+end
+
 -- delivered or started: its ending. Returns nil when it was neither.
 local function finish(ending)
   local row = find(ending.seq)
@@ -120,14 +128,19 @@ function steps.changeKeys()
   local removed, keys = {}, {}
   for _, hash in ipairs(given.remove) do removed[hash] = true end
   for _, key in ipairs(cjson.decode(text)) do
-    if not removed[key.hash] then keys[#keys + 1] = key end
+    if removed[key.hash] or key.kind == given.removeKind then removed[key.hash] = true
+    else keys[#keys + 1] = key end
   end
   for _, key in ipairs(given.add) do keys[#keys + 1] = key end
   if #given.add > 0 and #keys > given.most then return '{"outcome":"full"}' end
   local now = cjson.encode(keys)
   redis.call('HSET', SESSION, 'keys', now)
   redis.call('PUBLISH', LINE, '{"kind":"keys","from":"' .. relay .. '"}')
-  return cjson.encode({ outcome = 'changed', keys = now })
+  local gone = {}
+  for _, row in ipairs(open(function(row) return removed[row.driver] end)) do
+    if recall(row, given.reason) then gone[#gone + 1] = row end
+  end
+  return '{"outcome":"changed","keys":' .. cjson.encode(now) .. ',"ended":' .. list(gone) .. '}'
 end
 
 function steps.touch()
@@ -153,9 +166,10 @@ function steps.removeExpired()
 end
 
 function steps.add()
-  local seq = redis.call('HGET', SESSION, 'seq')
+  local seq, keys = unpack(redis.call('HMGET', SESSION, 'seq', 'keys'))
   if not seq then return '{"outcome":"no-session"}' end
   local row = given.row
+  if not string.find(keys, '"' .. row.driver .. '"', 1, true) then return '{"outcome":"revoked"}' end
   if row.key ~= cjson.null then
     local known = redis.call('HGET', BY_KEY, keyOf(row))
     local earlier = known and find(known)
@@ -221,13 +235,8 @@ function steps.cancel()
   if not row then return '{"outcome":"no-command"}' end
   if row.driver ~= given.driver then return '{"outcome":"not-yours"}' end
   local outcome = 'over'
-  if waits(row) then
-    outcome = 'cancelled'
-    change(row, 'cancelled', given.reason)
-  elseif row.state == HELD or row.state == RUNS then
-    outcome = 'delivered'
-    row.recalled = row.recalled or given.reason
-    keep(row)
+  if waits(row) or row.state == HELD or row.state == RUNS then
+    outcome = recall(row, given.reason) and 'cancelled' or 'delivered'
   end
   return '{"outcome":"' .. outcome .. '","row":' .. cjson.encode(row) .. '}'
 end

@@ -2,7 +2,7 @@
 import type { Command } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { completed } from "../../testing/messages.ts";
-import type { NewCommand, PageState, SessionStore } from "../session-store.ts";
+import type { KeyChange, NewCommand, PageState, SessionStore } from "../session-store.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const LEFT: Command = { action: "left 90" };
@@ -11,7 +11,7 @@ const NOW = 5_000;
 /** of the page that every robot here begins with */
 const EPOCH = 1;
 const sent: NewCommand = {
-  driver: "d",
+  driver: "driver-hash-of-this-robot",
   key: null,
   command: LEFT,
   acceptedAt: NOW,
@@ -22,6 +22,14 @@ const sent: NewCommand = {
   maxWaiting: 64,
   keep: 100,
 };
+const keyChange = (change: Partial<KeyChange>): KeyChange => ({
+  add: [],
+  remove: [],
+  removeKind: null,
+  most: 12,
+  reason: "revoked",
+  ...change,
+});
 const nothingDone: PageState = { lastApplied: 0, fresh: false, endings: [] };
 
 export interface OpenStore {
@@ -55,10 +63,10 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
 
     it("makes and revokes keys in one step, also for after a restart", async () => {
       const { store, reopen } = await withRobot();
-      const change = { add: [watch], remove: [first.hash], most: 12 };
-      const changed = { outcome: "changed", keys: [watch] };
+      const change = keyChange({ add: [watch], remove: [first.hash] });
+      const changed = { outcome: "changed", keys: [watch], ended: [] };
       expect(await store.changeKeys(ID, change)).toEqual(changed);
-      const again = { add: [first], remove: [], most: 12 };
+      const again = keyChange({ add: [first] });
       expect(await store.changeKeys(ID, again)).toMatchObject({ outcome: "changed" });
       const keys = (await (await reopen()).find(ID))?.keys ?? [];
       expect(keys.toSorted((a, b) => a.hash.localeCompare(b.hash))).toEqual([first, watch]);
@@ -66,16 +74,44 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
 
     it("refuses one too many and leaves all as it was, but revokes and replaces then, too", async () => {
       const { store } = await withRobot();
-      const full = await store.changeKeys(ID, { add: [watch], remove: [], most: 1 });
+      const full = await store.changeKeys(ID, keyChange({ add: [watch], most: 1 }));
       expect(full).toEqual({ outcome: "full" });
       expect((await store.find(ID))?.keys).toEqual([first]);
-      const replaced = await store.changeKeys(ID, { add: [watch], remove: [first.hash], most: 1 });
-      expect(replaced).toEqual({ outcome: "changed", keys: [watch] });
+      const change = keyChange({ add: [watch], remove: [first.hash], most: 1 });
+      const replaced = await store.changeKeys(ID, change);
+      expect(replaced).toEqual({ outcome: "changed", keys: [watch], ended: [] });
+    });
+
+    it("revokes all of a kind, whoever has made them", async () => {
+      const { store } = await withRobot();
+      const other = { kind: "drive" as const, hash: "of-another-relay" };
+      await store.changeKeys(ID, keyChange({ add: [watch, other] }));
+      const anew = { kind: "drive" as const, hash: "new" };
+      const replaced = await store.changeKeys(ID, keyChange({ add: [anew], removeKind: "drive" }));
+      expect(replaced).toEqual({ outcome: "changed", keys: [watch, anew], ended: [] });
+    });
+
+    it("takes back what a revoked key had sent, and stores nothing more of it", async () => {
+      const { store, add, deliver, states } = await withRobot();
+      const other = { kind: "drive" as const, hash: "e" };
+      await store.changeKeys(ID, keyChange({ add: [other] }));
+      await add(LEFT);
+      await add(LEFT, null, { driver: "e" });
+      await deliver(1);
+      await add(LEFT);
+      const change = keyChange({ remove: [sent.driver] });
+      expect(await store.changeKeys(ID, change)).toMatchObject({
+        ended: [{ record: { seq: 3, state: "cancelled", reason: "revoked" } }],
+      });
+      expect(await store.recalled(ID)).toEqual([1]);
+      expect(await add(LEFT)).toEqual({ outcome: "revoked" });
+      expect(await add(LEFT, null, { driver: "e" })).toMatchObject({ outcome: "stored" });
+      expect(await states()).toEqual(["1 delivered", "2 accepted", "3 cancelled", "4 accepted"]);
     });
 
     it("has no keys where there is no robot", async () => {
       const { store } = await withRobot();
-      const change = { add: [watch], remove: [], most: 12 };
+      const change = keyChange({ add: [watch] });
       expect(await store.changeKeys("B".repeat(22), change)).toEqual({ outcome: "no-session" });
     });
   });
@@ -113,6 +149,7 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
     it("lets another driver use the same key", async () => {
       const { add, store } = await withRobot();
       await add(LEFT, "key-0001");
+      await store.changeKeys(ID, keyChange({ add: [{ kind: "drive", hash: "e" }] }));
       const other = { ...sent, driver: "e", key: "key-0001", command: STOP };
       expect(await store.add(ID, other)).toMatchObject({ outcome: "stored" });
     });
@@ -159,7 +196,8 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
       await deliver(8);
       await store.end(ID, EPOCH, completed(1));
       const other = "BBBBBBBBBBBBBBBBBBBBBB";
-      await store.create({ id: other, createdAt: 1_000, keys: [] });
+      const keys = [{ kind: "drive" as const, hash: sent.driver }];
+      await store.create({ id: other, createdAt: 1_000, keys });
       for (let n = 0; n < 3; n++) await store.add(other, { ...sent, keep: 1 });
       expect(await states()).toEqual(["1 completed"]);
     });
@@ -258,7 +296,13 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
       await add(LEFT, null, short);
       await add(LEFT, null, short);
       expect(await store.deliver(ID, EPOCH, 1, NOW + 399)).toMatchObject([
-        { record: { seq: 1 }, driver: "d", deadline: NOW + 400, replace: false, lease: null },
+        {
+          record: { seq: 1 },
+          driver: sent.driver,
+          deadline: NOW + 400,
+          replace: false,
+          lease: null,
+        },
       ]);
       expect(await store.deliver(ID, EPOCH, 8, NOW + 400)).toEqual([]);
       await store.expire(ID, NOW + 400);
@@ -334,7 +378,7 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
 
     it("takes back what waits, for its sender only, and leaves to the robot what it has", async () => {
       const { add, deliver, store } = await withRobot();
-      const by = { driver: "d", reason: "cancelled by its sender" };
+      const by = { driver: sent.driver, reason: "cancelled by its sender" };
       await add(LEFT);
       await deliver(8);
       await add(LEFT);
@@ -353,7 +397,7 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
 
     it("keeps the wish to take back what the robot has, and ends by it what never arrived", async () => {
       const { add, deliver, store, states } = await withRobot();
-      const by = { driver: "d", reason: "cancelled by its sender" };
+      const by = { driver: sent.driver, reason: "cancelled by its sender" };
       for (let n = 0; n < 4; n++) await add(LEFT);
       await deliver(3);
       expect(await store.recalled(ID)).toEqual([]);
