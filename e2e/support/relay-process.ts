@@ -4,44 +4,106 @@ import { once } from "node:events";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { createInterface } from "node:readline";
 import { fileURLToPath } from "node:url";
 
 const entry = fileURLToPath(new URL("../../apps/relay/src/main.ts", import.meta.url));
+const READY = /^Corridor is ready: (\S+)$/m;
+/** Of what it says so much is kept, for who looks for a fault. */
+const KEPT_CHARACTERS = 100_000;
+
+export interface RelayOptions {
+  /** settings besides PORT and DATA_DIR */
+  environment?: Record<string, string>;
+  /** for its data, and left as it is; default: one that goes with the relay */
+  folder?: string;
+}
 
 export class RelayProcess {
-  readonly #process: ChildProcess;
+  readonly #environment: Record<string, string>;
   readonly #folder: string;
-  /** the address that it printed, such as "http://localhost:41234" */
-  readonly url: string;
+  readonly #isFolderOwn: boolean;
+  #child: ChildProcess | null = null;
+  #url = "";
+  #log = "";
 
-  private constructor(process: ChildProcess, folder: string, url: string) {
-    this.#process = process;
-    this.#folder = folder;
-    this.url = url;
+  private constructor({ environment = {}, folder }: RelayOptions) {
+    this.#environment = environment;
+    this.#isFolderOwn = folder === undefined;
+    this.#folder = folder ?? mkdtempSync(join(tmpdir(), "corridor-e2e-"));
   }
 
   /** Starts one and waits until it says that it is ready. */
-  static async start(): Promise<RelayProcess> {
-    const folder = mkdtempSync(join(tmpdir(), "corridor-e2e-"));
-    const relay = spawn(process.execPath, [entry], {
-      env: { ...process.env, PORT: "0", DATA_DIR: folder },
-      stdio: ["ignore", "pipe", "inherit"],
+  static async start(options: RelayOptions = {}): Promise<RelayProcess> {
+    const relay = new RelayProcess(options);
+    await relay.startAgain();
+    return relay;
+  }
+
+  /** the address that it printed, such as "http://localhost:41234" */
+  get url(): string {
+    return this.#url;
+  }
+
+  get port(): number {
+    return Number(new URL(this.#url).port);
+  }
+
+  /** of the process that runs now, or ran last */
+  get pid(): number {
+    return this.#child?.pid ?? 0;
+  }
+
+  /** what its processes have said so far */
+  get log(): string {
+    return this.#log;
+  }
+
+  /** Starts it on the same port with the same data, after `kill`. */
+  async startAgain(): Promise<void> {
+    const port = this.#url === "" ? "0" : String(this.port);
+    const child = spawn(process.execPath, [entry], {
+      env: { ...process.env, PORT: port, DATA_DIR: this.#folder, ...this.#environment },
+      stdio: ["ignore", "pipe", "pipe"],
     });
-    for await (const line of createInterface({ input: relay.stdout })) {
-      const url = /^Corridor is ready: (\S+)$/.exec(line)?.[1];
-      if (url === undefined) continue;
-      // What it goes on to say must not fill the pipe.
-      relay.stdout.resume();
-      return new RelayProcess(relay, folder, url);
-    }
-    throw new Error("The relay ended before it was ready; its own words stand above.");
+    this.#child = child;
+    let text = "";
+    await new Promise<void>((resolve, reject) => {
+      child.stdout.on("data", (data: Buffer) => {
+        const said = data.toString();
+        this.#keep(said);
+        text += said.slice(0, KEPT_CHARACTERS - text.length);
+        const url = READY.exec(text)?.[1];
+        if (url === undefined) return;
+        this.#url = url;
+        resolve();
+      });
+      child.stderr.on("data", (data: Buffer) => {
+        this.#keep(data.toString());
+        process.stderr.write(data);
+      });
+      child.once("close", () => reject(new Error(`The relay ended before it was ready: ${text}`)));
+    });
+  }
+
+  /** Ends it as a power cut would. */
+  async kill(): Promise<void> {
+    await this.#end("SIGKILL");
   }
 
   async stop(): Promise<void> {
-    const ended = once(this.#process, "exit");
-    this.#process.kill();
+    await this.#end("SIGTERM");
+    if (this.#isFolderOwn) rmSync(this.#folder, { recursive: true, force: true, maxRetries: 5 });
+  }
+
+  async #end(signal: NodeJS.Signals): Promise<void> {
+    const child = this.#child;
+    if (child === null || child.exitCode !== null || child.signalCode !== null) return;
+    const ended = once(child, "exit");
+    child.kill(signal);
     await ended;
-    rmSync(this.#folder, { recursive: true, force: true, maxRetries: 5 });
+  }
+
+  #keep(said: string): void {
+    this.#log = (this.#log + said).slice(-KEPT_CHARACTERS);
   }
 }

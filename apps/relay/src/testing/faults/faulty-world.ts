@@ -22,6 +22,8 @@ import { VirtualTime } from "./virtual-time.ts";
 
 /** Long ones hide what short ones show. */
 const TTLS = [400, 400, 2_000, 10_000];
+/** A command crosses two lines, and the robot looks at its clock at each step. */
+const TOLERANCE_MS = 120;
 /** After which no command waits any more, and every client has come back. */
 const HEALING_MS = 30_000;
 
@@ -29,7 +31,7 @@ export class FaultyWorld {
   readonly #time = new VirtualTime();
   readonly #dice: Dice;
   readonly #backing: Backing;
-  readonly #history = new History();
+  readonly #history = new History(TOLERANCE_MS);
   readonly #registration: Registration;
   readonly #tab: Tab;
   readonly #pageNet: FaultyNet;
@@ -89,7 +91,7 @@ export class FaultyWorld {
     for (const relay of this.#relays) relay.kill();
     await turn();
     await this.#backing.store.close();
-    return this.#history.check(stored);
+    return this.#history.check(stored).map(({ words }) => words);
   }
 
   async #step(): Promise<void> {
@@ -208,7 +210,8 @@ export class FaultyWorld {
       const read = decodeFrame(driverToRelaySchema, text);
       if (!read.ok || read.value.type !== "command") return;
       const { key = "", command } = read.value;
-      this.#history.tried(key, command.ttl ?? TTL_MS.default, this.#time.now());
+      const ttl = command.ttl ?? TTL_MS.default;
+      this.#history.tried(key, { sender: "script", at: this.#time.now(), ttl });
       return;
     }
     const read = decodeFrame(relayToDriverSchema, text);

@@ -9,23 +9,45 @@ interface Deed {
   at: number;
 }
 
-/** A command crosses two lines, and the robot looks at its clock at each step. */
-const TOLERANCE_MS = 120;
+interface Try {
+  /** whoever sends one command after the other */
+  sender: string;
+  at: number;
+  ttl: number;
+}
+
+export const faultKinds = ["lost", "doubled", "reordered", "ended twice", "late"] as const;
+export type FaultKind = (typeof faultKinds)[number];
+
+export interface Fault {
+  kind: FaultKind;
+  words: string;
+}
 
 export class History {
+  /** ms after its time to live within which a command may start */
+  readonly #tolerance: number;
   #deeds: Deed[] = [];
   /** by idempotency key: first try, and what was wished */
-  readonly #tries = new Map<string, { at: number; ttl: number }>();
+  readonly #tries = new Map<string, Try>();
   readonly #acknowledged = new Map<number, CommandRecord>();
   /** as scripts were told */
   readonly #endings = new Map<number, CommandState>();
-  readonly faults: string[] = [];
+  readonly #faults: Fault[] = [];
 
-  tried(key: string, ttl: number, at: number): void {
-    if (!this.#tries.has(key)) this.#tries.set(key, { at, ttl });
+  constructor(tolerance: number) {
+    this.#tolerance = tolerance;
+  }
+
+  tried(key: string, wish: Try): void {
+    if (!this.#tries.has(key)) this.#tries.set(key, wish);
   }
 
   acknowledged(record: CommandRecord): void {
+    const before = this.#acknowledged.get(record.seq);
+    if (before !== undefined && before.key !== record.key) {
+      this.#say("doubled", `${record.seq} was acknowledged to ${before.key} and ${record.key}`);
+    }
     this.#acknowledged.set(record.seq, record);
     this.told(record);
   }
@@ -34,7 +56,7 @@ export class History {
     if (!hasEnded(state)) return;
     const before = this.#endings.get(seq);
     if (before !== undefined && before !== state) {
-      this.faults.push(`${seq} was told as ${before}, then as ${state}`);
+      this.#say("ended twice", `${seq} was told as ${before}, then as ${state}`);
     }
     this.#endings.set(seq, state);
   }
@@ -51,57 +73,101 @@ export class History {
     this.#deeds = this.#deeds.filter((deed) => deed.page !== page || begun.has(deed.seq));
   }
 
-  /** Compares all that was seen with what the store has in the end. */
-  check(stored: readonly CommandRecord[]): string[] {
-    const say = (fault: string): void => void this.faults.push(fault);
-    stored.forEach(({ seq }, index) => {
-      if (seq !== index + 1) say(`the store lacks ${index + 1}`);
-    });
-    for (const { seq, key } of this.#acknowledged.values()) {
-      if (stored[seq - 1]?.key !== key) say(`${seq} was acknowledged and lost`);
-    }
-    for (const record of stored) this.#checkOne(record, say);
-    this.#checkOrder(say);
-    return this.faults;
+  /** How many commands were acknowledged. */
+  get size(): number {
+    return this.#acknowledged.size;
   }
 
-  #checkOne(
-    { seq, key, state, reason, action }: CommandRecord,
-    say: (fault: string) => void,
-  ): void {
+  /** ms from the first try to the start, of every command that was started. */
+  waits(stored: readonly CommandRecord[]): number[] {
+    const starts = new Map(
+      this.#deeds.flatMap(({ seq, what, at }) => (what === "started" ? [[seq, at]] : [])),
+    );
+    return stored.flatMap(({ seq, key }) => {
+      const start = starts.get(seq);
+      const tried = this.#tryOf(key);
+      return start === undefined || tried === null ? [] : [start - tried.at];
+    });
+  }
+
+  /** Compares all that was seen with what the store has in the end. */
+  check(stored: readonly CommandRecord[]): Fault[] {
+    stored.forEach(({ seq }, index) => {
+      if (seq !== index + 1) this.#say("lost", `the store lacks ${index + 1}`);
+    });
+    for (const { seq, key } of this.#acknowledged.values()) {
+      if (stored[seq - 1]?.key !== key) this.#say("lost", `${seq} was acknowledged and lost`);
+    }
+    for (const record of stored) this.#checkOne(record);
+    this.#checkStored(stored);
+    this.#checkOrder();
+    return this.#faults;
+  }
+
+  #say(kind: FaultKind, words: string): void {
+    this.#faults.push({ kind, words });
+  }
+
+  #tryOf(key: string | null): Try | null {
+    return key === null ? null : (this.#tries.get(key) ?? null);
+  }
+
+  #checkOne({ seq, key, state, reason, action }: CommandRecord): void {
     const deeds = this.#deeds.filter((deed) => deed.seq === seq);
     const starts = deeds.filter(({ what }) => what === "started");
     const ends = deeds.filter(({ what }) => hasEnded(what));
-    if (!hasEnded(state)) say(`${seq} never ended: ${state}`);
-    if (starts.length > 1) say(`${seq} started ${starts.length} times`);
-    if (ends.length > 1) say(`${seq} ended twice: ${ends.map(({ what }) => what).join(", ")}`);
+    const endedTwice = (words: string): void => this.#say("ended twice", `${seq} ${words}`);
+    if (!hasEnded(state)) this.#say("lost", `${seq} never ended: ${state}`);
+    if (starts.length > 1) this.#say("doubled", `${seq} started ${starts.length} times`);
+    if (ends.length > 1) {
+      endedTwice(`ended as ${ends.map(({ what, page }) => `${what} (page ${page})`).join(", ")}`);
+    }
     const told = this.#endings.get(seq);
-    if (told !== undefined && told !== state) say(`${seq} is ${state} and was told as ${told}`);
+    if (told !== undefined && told !== state) endedTwice(`is ${state} and was told as ${told}`);
     const [start] = starts;
     const [end] = ends;
     // A stop is done by the link, before the driver could tell.
     const isDone = action !== "stop" && (state === "completed" || state === "collided");
-    if (isDone && end?.what !== state) say(`${seq} is ${state}, the robot says ${end?.what}`);
-    if (state === "expired" && start !== undefined) say(`${seq} expired and was started`);
+    if (isDone && end?.what !== state) endedTwice(`is ${state}, the robot says ${end?.what}`);
+    if (state === "expired" && start !== undefined) endedTwice("expired and was started");
     // The relay writes these for what no robot has.
     const byRelay = /^(stopped|replaced) by command|^cancelled by its sender/.test(reason ?? "");
-    if (byRelay && start !== undefined) say(`${seq} was started and ${state}: ${reason}`);
+    if (byRelay && start !== undefined) endedTwice(`was started and ${state}: ${reason}`);
     const isLost = /page is gone|page was reloaded/.test(reason ?? "");
     if (end !== undefined && end.what !== state && !isLost) {
-      say(`${seq} is ${state} (${reason}), the robot ended it as ${end.what}`);
+      endedTwice(`is ${state} (${reason}), the robot ended it as ${end.what}`);
     }
-    const wish = key === null ? undefined : this.#tries.get(key);
-    if (start !== undefined && wish !== undefined) {
+    const wish = this.#tryOf(key);
+    if (start !== undefined && wish !== null) {
       const late = start.at - wish.at - wish.ttl;
-      if (late > TOLERANCE_MS) say(`${seq} started ${late} ms too late`);
+      if (late > this.#tolerance) this.#say("late", `${seq} started ${Math.round(late)} ms late`);
     }
   }
 
-  #checkOrder(say: (fault: string) => void): void {
+  /** One row for each key, and for each sender the order in which it sent. */
+  #checkStored(stored: readonly CommandRecord[]): void {
+    const seqs = new Map<string, number>();
+    for (const { key, seq } of stored) {
+      if (key === null) continue;
+      const before = seqs.get(key);
+      if (before !== undefined) this.#say("doubled", `${seq} is ${before} once more`);
+      seqs.set(key, seq);
+    }
+    const last = new Map<string, number>();
+    for (const [key, { sender }] of this.#tries) {
+      const seq = seqs.get(key);
+      if (seq === undefined) continue;
+      const before = last.get(sender) ?? 0;
+      if (seq <= before) this.#say("reordered", `${seq} was sent after ${before}`);
+      last.set(sender, Math.max(before, seq));
+    }
+  }
+
+  #checkOrder(): void {
     let last = 0;
     for (const { seq, what } of this.#deeds) {
       if (what !== "started") continue;
-      if (seq <= last) say(`${seq} started after ${last}`);
+      if (seq <= last) this.#say("reordered", `${seq} started after ${last}`);
       last = Math.max(last, seq);
     }
   }

@@ -1,0 +1,179 @@
+import type { CommandRecord, CommandState } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import { History, type FaultKind } from "./history.ts";
+
+const TTL = 400;
+const TOLERANCE = 100;
+
+/** Three commands that a script sent and the robot did, as the story tells it. */
+class Story {
+  readonly history = new History(TOLERANCE);
+  readonly stored: CommandRecord[] = [];
+  #now = 0;
+
+  constructor(commands = 3) {
+    for (let seq = 1; seq <= commands; seq++) this.command(seq);
+  }
+
+  command(seq: number): void {
+    const record = this.record(seq, "accepted");
+    this.history.tried(`key-${seq}`, { sender: "script", at: this.#now, ttl: TTL });
+    this.history.acknowledged(record);
+    this.did(seq, "started");
+    this.did(seq, "completed");
+    const ended = this.record(seq, "completed");
+    this.history.told(ended);
+    this.stored.push(ended);
+  }
+
+  did(seq: number, what: CommandState, page = 1): void {
+    this.history.did({ seq, what, page, at: (this.#now += 10) });
+  }
+
+  record(seq: number, state: CommandState, key = `key-${seq}`): CommandRecord {
+    const command = { action: "left 90" } as const;
+    const nothing = { reason: null, pose: null, distance: null, duplicate: false };
+    const acceptedAt = "2026-01-01T00:00:00.000Z";
+    return { seq, key, action: command.action, command, state, acceptedAt, ...nothing };
+  }
+
+  /** Changes what the store has of a command. */
+  stores(seq: number, change: Partial<CommandRecord>): void {
+    const record = this.stored[seq - 1];
+    if (record !== undefined) this.stored[seq - 1] = { ...record, ...change };
+  }
+
+  pass(ms: number): void {
+    this.#now += ms;
+  }
+
+  faults(): FaultKind[] {
+    return this.history.check(this.stored).map(({ kind }) => kind);
+  }
+}
+
+describe("histories that agree", () => {
+  it("have no faults", () => {
+    expect(new Story().faults()).toEqual([]);
+  });
+
+  it("may have a start that is late by less than the tolerance", () => {
+    const story = new Story(0);
+    story.history.tried("key-1", { sender: "script", at: -TTL - TOLERANCE + 10, ttl: TTL });
+    story.command(1);
+    expect(story.faults()).toEqual([]);
+  });
+
+  it("may lack the end of what a page had begun when it was reloaded", () => {
+    const story = new Story();
+    story.history.tried("key-4", { sender: "script", at: 60, ttl: TTL });
+    story.did(4, "started");
+    story.history.left(1);
+    story.stored.push({
+      ...story.record(4, "cancelled"),
+      reason: "the robot's page was reloaded",
+    });
+    expect(story.faults()).toEqual([]);
+  });
+});
+
+describe("a fault is seen:", () => {
+  it.each<{ name: string; is: FaultKind[]; happens: (story: Story) => void }>([
+    {
+      name: "the store has forgotten an acknowledged command",
+      is: ["lost"],
+      happens: ({ stored }) => void stored.pop(),
+    },
+    {
+      name: "a number was never given",
+      is: ["lost"],
+      happens: ({ stored }) => void stored.shift(),
+    },
+    {
+      name: "a command never ends",
+      is: ["lost"],
+      happens: (story) => {
+        story.stored.push(story.record(4, "delivered"));
+      },
+    },
+    {
+      name: "a retry is stored once more, and done once more",
+      is: ["doubled"],
+      happens: (story) => {
+        story.did(4, "started");
+        story.did(4, "completed");
+        story.stored.push(story.record(4, "completed", "key-3"));
+      },
+    },
+    {
+      name: "one number is given to two commands",
+      is: ["doubled", "lost"],
+      happens: (story) => story.history.acknowledged(story.record(3, "completed", "key-9")),
+    },
+    {
+      name: "a command moves the robot again after a reload",
+      is: ["doubled", "reordered"],
+      happens: (story) => {
+        story.history.left(1);
+        story.did(3, "started", 2);
+      },
+    },
+    {
+      name: "a later command starts first",
+      is: ["reordered"],
+      happens: (story) => {
+        for (const seq of [5, 4]) {
+          story.did(seq, "started");
+          story.did(seq, "completed");
+        }
+        story.stored.push(story.record(4, "completed"), story.record(5, "completed"));
+      },
+    },
+    {
+      name: "a script's commands are stored in another order than it sent them",
+      is: ["reordered"],
+      happens: (story) => {
+        const wish = { sender: "script", at: 60, ttl: TTL };
+        story.history.tried("key-5", wish);
+        story.command(4);
+        story.command(5);
+      },
+    },
+    {
+      name: "the robot ends a command twice",
+      is: ["ended twice"],
+      happens: (story) => story.did(2, "cancelled"),
+    },
+    {
+      name: "a script is told of two endings",
+      is: ["ended twice"],
+      happens: (story) => {
+        story.history.told(story.record(2, "expired"));
+        story.history.told(story.record(2, "completed"));
+      },
+    },
+    {
+      name: "the relay ends what the robot has begun",
+      is: ["ended twice"],
+      happens: (story) => story.stores(2, { state: "expired" }),
+    },
+    {
+      name: "the robot did not do what the store has as done",
+      is: ["ended twice"],
+      happens: (story) => story.stored.push(story.record(4, "completed")),
+    },
+    {
+      name: "a command starts after its time",
+      is: ["late"],
+      happens: (story) => {
+        story.history.tried("key-4", { sender: "script", at: 60, ttl: TTL });
+        story.pass(TTL + TOLERANCE);
+        story.command(4);
+      },
+    },
+  ])("$name", ({ is, happens }) => {
+    const story = new Story();
+    happens(story);
+    expect(new Set(story.faults())).toEqual(new Set(is));
+  });
+});

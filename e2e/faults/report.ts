@@ -1,0 +1,57 @@
+/** What a run of the rows found, as a table in Markdown: what was done, what must hold, what was measured. */
+import { digits, isMet, type Goal } from "../../benches/core/goals.ts";
+
+export interface Judged {
+  title: string;
+  does: string;
+  /** null where the row itself failed; then `fault` says how */
+  goals: readonly Goal[] | null;
+  fault?: string;
+  seconds: number;
+}
+
+export interface Circumstances {
+  /** of the run, such as 2026-11-22 */
+  date: string;
+  machine: string;
+  versions: string;
+  isLong: boolean;
+  seed: number;
+}
+
+/** Whether everything holds. */
+export function holds({ goals }: Judged): boolean {
+  return goals !== null && goals.every(isMet);
+}
+
+export function reportOf(rows: readonly Judged[], about: Circumstances): string {
+  const lines = rows.flatMap(linesOf);
+  return `# What breaks, and what holds
+
+Written by \`npm run test:faults${about.isLong ? " -- --long" : ""}\`: real processes and sockets, with faults.
+What each row does and how to read it: [CONTRIBUTING.md](../CONTRIBUTING.md).
+
+${about.date}, ${about.machine}; ${about.versions}; seed ${about.seed}; ${about.isLong ? "long" : "short"} run.
+${rows.filter(holds).length} of ${rows.length} rows hold.
+
+| row | what must hold | measured | |
+| --- | --- | --- | --- |
+${lines.join("\n")}
+
+${rows.map(({ title, does, seconds }) => `- **${title}** (${Math.round(seconds)} s): ${does}.`).join("\n")}
+`;
+}
+
+function linesOf({ title, goals, fault }: Judged): string[] {
+  if (goals === null) return [`| ${title} | runs to its end | ${cell(fault ?? "")} | FAIL |`];
+  return goals.map((goal, n) => {
+    const { words, measured, bound, unit } = goal;
+    const limit = "atMost" in bound ? `at most ${bound.atMost}` : `at least ${bound.atLeast}`;
+    const verdict = isMet(goal) ? "pass" : "FAIL";
+    return `| ${n === 0 ? title : ""} | ${cell(words)}: ${limit} | ${digits(measured)} ${cell(unit)} | ${verdict} |`;
+  });
+}
+
+function cell(text: string): string {
+  return text.replaceAll("|", "\\|").replaceAll("\n", " ");
+}
