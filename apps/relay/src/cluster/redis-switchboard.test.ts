@@ -1,6 +1,6 @@
 import { pino } from "pino";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
-import { systemClock } from "../clock.ts";
+import { systemClock, type Clock } from "../clock.ts";
 import { connectRedis } from "../store/redis/connection.ts";
 import { ForgottenBytes } from "../store/redis/forgotten-bytes.ts";
 import { RedisSessionStore } from "../store/redis/redis-session-store.ts";
@@ -8,9 +8,32 @@ import { hasRedis, startTestRedis } from "../testing/test-redis.ts";
 import { RedisSwitchboard } from "./redis-switchboard.ts";
 import { placeOf, switchboardCases } from "./testing/switchboard.cases.ts";
 
+const TAKEN_FOR_DEAD_MS = 5_000;
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 
-async function relayAt(url: string, relay: string) {
+/** A clock whose timers stand still while its process does. */
+function stallingClock() {
+  const held: (() => void)[] = [];
+  let isStalled = false;
+  const clock: Clock = {
+    now: () => systemClock.now(),
+    after: (ms, call) =>
+      systemClock.after(ms, () => {
+        if (isStalled) held.push(call);
+        else call();
+      }),
+  };
+  return {
+    clock,
+    stall: () => (isStalled = true),
+    goOn: () => {
+      isStalled = false;
+      for (const call of held.splice(0)) call();
+    },
+  };
+}
+
+async function relayAt(url: string, relay: string, clock: Clock = systemClock) {
   const connect = async () => {
     const connection = await connectRedis(url, () => undefined);
     onTestFinished(() => connection.destroy());
@@ -18,7 +41,7 @@ async function relayAt(url: string, relay: string) {
   };
   const [redis, hearing] = [await connect(), await connect()];
   const log = pino({ level: "silent" });
-  const options = { redis, hearing, relay, clock: systemClock, log };
+  const options = { redis, hearing, relay, clock, log };
   const switchboard = await RedisSwitchboard.open(options);
   const store = new RedisSessionStore(redis, new ForgottenBytes(redis), relay);
   const die = (): void => {
@@ -44,8 +67,44 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     const { heard } = await placeOf(other);
     expect(heard).toMatchObject([{ kind: "page", epoch }]);
     dying.die();
-    await vi.waitFor(() => expect(heard.at(-1)).toMatchObject({ kind: "page-left", epoch }), 5_000);
+    await vi.waitFor(
+      () => expect(heard.at(-1)).toMatchObject({ kind: "page-left", epoch }),
+      TAKEN_FOR_DEAD_MS,
+    );
     expect((await placeOf(other)).heard).toEqual([]);
+  });
+
+  it("finds the page again of a relay that stood still and was taken for dead, which learns of it", async () => {
+    const { url } = await startTestRedis();
+    const { clock, stall, goOn } = stallingClock();
+    const stalling = await relayAt(url, "relay-a", clock);
+    const other = await relayAt(url, "relay-b");
+    await other.store.create({ id: ID, createdAt: 1, keys: [] });
+    const [a, b] = [await placeOf(stalling), await placeOf(other)];
+    const epoch = await a.take();
+    stall();
+    await vi.waitFor(
+      () => expect(b.heard.at(-1)).toEqual({ kind: "page-left", epoch }),
+      TAKEN_FOR_DEAD_MS,
+    );
+    goOn();
+    await vi.waitFor(
+      () => expect(b.heard.at(-1)).toEqual({ kind: "page", epoch }),
+      TAKEN_FOR_DEAD_MS,
+    );
+    expect(a.heard).toEqual([{ kind: "lapsed" }]);
+  });
+
+  it("ends nothing of a robot whose page is at another relay that lives", async () => {
+    const [dying, other] = await twoRelays();
+    await other.store.create({ id: ID, createdAt: 1, keys: [] });
+    const epoch = await (await placeOf(dying)).take();
+    expect(await other.store.abandon(ID, epoch, "gone")).toBeNull();
+    dying.die();
+    await vi.waitFor(
+      async () => expect(await other.store.abandon(ID, epoch, "gone")).toEqual([]),
+      TAKEN_FOR_DEAD_MS,
+    );
   });
 
   it("has keys looked up again and again while it hears nothing: one may be revoked meanwhile", async () => {

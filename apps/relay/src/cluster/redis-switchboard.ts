@@ -2,7 +2,7 @@
  * Lines over Redis: a channel for each robot that this relay holds. The scripts of the store tell the
  * steps there, numbered, in the moment in which they are done; a number that is missing, or a connection
  * that was broken, is heard as `missed`. A relay that does not give a sign of life for three seconds counts as
- * dead, and the pages that it had as away.
+ * dead, and the pages that it had as away; one that was not dead after all lets its pages connect anew.
  */
 import { aliveDriverSchema, driversSchema, hasEnded, type Snapshot } from "@corridor/protocol";
 import type { Logger } from "pino";
@@ -10,7 +10,7 @@ import { z } from "zod";
 import type { Clock } from "../clock.ts";
 import { limits } from "../sessions/limits.ts";
 import { asked, type Redis } from "../store/redis/connection.ts";
-import { lineOf, postOf, sessionOf } from "../store/redis/redis-keys.ts";
+import { lineOf, postOf, RELAYS, sessionOf } from "../store/redis/redis-keys.ts";
 import { termedRow } from "../store/redis/rows.ts";
 import { Script } from "../store/redis/script.ts";
 import { readPost, SnapshotPost } from "./snapshot-post.ts";
@@ -21,9 +21,9 @@ const BEAT_MS = 1_000;
 const ALIVE_MS = 3_000;
 /** While nothing can be heard, keys may be revoked unheard: those that count are asked for this often. */
 const DEAF_LOOK_MS = 400;
-const RELAYS = "corridor:relays";
 
 const holderSchema = z.object({ relay: z.string(), epoch: z.int() });
+const beatSchema = z.object({ lapsed: z.boolean(), holders: z.array(holderSchema.nullable()) });
 const scriptsSchema = driversSchema.extend({ alive: z.array(aliveDriverSchema) });
 const from = z.string();
 const epoch = z.int();
@@ -48,8 +48,12 @@ interface Place {
   ears: Ears;
   /** number of the newest step that was heard; null: none yet */
   n: number | null;
-  /** the relay that has the page, as far as this one knows */
+  /** the other relay that has the page, as far as this one knows */
   holder: z.infer<typeof holderSchema> | null;
+  /** this relay has it */
+  isOwn: boolean;
+  /** how often news of the page came: an answer that was on its way meanwhile is older */
+  pageNews: number;
   /** other relays that hold the robot, and when they said so */
   others: Map<string, number>;
 }
@@ -100,7 +104,8 @@ export class RedisSwitchboard implements Switchboard {
 
   async join(robot: string, ears: Ears): Promise<Line> {
     const { hearing, relay, log } = this.#options;
-    const place: Place = { ears, n: null, holder: null, others: new Map() };
+    const others = new Map<string, number>();
+    const place: Place = { ears, n: null, holder: null, isOwn: false, pageNews: 0, others };
     const hear = (text: string): void => {
       const message = messageSchema.safeParse(JSON.parse(text));
       if (message.success) this.#hear(place, message.data);
@@ -160,12 +165,14 @@ export class RedisSwitchboard implements Switchboard {
   #hear(place: Place, message: Message): void {
     const { relay } = this.#options;
     if (message.kind === "step") return this.#hearStep(place, message);
-    if (message.from === relay) {
-      if (message.kind === "page") place.holder = null;
-      return;
+    const isOwn = message.from === relay;
+    if (message.kind === "page" || message.kind === "page-left") {
+      const isHere = message.kind === "page";
+      place.pageNews += 1;
+      place.isOwn = isHere && isOwn;
+      place.holder = isHere && !isOwn ? { relay: message.from, epoch: message.epoch } : null;
     }
-    if (message.kind === "page") place.holder = { relay: message.from, epoch: message.epoch };
-    if (message.kind === "page-left") place.holder = null;
+    if (isOwn) return;
     if (message.kind === "here") place.others.set(message.from, this.#options.clock.now());
     place.ears.heard(message);
   }
@@ -183,6 +190,7 @@ export class RedisSwitchboard implements Switchboard {
       place.n = null;
       place.ears.missed();
     }
+    if (!this.#isClosed) this.#look().catch(() => undefined);
   }
 
   #lookWhileDeaf(): void {
@@ -193,23 +201,39 @@ export class RedisSwitchboard implements Switchboard {
     this.#cancelLook = clock.after(DEAF_LOOK_MS, () => this.#lookWhileDeaf());
   }
 
-  /** Gives a sign of life, and looks for those who do not any more. */
   async #beat(): Promise<void> {
     try {
-      const alive = new Set(
-        z.array(z.string()).parse(await this.#run("beat", "", { ms: ALIVE_MS })),
-      );
-      for (const place of this.#places.values()) {
-        const { holder } = place;
-        if (holder === null || alive.has(holder.relay)) continue;
-        place.holder = null;
-        place.ears.heard({ kind: "page-left", epoch: holder.epoch });
-      }
+      await this.#look();
     } catch (error) {
       this.#options.log.debug({ err: error }, "no sign of life could be given");
     }
     if (this.#isClosed) return;
     this.#cancelTimer = this.#options.clock.after(BEAT_MS, () => void this.#beat());
+  }
+
+  /** Gives a sign of life, and looks where the pages are: their relays may be dead, or not be dead after all. */
+  async #look(): Promise<void> {
+    const places = [...this.#places].map(([robot, place]) => ({
+      session: sessionOf(robot),
+      place,
+      pageNews: place.pageNews,
+    }));
+    const sessions = places.map(({ session }) => session);
+    const answer = beatSchema.parse(await this.#run("beat", "", { ms: ALIVE_MS, sessions }));
+    for (const [index, { place, pageNews }] of places.entries()) {
+      if (place.isOwn && answer.lapsed) place.ears.heard({ kind: "lapsed" });
+      else if (!place.isOwn && place.pageNews === pageNews)
+        this.#learnHolder(place, answer.holders[index] ?? null);
+    }
+  }
+
+  #learnHolder(place: Place, holder: Place["holder"]): void {
+    const before = place.holder;
+    const isOther = holder?.relay !== this.#options.relay;
+    place.holder = isOther ? holder : null;
+    if (place.holder?.epoch === before?.epoch) return;
+    if (place.holder !== null) place.ears.heard({ kind: "page", epoch: place.holder.epoch });
+    else if (before !== null) place.ears.heard({ kind: "page-left", epoch: before.epoch });
   }
 
   async #run(step: string, robot: string, values: unknown = {}): Promise<unknown> {

@@ -7,11 +7,22 @@ local now = clock[1] * 1000 + math.floor(clock[2] / 1000)
 
 local steps = {}
 
--- This relay lives. Returns all that do.
+-- The robot's page, as it was stored, where its relay lives.
+local function holderOf(session)
+  local page = redis.call('HGET', session, 'page')
+  if not page then return nil end
+  local alive = tonumber(redis.call('ZSCORE', RELAYS, cjson.decode(page).relay) or 0)
+  return alive >= now and page or nil
+end
+
+-- This relay lives. Returns whether it had counted as dead, and who has the pages of these robots.
 function steps.beat()
+  local before = tonumber(redis.call('ZSCORE', RELAYS, relay) or 0)
   redis.call('ZADD', RELAYS, now + given.ms, relay)
   redis.call('ZREMRANGEBYSCORE', RELAYS, '-inf', '(' .. now)
-  return cjson.encode(redis.call('ZRANGE', RELAYS, 0, -1))
+  local holders = {}
+  for i, session in ipairs(given.sessions) do holders[i] = holderOf(session) or 'null' end
+  return '{"lapsed":' .. tostring(before < now) .. ',"holders":[' .. table.concat(holders, ',') .. ']}'
 end
 
 function steps.stop()
@@ -19,13 +30,8 @@ function steps.stop()
   return 'null'
 end
 
--- Who is the robot's page, where its relay lives.
 function steps.holder()
-  local page = redis.call('HGET', SESSION, 'page')
-  if not page then return 'null' end
-  local holder = cjson.decode(page)
-  local alive = tonumber(redis.call('ZSCORE', RELAYS, holder.relay) or 0)
-  return alive >= now and page or 'null'
+  return holderOf(SESSION) or 'null'
 end
 
 -- The page with this epoch is away.

@@ -25,6 +25,8 @@ export type News =
   | { kind: "page"; epoch: number }
   /** that page is away, or its relay is */
   | { kind: "page-left"; epoch: number }
+  /** this relay gave no sign of life for so long that the others took its pages for away */
+  | { kind: "lapsed" }
   /** another relay has the robot on its line, and these scripts; `asks` for the newest snapshot at once */
   | { kind: "here"; from: string; scripts: Scripts; asks: boolean }
   /** the page is asked to end this command */

@@ -135,9 +135,12 @@ export class CommandLife {
   async pageIsGone(): Promise<void> {
     await this.#work.run(async () => {
       if (this.#seat.page !== null || this.#seat.isElsewhere) return;
-      this.#seat.settleAway();
       const { epoch } = this.#seat;
-      this.#tellStates(await this.#store.abandon(this.#robot, epoch, "the robot's page is gone"));
+      const ended = await this.#store.abandon(this.#robot, epoch, "the robot's page is gone");
+      // Another relay has it after all, which is heard in a moment.
+      if (ended === null) return;
+      this.#seat.settleAway();
+      this.#tellStates(ended);
     });
   }
 

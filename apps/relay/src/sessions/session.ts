@@ -320,6 +320,10 @@ export class Session {
         if (!this.#seat.leaveElsewhere(news.epoch, this.#clock.now())) return;
         this.#view.pageLeft();
         return this.#tellReaders();
+      case "lapsed":
+        if (page === null) return;
+        page.link.close(closeReasons.restart);
+        return this.leavePage(page.link);
       case "snapshot":
         if (page !== null) return;
         this.#view.hear(news.snapshot);

@@ -12,6 +12,7 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { pino } from "pino";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { LocalSwitchboard } from "../cluster/local-switchboard.ts";
+import type { Ears, News } from "../cluster/switchboard.ts";
 import type { SessionStore } from "../store/session-store.ts";
 import { SqliteStore } from "../store/sqlite-store.ts";
 import { StoreAway } from "../store/store-away.ts";
@@ -48,7 +49,16 @@ async function withRelays() {
   onTestFinished(() => store.close());
   const switchboard = new LocalSwitchboard();
   const log = pino({ level: "silent" });
-  const pages = new SessionHub(store, clock, log, { switchboard });
+  const ears: Ears[] = [];
+  const pages = new SessionHub(store, clock, log, {
+    switchboard: {
+      join: (robot, own) => {
+        ears.push(own);
+        return switchboard.join(robot, own);
+      },
+      close: () => switchboard.close(),
+    },
+  });
   const cut = cutStore(store);
   const scripts = new SessionHub(cut.store, clock, log, { switchboard });
   const robot = await pages.register("10.0.0.1", "http://localhost");
@@ -96,6 +106,8 @@ async function withRelays() {
   return {
     clock,
     cut,
+    /** Tells the first relay something that its line would. */
+    tellPages: (news: News) => ears.at(-1)?.heard(news),
     switchboard,
     pages,
     scripts,
@@ -225,6 +237,17 @@ describe("page and script at different relays", () => {
     atScripts.leavePage(second.link);
     await clock.pass(limits.pageAwayMs + 5_000);
     expect(said.filter((text) => text.endsWith("cancelled"))).toEqual(["1 cancelled"]);
+  });
+
+  it("lets the page of a relay that was taken for dead connect anew, and ends nothing of it", async () => {
+    const { host, atScripts, page, submit, clock, tellPages } = await withRelays();
+    await submit(LEFT);
+    tellPages({ kind: "lapsed" });
+    expect(host.closed).toEqual([closeReasons.restart.code]);
+    const again = await page(host.session, { lastApplied: 1 });
+    await clock.pass(limits.pageAwayMs + 5_000);
+    expect(again.epoch).toBe(host.epoch + 1);
+    expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "started" }]);
   });
 
   it("says gap, and delivers what waits, when news between the relays were lost", async () => {

@@ -155,9 +155,9 @@ export interface SessionStore {
   /**
    * The page with this epoch is away for good: raises the epoch, so that nothing of it counts any more,
    * and ends all that is delivered or started as cancelled. Does nothing when a newer page has come.
-   * @returns what has ended by this
+   * @returns what has ended by this; null: another relay that lives has the page
    */
-  abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[]>;
+  abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[] | null>;
   /**
    * A page takes the robot: raises the epoch, stores what the page has done, and makes what never
    * reached it wait again, except what was taken back or what a later stop or replacing command has

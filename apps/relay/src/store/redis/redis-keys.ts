@@ -7,6 +7,9 @@ export function sessionOf(id: string): string {
   return `corridor:{${id}}`;
 }
 
+/** The relays, by the time until which they count as alive. */
+export const RELAYS = "corridor:relays";
+
 /** The channel on which the robot's line is. */
 export function lineOf(id: string): string {
   return `${sessionOf(id)}:line`;
@@ -21,5 +24,5 @@ export function postOf(relay: string): string {
 export function keysOf(id: string): string[] {
   const session = sessionOf(id);
   const parts = ["open", "ended", "keys"].map((part) => `${session}:${part}`);
-  return [session, ...parts, "corridor:uses", "corridor:births", lineOf(id)];
+  return [session, ...parts, "corridor:uses", "corridor:births", lineOf(id), RELAYS];
 }

@@ -152,8 +152,11 @@ export class RedisSessionStore implements SessionStore {
     return outcome === "ended" ? { outcome, record } : { outcome, record };
   }
 
-  async abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[]> {
-    return z.array(recordRow).parse(await this.#step("abandon", id, { epoch, reason }));
+  async abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[] | null> {
+    return z
+      .array(recordRow)
+      .nullable()
+      .parse(await this.#step("abandon", id, { epoch, reason }));
   }
 
   async takeOver(id: string, { lastApplied, fresh, endings }: PageState) {

@@ -2,12 +2,13 @@
 -- relays can share one Redis. What a step must do is said in session-store.ts.
 --
 -- KEYS: 1 the session, 2 commands that have not ended (by seq), 3 those that have (by seq), 4 seq by
--- idempotency key, 5 sessions by last use, 6 sessions by birth, 7 the robot's line.
+-- idempotency key, 5 sessions by last use, 6 sessions by birth, 7 the robot's line, 8 the relays by the time until
+-- which they count as alive.
 -- Redis undoes nothing: where its memory is full, the first that a step writes must be something that Redis
 -- refuses then, so that all of the step is refused.
 -- A command is a row of JSON. What Lua would round, or need not know, is in it as text.
 local step, given, relay = ARGV[1], cjson.decode(ARGV[2]), ARGV[3]
-local SESSION, OPEN, ENDED, BY_KEY, USES, BIRTHS, LINE = unpack(KEYS)
+local SESSION, OPEN, ENDED, BY_KEY, USES, BIRTHS, LINE, RELAYS = unpack(KEYS)
 local WAITS, HELD, RUNS = 'accepted', 'delivered', 'started'
 
 -- what this step has changed, by seq, for everybody on the line
@@ -69,6 +70,16 @@ local function isLate(row)
 end
 
 local function epoch() return tonumber(redis.call('HGET', SESSION, 'epoch') or -1) end
+
+-- Whether another relay that lives has the page.
+local function isHeld()
+  local page = redis.call('HGET', SESSION, 'page')
+  local holder = page and cjson.decode(page).relay
+  if not holder or holder == relay then return false end
+  local clock = redis.call('TIME')
+  local now = clock[1] * 1000 + math.floor(clock[2] / 1000)
+  return tonumber(redis.call('ZSCORE', RELAYS, holder) or 0) >= now
+end
 
 local function keyOf(row) return row.driver .. ':' .. row.key end
 
@@ -256,6 +267,7 @@ end
 
 function steps.abandon()
   if epoch() ~= given.epoch then return '[]' end
+  if isHeld() then return 'null' end
   redis.call('HINCRBY', SESSION, 'epoch', 1)
   local rows = open(function(row) return not waits(row) end)
   for _, row in ipairs(rows) do change(row, 'cancelled', given.reason) end
