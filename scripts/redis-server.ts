@@ -15,6 +15,7 @@ export interface RedisServer {
   /** such as redis://127.0.0.1:6379 */
   url: string;
   port: number;
+  pid: number;
   /** Ends it. What it was given stays in its folder. */
   stop(signal?: "SIGTERM" | "SIGKILL"): Promise<void>;
 }
@@ -67,6 +68,7 @@ export async function startRedis(
   return {
     url: `redis://127.0.0.1:${chosen}`,
     port: chosen,
+    pid: child.pid ?? 0,
     stop: async (signal = "SIGTERM") => {
       child.kill(signal);
       await end;

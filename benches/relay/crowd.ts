@@ -1,0 +1,106 @@
+/**
+ * 500 robots, 30 snapshots a second each, each with a reader; some of them are scripts that command. Then as
+ * many snapshots as are taken.
+ */
+import type { Goal } from "../core/goals.ts";
+import type { ContenderName } from "./contenders/contender.ts";
+import type { Seen } from "./load/jobs.ts";
+import {
+  coreShare,
+  costEach,
+  measureInTurn,
+  passedShare,
+  quantileOf,
+  rate,
+  timesAsMuch,
+  typical,
+} from "./rounds.ts";
+import { printRow, withContenders, type Section } from "./section.ts";
+
+const NAMES: readonly ContenderName[] = ["bare", "corridor", "socket.io"];
+const CROWD = { robots: 500, scripts: 50, isDurable: true };
+const PACE = { aSecond: 30, commandsASecond: 100, seconds: 4 };
+const FLOOD = { of: "snapshots", inFlight: 64, seconds: 2 } as const;
+const ROUNDS = 3;
+
+type Rounds = ReadonlyMap<ContenderName, Seen[]>;
+
+export const crowd: Section = {
+  title: "Crowd",
+  measure: () =>
+    withContenders(NAMES, CROWD, async (entered, load) => {
+      const measured = async (
+        measure: (fleet: number, pids: readonly number[]) => Promise<Seen>,
+      ): Promise<Rounds> => {
+        const each = entered.map(
+          ({ name, fleet, running }) => [name, () => measure(fleet, running.pids)] as const,
+        );
+        return measureInTurn(new Map(each), ROUNDS);
+      };
+      const paced = await measured((fleet, pids) => load.paced({ fleet, pids, ...PACE }));
+      const flood = await measured((fleet, pids) => load.flood({ fleet, pids, ...FLOOD }));
+      print(paced, flood);
+      return judged(paced, flood);
+    }),
+};
+
+function print(paced: Rounds, flood: Rounds): void {
+  printRow("500 robots, 30/s each", [
+    "% of a core",
+    "us of cpu each",
+    "against bare",
+    "passed on, %",
+    "command p50",
+    "p99, us",
+  ]);
+  const bare = paced.get("bare") ?? [];
+  for (const [name, seen] of paced) {
+    printRow(name, [
+      typical(seen, coreShare),
+      typical(seen, costEach),
+      timesAsMuch(seen, bare, costEach),
+      typical(seen, passedShare),
+      typical(seen, quantileOf("answers", 0.5)),
+      typical(seen, quantileOf("answers", 0.99)),
+    ]);
+  }
+  printRow("as many as are taken", ["a second", "against bare", "us of cpu each", "passed on, %"]);
+  for (const [name, seen] of flood) {
+    printRow(name, [
+      typical(seen, rate),
+      timesAsMuch(seen, flood.get("bare") ?? [], rate),
+      typical(seen, costEach),
+      typical(seen, passedShare),
+    ]);
+  }
+}
+
+function judged(paced: Rounds, flood: Rounds): readonly Goal[] {
+  const product = paced.get("corridor") ?? [];
+  return [
+    {
+      words: "snapshots that a core takes, against the bare forwarder, at 30/s of each robot",
+      measured: 1 / timesAsMuch(product, paced.get("bare") ?? [], costEach),
+      bound: { atLeast: 0.75 },
+      unit: "times",
+    },
+    {
+      words: "snapshots a second, as many as are taken, against the bare forwarder",
+      measured: timesAsMuch(flood.get("corridor") ?? [], flood.get("bare") ?? [], rate),
+      bound: { atLeast: 0.75 },
+      unit: "times",
+    },
+    {
+      words: "500 robots with a reader each, 30 snapshots a second",
+      measured: typical(product, coreShare),
+      bound: { atMost: 60 },
+      unit: "% of a core",
+    },
+    {
+      words: "from a command to the news that it has begun, there, p99",
+      measured: typical(product, quantileOf("beginnings", 0.99)) / 1000,
+      bound: { atMost: 10 },
+      unit: "ms",
+    },
+  ];
+}

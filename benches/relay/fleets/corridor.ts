@@ -1,0 +1,122 @@
+/**
+ * A fleet at the product: robots are registered, pages and readers say hello with their keys, readers say
+ * what they have seen, pages begin and end each command at once.
+ */
+import type { Registration } from "@corridor/protocol";
+import { openAll, type Fleet, type FleetOptions } from "./fleet.ts";
+import { commandText, numberIn, snapshotText } from "./messages.ts";
+import { TextWire } from "./text-wire.ts";
+
+/** So many robots share an address, as a class does. */
+const A_CLASS = 30;
+
+interface Robot {
+  page: TextWire;
+  reader: TextWire;
+  epoch: number;
+  /** who waits for the relay's time: then it has taken all that was said before */
+  asking: (() => void)[];
+}
+
+export async function openCorridor(options: FleetOptions): Promise<Fleet> {
+  let commands = 0;
+  const all = await openAll(options.robots, (robot) => openRobot(robot, options));
+  return {
+    report: (robot, n) => {
+      const at = all[robot];
+      at?.page.send(snapshotText(n, at.epoch));
+    },
+    command: (robot) => all[robot]?.reader.send(commandText(commands++)),
+    taken: (robot) =>
+      new Promise((resolve) => {
+        const at = all[robot];
+        at?.asking.push(resolve);
+        at?.page.send(`{"type":"time","epoch":${at.epoch}}`);
+      }),
+    close: async () => {
+      for (const { page, reader } of all) {
+        page.close();
+        reader.close();
+      }
+    },
+  };
+}
+
+async function openRobot(robot: number, options: FleetOptions): Promise<Robot> {
+  const { pages, readers, scripts, ears } = options;
+  const headers = { "X-Forwarded-For": `10.1.0.${Math.floor(robot / A_CLASS) + 1}` };
+  const api = `http://127.0.0.1:${pages}/api/v1/robots`;
+  const { id, ownerKey, driverKey } = (await post(api, { headers })) as Registration;
+  const path = `/api/v1/robots/${id}/socket`;
+  const asking: (() => void)[] = [];
+
+  const welcomed = Promise.withResolvers<number>();
+  const page = await TextWire.open({
+    port: Number(pages),
+    path,
+    headers,
+    hear: (text) => {
+      if (text.startsWith('{"type":"command"')) doCommand(numberIn(text));
+      else if (text.startsWith('{"type":"time"')) asking.shift()?.();
+      else if (text.startsWith('{"type":"welcome"')) {
+        welcomed.resolve((JSON.parse(text) as { epoch: number }).epoch);
+      }
+    },
+  });
+  page.send(JSON.stringify({ type: "hello", version: 1, role: "own", key: ownerKey }));
+  page.send(JSON.stringify({ type: "resume", lastApplied: 0, fresh: true, endings: [] }));
+  const epoch = await welcomed.promise;
+  const doCommand = (seq: number): void => {
+    page.send(`{"type":"started","epoch":${epoch},"seq":${seq}}`);
+    page.send(
+      `{"type":"ended","epoch":${epoch},"seq":${seq},"state":"completed","reason":null,"pose":{"x":150,"y":150,"heading":90},"distance":120}`,
+    );
+  };
+
+  const isScript = robot < scripts;
+  const key = isScript ? driverKey : await watchKey(`${api}/${id}/keys`, ownerKey, headers);
+  const joined = Promise.withResolvers<void>();
+  const reader = await TextWire.open({
+    port: Number(readers),
+    path,
+    headers,
+    hear: (text) => {
+      if (text.startsWith('{"type":"snapshot"')) {
+        const n = numberIn(text);
+        reader.send(`{"type":"seen","seq":${n}}`);
+        ears.snapshot(robot, n);
+      } else if (text.startsWith('{"type":"ack"')) ears.answered(robot);
+      else if (text.startsWith('{"type":"state"')) {
+        if (text.includes('"state":"started"')) ears.began(robot);
+      } else if (text.startsWith('{"type":"welcome"')) joined.resolve();
+      else if (text.startsWith('{"type":"problem"')) throw new Error(text);
+    },
+  });
+  reader.send(
+    JSON.stringify({ type: "hello", version: 1, role: isScript ? "drive" : "watch", key }),
+  );
+  await joined.promise;
+  return { page, reader, epoch, asking };
+}
+
+async function watchKey(
+  url: string,
+  ownerKey: string,
+  headers: Record<string, string>,
+): Promise<string> {
+  const made = await post(url, {
+    headers: {
+      ...headers,
+      Authorization: `Bearer ${ownerKey}`,
+      "Content-Type": "application/json",
+    },
+    body: '{"kind":"watch"}',
+  });
+  return (made as { key: string }).key;
+}
+
+async function post(url: string, init: RequestInit): Promise<unknown> {
+  const response = await fetch(url, { method: "POST", ...init });
+  if (!response.ok) throw new Error(`${url}: ${await response.text()}`);
+  return response.json();
+}

@@ -1,0 +1,55 @@
+/** What it costs that a robot's page and its reader are at different relays: both relays' time, against one's. */
+import type { Goal } from "../core/goals.ts";
+import { startTwoRelays } from "./contenders/start.ts";
+import { Load } from "./load/load.ts";
+import { coreShare, measureInTurn, quantileOf, timesAsMuch, typical } from "./rounds.ts";
+import { printRow, type Section } from "./section.ts";
+
+const CROWD = { contender: "corridor", robots: 200, scripts: 0 } as const;
+const PACE = { aSecond: 30, commandsASecond: 0, seconds: 4 };
+const ROUNDS = 3;
+
+export const twoRelays: Section = {
+  title: "Two relays",
+  measure: async (): Promise<readonly Goal[]> => {
+    const relays = await startTwoRelays();
+    if (relays === null) return [goal(Number.NaN)];
+    const { one, apart } = relays;
+    const load = Load.start();
+    try {
+      const { pids } = one;
+      const [together, split] = [
+        await load.open({ ...CROWD, pages: one.pages, readers: one.readers }),
+        await load.open({ ...CROWD, pages: apart.pages, readers: apart.readers }),
+      ];
+      const rounds = await measureInTurn(
+        new Map([
+          ["one", () => load.paced({ fleet: together, pids, ...PACE })],
+          ["apart", () => load.paced({ fleet: split, pids, ...PACE })],
+        ]),
+        ROUNDS,
+      );
+      printRow("200 robots, 30/s each", ["% of a core", "way p50, us", "p99, us"]);
+      for (const [name, seen] of rounds) {
+        printRow(name === "one" ? "at one relay" : "each reader elsewhere", [
+          typical(seen, coreShare),
+          typical(seen, quantileOf("ways", 0.5)),
+          typical(seen, quantileOf("ways", 0.99)),
+        ]);
+      }
+      return [goal(timesAsMuch(rounds.get("apart") ?? [], rounds.get("one") ?? [], coreShare))];
+    } finally {
+      await load.stop();
+      await one.stop();
+    }
+  },
+};
+
+function goal(measured: number): Goal {
+  return {
+    words: "processor time of a robot with its reader at another relay, against one relay",
+    measured,
+    bound: { atMost: 1.3 },
+    unit: "times",
+  };
+}
