@@ -71,7 +71,7 @@ describe("HostLink", () => {
     welcome();
     expect(platform.socket.sent).toEqual([
       { type: "hello", version: 1, role: "own", key: "own_CCCCCCCCCCCCCCCCCCCCCC" },
-      { type: "resume", lastApplied: 7, fresh: true, endings: [] },
+      { type: "resume", lastApplied: 7, fresh: true, endings: [], snapshot: snapshotOf() },
     ]);
     expect(link.isConnected).toBe(true);
     expect(statuses.map(({ kind }) => kind)).toEqual(["connecting", "connected"]);
@@ -106,6 +106,8 @@ describe("HostLink", () => {
       lastApplied: 2,
       fresh: false,
       endings: [{ seq: 1, ...done }],
+      // Who waits for that ending reads fresh sensors.
+      snapshot: snapshotOf(),
     });
     platform.socket.receive({ type: "stored", seq: 1 });
     reconnect(3);
@@ -123,6 +125,7 @@ describe("HostLink", () => {
     for (const seq of [1, 2, 3, 4]) platform.socket.receive(command(seq));
     expect(commands).toEqual([1, 2, 3, 3, 4]);
     expect(platform.socket.sent.slice(2)).toEqual([
+      { type: "snapshot", epoch: 2, snapshot: snapshotOf() },
       { type: "ended", epoch: 2, seq: 1, ...done },
       { type: "started", epoch: 2, seq: 2 },
     ]);
@@ -278,7 +281,10 @@ describe("HostLink", () => {
     link.ended(1, done);
     expect(platform.socket.sent).toHaveLength(2);
     platform.socket.receive({ type: "welcome", version: 1, epoch: 2, at: 0 });
-    expect(platform.socket.sent.at(-1)).toMatchObject({ type: "ended", seq: 1, epoch: 2 });
+    expect(platform.socket.sent.slice(-2)).toMatchObject([
+      { type: "snapshot", epoch: 2 },
+      { type: "ended", seq: 1, epoch: 2 },
+    ]);
   });
 
   it("ends a stop by itself, after all that the robot had", () => {

@@ -52,7 +52,7 @@ export interface HostLinkOptions {
   lastApplied: number;
   /** true when the page was loaded anew and no longer runs what it had started */
   fresh: boolean;
-  /** The robot as it is now: sent before each ending, so that who waits for it reads fresh sensors. */
+  /** The robot as it is now: sent before all endings, so that who waits for one reads fresh sensors. */
   snapshot(): Snapshot | null;
   /** A new command. Commands come in the order of their seq; start them in that order. */
   onCommand(command: DeliveredCommand): void;
@@ -137,10 +137,7 @@ export class HostLink {
     const { state, reason, pose, distance } = ending;
     const kept: Ending = { seq, state, reason, pose, distance };
     this.#endings.set(seq, kept);
-    if (!this.#connection.isConnected) return;
-    const snapshot = this.#options.snapshot();
-    if (snapshot !== null) this.#send({ type: "snapshot", epoch: this.#epoch, snapshot });
-    this.#sendEnding(kept);
+    if (this.#connection.isConnected) this.#tellEnding(kept);
   }
 
   /**
@@ -166,6 +163,7 @@ export class HostLink {
     const endings = [...this.#endings.values()].slice(0, MAX_RESUMED_ENDINGS);
     this.#resumed = new Set(endings.map(({ seq }) => seq));
     const { ownerKey } = this.#options.credentials;
+    const snapshot = this.#options.snapshot();
     return [
       encodeFrame({ type: "hello", version: PROTOCOL_VERSION, role: "own", key: ownerKey }),
       encodeFrame({
@@ -173,6 +171,7 @@ export class HostLink {
         lastApplied: this.#applied.last,
         fresh: this.#fresh,
         endings,
+        ...(snapshot !== null && { snapshot }),
       }),
     ];
   }
@@ -184,7 +183,7 @@ export class HostLink {
         this.#epoch = message.epoch;
         this.#fresh = false;
         for (const ending of this.#endings.values()) {
-          if (!this.#resumed.has(ending.seq)) this.#sendEnding(ending);
+          if (!this.#resumed.has(ending.seq)) this.#tellEnding(ending);
         }
         return this.#askTime();
       case "command": {
@@ -242,7 +241,7 @@ export class HostLink {
   #isNew(seq: number): boolean {
     if (this.#applied.take(seq)) return true;
     const ending = this.#endings.get(seq);
-    if (ending !== undefined) this.#sendEnding(ending);
+    if (ending !== undefined) this.#tellEnding(ending);
     else if (seq <= this.#applied.last) this.started(seq);
     return false;
   }
@@ -254,7 +253,10 @@ export class HostLink {
     this.ended(stop.seq, { state: "completed", reason: null, pose, distance: 0 });
   }
 
-  #sendEnding(ending: Ending): void {
+  /** An ending, after the robot as it is now: who hears of the one must not read an older other. */
+  #tellEnding(ending: Ending): void {
+    const snapshot = this.#options.snapshot();
+    if (snapshot !== null) this.#send({ type: "snapshot", epoch: this.#epoch, snapshot });
     this.#send({ type: "ended", epoch: this.#epoch, ...ending });
   }
 

@@ -16,6 +16,7 @@ import {
   type Hello,
   type PageToRelay,
 } from "./messages.ts";
+import { snapshotOf } from "./testing/index.ts";
 
 const FIXTURES = join(import.meta.dirname, "fixtures");
 
@@ -96,7 +97,9 @@ describe("messages", () => {
     };
     const { type: _type, epoch: _epoch, ...kept } = ending;
     const endings = Array.from({ length: MAX_RESUMED_ENDINGS }, () => kept);
-    const text = encodeFrame({ type: "resume", lastApplied: 1, fresh: true, endings });
+    const far = 12345.12345678901;
+    const snapshot = snapshotOf({ sensors: { front: far, right: far, back: far, left: far } });
+    const text = encodeFrame({ type: "resume", lastApplied: 1, fresh: true, endings, snapshot });
     expect(text.length).toBeLessThanOrEqual(MAX_FRAME_BYTES);
     expect(decodeFrame(resumeSchema, text).ok).toBe(true);
   });

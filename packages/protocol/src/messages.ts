@@ -61,6 +61,8 @@ export const resumeSchema = z.strictObject({
   fresh: z.boolean(),
   /** endings of which the page does not know that they are stored, oldest first */
   endings: z.array(endingSchema).max(MAX_RESUMED_ENDINGS),
+  /** the robot as it is now, so that who hears of these endings reads nothing older */
+  snapshot: snapshotSchema.optional(),
 });
 export type Resume = z.infer<typeof resumeSchema>;
 

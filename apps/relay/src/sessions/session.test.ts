@@ -53,7 +53,7 @@ async function withRobot() {
 
 type Robot = Awaited<ReturnType<typeof withRobot>>;
 
-async function page({ session }: Robot, resume: { lastApplied?: number; endings?: Ending[] } = {}) {
+async function page({ session }: Robot, resume: Partial<Resume> = {}) {
   const told: RelayToPage[] = [];
   const closed: number[] = [];
   const link: PageLink = {
@@ -488,6 +488,20 @@ describe("a robot session: what scripts see", () => {
     await host.report({ seq: 2 });
     await host.ended(completed(1));
     expect(said).toEqual(["snapshot 1", "snapshot 2", "completed"]);
+  });
+
+  it("shows the robot as it is before the endings that a page brings along", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await robot.submit(LEFT);
+    await host.started(1);
+    await host.report({ seq: 1, tick: 100 });
+    robot.session.leavePage(host.link);
+    const ended = robot.session.endOf(1, patience(20_000));
+    const read = ended.then(({ state }) => `${state} at ${robot.session.newest?.tick}`);
+    const snapshot = snapshotOf({ seq: 2, tick: 200 });
+    await page(robot, { lastApplied: 1, endings: [completed(1)], snapshot });
+    expect(await read).toBe("completed at 200");
   });
 
   it("tells apart a robot that runs, one that sleeps and one that is gone", async () => {

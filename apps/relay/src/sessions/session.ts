@@ -158,6 +158,8 @@ export class Session {
     await this.#life.takePage(link, resume, () => {
       this.#used();
       this.#view.pageCame(this.#clock.now());
+      // Before the endings that came with it: who hears of one reads nothing older.
+      if (resume.snapshot !== undefined) this.#show(resume.snapshot);
       this.#tellScripts();
       // It went before it was seated, when there was nothing to leave yet.
       if (!link.isOpen) this.leavePage(link);
@@ -180,8 +182,7 @@ export class Session {
     if (message.type === "time") return link.send({ type: "time", at: this.#clock.now() });
     this.#used();
     if (message.type !== "snapshot") return this.#life.hearPage(link, message);
-    this.#view.report(message.snapshot, this.#clock.now());
-    this.#tellSnapshot();
+    this.#show(message.snapshot);
   }
 
   // --- scripts ---
@@ -379,6 +380,12 @@ export class Session {
       newest: () => this.newest,
       tellOpen: (tell) => this.#life.log.tellOpen(tell),
     };
+  }
+
+  /** What the page reports: kept, and told to everybody. */
+  #show(snapshot: Snapshot): void {
+    this.#view.report(snapshot, this.#clock.now());
+    this.#tellSnapshot();
   }
 
   #tellSnapshot(): void {
