@@ -6,11 +6,15 @@ import { inPath } from "../../scripts/programs.ts";
 
 const examples = fileURLToPath(new URL("../../examples/", import.meta.url));
 
+export type ExampleLanguage = "Python" | "JavaScript" | "Java";
+
 /** The example of a language, as the command that runs it. */
-export function exampleOf(language: "Python" | "JavaScript"): string[] {
-  return language === "Python"
-    ? [inPath("python3")[0] ?? "python3", `${examples}python/right_wall.py`]
-    : [process.execPath, `${examples}javascript/right-wall.ts`];
+export function exampleOf(language: ExampleLanguage): string[] {
+  return {
+    Python: [inPath("python3")[0] ?? "python3", `${examples}python/right_wall.py`],
+    JavaScript: [process.execPath, `${examples}javascript/right-wall.ts`],
+    Java: [inPath("java")[0] ?? "java", `${examples}java/Robot.java`],
+  }[language];
 }
 
 /** Runs a command to its end. @returns its exit code and all that it printed */
