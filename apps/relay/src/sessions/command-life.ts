@@ -62,6 +62,8 @@ export class CommandLife {
   #newestStop: number | null = null;
   /** a step of this relay is being told, in the turn in which it was done */
   #isTelling = false;
+  /** a command may wait that nobody was told of */
+  #isInDoubt = false;
   #end: "over" | "restart" | null = null;
 
   constructor({ robot, store, clock, witness, audience, seat, line }: CommandLifeParts) {
@@ -192,14 +194,28 @@ export class CommandLife {
 
   async #expire(): Promise<void> {
     await this.#work.run(async () => {
-      if (this.#end === null) await this.#expireNow();
+      if (this.#end !== null) return;
+      await this.#expireNow();
+      if (!this.#isInDoubt) return;
+      this.#isInDoubt = false;
+      await this.#deliver();
     });
   }
 
   async #expireNow(): Promise<void> {
-    const { ended, next } = await this.#store.expire(this.#robot, this.#clock.now());
-    if (next !== null) this.#deadlines.wake(next);
-    this.#endedHere(ended);
+    try {
+      const { ended, next } = await this.#store.expire(this.#robot, this.#clock.now());
+      if (next !== null) this.#deadlines.wake(next);
+      this.#endedHere(ended);
+    } catch {
+      this.#deadlines.wake(this.#clock.now() + limits.storeRetryMs);
+    }
+  }
+
+  /** A command may have been stored though the store gave no answer: it is looked for in a moment. */
+  #doubt(): void {
+    this.#isInDoubt = true;
+    this.#deadlines.wake(this.#clock.now() + limits.storeRetryMs);
   }
 
   /** The relay itself has ended these: readers and page hear of it. */
@@ -222,11 +238,13 @@ export class CommandLife {
     const heard = this.#work.run(async () => {
       this.#audience.tellStates(step.changed);
       if (isOwn || this.#end !== null) return;
-      if (step.added !== null) this.#newestStop = isStop(step.added) ? step.added.record.seq : null;
       this.#show(step.ended);
-      if (step.added === null || this.#seat.page === null) return;
-      this.#deadlines.wake(step.added.deadline);
-      await this.#deliverOrShow(step.added);
+      const { added } = step;
+      if (added === null) return;
+      this.#newestStop = isStop(added) ? added.record.seq : null;
+      // The relay that has stored it may be gone by then.
+      this.#deadlines.wake(added.deadline);
+      if (this.#seat.page !== null) await this.#deliverOrShow(added);
     });
     heard.catch(() => undefined);
   }
@@ -235,6 +253,7 @@ export class CommandLife {
   missedSteps(): void {
     const made = this.#work.run(async () => {
       this.#audience.tellMissed();
+      this.#deadlines.wake(this.#clock.now());
       if (this.#seat.page !== null) await this.recall.askAgainInTurn();
       await this.#deliver();
     });
@@ -269,7 +288,7 @@ export class CommandLife {
         return acknowledge({ ...stop, duplicate: true });
       }
       const { key, command, ttl, age, replace, lease } = request;
-      const result = await this.#store.add(this.#robot, {
+      const added = this.#store.add(this.#robot, {
         key,
         command,
         ttl,
@@ -281,7 +300,12 @@ export class CommandLife {
         maxWaiting: limits.waitingCommands,
         keep: limits.keptCommands,
       });
-      if (result.outcome === "duplicate") return acknowledge({ ...result.record, duplicate: true });
+      added.catch(() => this.#doubt());
+      const result = await added;
+      if (result.outcome === "duplicate") {
+        acknowledge({ ...result.record, duplicate: true });
+        return this.#deliverDuplicate(result.record);
+      }
       if (result.outcome !== "stored") throw notStored(result, request);
       const { record, ended } = result;
       this.#newestStop = isStop ? record.seq : null;
@@ -290,6 +314,13 @@ export class CommandLife {
       const terms = { driver: grant.hash, ttl, deadline: cameAt + ttl - age, replace, lease };
       return this.#stored({ record, ...terms }, ended);
     });
+  }
+
+  /** The first answer may have been lost before anything else was done. */
+  async #deliverDuplicate({ state }: CommandRecord): Promise<void> {
+    if (state !== "accepted") return;
+    this.#deadlines.wake(this.#clock.now());
+    await this.#deliver();
   }
 
   async #stored(added: TermedRecord, ended: TermedRecord[]): Promise<void> {

@@ -41,6 +41,8 @@ export const limits = {
   relaySilenceMs: 6_000,
   /** how long a relay that begins to hold a robot waits for the newest snapshot from the page's relay */
   relayMeetMs: 500,
+  /** a step of the store that failed and that nobody will ask for again is tried again after so long */
+  storeRetryMs: 250,
   /** how long keys count that may have changed while the store does not say; it is asked so often */
   keysUnsureMs: 500,
   keysRetryMs: 200,

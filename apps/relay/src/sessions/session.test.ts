@@ -14,6 +14,8 @@ import { pino } from "pino";
 import { describe, expect, it, onTestFinished } from "vitest";
 import type { Refusal } from "../problems.ts";
 import { SqliteStore } from "../store/sqlite-store.ts";
+import { StoreAway } from "../store/store-away.ts";
+import { cutStore } from "../testing/cut-store.ts";
 import { FakeClock, settled } from "../testing/fake-clock.ts";
 import { completed } from "../testing/messages.ts";
 import { testFolder } from "../testing/test-relay.ts";
@@ -37,7 +39,8 @@ async function withRobot() {
   const clock = new FakeClock();
   const store = new SqliteStore(join(testFolder(), "corridor.sqlite"));
   onTestFinished(() => store.close());
-  const hub = new SessionHub(store, clock, pino({ level: "silent" }));
+  const cut = cutStore(store);
+  const hub = new SessionHub(cut.store, clock, pino({ level: "silent" }));
   const robot = await hub.register("10.0.0.1", "http://localhost");
   const { session, key } = await hub.authorise(robot.id, robot.driverKey, "command");
   const submit = async (order: Order, idempotencyKey: string | null = null) => {
@@ -48,7 +51,7 @@ async function withRobot() {
   };
   const states = async () =>
     (await session.commandsAfter(0)).map(({ seq, state }) => `${seq} ${state}`);
-  return { clock, hub, robot, session, key, submit, states };
+  return { clock, cut, hub, robot, session, key, submit, states };
 }
 
 type Robot = Awaited<ReturnType<typeof withRobot>>;
@@ -282,6 +285,51 @@ describe("a robot session: time to live", () => {
     const after = await page(robot);
     expect(after.seqs("command")).toEqual([2]);
     expect(await robot.states()).toEqual(["1 expired", "2 delivered"]);
+  });
+});
+
+describe("a robot session: while its store does not answer", () => {
+  it("expires late what it could not expire in time", async () => {
+    const robot = await withRobot();
+    await robot.submit({ ...LEFT, ttl: 400 });
+    robot.cut.isCut = true;
+    await robot.clock.pass(2_000);
+    robot.cut.isCut = false;
+    await robot.clock.pass(limits.storeRetryMs);
+    expect(await robot.states()).toEqual(["1 expired"]);
+  });
+
+  it("ends later what runs without a page", async () => {
+    const robot = await withRobot();
+    await robot.submit(LEFT);
+    const host = await page(robot);
+    await host.started(1);
+    robot.session.leavePage(host.link);
+    robot.cut.isCut = true;
+    await robot.clock.pass(limits.pageAwayMs + 5_000);
+    robot.cut.isCut = false;
+    await robot.clock.pass(2_000);
+    expect(await robot.states()).toEqual(["1 cancelled"]);
+  });
+
+  it("delivers what was stored although the answer was lost, at the next try", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    robot.cut.losesAnswers = true;
+    await expect(robot.submit(LEFT, "key-0001")).rejects.toBeInstanceOf(StoreAway);
+    robot.cut.losesAnswers = false;
+    expect(await robot.submit(LEFT, "key-0001")).toMatchObject({ seq: 1, duplicate: true });
+    expect(host.seqs("command")).toEqual([1]);
+  });
+
+  it("delivers it also where nobody tries again", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    robot.cut.losesAnswers = true;
+    await expect(robot.submit(LEFT)).rejects.toBeInstanceOf(StoreAway);
+    robot.cut.losesAnswers = false;
+    await robot.clock.pass(limits.storeRetryMs);
+    expect(host.seqs("command")).toEqual([1]);
   });
 });
 

@@ -13,9 +13,9 @@ import { pino } from "pino";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { LocalSwitchboard } from "../cluster/local-switchboard.ts";
 import type { Ears, News } from "../cluster/switchboard.ts";
-import type { SessionStore } from "../store/session-store.ts";
 import { SqliteStore } from "../store/sqlite-store.ts";
 import { StoreAway } from "../store/store-away.ts";
+import { cutStore } from "../testing/cut-store.ts";
 import { FakeClock, settled } from "../testing/fake-clock.ts";
 import { completed } from "../testing/messages.ts";
 import { testFolder } from "../testing/test-relay.ts";
@@ -25,22 +25,6 @@ import { SessionHub } from "./session-hub.ts";
 
 const LEFT: Order = { action: "left 90" };
 const patience = (milliseconds: number) => ({ milliseconds, signal: new AbortController().signal });
-
-/** The same store for a relay that may be cut off from it. */
-function cutStore(whole: SessionStore) {
-  const cut = { isCut: false, store: whole };
-  cut.store = new Proxy(whole, {
-    get(target, name) {
-      const part: unknown = Reflect.get(target, name);
-      if (typeof part !== "function") return part;
-      return async (...values: unknown[]): Promise<unknown> => {
-        if (cut.isCut) throw new StoreAway("it was cut off");
-        return Reflect.apply(part, target, values) as Promise<unknown>;
-      };
-    },
-  });
-  return cut;
-}
 
 /** A robot whose page is at the first relay and whose scripts are at the second. */
 async function withRelays() {
@@ -248,6 +232,16 @@ describe("page and script at different relays", () => {
     await clock.pass(limits.pageAwayMs + 5_000);
     expect(again.epoch).toBe(host.epoch + 1);
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "started" }]);
+  });
+
+  it("expires what waits though the relay that stored it has ended", async () => {
+    const { host, atPages, scripts, submit, clock } = await withRelays();
+    await clock.pass(1_000);
+    atPages.leavePage(host.link);
+    await submit({ ...LEFT, ttl: 400 });
+    await scripts.close();
+    await clock.pass(500);
+    expect(await atPages.commandsAfter(0)).toMatchObject([{ seq: 1, state: "expired" }]);
   });
 
   it("says gap, and delivers what waits, when news between the relays were lost", async () => {
