@@ -7,8 +7,9 @@
  */
 import { z } from "zod";
 
-// zod compiles validators with `new Function` unless told otherwise; the page forbids that (CSP).
-z.config({ jitless: true });
+// zod compiles validators with `new Function` unless told otherwise; the page forbids that (CSP). A program
+// without a page may decide otherwise before it makes its first schema.
+if (z.config().jitless === undefined) z.config({ jitless: true });
 
 /** One thing that is wrong with a document. `path` is "" for the document itself. */
 export interface FieldProblem {
@@ -57,6 +58,10 @@ export function readJson<T>(schema: z.ZodType<T>, text: string, maxLength: numbe
   return readValue(schema, input);
 }
 
+const QUOTE = '"'.charCodeAt(0);
+const BACKSLASH = "\\".charCodeAt(0);
+const COLON = ":".charCodeAt(0);
+
 /**
  * Keys in a text that is known to be JSON: each has the one colon outside of texts. `JSON.parse` keeps
  * the last of two fields of one name and drops the other without a word.
@@ -65,10 +70,10 @@ function countKeys(text: string): number {
   let count = 0;
   let isInText = false;
   for (let i = 0; i < text.length; i++) {
-    const character = text[i];
-    if (character === '"') isInText = !isInText;
-    else if (isInText && character === "\\") i++;
-    else if (!isInText && character === ":") count++;
+    const character = text.charCodeAt(i);
+    if (character === QUOTE) isInText = !isInText;
+    else if (isInText && character === BACKSLASH) i++;
+    else if (!isInText && character === COLON) count++;
   }
   return count;
 }

@@ -5,7 +5,7 @@
 import { z } from "zod";
 
 /** Farthest that anything in the largest maze (256 x 256 cells of 100 units) can be from its corner. */
-const MAX_LENGTH = 25_600;
+export const MAX_LENGTH = 25_600;
 
 const length = z
   .number({ error: "a number of cm" })

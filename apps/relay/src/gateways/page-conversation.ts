@@ -2,9 +2,9 @@
 import {
   closeReasons,
   decodeFrame,
+  decodePageFrame,
   describeProblem,
   encodeFrame,
-  pageToRelaySchema,
   resumeSchema,
   type FieldProblem,
   type SocketPort,
@@ -40,7 +40,7 @@ export class PageConversation implements Conversation {
       this.#hasResumed = true;
       return session.takePage(this.#link, resume.value);
     }
-    const message = decodeFrame(pageToRelaySchema, text);
+    const message = decodePageFrame(text);
     if (!message.ok) return this.#refuse(message.problems);
     await session.hearPage(this.#link, message.value);
   }

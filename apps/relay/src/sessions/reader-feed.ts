@@ -46,6 +46,12 @@ export interface ReaderSource {
   tellOpen(tell: (open: EventGap["open"]) => void): Promise<void>;
 }
 
+/** A snapshot on its way, and where it ends on the line. */
+interface OnTheWay {
+  seq: number;
+  end: number;
+}
+
 export class ReaderFeed {
   readonly #sink: ReaderSink;
   readonly #source: ReaderSource;
@@ -57,8 +63,7 @@ export class ReaderFeed {
   #isMissing = false;
   #isClosed = false;
   #pending: Snapshot | null = null;
-  /** snapshots on their way, with where they end on the line */
-  #onTheWay: { seq: number; end: number }[] = [];
+  #onTheWay: OnTheWay[] = [];
   /** the reader says itself what it has seen; until then its line answers for it */
   #saysSeen = false;
   #seenBytes = 0;
@@ -106,9 +111,12 @@ export class ReaderFeed {
   /** The reader has read all that came up to this snapshot. */
   seen(seq: number): void {
     this.#saysSeen = true;
-    const seen = this.#onTheWay.filter((snapshot) => snapshot.seq <= seq);
-    this.#seenBytes = Math.max(this.#seenBytes, ...seen.map(({ end }) => end));
-    this.#onTheWay = this.#onTheWay.filter((snapshot) => snapshot.seq > seq);
+    const left: OnTheWay[] = [];
+    for (const snapshot of this.#onTheWay) {
+      if (snapshot.seq > seq) left.push(snapshot);
+      else this.#seenBytes = Math.max(this.#seenBytes, snapshot.end);
+    }
+    this.#onTheWay = left;
   }
 
   over(reason: OverReason): void {
