@@ -8,9 +8,10 @@ import type { Switchboard } from "./cluster/switchboard.ts";
 import type { Config } from "./config.ts";
 import { mintId } from "./keys.ts";
 import type { DocumentStore } from "./store/document-store.ts";
-import { connectRedis, type Redis } from "./store/redis/connection.ts";
+import { connectRedis, timeOf, type Redis } from "./store/redis/connection.ts";
 import { requireDurable } from "./store/redis/durability.ts";
 import { ForgottenBytes } from "./store/redis/forgotten-bytes.ts";
+import { RedisClock } from "./store/redis/redis-clock.ts";
 import { RedisDocumentStore } from "./store/redis/redis-document-store.ts";
 import { RedisSessionStore } from "./store/redis/redis-session-store.ts";
 import type { SessionStore } from "./store/session-store.ts";
@@ -19,6 +20,8 @@ import { SqliteFile } from "./store/sqlite-file.ts";
 import { SqliteStore } from "./store/sqlite-store.ts";
 
 export interface Backing {
+  /** the time that whatever is stored is compared by */
+  clock: Clock;
   sessions: SessionStore;
   documents: DocumentStore;
   switchboard: Switchboard;
@@ -31,12 +34,13 @@ export async function openBacking(
   clock: Clock,
   log: Logger,
 ): Promise<Backing> {
-  return storeUrl === null ? sqliteBacking(dataDir) : redisBacking(storeUrl, clock, log);
+  return storeUrl === null ? sqliteBacking(dataDir, clock) : redisBacking(storeUrl, clock, log);
 }
 
-function sqliteBacking(dataDir: string): Backing {
+function sqliteBacking(dataDir: string, clock: Clock): Backing {
   const file = new SqliteFile(join(dataDir, "corridor.sqlite"));
   return {
+    clock,
     sessions: new SqliteStore(file),
     documents: new SqliteDocumentStore(file),
     switchboard: new LocalSwitchboard(),
@@ -44,7 +48,7 @@ function sqliteBacking(dataDir: string): Backing {
   };
 }
 
-async function redisBacking(url: string, clock: Clock, log: Logger): Promise<Backing> {
+async function redisBacking(url: string, machine: Clock, log: Logger): Promise<Backing> {
   const connections: Redis[] = [];
   const connect = async (): Promise<Redis> => {
     const redis = await connectRedis(url, (error) => log.error({ err: error }, "Redis is away"));
@@ -59,13 +63,16 @@ async function redisBacking(url: string, clock: Clock, log: Logger): Promise<Bac
     await requireDurable(redis);
     const hearing = await connect();
     const relay = mintId();
+    const clock = await RedisClock.open({ clock: machine, log, ask: async () => timeOf(redis) });
     const switchboard = await RedisSwitchboard.open({ redis, hearing, relay, clock, log });
     const forgotten = new ForgottenBytes(redis);
     return {
+      clock,
       sessions: new RedisSessionStore(redis, forgotten, relay),
       documents: new RedisDocumentStore(redis, forgotten),
       switchboard,
       close: async () => {
+        clock.close();
         await switchboard.close();
         disconnect();
       },

@@ -1,5 +1,6 @@
 import { problemSchema } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
+import { systemClock } from "./clock.ts";
 import { connectRedis } from "./store/redis/connection.ts";
 import { startRelayProcess } from "./testing/relay-process.ts";
 import { hasRedis, startTestRedis } from "./testing/test-redis.ts";
@@ -25,6 +26,33 @@ describe.skipIf(!hasRedis)("a relay with Redis", () => {
     expect(gone.status).toBe(204);
     expect((await second.ask(robot, "/commands")).status).toBe(404);
   });
+
+  it.each([60_000, -60_000])(
+    "delivers in time what a relay has stored whose clock is %d ms off",
+    async (off) => {
+      const { url } = await startTestRedis();
+      const wrong = {
+        now: () => systemClock.now() + off,
+        after: systemClock.after.bind(systemClock),
+      };
+      const scripts = await startTestRelay({ config: { storeUrl: url }, clock: wrong });
+      const pages = await startTestRelay({ config: { storeUrl: url } });
+      const robot = await scripts.register();
+      const { socket: page } = await TestSocket.page(pages, robot);
+      await scripts.ask(robot, "/commands", {
+        method: "POST",
+        body: { action: "left 90", ttl: 5_000 },
+      });
+      const { remaining } = await page.next("command");
+      expect(remaining).toBeGreaterThan(0);
+      expect(remaining).toBeLessThanOrEqual(5_000);
+      await scripts.ask(robot, "/commands", {
+        method: "POST",
+        body: { action: "right 90", ttl: 300, replace: true },
+      });
+      expect(await page.next("command")).toMatchObject({ ttl: 300, replace: true });
+    },
+  );
 
   it("says that its store is away, and goes on by itself when it is back", async () => {
     const redis = await startTestRedis();

@@ -51,8 +51,9 @@ export interface Relay {
  * @throws the error of `listen`, such as EADDRINUSE, or of `openBacking`
  */
 export async function startRelay(options: RelayOptions): Promise<Relay> {
-  const { config, clock, log, webRoot, isDevelopment } = options;
-  const backing = await openBacking(config, clock, log);
+  const { config, log, webRoot, isDevelopment } = options;
+  const backing = await openBacking(config, options.clock, log);
+  const { clock } = backing;
   const metrics = new Metrics();
   const store = timedStore(backing.sessions, (seconds) => metrics.committed(seconds));
   const documents = new DocumentShelf(backing.documents, clock, log);

@@ -1,5 +1,6 @@
 /** The connection to Redis or Valkey, and what its errors mean to whoever waits for a store. */
 import { createClient, ErrorReply } from "@redis/client";
+import { z } from "zod";
 import { StoreFull } from "../disk-full.ts";
 import { StoreAway } from "../store-away.ts";
 
@@ -49,6 +50,13 @@ function redisAt(url: string) {
   });
   redis.on("ready", () => (wasReady = true));
   return redis;
+}
+
+/** ms since 1970, as Redis believes. @throws StoreAway */
+export async function timeOf(redis: Redis): Promise<number> {
+  const answer = await asked(redis.sendCommand(["TIME"]));
+  const [seconds, micros] = z.tuple([z.coerce.number(), z.coerce.number()]).parse(answer);
+  return seconds * 1000 + micros / 1000;
 }
 
 /** @throws StoreFull or StoreAway for what Redis, not the step, is to blame for */
