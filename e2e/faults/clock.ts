@@ -6,7 +6,7 @@ export function machineNow(): number {
 }
 
 export function sleep(ms: number): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve, ms));
+  return new Promise((resolve) => setTimeout(resolve, Math.max(0, ms)));
 }
 
 /** Calls once now and then so often a second, for so long; a call that is late is made up for. */

@@ -1,5 +1,7 @@
 /** Every row of `npm run test:faults`, in the order in which they run. */
 import type { Row } from "./row.ts";
 import { cleanNet } from "./rows/clean-net.ts";
+import { cuts } from "./rows/cuts.ts";
+import { relayKilled } from "./rows/relay-killed.ts";
 
-export const rows: readonly Row[] = [cleanNet];
+export const rows: readonly Row[] = [cleanNet, relayKilled, cuts];

@@ -12,6 +12,9 @@ import type { Doors, FromPages } from "./robots/page-messages.ts";
 import { Pages } from "./robots/pages.ts";
 import { Robot } from "./robots/robot.ts";
 import type { Terms } from "./row.ts";
+import { RequestScript } from "./scripts/request-script.ts";
+import type { Script } from "./scripts/script.ts";
+import { SocketScript } from "./scripts/socket-script.ts";
 
 /** Pages connect, and commands end, within this; nothing is judged by it. */
 const LONG_MS = 60_000;
@@ -58,7 +61,26 @@ export class Scene {
   }
 
   /**
-   * Waits until what was sent has come to its end, and compares all histories.
+   * A script for each robot: by WebSocket, by the library's line over HTTPS, and by single requests in turn.
+   * @param originOf through which the script of a robot reaches its relay
+   */
+  async scripts(originOf: (robot: Robot) => string): Promise<Script[]> {
+    const scripts: Script[] = [];
+    for (const [n, robot] of this.robots.entries()) {
+      const doors = n % 3 === 1 ? "https" : "both";
+      const origin = originOf(robot);
+      const script =
+        n % 3 === 2
+          ? new RequestScript(robot, origin)
+          : await SocketScript.connect(robot, origin, doors);
+      this.#terms.after(() => script.close());
+      scripts.push(script);
+    }
+    return scripts;
+  }
+
+  /**
+   * Compares what scripts, robots and relay have seen.
    * @param origin of a relay that nothing disturbs any more
    */
   async compare(origin: string): Promise<Comparison> {

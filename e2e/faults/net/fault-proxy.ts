@@ -4,6 +4,7 @@
  */
 import { connect, createServer, type AddressInfo, type Server, type Socket } from "node:net";
 import type { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
+import { machineNow } from "../clock.ts";
 
 /** A piece of a sliced stream has at most so many bytes. */
 const LARGEST_SLICE = 24;
@@ -133,6 +134,8 @@ export class FaultProxy {
   heldUntil = 0;
   /** connections that were cut or left half open */
   cuts = 0;
+  /** when a connection that was opened last was first answered by the relay, by `machineNow` */
+  answeredAt = 0;
 
   private constructor(options: FaultProxyOptions) {
     this.#options = options;
@@ -187,6 +190,13 @@ export class FaultProxy {
     this.heldUntil = Date.now() + ms;
   }
 
+  /** Does no harm any more to what comes from now on. */
+  mend(): void {
+    this.isUp = true;
+    this.isSlicing = false;
+    this.delay = { least: 0, most: 0 };
+  }
+
   async close(): Promise<void> {
     this.isUp = false;
     for (const joint of this.#joints) joint.cut("quiet");
@@ -212,6 +222,7 @@ export class FaultProxy {
       client.off("close", refuse);
       const joint = new Joint(client, relay, this, this.#options.dice);
       this.#joints.add(joint);
+      relay.once("data", () => (this.answeredAt = machineNow()));
       for (const end of [client, relay]) {
         end.on("close", () => {
           if (!joint.isOpen) this.#joints.delete(joint);

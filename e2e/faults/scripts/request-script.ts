@@ -28,7 +28,7 @@ export class RequestScript implements Script {
 
   /** @param origin through which it reaches its relay */
   constructor(robot: Robot, origin: string) {
-    this.diary = new Diary(robot);
+    this.diary = new Diary(robot, "request");
     const { id, driverKey } = robot.registration;
     this.#url = `${origin}/api/v1/robots/${id}/commands`;
     this.#key = driverKey;
@@ -57,8 +57,8 @@ export class RequestScript implements Script {
 
   async #untilAnswered({ key, order }: Wish): Promise<void> {
     const firstTry = machineNow();
-    this.diary.tries(key, order.ttl ?? TTL_MS.default);
     while (!this.#isClosed) {
+      this.diary.tries(key, order.ttl ?? TTL_MS.default);
       const age = Math.round(machineNow() - firstTry);
       const isOver = await this.#try(key, { ...order, age }).catch(() => false);
       if (isOver) return;

@@ -8,7 +8,7 @@ let scripts = 0;
 /** What is known of a script's commands; the robot's history is told all of it. */
 export class Diary {
   readonly #robot: Robot;
-  readonly #sender = `script ${(scripts += 1)}`;
+  readonly #sender: string;
   /** by key, when it was asked for; until the answer */
   readonly #open = new Map<string, number>();
   readonly #postedAt = new Map<string, number>();
@@ -17,8 +17,10 @@ export class Diary {
   /** refused for good: not stored, and never done */
   refused = 0;
 
-  constructor(robot: Robot) {
+  /** @param kind of script, for who reads of a fault */
+  constructor(robot: Robot, kind: string) {
     this.#robot = robot;
+    this.#sender = `${kind} script ${(scripts += 1)}`;
   }
 
   /** commands without an answer so far */

@@ -23,13 +23,13 @@ export class SocketScript implements Script {
   #newestKey = "";
   heardAt = 0;
 
-  private constructor(robot: Robot) {
-    this.diary = new Diary(robot);
+  private constructor(robot: Robot, doors: Doors) {
+    this.diary = new Diary(robot, doors);
   }
 
   /** @param origin through which it reaches its relay */
   static async connect(robot: Robot, origin: string, doors: Doors): Promise<SocketScript> {
-    const script = new SocketScript(robot);
+    const script = new SocketScript(robot, doors);
     const { id, driverKey } = robot.registration;
     const address = `${origin}/r/${id}#${driverKey}`;
     script.#client = await RobotClient.connect(address, script.#options(doors));

@@ -16,6 +16,11 @@ interface Try {
   ttl: number;
 }
 
+/** The first try of a command, and when it was tried again. */
+interface Tries extends Try {
+  again: number[];
+}
+
 export const faultKinds = ["lost", "doubled", "reordered", "ended twice", "late"] as const;
 export type FaultKind = (typeof faultKinds)[number];
 
@@ -29,7 +34,7 @@ export class History {
   readonly #tolerance: number;
   #deeds: Deed[] = [];
   /** by idempotency key: first try, and what was wished */
-  readonly #tries = new Map<string, Try>();
+  readonly #tries = new Map<string, Tries>();
   readonly #acknowledged = new Map<number, CommandRecord>();
   /** as scripts were told */
   readonly #endings = new Map<number, CommandState>();
@@ -40,7 +45,9 @@ export class History {
   }
 
   tried(key: string, wish: Try): void {
-    if (!this.#tries.has(key)) this.#tries.set(key, wish);
+    const first = this.#tries.get(key);
+    if (first === undefined) this.#tries.set(key, { ...wish, again: [] });
+    else first.again.push(Math.round(wish.at - first.at));
   }
 
   acknowledged(record: CommandRecord): void {
@@ -108,7 +115,7 @@ export class History {
     this.#faults.push({ kind, words });
   }
 
-  #tryOf(key: string | null): Try | null {
+  #tryOf(key: string | null): Tries | null {
     return key === null ? null : (this.#tries.get(key) ?? null);
   }
 
@@ -140,7 +147,11 @@ export class History {
     const wish = this.#tryOf(key);
     if (start !== undefined && wish !== null) {
       const late = start.at - wish.at - wish.ttl;
-      if (late > this.#tolerance) this.#say("late", `${seq} started ${Math.round(late)} ms late`);
+      if (late > this.#tolerance) {
+        const { sender, ttl, again } = wish;
+        const terms = `of ${sender}, ttl ${ttl} ms, tried again after ${again.join(", ") || "nothing"} ms`;
+        this.#say("late", `${seq} (${action} ${terms}) started ${Math.round(late)} ms late`);
+      }
     }
   }
 
