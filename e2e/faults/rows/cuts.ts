@@ -110,22 +110,23 @@ async function breakAgain(line: Line, toDo: { cuts: number }, dice: Dice): Promi
     if (cut === null) continue;
     toDo.cuts -= 1;
     await sleep(cut.backAt - machineNow());
-    const since = Math.max(cut.backAt, machineNow() - 1);
-    resumed.push(await until(() => line.isResumed(since), GIVE_UP_MS));
+    await until(() => line.isResumed(cut.cutAt), GIVE_UP_MS);
+    resumed.push(Math.max(0, machineNow() - cut.backAt));
   }
   return resumed;
 }
 
 /** @returns when the net is back; null where nothing was open */
-function breakOnce(proxy: FaultProxy, dice: Dice): { backAt: number } | null {
+function breakOnce(proxy: FaultProxy, dice: Dice): { cutAt: number; backAt: number } | null {
   if (proxy.connections === 0) return null;
+  const cutAt = machineNow();
   const chance = dice.next();
   if (chance < 0.7) {
     proxy.cut();
-    return { backAt: machineNow() };
+    return { cutAt, backAt: cutAt };
   }
   const ms = dice.between(50, 1_000);
   if (chance < 0.85) proxy.breakFor(ms);
   else proxy.halfOpen(dice.pick(["client", "relay"]), ms);
-  return { backAt: machineNow() + ms };
+  return { cutAt, backAt: cutAt + ms };
 }

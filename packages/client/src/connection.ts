@@ -17,7 +17,7 @@ import {
   type SocketPort,
 } from "@corridor/protocol";
 import { DoorChoice, type Door } from "./door-choice.ts";
-import { HttpsLine } from "./https-line.ts";
+import { HttpsLine, textOf, type Saying } from "./https-line.ts";
 import type { Platform } from "./platform.ts";
 
 const FIRST_PAUSE_MS = 250;
@@ -106,8 +106,10 @@ export class Connection<In extends { type: string }> {
   }
 
   /** Sends a message on the open line. Whoever calls keeps what must survive a lost line. */
-  send(text: string): void {
-    if (this.#isConnected) this.#socket?.send(text);
+  send(saying: Saying): void {
+    if (!this.#isConnected) return;
+    if (this.#socket instanceof HttpsLine) this.#socket.send(saying);
+    else this.#socket?.send(textOf(saying));
   }
 
   /** Closes the line. Nothing is reported and nothing is tried until `open` is called again. */

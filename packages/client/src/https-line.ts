@@ -32,6 +32,16 @@ const MAX_ANSWER = 1024 * 1024;
 /** The connection was lost. */
 const LOST = 1006;
 
+/**
+ * A message, or how it reads in the moment in which it leaves: what tells its own age is said anew with
+ * each try.
+ */
+export type Saying = string | (() => string);
+
+export function textOf(saying: Saying): string {
+  return typeof saying === "string" ? saying : saying();
+}
+
 type HttpsPlatform = Pick<Platform, "clock" | "random"> & { ask: Ask };
 
 export class HttpsLine implements SocketPort {
@@ -40,7 +50,7 @@ export class HttpsLine implements SocketPort {
   readonly #events: SocketEvents;
   #key: string | null = null;
   /** not known to be taken, oldest first, and the number of the first */
-  #queue: string[] = [];
+  #queue: Saying[] = [];
   #first = 1;
   #isPosting = false;
   #isOpen = true;
@@ -65,18 +75,18 @@ export class HttpsLine implements SocketPort {
   }
 
   get waitingBytes(): number {
-    return this.#queue.reduce((sum, text) => sum + text.length, 0);
+    return this.#queue.reduce((sum, saying) => sum + textOf(saying).length, 0);
   }
 
   /** Sends one message; the first is the hello that opens the line. */
-  send(text: string): void {
+  send(saying: Saying): void {
     if (!this.#isOpen) return;
     if (this.#key === null && !this.#isPosting) {
       this.#isPosting = true;
-      void this.#hello(text);
+      void this.#hello(textOf(saying));
       return;
     }
-    this.#queue.push(text);
+    this.#queue.push(saying);
     void this.#post();
   }
 
@@ -106,9 +116,10 @@ export class HttpsLine implements SocketPort {
     if (this.#isPosting || this.#key === null) return;
     this.#isPosting = true;
     while (this.#isOpen && this.#queue.length > 0) {
-      const batch = this.#batch();
-      const body = `{"first":${this.#first},"messages":[${batch.join()}]}`;
-      const sent = await this.#stubbornly(() => this.#ask("POST", "/messages", body, ANSWER_MS));
+      const sent = await this.#stubbornly(() => {
+        const body = `{"first":${this.#first},"messages":[${this.#batch().join()}]}`;
+        return this.#ask("POST", "/messages", body, ANSWER_MS);
+      });
       if (sent === null || !this.#isOpen) return;
       const answer = readJson(takenMessagesSchema, sent.body, MAX_ANSWER);
       if (!answer.ok) return this.#lost(LOST);
@@ -124,10 +135,9 @@ export class HttpsLine implements SocketPort {
 
   #batch(): string[] {
     let characters = 0;
-    const fitting = this.#queue
-      .slice(0, MAX_LINE_MESSAGES)
-      .findIndex((text) => (characters += text.length + 1) > MAX_BATCH);
-    return this.#queue.slice(0, fitting < 0 ? MAX_LINE_MESSAGES : Math.max(1, fitting));
+    const texts = this.#queue.slice(0, MAX_LINE_MESSAGES).map(textOf);
+    const fitting = texts.findIndex((text) => (characters += text.length + 1) > MAX_BATCH);
+    return fitting < 0 ? texts : texts.slice(0, Math.max(1, fitting));
   }
 
   /** Fetches what comes, for as long as the line is open. */

@@ -270,13 +270,14 @@ export class RobotClient {
     const [first] = this.#queue;
     if (first === undefined) return;
     if (!this.#connection.isConnected) return;
-    // By its age a command that comes again on another line is never run late.
-    const now = this.#platform.clock.now();
-    const age = now - (first.triedAt ?? now);
-    first.triedAt ??= now;
+    const { clock } = this.#platform;
+    const triedAt = (first.triedAt ??= clock.now());
     const { key, order } = first;
-    const command = age === 0 ? order : { ...order, age };
-    this.#connection.send(encodeFrame({ type: "command", key, command }));
+    // By its age a command that is said again, on this line or another one, is never run late.
+    this.#connection.send(() => {
+      const age = clock.now() - triedAt;
+      return encodeFrame({ type: "command", key, command: age === 0 ? order : { ...order, age } });
+    });
   }
 
   #limit(pending: Pending, ms: number, what: string): void {
