@@ -54,7 +54,9 @@ describe("/readyz", () => {
     const answer = await fetch(`${relay.origin}/readyz`);
     expect([answer.status, await answer.json()]).toEqual([200, { status: "ready" }]);
     expect(answer.headers.get("cache-control")).toBe("no-store");
-    expect((await fetch(`${relay.origin}/readyz`, { method: "POST" })).status).toBe(405);
+    for (const path of ["/readyz", "/healthz"]) {
+      expect((await fetch(relay.origin + path, { method: "POST" })).status).toBe(405);
+    }
   });
 
   it.each([

@@ -46,7 +46,8 @@ const someOf = <const Word extends string>(words: readonly Word[], what: string)
     .check((context) => {
       if (new Set(context.value).size === context.value.length) return;
       context.issues.push({ code: "custom", input: context.value, message: "each of them once" });
-    });
+    })
+    .meta({ uniqueItems: true });
 
 const words = z.strictObject(
   {

@@ -35,7 +35,9 @@ export const sentMessagesSchema = z.strictObject({
 export type SentMessages = z.infer<typeof sentMessagesSchema>;
 
 /** How far the relay has taken what was sent. */
-export const takenMessagesSchema = z.strictObject({ taken: number.min(0) });
+export const takenMessagesSchema = z.strictObject({
+  taken: z.int().min(0).max(Number.MAX_SAFE_INTEGER),
+});
 export type TakenMessages = z.infer<typeof takenMessagesSchema>;
 
 /** What a client fetches. */

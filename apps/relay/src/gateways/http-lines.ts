@@ -11,7 +11,7 @@ import {
   type TakenMessages,
 } from "@corridor/protocol";
 import { hashKey, markOf, mintKey } from "../keys.ts";
-import { Refusal, retryAfter } from "../problems.ts";
+import { notAuthorised, Refusal, retryAfter } from "../problems.ts";
 import type { Patience } from "../sessions/audience.ts";
 import { limits } from "../sessions/limits.ts";
 import { verbOfRole } from "../sessions/rights.ts";
@@ -97,7 +97,12 @@ export class HttpLines {
   }
 
   #find(robot: string, key: string | null): HttpLine {
-    const line = key === null ? undefined : this.#lines.get(hashKey(key));
+    if (key === null || key === "") {
+      throw notAuthorised(
+        "Send the key of the line, which came with it, as: Authorization: Bearer KEY",
+      );
+    }
+    const line = this.#lines.get(hashKey(key));
     if (line?.robot === robot) return line;
     throw new Refusal(
       "no-line",

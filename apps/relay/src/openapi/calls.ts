@@ -30,6 +30,7 @@ import {
   eventsQuery,
   fetchQuery,
   idempotencyHeader,
+  lastEventHeader,
   logQuery,
   newerQuery,
   seqPath,
@@ -215,16 +216,7 @@ export const calls: ZodOpenApiPathsObject = {
         "`after`. Ask first without `since`, then each time with the `since` of the answer before. The " +
         "newest 1,000 states are kept, for 10 minutes.",
       security: reader,
-      parameters: [
-        ...parameters("query", eventsQuery),
-        {
-          name: "Last-Event-ID",
-          in: "header",
-          required: false,
-          description: "the id of the last event that is known; `since` counts more",
-          schema: { type: "string", pattern: "^[A-Za-z0-9_]{8}-\\d{1,15}$" },
-        },
-      ],
+      parameters: [...parameters("query", eventsQuery), ...parameters("header", lastEventHeader)],
       responses: {
         200: {
           description: "Events without end or, with `wait`, those that there are.",
@@ -256,7 +248,10 @@ export const calls: ZodOpenApiPathsObject = {
       operationId: "leaveLine",
       summary: "Close a line",
       security: line,
-      responses: { 204: { description: "It is closed." }, ...refusals("bad-request", "no-line") },
+      responses: {
+        204: { description: "It is closed." },
+        ...refusals("bad-request", "not-authorised", "no-line"),
+      },
     },
   },
   "/api/v1/robots/{id}/line/messages": {
@@ -272,7 +267,7 @@ export const calls: ZodOpenApiPathsObject = {
       },
       responses: {
         200: answer("How far they were taken.", takenMessagesSchema),
-        ...refusals("bad-request", "too-large", "not-json", "no-line"),
+        ...refusals("bad-request", "not-authorised", "too-large", "not-json", "no-line"),
       },
     },
     get: {
@@ -283,7 +278,7 @@ export const calls: ZodOpenApiPathsObject = {
       parameters: parameters("query", fetchQuery),
       responses: {
         200: answer("What there is.", fetchedMessagesSchema),
-        ...refusals("bad-request", "no-line"),
+        ...refusals("bad-request", "not-authorised", "no-line"),
       },
     },
   },

@@ -159,10 +159,18 @@ describe("real answers are as described", () => {
     const messages = [{ type: "command", command: { action: "left 90" } }];
     const sent = await api.call("post", MESSAGES, { key, body: { first: 1, messages } });
     expect(sent.body).toEqual({ taken: 1 });
+    const other = await api.call("post", LINE, { body: hello });
+    const ahead = { key: (other.body as { line: string }).line, body: { first: 2, messages } };
+    expect((await api.call("post", MESSAGES, ahead)).body).toEqual({ taken: 0 });
     const fetched = await api.call("get", MESSAGES, { key, query: "?wait=5" });
     expect(fetched.body).toMatchObject({ first: 1, closed: null });
     expect((await api.call("delete", LINE, { key })).status).toBe(204);
     expect((await api.call("get", MESSAGES, { key })).status).toBe(404);
+    // What a line is, only its key says.
+    expect((await api.call("get", MESSAGES, { key: "" })).status).toBe(401);
+    expect((await api.call("delete", LINE, { key: "" })).status).toBe(401);
+    const late = { key: "", body: { first: 1, messages } };
+    expect((await api.call("post", MESSAGES, late)).status).toBe(401);
     expect((await api.call("post", LINE, { body: { ...hello, key: "drv_x" } })).status).toBe(401);
     const first = await api.call("get", EVENTS, { query: "?wait=1" });
     const { since } = first.body as { since: string };

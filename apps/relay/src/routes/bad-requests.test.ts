@@ -93,6 +93,12 @@ describe("a wrong request", () => {
       request: {},
       status: 400,
     },
+    {
+      name: "a last event that is none, beside a right since",
+      path: "/events?wait=0&since=AAAAAAAA-1",
+      request: { headers: { "Last-Event-ID": "first" } },
+      status: 400,
+    },
     { name: "a command that does not exist", path: "/commands/99", request: {}, status: 404 },
     { name: "a command that is no number", path: "/commands/first", request: {}, status: 400 },
     { name: "an address that does not exist", path: "/legs", request: {}, status: 404 },

@@ -12,10 +12,13 @@ const neverKept: RequestHandler = (_request, response, next) => {
 
 export function healthRoutes(readiness: Readiness): Router {
   const router = Router();
-  router.get("/healthz", neverKept, (_request, response) => {
-    const health: Health = { status: "ok" };
-    response.json(health);
-  });
+  router
+    .route("/healthz")
+    .get(neverKept, (_request, response) => {
+      const health: Health = { status: "ok" };
+      response.json(health);
+    })
+    .all(methodNotAllowed("GET"));
   router
     .route("/readyz")
     .get(neverKept, async (_request, response) => {

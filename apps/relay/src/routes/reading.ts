@@ -53,6 +53,12 @@ export const eventsQuery = z.object({
     .optional()
     .describe(`${waitError}, for one answer in JSON; without it, a stream without end`),
 });
+/** The header of an event stream that comes back. */
+export const lastEventHeader = z.object({
+  "Last-Event-ID": sinceSchema
+    .optional()
+    .describe("the id of the last event that is known; `since` counts more"),
+});
 /** `?after=NUMBER&wait=S` of a line's messages */
 export const fetchQuery = z.object({
   after: wholeNumber.prefault("0").describe("number of the last message that has come"),
@@ -89,9 +95,10 @@ export function readNewer(request: Request): { after?: number | undefined; wait:
 
 /** Which events are wanted, and how. An event stream that comes back says in a header where it was. */
 export function readEvents(request: Request): z.infer<typeof eventsQuery> {
-  const last = request.get("Last-Event-ID");
+  const header = { "Last-Event-ID": request.get("Last-Event-ID") };
+  const { "Last-Event-ID": last } = read(lastEventHeader, header, "The request is wrong.");
   const query = { ...(last !== undefined && { since: last }), ...request.query };
-  return read(eventsQuery, query, "The query or the header Last-Event-ID is wrong.");
+  return read(eventsQuery, query, "The query is wrong.");
 }
 
 /** The `?seconds=S` of an answer that only takes its time. */
