@@ -8,7 +8,7 @@ import {
   termsOf,
   type RelayToDriver,
 } from "@corridor/protocol";
-import { asRefusal, badRequest, type ProblemKind } from "../problems.ts";
+import { asRefusal, badRequest, Refusal, retryAfter, type ProblemKind } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import type { ReaderSink } from "../sessions/reader-feed.ts";
 import type { Grant } from "../sessions/session-hub.ts";
@@ -32,6 +32,8 @@ export class DriverConversation implements Conversation {
   readonly #reader: JoinedReader;
   #badFrames = 0;
   #tooFastInARow = 0;
+  /** commands that wait for the store */
+  #unfinished = 0;
 
   /**
    * Joins the session as a reader, which says welcome.
@@ -61,7 +63,11 @@ export class DriverConversation implements Conversation {
     session.heard(this.#options.client, grant)();
     if (message.value.type === "seen") return this.#reader.seen(message.value.seq);
     const { key = null, command } = message.value;
+    const isStop = command.action === "stop";
+    const most = limits.unfinishedCommands + (isStop ? limits.unfinishedStops : 0);
+    this.#unfinished += 1;
     try {
+      if (this.#unfinished > most) throw tooManyUnfinished();
       await session.submit(grant, { key, ...termsOf(command) }, (record) => {
         this.#tooFastInARow = 0;
         this.#send({ type: "ack", record });
@@ -70,9 +76,12 @@ export class DriverConversation implements Conversation {
       const refusal = asRefusal(error);
       if (refusal.kind !== "internal") this.#options.refused(refusal.kind);
       this.#send({ type: "problem", problem: refusal.problem, key });
-      if (refusal.kind === "too-fast") this.#countTooFast();
+      // Nobody is sent away for stopping.
+      if (refusal.kind === "too-fast" && !isStop) this.#countTooFast();
       // A mistake of the relay goes on to whoever writes the log.
       if (refusal.kind === "internal") throw error;
+    } finally {
+      this.#unfinished -= 1;
     }
   }
 
@@ -104,4 +113,13 @@ export class DriverConversation implements Conversation {
   #send(message: RelayToDriver): void {
     this.#options.line.send(encodeFrame(message));
   }
+}
+
+/** A store that takes long would let the commands of a script that waits for nothing fill the memory. */
+function tooManyUnfinished(): Refusal {
+  return new Refusal(
+    "too-fast",
+    "Too many commands came before the first were answered. Wait for the answers, then send this one again.",
+    { headers: retryAfter(1_000) },
+  );
 }

@@ -48,6 +48,9 @@ export const limits = {
   keysRetryMs: 200,
   /** messages of one page that are taken and not done: it sends some 20 at most ahead */
   unfinishedMessages: 128,
+  /** commands of one line that are not answered yet, and stops besides: a script may send 64 ahead, and twice that */
+  unfinishedCommands: 128,
+  unfinishedStops: 128,
   /** time for the first message of a socket */
   helloMs: 5_000,
   /** a ping and a heartbeat each so often; silence of more than twice that closes the socket */

@@ -1,0 +1,79 @@
+/** A script whose commands wait for a store that takes its time. */
+import { decodeFrame, relayToDriverSchema, type RelayToDriver } from "@corridor/protocol";
+import { expect, it } from "vitest";
+import type { StoredKey } from "../store/session-store.ts";
+import { limits } from "../sessions/limits.ts";
+import type { Session } from "../sessions/session.ts";
+import { DriverConversation } from "./driver-conversation.ts";
+
+function withSlowStore() {
+  const waiting: (() => void)[] = [];
+  const told: RelayToDriver[] = [];
+  const closed: number[] = [];
+  const key: StoredKey = { kind: "drive", hash: "d" };
+  const session = {
+    keys: { check: () => undefined },
+    heard: () => () => undefined,
+    join: () => ({ seen: () => undefined, leave: () => undefined }),
+    submit: async () => new Promise<void>((resolve) => void waiting.push(resolve)),
+  };
+  const conversation = new DriverConversation({
+    // oxlint-disable-next-line typescript/consistent-type-assertions -- what a conversation asks of a session
+    grant: { session: session as unknown as Session, key },
+    line: {
+      door: "websocket",
+      flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
+      send: (text) => {
+        const message = decodeFrame(relayToDriverSchema, text);
+        if (message.ok) told.push(message.value);
+      },
+      close: (code) => void closed.push(code),
+      isOpen: true,
+      waitingBytes: 0,
+    },
+    client: "Script",
+    since: null,
+    refused: () => undefined,
+  });
+  const send = (count: number, action = "left 90"): void => {
+    const text = JSON.stringify({ type: "command", command: { action } });
+    for (let n = 0; n < count; n++) void conversation.received(text);
+  };
+  const turn = (): Promise<void> => new Promise((resolve) => void setImmediate(resolve));
+  const problems = (): string[] =>
+    told.flatMap((message) => (message.type === "problem" ? [message.problem.type] : []));
+  return { send, waiting, problems, closed, turn };
+}
+
+it("lets a script send 64 commands ahead, and twice that", async () => {
+  const { send, problems, turn, waiting } = withSlowStore();
+  send(128);
+  await turn();
+  expect([problems(), waiting.length]).toEqual([[], 128]);
+});
+
+it("refuses what is more, but not a stop, until the first are answered", async () => {
+  const { send, problems, turn, waiting, closed } = withSlowStore();
+  send(limits.unfinishedCommands + 3);
+  send(1, "stop");
+  await turn();
+  expect(problems()).toEqual(Array(3).fill("/problems/too-fast"));
+  expect(waiting).toHaveLength(limits.unfinishedCommands + 1);
+  for (const answer of waiting.splice(0)) answer();
+  await turn();
+  send(64);
+  await turn();
+  expect([problems().length, waiting.length, closed]).toEqual([3, 64, []]);
+});
+
+it("sends a script away that goes on without waiting", async () => {
+  const { send, turn, waiting, closed } = withSlowStore();
+  send(5_000, "stop");
+  await turn();
+  expect(waiting).toHaveLength(limits.unfinishedCommands + limits.unfinishedStops);
+  expect(closed).toEqual([]);
+  send(5_000);
+  await turn();
+  expect(waiting).toHaveLength(limits.unfinishedCommands + limits.unfinishedStops);
+  expect(closed[0]).toBe(4400);
+});
