@@ -136,7 +136,8 @@ test("sees each line's truth with its numbers, and which line decides", async ({
     "Line 1, running: if right is more than 40, delayed right 90. Right is 50, true.",
   );
   await expect(program.line(1)).toHaveAttribute("aria-current", "step");
-  await expect(program.region.getByText("not read this time")).toBeVisible();
+  await expect(program.notRead).toHaveText("not read this time");
+  await expect(program.notRead).toBeVisible();
   await expect(program.line(2)).not.toHaveAttribute("aria-current");
   await expect(corridor.sensor("front")).toHaveText("250");
   await expect(corridor.sensor("right")).toHaveText("50");

@@ -25,7 +25,8 @@ test("sees that line 2 is true but was not read", async ({ corridor }) => {
   await program.addLine("left >", "60", "left 90");
   await expect(program.line(1)).toHaveAttribute("aria-current", "step");
   await expect(program.line(1)).toContainText("50 < 60");
-  await expect(program.region.getByText("not read this time")).toBeVisible();
+  await expect(program.notRead).toHaveText("not read this time");
+  await expect(program.notRead).toBeVisible();
   await expect(program.line(2)).toContainText("250 > 50");
   await expect(program.line(2)).toHaveAccessibleName(
     "Line 2: if front is more than 50, turn 180. Front is 250, true, not read this time.",
@@ -85,6 +86,28 @@ test("sees the tick of a line stay in its place while its number changes", async
   );
   // "250", "241.7" or so.
   expect(seen.places, `numbers of ${seen.lengths.join(", ")} signs`).toHaveLength(1);
+});
+
+test("finds every line in its place while one after the other drives", async ({ corridor }) => {
+  const { program } = corridor;
+  await corridor.run.click();
+  await expect(corridor.clock).not.toHaveText("0:00.0");
+  const seen = await program.region.evaluate(
+    (region) =>
+      new Promise<{ drivers: string[]; places: string[] }>((resolve) => {
+        const [drivers, places] = [new Set<string>(), new Set<string>()];
+        const look = (): void => {
+          const all = [...region.querySelectorAll("li:not([aria-hidden]), fieldset")];
+          places.add(all.map((each) => each.getBoundingClientRect().top).join(" "));
+          drivers.add(all.map((each) => each.ariaCurrent ?? "-").join(" "));
+          // Line 1, line 2 and otherwise.
+          if (drivers.size >= 3) resolve({ drivers: [...drivers], places: [...places] });
+          else requestAnimationFrame(look);
+        };
+        look();
+      }),
+  );
+  expect(seen.places, `while ${seen.drivers.join(", ")} drove`).toHaveLength(1);
 });
 
 test("sees how far the turn of otherwise is", async ({ corridor }) => {

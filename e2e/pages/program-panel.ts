@@ -20,6 +20,11 @@ export class ProgramPanel {
     return this.lines.nth(number - 1);
   }
 
+  /** What is said below the running line. */
+  get notRead(): Locator {
+    return this.region.locator("[data-said]");
+  }
+
   condition(line: number): Locator {
     return this.region.getByRole("combobox", { name: `Line ${line}, condition` });
   }

@@ -28,6 +28,9 @@ declare global {
   }
 }
 
+/** A little more than a sixtieth of a second: the next frame has begun then. */
+const FRAME_MS = 17;
+
 const device = storageOrNone(() => localStorage);
 const worker = startSimulator();
 const reader = new WorkReader();
@@ -67,7 +70,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
     words,
     screen,
     reader,
-    nextFrame: (work) => requestAnimationFrame(work),
+    nextFrame: (work) => setTimeout(work, FRAME_MS),
   });
   services.simulator.catchUp(heardBefore());
 

@@ -34,7 +34,7 @@ import { WorkShelf, type KeyValueStorage } from "./works.ts";
 
 /** What the page is given by the browser; tests give other ones. */
 export interface Browser {
-  /** does something when the browser prepares the next frame */
+  /** does something one frame later, whether or not there is anything to draw until then */
   nextFrame: (work: () => void) => void;
   worker: WorkerPort;
   /** localStorage: what stays on the device */
@@ -52,7 +52,8 @@ export interface Services {
   simulator: SimulatorClient;
   workspace: WorkspaceStore;
   run: RunStore;
-  /** the run for what moves other parts of the page: see late-run.ts */
+  /** the run for numbers, and for what comes after them: see late-run.ts */
+  numbersRun: RunStore;
   lateRun: RunStore;
   /** what there is to explain of the run */
   cards: CardStore;
@@ -199,7 +200,8 @@ export function createServices(browser: Browser): Services {
     simulator,
     workspace,
     run,
-    lateRun: late.store,
+    numbersRun: late.numbers,
+    lateRun: late.words,
     timeline,
     remote,
     screen,

@@ -23,24 +23,35 @@ function nextFrame(): void {
   for (const work of frames.splice(0)) work();
 }
 
-const shown = () => late.store.getState().snapshot?.tick;
+const shown = () => late.words.getState().snapshot?.tick;
+const numbers = () => late.numbers.getState().snapshot?.tick;
 
 describe("what moves other parts of the page", () => {
-  it("follows at once while the same line drives", () => {
+  it("follows one frame later while the same line drives", () => {
     show(2, 0);
-    expect(shown()).toBe(2);
+    expect([numbers(), shown()]).toEqual([1, 1]);
+    nextFrame();
+    expect([numbers(), shown()]).toEqual([2, 2]);
     expect(frames).toEqual([]);
   });
 
-  it("follows one frame after the numbers when another line drives", () => {
+  it("follows at once while the robot rests", () => {
+    show(2, 0, "paused");
+    show(3, 1, "paused");
+    expect([numbers(), shown()]).toEqual([3, 3]);
+    expect(frames).toEqual([]);
+  });
+
+  it("follows the mark of another line: numbers in one frame, words in the next", () => {
     show(2, 1);
+    expect([numbers(), shown()]).toEqual([1, 1]);
     nextFrame();
-    expect(shown()).toBe(1);
+    expect([numbers(), shown()]).toEqual([2, 1]);
     nextFrame();
     expect(shown()).toBe(2);
   });
 
-  it("follows the numbers when a manoeuvre begins", () => {
+  it("follows the mark when a manoeuvre begins", () => {
     const progress: Progress = {
       action: "left 90",
       kind: "turn",
@@ -51,9 +62,9 @@ describe("what moves other parts of the page", () => {
       way: 1,
     };
     run.setState({ snapshot: snapshotOf({ tick: 2, line: 0, state: "running" }), progress });
-    expect(late.store.getState().progress).toBeNull();
+    expect(late.words.getState().progress).toBeNull();
     for (let frame = 0; frame < 2; frame++) nextFrame();
-    expect(late.store.getState().progress).toEqual(progress);
+    expect(late.words.getState().progress).toEqual(progress);
     expect(frames).toEqual([]);
   });
 
@@ -65,23 +76,28 @@ describe("what moves other parts of the page", () => {
 
   it("misses nothing when the next news are there before the next frame", () => {
     const told: number[] = [];
-    late.store.subscribe(({ snapshot }) => told.push(snapshot?.tick ?? 0));
+    late.words.subscribe(({ snapshot }) => told.push(snapshot?.tick ?? 0));
     show(2, 1);
     show(3, 0);
     show(4, 0);
+    expect(told).toEqual([2, 3]);
+    nextFrame();
     expect(told).toEqual([2, 3, 4]);
   });
 
-  it("is followed by what belongs to it, in a frame of its own", () => {
+  it("is followed by what belongs to it, at a turn in a frame of its own", () => {
     const done: string[] = [];
+    const work = () => done.push(`after tick ${shown()}`);
     show(2, 0);
-    late.after(() => done.push("at once"));
-    show(3, 1);
-    late.after(() => done.push(`after tick ${shown()}`));
-    for (let frame = 0; frame < 2; frame++) nextFrame();
-    expect(done).toEqual(["at once"]);
+    late.after(work);
     nextFrame();
-    expect(done).toEqual(["at once", "after tick 3"]);
+    expect(done).toEqual(["after tick 2"]);
+    show(3, 1);
+    late.after(work);
+    for (let frame = 0; frame < 2; frame++) nextFrame();
+    expect([shown(), done.length]).toEqual([3, 1]);
+    nextFrame();
+    expect(done).toEqual(["after tick 2", "after tick 3"]);
   });
 
   it("does not do twice what newer news have overtaken", () => {
@@ -91,7 +107,7 @@ describe("what moves other parts of the page", () => {
     show(3, 1);
     expect(done).toBe(1);
     show(4, 0);
-    for (let frame = 0; frame < 5; frame++) nextFrame();
+    for (let frame = 0; frame < 4; frame++) nextFrame();
     expect([done, shown()]).toEqual([1, 4]);
   });
 });

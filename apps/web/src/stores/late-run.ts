@@ -1,44 +1,55 @@
 /**
- * The run for what moves other parts of the page: the words below the line that drives, the timeline. Of a
- * turn of the program they hear after the numbers, each in a frame of its own: on a slow computer all
- * together are longer than a frame, and the stage would stand still.
+ * The run for what is shown later than what decides. Marks come at once: which line drives, what is true.
+ * Numbers follow one frame later, and at a turn of the program the words below its line and the timeline one
+ * after the other: on a slow computer all together are longer than a frame, and the stage would stand still.
  */
 import { createRunStore, type RunState, type RunStore } from "./run-store.ts";
 
-export class LateRun {
-  readonly store: RunStore = createRunStore();
-  readonly #nextFrame: (work: () => void) => void;
-  #waiting: (() => void)[] = [];
+/** What is done in one frame. */
+type Works = (() => void)[];
 
-  /** @param nextFrame does something when the browser prepares the next frame: requestAnimationFrame */
-  constructor(run: RunStore, nextFrame: (work: () => void) => void) {
-    this.#nextFrame = nextFrame;
+export class LateRun {
+  /** for numbers, wherever they stand */
+  readonly numbers: RunStore = createRunStore();
+  /** for the words below a line, and whatever else is no hurry */
+  readonly words: RunStore = createRunStore();
+  readonly #later: (work: () => void) => void;
+  /** frame by frame */
+  #waiting: Works[] = [];
+  #isTurn = false;
+
+  /**
+   * @param later does something one frame later. By a timer: a frame that is asked for costs, though nothing
+   *   changed in it, and most news change no mark
+   */
+  constructor(run: RunStore, later: (work: () => void) => void) {
+    this.#later = later;
     run.subscribe((state, before) => {
       this.#catchUp();
-      const follow = () => this.store.setState(state, true);
-      if (isTurn(before, state)) this.#wait([follow]);
-      else follow();
+      this.#isTurn = isTurn(before, state);
+      const numbers = () => this.numbers.setState(state, true);
+      const words = () => this.words.setState(state, true);
+      if (this.#isTurn) this.#wait([[numbers], [words]]);
+      else if (isGoingOn(before, state)) this.#wait([[numbers, words]]);
+      else for (const work of [numbers, words]) work();
     });
   }
 
-  /** Does what belongs to the newest state: where that waits, after it, and in a frame of its own. */
+  /** Does what belongs to the newest state: where that waits, after it, and at a turn in a frame of its own. */
   after(work: () => void): void {
-    if (this.#waiting.length > 0) this.#waiting.push(work);
-    else work();
+    const last = this.#waiting.at(-1);
+    if (last === undefined) work();
+    else if (this.#isTurn) this.#waiting.push([work]);
+    else last.push(work);
   }
 
-  #wait(works: (() => void)[]): void {
-    this.#waiting = works;
-    // The frame that is prepared next has the numbers.
-    this.#nextFrame(() => this.#goOn(works));
-  }
-
-  /** @param works what waited then: news that came since have done it, and wait for themselves */
-  #goOn(works: (() => void)[]): void {
-    this.#nextFrame(() => {
-      if (this.#waiting !== works) return;
-      works.shift()?.();
-      if (works.length > 0) this.#goOn(works);
+  /** @param frames what waits now: when other news come they do it, and wait for themselves */
+  #wait(frames: Works[]): void {
+    this.#waiting = frames;
+    this.#later(() => {
+      if (this.#waiting !== frames) return;
+      for (const work of frames.shift() ?? []) work();
+      if (frames.length > 0) this.#wait(frames);
     });
   }
 
@@ -46,15 +57,19 @@ export class LateRun {
   #catchUp(): void {
     const waiting = this.#waiting;
     this.#waiting = [];
-    for (const work of waiting) work();
+    for (const work of waiting.flat()) work();
   }
 }
 
+function isGoingOn(before: RunState, { snapshot }: RunState): boolean {
+  return snapshot?.state === "running" && before.snapshot?.state === "running";
+}
+
 /** Whether another line drives, or a manoeuvre begins or ends, in a run that goes on. */
-function isTurn(before: RunState, { snapshot, progress }: RunState): boolean {
+function isTurn(before: RunState, state: RunState): boolean {
   return (
-    snapshot?.state === "running" &&
-    before.snapshot?.state === "running" &&
-    (snapshot.line !== before.snapshot.line || (progress === null) !== (before.progress === null))
+    isGoingOn(before, state) &&
+    (state.snapshot?.line !== before.snapshot?.line ||
+      (state.progress === null) !== (before.progress === null))
   );
 }

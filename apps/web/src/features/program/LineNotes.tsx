@@ -1,26 +1,32 @@
 /** What stands under a line while it is at work: how far its manoeuvre is, or the bump it came to. */
-import type { LineRef } from "@corridor/protocol";
+import type { LineRef, PlainAction } from "@corridor/protocol";
 import { useLayoutEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import { CalmPace } from "../../ui/calm-pace.ts";
+import { classNames } from "../../ui/class-names.ts";
 import { remember } from "../../ui/remember.ts";
 import { BurstIcon } from "../timeline/BurstIcon.tsx";
-import { shownProgress, type ShownBump, type ShownProgress } from "./line-state.ts";
+import { isManoeuvre, shownProgress, type ShownBump, type ShownProgress } from "./line-state.ts";
 import styles from "./line-notes.module.css";
 
 interface LineNoteProps {
   line: LineRef;
+  /** what the line does */
+  action: PlainAction;
   /** null while it touches nothing */
   bump: ShownBump | null;
   className?: string | undefined;
 }
 
-/** Nothing while the line rests. */
-export function LineNote({ line, bump, className }: LineNoteProps) {
+/** While the line rests nothing but its room, in a program that has begun: no line moves when another drives. */
+export function LineNote({ line, action, bump, className }: LineNoteProps) {
   return bump === null ? (
-    <LineProgress line={line} className={className} />
+    <LineProgress
+      line={line}
+      className={classNames(styles["note"], isManoeuvre(action) && styles["kept"], className)}
+    />
   ) : (
     <div className={className}>
       <LineBump bump={bump} />
@@ -37,7 +43,7 @@ interface LineProgressProps {
 }
 
 /**
- * A bar that fills and the words to it: "turns in 36 cm". It is always there, and hidden while the line
+ * A bar that fills and the words to it: "turns in 36 cm". It is always there, and not seen while the line
  * rests; what moves is written straight to its elements.
  */
 function LineProgress({ line, className }: LineProgressProps) {
@@ -65,6 +71,7 @@ function LineProgress({ line, className }: LineProgressProps) {
     const node = new Text();
     label.firstElementChild?.replaceChildren(node);
     let hasRoom = false;
+    let wasResting = true;
     const makeRoom = (): void => {
       const all = Object.values(wordsOf).flatMap((words) => COUNTS.map((count) => words(count)));
       label.dataset["longest"] = all.join("\n");
@@ -74,10 +81,14 @@ function LineProgress({ line, className }: LineProgressProps) {
       const progress = shownProgress(line, state);
       const isMoving = state.snapshot?.state === "running";
       const isTold = pace.isDue(isMoving, progress?.kind ?? null);
-      const isHidden = progress === null;
+      const isResting = progress === null;
       // An attribute that is written is styled anew, though it says the same.
-      if (box.hidden !== isHidden) box.hidden = isHidden;
-      if (isHidden) return;
+      if (wasResting !== isResting) {
+        progressBar.ariaHidden = String(isResting);
+        box.toggleAttribute("data-resting", isResting);
+        wasResting = isResting;
+      }
+      if (isResting) return;
       if (!hasRoom) makeRoom();
       const { kind, left, of } = progress;
       const words = wordsOf[kind](left);
@@ -92,9 +103,9 @@ function LineProgress({ line, className }: LineProgressProps) {
     return run.subscribe(look);
   }, [run, line, wordsOf]);
   return (
-    <div ref={note} className={className} hidden>
+    <div ref={note} className={className} data-resting="">
       <div className={styles["progress"]}>
-        <progress ref={bar} />
+        <progress ref={bar} aria-hidden="true" />
         <span ref={fill} className={styles["bar"]} aria-hidden="true" />
         <span ref={text} className={styles["words"]} aria-hidden="true">
           <span className="live-box" />

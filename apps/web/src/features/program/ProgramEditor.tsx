@@ -5,10 +5,12 @@ import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import type { RunState } from "../../stores/run-store.ts";
 import { tell } from "../../stores/screen-store.ts";
 import { useRights } from "../lessons/use-rights.ts";
 import { AddLine } from "./AddLine.tsx";
 import { AdviceNews } from "./AdviceNews.tsx";
+import { decidingLine } from "./line-state.ts";
 import { Otherwise } from "./Otherwise.tsx";
 import { addLine } from "./program-actions.ts";
 import styles from "./program-editor.module.css";
@@ -33,8 +35,9 @@ export function ProgramEditor() {
 /** Not drawn again while the robot drives: each line follows the run itself. */
 function ProgramLines() {
   const { t } = useTranslation();
-  const { workspace, screen } = useServices();
+  const { workspace, screen, run } = useServices();
   const program = useStore(workspace, (state) => state.program);
+  const hasBegun = useStore(run, hasProgramBegun);
   const lineIds = useStore(workspace, (state) => state.lineIds);
   const body = useRef<HTMLDivElement>(null);
   const rod = useRef<HTMLSpanElement>(null);
@@ -57,7 +60,7 @@ function ProgramLines() {
   }
 
   return (
-    <div ref={body} className={styles["body"]}>
+    <div ref={body} className={styles["body"]} data-begun={hasBegun ? "" : undefined}>
       <span ref={rod} className={styles["rod"]} />
       <ol ref={list} className={styles["lines"]}>
         {program.rules.map((rule, index) => {
@@ -66,7 +69,11 @@ function ProgramLines() {
           return (
             <Fragment key={id}>
               {/* Says below the running line that those that follow were not read. */}
-              {index > 0 && <li className={styles["rule"]} aria-hidden="true" />}
+              {index > 0 && (
+                <li className={styles["rule"]} aria-hidden="true">
+                  {t("program.notRead")}
+                </li>
+              )}
               <ProgramLine
                 id={id}
                 index={index}
@@ -84,6 +91,10 @@ function ProgramLines() {
       <AdviceNews />
     </div>
   );
+}
+
+function hasProgramBegun({ snapshot }: RunState): boolean {
+  return decidingLine(snapshot) !== null && snapshot?.tick !== 0;
 }
 
 interface RunningLineProps {

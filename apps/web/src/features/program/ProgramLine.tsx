@@ -41,14 +41,18 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   "use memo";
   const { id, index, count, rule, remembered } = props;
   const { t } = useTranslation();
-  const { workspace, screen, run, advice, challenge } = useServices();
+  const { workspace, screen, run, numbersRun, advice, challenge } = useServices();
   const element = useRef<HTMLLIElement>(null);
   const truth = useMemo(() => truthAt(rule.when), [rule.when]);
   const feed = useMemo(() => lineFeed(run, id), [run, id]);
-  useLayoutEffect(
-    () => (element.current === null ? undefined : feed.watch(element.current)),
-    [feed],
-  );
+  const numbers = useMemo(() => lineFeed(numbersRun, id), [numbersRun, id]);
+  useLayoutEffect(() => {
+    const line = element.current;
+    const ends = line === null ? [] : [feed, numbers].map((each) => each.watch(line));
+    return () => {
+      for (const end of ends) end();
+    };
+  }, [feed, numbers]);
   const bump = useStore(
     run,
     useShallow((state) => shownBump(index, state)),
@@ -57,7 +61,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   const adviceText = useAdviceText(given, rule.when);
   const by = given?.mend ?? null;
   const isBumped = bump !== null;
-  useLineLabel(element, feed, { index, rule, advice: adviceText?.reason ?? null, truth });
+  useLineLabel(element, numbers, { index, rule, advice: adviceText?.reason ?? null, truth });
   const line = index + 1;
 
   function move(by: -1 | 1) {
@@ -133,7 +137,13 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       <div className={styles["ask"]}>
         <ConditionMenu index={index} condition={rule.when} remembered={remembered} />
         {rule.when !== null && <ConditionNumber index={index} condition={rule.when} />}
-        <LineTruth feed={feed} condition={rule.when} truth={truth} className={styles["truth"]} />
+        <LineTruth
+          feed={feed}
+          numbers={numbers}
+          condition={rule.when}
+          truth={truth}
+          className={styles["truth"]}
+        />
       </div>
       <span className={classNames(styles["word"], styles["then"])}>{t("program.then")}</span>
       <div className={styles["do"]}>
@@ -152,7 +162,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
           onDelete={remove}
         />
       </div>
-      <LineNote line={index} bump={bump} className={styles["note"]} />
+      <LineNote line={index} action={rule.do} bump={bump} className={styles["note"]} />
       {/* What it came to is told where it bumped; the card there has the mend. */}
       {adviceText !== null && bump === null && (
         <div className={styles["advice"]}>

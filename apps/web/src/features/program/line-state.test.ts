@@ -1,6 +1,14 @@
+import { menuActions } from "@corridor/program";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { decidingLine, isPassedOver, shownBump, shownProgress, shownTruth } from "./line-state.ts";
+import {
+  decidingLine,
+  isManoeuvre,
+  isPassedOver,
+  shownBump,
+  shownProgress,
+  shownTruth,
+} from "./line-state.ts";
 
 const snapshot = snapshotOf({
   driver: "program",
@@ -46,6 +54,12 @@ describe("shownTruth", () => {
   it("is none for a line that does nothing, and before the first snapshot", () => {
     expect(shownTruth(null, snapshot)).toBeNull();
     expect(shownTruth({ sensor: "right", is: ">", than: 60 }, null)).toBeNull();
+  });
+});
+
+describe("isManoeuvre", () => {
+  it.each(menuActions)("%s is one when it ends by itself", (action) => {
+    expect(isManoeuvre(action)).toBe(action.includes("90") || action.includes("180"));
   });
 });
 

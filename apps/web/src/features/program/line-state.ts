@@ -1,6 +1,6 @@
 /** How the lines of the program stand at the shown moment. */
 import { truthOf, type Condition } from "@corridor/program";
-import type { LineRef, Snapshot } from "@corridor/protocol";
+import type { LineRef, PlainAction, Snapshot } from "@corridor/protocol";
 import type { RunState } from "../../stores/run-store.ts";
 import type { Moment } from "../../worker/worker-messages.ts";
 import { truthText } from "./truth-text.ts";
@@ -87,6 +87,11 @@ export function shownProgress(
 
 /** Rounding leaves crumbs of a distance; they are none. */
 const CRUMB = 1e-6;
+
+/** Whether an action has an end to look forward to, which its line shows while it drives. */
+export function isManoeuvre(action: PlainAction): boolean {
+  return action !== "forward" && action !== "reverse";
+}
 
 /** A bump as its line shows it: how far it came, and how far it would have gone. Whole cm. */
 export interface ShownBump {

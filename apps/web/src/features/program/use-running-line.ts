@@ -5,7 +5,6 @@
  */
 import type { LineRef } from "@corridor/protocol";
 import { useLayoutEffect, useRef, type RefObject } from "react";
-import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
@@ -19,7 +18,6 @@ export function useRunningLine(
   otherwise: RefObject<HTMLElement | null>,
 ): void {
   const { run, lateRun, workspace } = useServices();
-  const { t } = useTranslation();
   // Marked anew when lines came, went or moved; the elements are there by then.
   const lineIds = useStore(workspace, (state) => state.lineIds);
   const follower = useRef<Promise<LineFollower> | null>(null);
@@ -43,8 +41,8 @@ export function useRunningLine(
     let told: HTMLElement | null = null;
     const tell = (line: HTMLElement | null): void => {
       if (line === told) return;
-      sayBelow(told, "");
-      sayBelow(line, t("program.notRead"));
+      sayBelow(told, false);
+      sayBelow(line, true);
       told = line;
     };
     const look = ({ snapshot }: RunState): void => {
@@ -74,7 +72,7 @@ export function useRunningLine(
       mark(null);
       tell(null);
     };
-  }, [run, lateRun, lineIds, list, otherwise, t]);
+  }, [run, lateRun, lineIds, list, otherwise]);
 
   useLayoutEffect(
     () => () => {
@@ -96,6 +94,7 @@ async function load(list: RefObject<HTMLOListElement | null>): Promise<LineFollo
 }
 
 /** Between two lines is room for words; below the last one there are no lines that could have been read. */
-function sayBelow(line: HTMLElement | null, words: string): void {
-  if (line?.nextElementSibling?.tagName === "LI") line.nextElementSibling.textContent = words;
+function sayBelow(line: HTMLElement | null, isSaid: boolean): void {
+  const below = line?.nextElementSibling;
+  if (below?.tagName === "LI") below.toggleAttribute("data-said", isSaid);
 }

@@ -20,7 +20,7 @@ const ROBOT_PX = 12;
 const FRAME_PX = 10;
 
 export function SmallMap({ view }: { view: StageViewStore }) {
-  const { workspace, run } = useServices();
+  const { workspace, run, numbersRun } = useServices();
   const ownMaze = useStore(workspace, (state) => state.maze);
   const maze = useStore(run, ({ shownMaze }) => shownMaze) ?? ownMaze;
   const { columns, rows } = sizeOf(maze);
@@ -29,15 +29,15 @@ export function SmallMap({ view }: { view: StageViewStore }) {
   const side = useSide(view, picture);
   const robot = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    const place = ({ snapshot } = run.getState()): void => {
+    const place = ({ snapshot } = numbersRun.getState()): void => {
       if (robot.current === null || snapshot === null) return;
       const { x, y, heading } = snapshot.pose;
       const [left, top] = [x, y].map((at) => `${(at / CELL) * scale}px`);
       robot.current.style.transform = `translate(${left}, ${top}) rotate(${heading}deg)`;
     };
     place();
-    return run.subscribe(place);
-  }, [run, scale]);
+    return numbersRun.subscribe(place);
+  }, [numbersRun, scale]);
   return (
     <div className={styles["map"]} data-side={side} data-map="" aria-hidden="true">
       <div className={styles["picture"]} style={picture}>

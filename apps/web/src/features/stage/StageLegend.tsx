@@ -31,7 +31,7 @@ export function StageLegend({ view }: { view: StageViewStore }) {
 
 /** Said when it is read, not each time it changes: the panel's bumps and goals are news, this is not. */
 function RobotPlace() {
-  const { run } = useServices();
+  const { run, numbersRun } = useServices();
   const { t } = useTranslation();
   const text = useMemo(() => {
     const phrase = preparePhrase(["x", "y", "facing"], (marks) => t("stage.robotAt", marks));
@@ -47,7 +47,7 @@ function RobotPlace() {
   if (!isKnown) return null;
   return (
     <span className={styles["place"]}>
-      <LiveText of={run} text={text} className="live-box" />
+      <LiveText of={numbersRun} text={text} className="live-box" />
     </span>
   );
 }

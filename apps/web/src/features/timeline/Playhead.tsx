@@ -8,6 +8,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Badge } from "../../ui/Badge.tsx";
 import { classNames } from "../../ui/class-names.ts";
+import { followText } from "../../ui/follow-text.ts";
 import { xOf, type TimeScale } from "./time-scale.ts";
 import styles from "./timeline.module.css";
 
@@ -58,9 +59,33 @@ export function Playhead({ scale, event }: PlayheadProps) {
 /** The number of the line in charge, else a picture of who drives; the bent arrow is "otherwise": past all lines. */
 function DriverMark() {
   const { lateRun: run } = useServices();
-  const line = useStore(run, ({ snapshot }) => snapshot?.line ?? null);
   const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
   if (driver === "me") return <User size={14} aria-hidden="true" />;
   if (driver === "remote") return <RadioTower size={14} aria-hidden="true" />;
-  return typeof line === "number" ? line + 1 : <CornerDownRight size={14} aria-hidden="true" />;
+  return <LineMark />;
+}
+
+/** Number and arrow share a place, and one has the colour of its ground: see line-notes.module.css. */
+function LineMark() {
+  const { lateRun: run } = useServices();
+  const element = useRef<HTMLSpanElement>(null);
+  const number = useRef<HTMLSpanElement>(null);
+  useLayoutEffect(() => {
+    const node = document.createTextNode("1");
+    number.current?.replaceChildren(node);
+    return followText(
+      run,
+      ({ snapshot }) => (typeof snapshot?.line === "number" ? String(snapshot.line + 1) : ""),
+      (text) => {
+        element.current?.toggleAttribute("data-otherwise", text === "");
+        if (text !== "") node.data = text;
+      },
+    );
+  }, [run]);
+  return (
+    <span ref={element} className={styles["lineMark"]}>
+      <span ref={number} />
+      <CornerDownRight size={14} aria-hidden="true" />
+    </span>
+  );
 }
