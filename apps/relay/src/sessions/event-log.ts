@@ -51,6 +51,7 @@ export class EventLog {
   /** Lets go of what is too old. */
   forgetOld(): void {
     const oldest = this.#clock.now() - KEPT_EVENTS_MS;
+    if ((this.#kept[0]?.at ?? oldest) >= oldest) return;
     const first = this.#kept.findIndex(({ at }) => at >= oldest);
     this.#kept = first < 0 ? [] : this.#kept.slice(first);
   }

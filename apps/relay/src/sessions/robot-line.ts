@@ -99,6 +99,7 @@ export class RobotLine {
   }
 
   #forgetSilent(): void {
+    if (this.#others.size === 0) return;
     const oldest = this.#clock.now() - limits.relaySilenceMs;
     for (const [name, { heardAt }] of this.#others) {
       if (heardAt < oldest) this.#others.delete(name);

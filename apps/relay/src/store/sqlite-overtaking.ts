@@ -51,13 +51,12 @@ export function recallAllOf(
 /** delivered or started → its ending. @returns null when it was neither */
 export function end(statements: Statements, id: string, ending: Ending): CommandRecord | null {
   const { seq, state, reason, pose, distance } = ending;
-  const [record] = recordsIn(
-    statements,
+  const changes = statements.run(
     `UPDATE commands SET state = ?, reason = ?, pose = ?, distance = ?
-     WHERE robot = ? AND seq = ? AND state IN ('delivered', 'started') RETURNING ${RECORD}`,
+     WHERE robot = ? AND seq = ? AND state IN ('delivered', 'started')`,
     [state, reason, pose === null ? null : JSON.stringify(pose), distance, id, seq],
   );
-  return record ?? null;
+  return changes > 0 ? recordOf(statements, id, seq) : null;
 }
 
 export function recordOf(statements: Statements, id: string, seq: number): CommandRecord | null {

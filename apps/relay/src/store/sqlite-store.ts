@@ -8,7 +8,6 @@
 import { hasEnded, type CommandRecord, type Ending } from "@corridor/protocol";
 import { z } from "zod";
 import {
-  CLOCK_TOLERANCE_MS,
   type AddResult,
   type CancelResult,
   type EndResult,
@@ -21,8 +20,9 @@ import {
   type TermedRecord,
 } from "./session-store.ts";
 import { SqliteFile } from "./sqlite-file.ts";
+import { begin, countIn, deliver, IS_LATE } from "./sqlite-delivery.ts";
 import { addKeys, changeKeys, isKeyOf, keysIn } from "./sqlite-keys.ts";
-import { end, meetPage, overtake, OVERTAKES, recordOf, STOP } from "./sqlite-overtaking.ts";
+import { end, meetPage, overtake, recordOf, STOP } from "./sqlite-overtaking.ts";
 import { numberIn, RECORD, recordsIn, TERMED, termedIn } from "./sqlite-rows.ts";
 import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
 import type { Statements } from "./statements.ts";
@@ -34,9 +34,6 @@ const sessionRow = z.object({
   created_at: z.int(),
   last_used_at: z.int(),
 });
-
-/** Condition of an accepted command that must not start any more at the time ?1. */
-const IS_LATE = `(deadline <= ?1 OR accepted_at > ?1 + ${CLOCK_TOLERANCE_MS})`;
 
 export class SqliteStore implements SessionStore {
   readonly #file: SqliteFile;
@@ -120,22 +117,25 @@ export class SqliteStore implements SessionStore {
       if (deadline <= acceptedAt) return { outcome: "late" };
       const seq = session.last_seq + 1;
       const ended = isStop || replace ? overtake(this.#writing, id, { seq, isStop }) : [];
-      if (!isStop && this.#count(id, "accepted") >= command.maxWaiting) return { outcome: "full" };
+      if (!isStop && countIn(this.#writing, id, "accepted") >= command.maxWaiting)
+        return { outcome: "full" };
       this.#writing.run("UPDATE sessions SET last_seq = ? WHERE id = ?", [seq, id]);
       const terms = [Math.round(ttl), Math.round(deadline), replace ? 1 : 0, lease];
-      const [record] = recordsIn(
-        this.#writing,
+      this.#writing.run(
         `INSERT INTO commands
            (robot, seq, driver, key, command, state, accepted_at, ttl, deadline, replaces, lease)
-         VALUES (?, ?, ?, ?, ?, 'accepted', ?, ?, ?, ?, ?) RETURNING ${RECORD}`,
+         VALUES (?, ?, ?, ?, ?, 'accepted', ?, ?, ?, ?, ?)`,
         [id, seq, driver, key, text, acceptedAt, ...terms],
       );
-      if (record === undefined) throw new Error("SQLite did not return the stored command");
-      this.#writing.run(
-        `DELETE FROM commands WHERE robot = ? AND seq <= ?
-         AND NOT (${IS_OPEN})`,
-        [id, seq - command.keep],
-      );
+      const record = recordOf(this.#writing, id, seq);
+      if (record === null) throw new Error("SQLite did not keep the command");
+      if (seq > command.keep) {
+        this.#writing.run(
+          `DELETE FROM commands WHERE robot = ? AND seq <= ?
+           AND NOT (${IS_OPEN})`,
+          [id, seq - command.keep],
+        );
+      }
       return { outcome: "stored", record, ended };
     };
     // A robot can be stopped on a full disk, too.
@@ -145,16 +145,7 @@ export class SqliteStore implements SessionStore {
   async deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]> {
     return this.#file.step(() => {
       if (sessionIn(this.#writing, id)?.epoch !== epoch) return [];
-      const free = Math.max(0, window - this.#count(id, "delivered"));
-      const waits = `robot = ?2 AND state = 'accepted' AND ${IS_OPEN} AND NOT ${IS_LATE}`;
-      return termedIn(
-        this.#writing,
-        `UPDATE ${OPEN_COMMANDS} SET state = 'delivered', epoch = ?4
-         WHERE ${waits} AND (${OVERTAKES} OR seq IN (
-           SELECT seq FROM ${OPEN_COMMANDS} WHERE ${waits} ORDER BY seq LIMIT ?3))
-         RETURNING ${TERMED}`,
-        [now, id, free, epoch],
-      );
+      return deliver(this.#writing, id, { epoch, window, now });
     });
   }
 
@@ -208,13 +199,7 @@ export class SqliteStore implements SessionStore {
   async start(id: string, epoch: number, seq: number): Promise<CommandRecord | null> {
     return this.#file.step(() => {
       if (sessionIn(this.#writing, id)?.epoch !== epoch) return null;
-      const [record] = recordsIn(
-        this.#writing,
-        `UPDATE commands SET state = 'started'
-         WHERE robot = ? AND seq = ? AND state = 'delivered' RETURNING ${RECORD}`,
-        [id, seq],
-      );
-      return record ?? null;
+      return begin(this.#writing, id, seq);
     });
   }
 
@@ -283,13 +268,6 @@ export class SqliteStore implements SessionStore {
 
   async close(): Promise<void> {
     this.#file.close();
-  }
-
-  /** Commands in a state, without those that overtake. */
-  #count(id: string, state: "accepted" | "delivered"): number {
-    const sql = `SELECT count(*) AS found FROM ${OPEN_COMMANDS}
-      WHERE robot = ? AND state = '${state}' AND ${IS_OPEN} AND NOT ${OVERTAKES}`;
-    return numberIn(this.#writing, sql, [id]) ?? 0;
   }
 
   get #writing(): Statements {
