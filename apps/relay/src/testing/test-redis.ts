@@ -17,6 +17,7 @@ export async function startTestRedis(settings: string[] = []) {
   const { url, port } = server;
   return {
     url,
+    port,
     stop: () => server.stop(),
     /** Starts it with the same files on the same port. */
     startAgain: async () => {

@@ -5,6 +5,11 @@ import { StoreFull } from "../disk-full.ts";
 import { StoreAway } from "../store-away.ts";
 
 const CONNECT_MS = 5_000;
+/** Pause between signs of life, and the longest wait for one: a disk may hold Redis up for two seconds. */
+const PING_MS = 1_000;
+const SILENCE_MS = 3_000;
+/** For a line on which nothing is written, such as one whose greeting is never answered. */
+const IDLE_MS = 6_000;
 /** Pause before a new try, drawn from 0 to a limit that doubles up to this one. */
 const LONGEST_PAUSE_MS = 1_000;
 const FIRST_PAUSE_MS = 50;
@@ -31,7 +36,40 @@ export async function connectRedis(url: string, log: (error: unknown) => void): 
     throw new Error(`STORE_URL leads to no Redis that answers (${why}).`, { cause: error });
   }
   isConnected = true;
+  watch(redis, log);
   return redis;
+}
+
+/**
+ * A line may be cut without a word, and whoever still writes to it never learns of it: the line is asked
+ * for a sign of life, and made anew where none comes.
+ */
+function watch(redis: Redis, log: (error: unknown) => void): void {
+  const again = (): void => void setTimeout(() => void look(), PING_MS).unref();
+  const look = async (): Promise<void> => {
+    // Whoever opened it has closed it.
+    if (!redis.isOpen) return;
+    if (redis.isReady && !(await answers(redis)) && redis.isReady) {
+      log(new Error(`Redis was silent for ${SILENCE_MS} ms; its line is made anew.`));
+      redis.destroy();
+      // Given up only when it is closed meanwhile.
+      redis.connect().catch(() => undefined);
+    }
+    again();
+  };
+  again();
+}
+
+async function answers(redis: Redis): Promise<boolean> {
+  const silence = new Promise<false>((resolve) => {
+    setTimeout(() => resolve(false), SILENCE_MS).unref();
+  });
+  const answer = redis.ping().then(
+    () => true,
+    // An error is an answer, or the line is known to be broken.
+    () => true,
+  );
+  return Promise.race([answer, silence]);
 }
 
 function redisAt(url: string) {
@@ -41,6 +79,7 @@ function redisAt(url: string) {
     disableOfflineQueue: true,
     socket: {
       connectTimeout: CONNECT_MS,
+      socketTimeout: IDLE_MS,
       reconnectStrategy: (tries, cause) => {
         // At the start nobody waits for a Redis that may never come.
         if (!wasReady) return cause;

@@ -1,0 +1,65 @@
+/** The line to Redis, through a network that swallows everything without a word. */
+import { connect, createServer, type AddressInfo, type Socket } from "node:net";
+import { describe, expect, it, onTestFinished, vi } from "vitest";
+import { hasRedis, startTestRedis } from "../../testing/test-redis.ts";
+import { asked, connectRedis } from "./connection.ts";
+import { StoreAway } from "../store-away.ts";
+
+const SOON = { timeout: 15_000, interval: 100 };
+
+/** A way to a port of this machine; what is open when it is swallowed stays open, and nothing arrives. */
+async function swallowingNet(port: number) {
+  const pairs = new Set<[Socket, Socket]>();
+  const server = createServer((client) => {
+    const target = connect(port, "127.0.0.1");
+    pairs.add([client, target]);
+    for (const socket of [client, target]) socket.on("error", () => undefined);
+    client.pipe(target).pipe(client);
+  });
+  await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
+  onTestFinished(() => {
+    for (const pair of pairs) for (const socket of pair) socket.destroy();
+    server.close();
+  });
+  return {
+    url: `redis://127.0.0.1:${(server.address() as AddressInfo).port}`,
+    swallow: () => {
+      for (const [client, target] of pairs) {
+        client.unpipe(target);
+        target.unpipe(client);
+        for (const socket of [client, target]) socket.on("data", () => undefined);
+      }
+    },
+  };
+}
+
+describe.skipIf(!hasRedis)("with Redis", () => {
+  it("finds out within seconds that its line is dead, however much is written to it, and makes a new one", async () => {
+    const { port } = await startTestRedis();
+    const net = await swallowingNet(port);
+    const redis = await connectRedis(net.url, () => undefined);
+    const hearing = await connectRedis(net.url, () => undefined);
+    onTestFinished(() => {
+      redis.destroy();
+      hearing.destroy();
+    });
+    const heard: string[] = [];
+    await hearing.subscribe("news", (text) => void heard.push(text));
+    net.swallow();
+    const writing = setInterval(() => void redis.set("a", "b").catch(() => undefined), 50);
+    onTestFinished(() => clearInterval(writing));
+    await expect(asked(redis.set("last", "1"))).rejects.toBeInstanceOf(StoreAway);
+    await vi.waitFor(async () => {
+      await redis.publish("news", "again");
+      expect(heard).toContain("again");
+    }, SOON);
+  });
+
+  it("stays closed once it was closed", async () => {
+    const { url } = await startTestRedis();
+    const redis = await connectRedis(url, () => undefined);
+    redis.destroy();
+    await new Promise((resolve) => void setTimeout(resolve, 1_500));
+    expect(redis.isOpen).toBe(false);
+  });
+});
