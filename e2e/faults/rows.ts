@@ -2,6 +2,8 @@
 import type { Row } from "./row.ts";
 import { cleanNet } from "./rows/clean-net.ts";
 import { cuts } from "./rows/cuts.ts";
+import { reloads } from "./rows/reloads.ts";
+import { twoRelays } from "./rows/two-relays.ts";
 import { relayKilled } from "./rows/relay-killed.ts";
 
-export const rows: readonly Row[] = [cleanNet, relayKilled, cuts];
+export const rows: readonly Row[] = [cleanNet, relayKilled, cuts, reloads, twoRelays];

@@ -61,18 +61,21 @@ export class Scene {
   }
 
   /**
-   * A script for each robot: by WebSocket, by the library's line over HTTPS, and by single requests in turn.
+   * A script for each robot, of each kind in turn.
    * @param originOf through which the script of a robot reaches its relay
    */
-  async scripts(originOf: (robot: Robot) => string): Promise<Script[]> {
+  async scripts(
+    originOf: (robot: Robot) => string,
+    kinds: readonly (Doors | "requests")[] = ["both", "https", "requests"],
+  ): Promise<Script[]> {
     const scripts: Script[] = [];
     for (const [n, robot] of this.robots.entries()) {
-      const doors = n % 3 === 1 ? "https" : "both";
+      const kind = kinds[n % kinds.length] ?? "both";
       const origin = originOf(robot);
       const script =
-        n % 3 === 2
+        kind === "requests"
           ? new RequestScript(robot, origin)
-          : await SocketScript.connect(robot, origin, doors);
+          : await SocketScript.connect(robot, origin, kind);
       this.#terms.after(() => script.close());
       scripts.push(script);
     }

@@ -64,7 +64,7 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(robotRoutes(hub, entrance));
   api.use(keyRoutes(hub, entrance));
   api.use(sensorRoutes(hub));
-  api.use(commandRoutes(hub));
+  api.use(commandRoutes(hub, clock));
   api.use(eventRoutes(hub, clock));
   api.use(lineRoutes(lines, entrance));
   api.use(documentRoutes(documents, entrance));

@@ -23,6 +23,8 @@ export type FromPages =
   | { tells: "ready" }
   | { tells: "deed"; page: number; seq: number; what: CommandState; at: number }
   | { tells: "status"; page: number; status: RemoteStatus; at: number }
+  /** Its relay has given it the robot. */
+  | { tells: "taken"; page: number; at: number }
   /** what the tab keeps over a reload */
   | { tells: "session"; page: number; session: RemoteSession }
   /** The robot has begun to move, or stands. */

@@ -35,7 +35,8 @@ export class Pages {
   async kill(): Promise<void> {
     const child = this.#child;
     if (child.exitCode !== null || child.signalCode !== null) return;
-    const ended = once(child, "close");
+    // What its pages have told is heard to the end.
+    const ended = Promise.all([once(child, "close"), once(child, "disconnect")]);
     child.kill("SIGKILL");
     await ended;
   }

@@ -1,10 +1,11 @@
 /** A page that is the robot, as its worker is: run, driver, host and link, on real timers and sockets. */
+import { decodeFrame, relayToPageSchema } from "@corridor/protocol";
 import { RemoteDriver } from "../../../apps/web/src/drivers/remote-driver.ts";
 import { firstMaze, firstProgram } from "../../../apps/web/src/worker/first-work.ts";
 import { RemoteHost } from "../../../apps/web/src/worker/remote-host.ts";
 import { RunLoop } from "../../../apps/web/src/worker/run-loop.ts";
 import { machineNow } from "../clock.ts";
-import { platformWith } from "../platforms.ts";
+import { overheard, platformWith } from "../platforms.ts";
 import type { FromPages, ToPages } from "./page-messages.ts";
 
 /** As the worker does it (simulator.worker.ts). */
@@ -41,7 +42,9 @@ export class RobotPage {
       giveBack: () => this.#loop.remote?.giveBack(),
       hear: (alive) => this.#loop.remote?.hear(alive),
       fetch: () => Promise.reject(new Error("The robot is registered already.")),
-      platform: platformWith(doors),
+      platform: overheard(platformWith(doors), (direction, text) => {
+        if (direction === "down") this.#hears(text);
+      }),
     });
     const events = {
       started: (seq: number) => {
@@ -74,6 +77,14 @@ export class RobotPage {
   /** The tab is closed: its line goes, and nobody asks what it would have said. */
   leave(): void {
     this.#host.close();
+  }
+
+  /** When the relay, by the clock of the same machine, has given it the robot. */
+  #hears(text: string): void {
+    const read = decodeFrame(relayToPageSchema, text);
+    if (!read.ok || read.value.type !== "welcome") return;
+    const at = machineNow() - Math.max(0, Date.now() - read.value.at);
+    this.#tell({ tells: "taken", page: this.#number, at });
   }
 
   #watchMotion(): void {

@@ -17,6 +17,8 @@ export class Robot {
   status: RemoteStatus = { kind: "off" };
   isMoving = false;
   movedAt = 0;
+  /** when the newest page was given the robot by the relay last */
+  takenAt = 0;
   /** when the page was connected last, and when it lost its line last */
   connectedAt = 0;
   lostAt = 0;
@@ -47,6 +49,7 @@ export class Robot {
       if (message.status.reason === "replaced") this.losers.add(page);
     }
     if (page !== this.page) return;
+    if (message.tells === "taken") this.takenAt = message.at;
     if (message.tells === "session") this.session = message.session;
     if (message.tells === "motion") {
       this.isMoving = message.isMoving;

@@ -1,6 +1,7 @@
 /** Commands of scripts: send one, follow it, read the log, stop everything. */
 import { termsOf, type CommandRecord } from "@corridor/protocol";
-import { Router, type Response } from "express";
+import { Router, type Request, type Response } from "express";
+import type { Clock } from "../clock.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import type { CommandLog } from "./answers.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
@@ -15,14 +16,17 @@ import {
   readWait,
 } from "./reading.ts";
 
-export function commandRoutes(hub: SessionHub): Router {
+export function commandRoutes(hub: SessionHub, clock: Clock): Router {
   const router = Router();
+  /** when a command came, though its robot had to be found and its body read first */
+  const arrivals = new WeakMap<Request, number>();
 
   router
     .route("/robots/:id/commands")
     .post(
       // Who may not is told so before the body is read.
       async (request, response, next) => {
+        arrivals.set(request, clock.now());
         await hearScript(hub, request, response, "command");
         next();
       },
@@ -30,7 +34,10 @@ export function commandRoutes(hub: SessionHub): Router {
       async (request, response) => {
         const { session, key } = await hearScript(hub, request, response, "command");
         const command = readCommandRequest(request);
-        await session.submit(key, command, (record) => accepted(response, session.id, record));
+        const now = clock.now();
+        const age = command.age + now - (arrivals.get(request) ?? now);
+        const wish = { ...command, age };
+        await session.submit(key, wish, (record) => accepted(response, session.id, record));
       },
     )
     .get(async (request, response) => {

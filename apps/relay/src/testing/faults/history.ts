@@ -72,29 +72,25 @@ export class History {
     this.#deeds.push(deed);
   }
 
-  /** A page is gone: what it ended without having begun it, and told nobody, it may as well not have had. */
-  left(page: number): void {
+  /**
+   * A page is gone: what it ended without having begun it, and told nobody, it may as well not have had.
+   * @param isKnown whether anybody can know of what it did; the rest went with it
+   */
+  left(page: number, isKnown: (seq: number, at: number) => boolean = () => true): void {
+    this.#deeds = this.#deeds.filter((deed) => deed.page !== page || isKnown(deed.seq, deed.at));
     const begun = new Set(
       this.#deeds.flatMap(({ seq, what }) => (what === "started" ? [seq] : [])),
     );
     this.#deeds = this.#deeds.filter((deed) => deed.page !== page || begun.has(deed.seq));
   }
 
-  /** How many commands were acknowledged. */
-  get size(): number {
-    return this.#acknowledged.size;
-  }
-
-  /** ms from the first try to the start, of every command that was started. */
-  waits(stored: readonly CommandRecord[]): number[] {
-    const starts = new Map(
-      this.#deeds.flatMap(({ seq, what, at }) => (what === "started" ? [[seq, at]] : [])),
-    );
-    return stored.flatMap(({ seq, key }) => {
-      const start = starts.get(seq);
-      const tried = this.#tryOf(key);
-      return start === undefined || tried === null ? [] : [start - tried.at];
-    });
+  /** What a page has begun, as it is now. */
+  begunBy(page: number): { seq: number; what: CommandState }[] {
+    const now = new Map<number, CommandState>();
+    for (const { seq, what, page: by } of this.#deeds) {
+      if (by === page && (what === "started" || now.has(seq))) now.set(seq, what);
+    }
+    return [...now].map(([seq, what]) => ({ seq, what }));
   }
 
   /** Compares all that was seen with what the store has in the end. */

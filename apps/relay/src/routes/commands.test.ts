@@ -1,0 +1,49 @@
+import { once } from "node:events";
+import { request } from "node:http";
+import { expect, it } from "vitest";
+import { FakeClock } from "../testing/fake-clock.ts";
+import { startTestRelay } from "../testing/test-relay.ts";
+import { TestSocket } from "../testing/test-socket.ts";
+
+const TTL = 400;
+
+/** Sends the head of a command's request, and its body when it is told to. */
+async function slowCommand(age: number) {
+  const clock = new FakeClock();
+  const relay = await startTestRelay({ clock });
+  const robot = await relay.register();
+  const { socket: page } = await TestSocket.page(relay, robot);
+  const post = request(`${relay.origin}/api/v1/robots/${robot.id}/commands`, {
+    method: "POST",
+    headers: {
+      Authorization: `Bearer ${robot.driverKey}`,
+      "Content-Type": "application/json",
+      // Says when the relay has read the head.
+      Expect: "100-continue",
+    },
+  });
+  post.flushHeaders();
+  await once(post, "continue");
+  const finish = async (): Promise<number | undefined> => {
+    const answered = once(post, "response");
+    post.end(JSON.stringify({ action: "left 90", ttl: TTL, age }));
+    const [answer] = (await answered) as [{ statusCode?: number; resume(): void }];
+    answer.resume();
+    return answer.statusCode;
+  };
+  return { clock, page, finish };
+}
+
+it("the time in which a command's request is read is part of the command's age", async () => {
+  const { clock, page, finish } = await slowCommand(50);
+  await clock.pass(300);
+  expect(await finish()).toBe(202);
+  const { remaining } = await page.next("command");
+  expect(remaining).toBe(TTL - 50 - 300);
+});
+
+it("a command whose request took longer than it may wait is refused as too late", async () => {
+  const { clock, finish } = await slowCommand(0);
+  await clock.pass(TTL);
+  expect(await finish()).toBe(422);
+});
