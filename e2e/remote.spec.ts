@@ -32,12 +32,21 @@ async function setSpeed(page: Page, speed: string): Promise<void> {
   await page.getByRole("combobox", { name: "Speed" }).selectOption(speed);
 }
 
-async function api(address: string, path: string, body?: unknown): Promise<Response> {
+async function api(
+  address: string,
+  path: string,
+  body?: unknown,
+  name?: string,
+): Promise<Response> {
   const { origin, pathname, hash } = new URL(address);
   const id = pathname.slice("/r/".length);
   return fetch(`${origin}/api/v1/robots/${id}${path}`, {
     method: body === undefined ? "GET" : "POST",
-    headers: { authorization: `Bearer ${hash.slice(1)}`, "content-type": "application/json" },
+    headers: {
+      authorization: `Bearer ${hash.slice(1)}`,
+      "content-type": "application/json",
+      ...(name !== undefined && { "script-name": name }),
+    },
     ...(body === undefined ? {} : { body: JSON.stringify(body) }),
   });
 }
@@ -200,6 +209,38 @@ test("an address to watch reads the robot and cannot drive it", async ({ page })
   expect((await api(address, "/sensors?wait=5")).status).toBe(200);
   expect((await api(address, "/commands", { action: "left 90" })).status).toBe(403);
   await expect(connection(page)).toHaveText("Waiting for a script");
+});
+
+test("scripts are listed by name, and one is sent away while the others go on", async ({
+  page,
+}) => {
+  await page.goto("/");
+  const address = await copyAddress(page);
+  await setSpeed(page, "0.25");
+  const as = (name: string, path: string, body?: unknown) => api(address, path, body, name);
+  await as("Anna", "/commands", { action: "move", distance: 200 });
+  await as("Ben", "/commands?after=0");
+  const scripts = page.getByRole("region", { name: "Scripts" }).getByRole("listitem");
+  await expect(scripts).toHaveText([/Anna.*last: move.*running/, /Ben.*only reads/]);
+  const anna = scripts.filter({ hasText: "Anna" });
+  await anna.getByRole("button", { name: "Send away" }).click();
+  await expect(anna).toContainText("sent away");
+  await expect(page.getByRole("row", { name: /move 200/ })).toContainText("cancelled");
+  await expect(page.getByRole("row", { name: /move 200/ })).toContainText(
+    "The script was sent away.",
+  );
+  const refused = await as("Anna", "/commands", { action: "left 90" });
+  expect([refused.status, (await refused.json()).detail]).toEqual([
+    403,
+    expect.stringContaining("has sent this script away"),
+  ]);
+  expect((await as("Ben", "/commands", { action: "left 90" })).status).toBe(202);
+  // Still away after a reload of the page.
+  await page.reload();
+  await anna.getByRole("button", { name: "Let back" }).click();
+  await expect(anna.getByRole("button", { name: "Send away" })).toHaveCount(0);
+  expect((await as("Anna", "/commands", { action: "left 90" })).status).toBe(202);
+  await expect(anna.getByRole("button", { name: "Send away" })).toBeVisible();
 });
 
 test("taking over by hand cancels what the script asked for and says why", async ({ page }) => {

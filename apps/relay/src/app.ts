@@ -21,6 +21,7 @@ import { lineRoutes } from "./routes/lines.ts";
 import { requestLog } from "./routes/request-log.ts";
 import { robotRoutes } from "./routes/robots.ts";
 import { openToAllSites, securityHeaders } from "./routes/security-headers.ts";
+import { scriptRoutes } from "./routes/scripts.ts";
 import { sensorRoutes } from "./routes/sensors.ts";
 import type { SessionHub } from "./sessions/session-hub.ts";
 
@@ -63,6 +64,7 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(openToAllSites);
   api.use(robotRoutes(hub, entrance));
   api.use(keyRoutes(hub, entrance));
+  api.use(scriptRoutes(hub));
   api.use(sensorRoutes(hub));
   api.use(commandRoutes(hub, clock));
   api.use(eventRoutes(hub, clock));

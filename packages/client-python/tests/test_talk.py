@@ -144,6 +144,26 @@ def test_a_lost_command_is_sent_again_with_its_key() -> None:
     assert other.requests[0].headers["Idempotency-Key"] != keys[0]
 
 
+def test_a_name_goes_with_every_request_in_letters_that_a_header_can_hold() -> None:
+    scene = Scene(record("completed"))
+    scene.run(scene.talk.do(go_forward(100)))
+    assert "Script-Name" not in scene.requests[0].headers
+    address = parse_address(f"http://robots.example/r/abc#{KEY}")
+    talk = RobotTalk(address, 30.0, 60.0, name="Größe 5 ✓" + "x" * 400)
+    step = next(talk.greet())
+    assert isinstance(step, Request)
+    assert step.headers["Script-Name"].startswith("Gr%C3%B6%C3%9Fe 5 %E2%9C%93xxx")
+    assert len(step.headers["Script-Name"]) < 100
+
+
+def test_a_script_that_was_sent_away_reads_so_and_does_not_try_again() -> None:
+    scene = Scene(problem(403, "sent-away", "The robot's owner has sent this script away."))
+    with pytest.raises(NotAuthorisedError) as caught:
+        scene.run(scene.talk.do(go_forward(100)))
+    assert "owner has sent this script away" in str(caught.value)
+    assert len(scene.requests) == 1
+
+
 def test_a_time_to_live_goes_with_every_command_in_ms() -> None:
     scene = Scene(record("completed"), ttl=0.5)
     scene.move()

@@ -210,7 +210,7 @@ describe("HostLink", () => {
     const { platform, link, heard, welcome, reconnect } = host();
     welcome();
     platform.socket.receive(command(1));
-    platform.socket.receive({ type: "cancel", seq: 1 });
+    platform.socket.receive({ type: "cancel", seq: 1, why: "sender" });
     platform.socket.receive({ type: "state", record: recordOf(2, "expired"), ttl: 400 });
     link.ended(1, done);
     platform.socket.receive({ type: "refused", record: recordOf(1, "cancelled") });
@@ -231,7 +231,7 @@ describe("HostLink", () => {
     platform.socket.receive({ type: "time", at: 3_010 });
     platform.socket.receive({ ...command(2), at: 3_010, remaining: 2_000 });
     const scripts = { connected: 1, client: "Python", silentMs: 0, alive: [] };
-    platform.socket.receive({ type: "drivers", at: 3_010, ...scripts });
+    platform.socket.receive({ type: "drivers", at: 3_010, scripts: [], ...scripts });
     expect(delivered.map(({ remaining }) => remaining)).toEqual([0, 1_990]);
     expect(asked()).toHaveLength(1);
   });
@@ -244,7 +244,13 @@ describe("HostLink", () => {
     platform.socket.receive({ ...command(2), at: 2_900, remaining: 50 });
     const scripts = [{ driver: "Zx81qP", silentMs: 100, lineMs: null }];
     const drivers = { connected: 1, client: "Python", silentMs: 100 };
-    platform.socket.receive({ type: "drivers", ...drivers, alive: scripts, at: 1_500 });
+    platform.socket.receive({
+      type: "drivers",
+      ...drivers,
+      alive: scripts,
+      scripts: [],
+      at: 1_500,
+    });
     expect(delivered.map(({ remaining }) => remaining)).toEqual([9_000, 0]);
     expect(alive).toEqual([{ driver: "Zx81qP", silentMs: 1_600, lineMs: null }]);
   });

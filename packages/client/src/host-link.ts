@@ -22,7 +22,9 @@ import {
   type Drivers,
   type Ending,
   type PageToRelay,
+  type RecallCause,
   type RelayToPage,
+  type ScriptView,
   type Snapshot,
 } from "@corridor/protocol";
 import { AppliedCommands } from "./applied-commands.ts";
@@ -58,8 +60,8 @@ export interface HostLinkOptions {
   onCommand(command: DeliveredCommand): void;
   /** End all that was handed on, by `ended`, before this returns. The stop itself ends by itself. */
   onStop(stop: DeliveredCommand): void;
-  /** The sender takes a command back: end it, by `ended`, unless it has ended already. */
-  onCancel(seq: number): void;
+  /** Somebody wishes that a command ends: end it, by `ended`, unless it has ended already. */
+  onCancel(seq: number, why: RecallCause): void;
   /** Forget all that was handed on and has not begun: what still holds comes again. */
   onGiveBack(): void;
   /** A command that this robot does not hold: it waits at the relay, or has ended there. */
@@ -70,8 +72,9 @@ export interface HostLinkOptions {
   /**
    * Scripts came, went or were heard; about once a second.
    * @param alive whose motions without an end may go on: 3 s after a script was heard last they stop
+   * @param scripts the same by name, and those that were sent away
    */
-  onDrivers(drivers: Drivers, alive: readonly AliveDriver[]): void;
+  onDrivers(drivers: Drivers, alive: readonly AliveDriver[], scripts: readonly ScriptView[]): void;
   /** default: what browsers, workers and Node offer */
   platform?: Omit<Platform, "uniqueText">;
 }
@@ -197,7 +200,7 @@ export class HostLink {
         return;
       }
       case "cancel":
-        return this.#options.onCancel(message.seq);
+        return this.#options.onCancel(message.seq, message.why);
       case "stored":
         this.#endings.delete(message.seq);
         return;
@@ -207,7 +210,7 @@ export class HostLink {
       case "state":
         return this.#options.onState(message.record, message.ttl);
       case "drivers": {
-        const { type: _type, alive, at, ...drivers } = message;
+        const { type: _type, alive, scripts, at, ...drivers } = message;
         const waited = this.#transit.came(at, this.#clock.now());
         const now = alive.map(({ driver, silentMs, lineMs }) => ({
           driver,
@@ -215,7 +218,7 @@ export class HostLink {
           lineMs: lineMs === null ? null : lineMs + waited,
         }));
         this.#askTime();
-        return this.#options.onDrivers(drivers, now);
+        return this.#options.onDrivers(drivers, now, scripts);
       }
       case "time":
         return this.#transit.answered(message.at, this.#clock.now());

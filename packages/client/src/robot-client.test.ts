@@ -54,6 +54,27 @@ describe("RobotClient", () => {
     expect(platform.socket.sent).toMatchObject([{ type: "hello", role: "watch" }]);
   });
 
+  it("says its name where it is given one", () => {
+    const platform = new FakePlatform();
+    const name = "Right wall";
+    void RobotClient.connect(ADDRESS, { platform, name }).catch(() => undefined);
+    platform.socket.open();
+    expect(platform.socket.sent).toMatchObject([{ type: "hello", name }]);
+  });
+
+  it("is over where its owner has sent it away, and does not come again by itself", async () => {
+    const { platform, robot } = await connected();
+    const move = robot.move(10);
+    platform.socket.cut(4403);
+    await expect(move).rejects.toMatchObject({
+      code: "not-authorised",
+      message: expect.stringContaining("sent this script away"),
+    });
+    const { socket } = platform;
+    platform.pass(60_000);
+    expect(platform.socket).toBe(socket);
+  });
+
   it("keeps the promise of a manoeuvre when the robot has ended it", async () => {
     const { robot, tell } = await connected();
     const move = robot.move(120);

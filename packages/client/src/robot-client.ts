@@ -45,6 +45,8 @@ export interface DriveWish extends CommandWish {
 export interface RobotClientOptions {
   /** ms within which a command must have started, where it says nothing else; default 10 s */
   ttl?: number;
+  /** what this script calls itself, for the robot's owner; at most 40 characters are shown */
+  name?: string;
   /** ms to wait for the relay's answer, reconnecting included; default 30 s */
   answerTimeout?: number;
   /** ms to wait until the robot has done a command; default 10 minutes */
@@ -67,6 +69,8 @@ interface Pending {
 
 const DEFAULT_ANSWER_MS = 30_000;
 const DEFAULT_FINISH_MS = 600_000;
+/** The relay refuses a hello with a longer name; it shows less than that. */
+const MAX_SENT_NAME = 200;
 /** Pause before a command is sent again that the relay could not take yet. */
 const BUSY_PAUSE_MS = 500;
 
@@ -75,6 +79,7 @@ export class RobotClient {
   readonly #answerMs: number;
   readonly #finishMs: number;
   readonly #wish: CommandWish;
+  readonly #name: { name?: string };
   readonly #connection: Connection<RelayToDriver>;
   readonly #inbox: SnapshotInbox;
   #welcomed: () => void = () => undefined;
@@ -95,6 +100,7 @@ export class RobotClient {
     this.#answerMs = options.answerTimeout ?? DEFAULT_ANSWER_MS;
     this.#finishMs = options.finishTimeout ?? DEFAULT_FINISH_MS;
     this.#wish = options.ttl === undefined ? {} : { ttl: options.ttl };
+    this.#name = options.name === undefined ? {} : { name: options.name.slice(0, MAX_SENT_NAME) };
     this.#inbox = new SnapshotInbox(this.#platform.clock);
     this.#connection = new Connection({
       urls: doorUrls(origin, id),
@@ -263,7 +269,8 @@ export class RobotClient {
     const since = this.#since === null ? {} : { since: this.#since };
     // A watch key reads all there is; commands are refused by the service.
     const role = key.startsWith("wch_") ? "watch" : "drive";
-    return encodeFrame({ type: "hello", version: PROTOCOL_VERSION, role, key, ...since });
+    const greeting = { type: "hello", version: PROTOCOL_VERSION, role, key } as const;
+    return encodeFrame({ ...greeting, ...since, ...this.#name });
   }
 
   #sendFirst(): void {

@@ -36,8 +36,9 @@ export const closeReasons = {
   },
   forbidden: {
     code: 4403,
-    cause: "this key does not allow that",
-    remedy: "Scripts use the driver key, the robot's page uses the owner key.",
+    cause: "this key does not allow that, or the robot's owner has sent this script away",
+    remedy:
+      "Scripts use the driver key. One that was sent away waits until its owner lets it back.",
     retry: false,
   },
   noRobot: {

@@ -56,6 +56,7 @@ export {
   helloSchema,
   MAX_RESUMED_ENDINGS,
   pageToRelaySchema,
+  recallCauses,
   relayToDriverSchema,
   relayToPageSchema,
   resumeSchema,
@@ -66,6 +67,7 @@ export {
   type Ending,
   type Hello,
   type PageToRelay,
+  type RecallCause,
   type RelayToDriver,
   type RelayToPage,
   type Resume,
@@ -84,6 +86,21 @@ export {
   type ShortLink,
 } from "./short-link.ts";
 export { snapshotSchema, type LineRef, type RobotReport, type Snapshot } from "./snapshot.ts";
+export {
+  MAX_SCRIPT_NAME,
+  MAX_SCRIPTS,
+  MAX_SENT_AWAY,
+  scriptIdSchema,
+  scriptListSchema,
+  scriptName,
+  scriptRefSchema,
+  scriptSchema,
+  sentAwaySchema,
+  type ScriptList,
+  type ScriptRef,
+  type ScriptView,
+  type SentAway,
+} from "./scripts.ts";
 export type { SocketEvents, SocketFactory, SocketPort } from "./socket-port.ts";
 export { PROTOCOL_VERSION } from "./version.ts";
 export { timedCommandsSchema, type TimedCommand } from "./timed-command.ts";

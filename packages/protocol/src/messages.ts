@@ -12,6 +12,7 @@ import { orderSchema } from "./order.ts";
 import { problemSchema } from "./problem.ts";
 import { poseSchema } from "./quantities.ts";
 import { keySchema } from "./registration.ts";
+import { MAX_SCRIPTS, MAX_SENT_AWAY, scriptSchema, sentNameSchema } from "./scripts.ts";
 import { snapshotSchema } from "./snapshot.ts";
 import { PROTOCOL_VERSION } from "./version.ts";
 
@@ -49,6 +50,8 @@ export const helloSchema = z.strictObject({
   key: keySchema,
   /** a script that comes back: the last state that it was told */
   since: sinceSchema.optional(),
+  /** what a script calls itself, for the robot's owner */
+  name: sentNameSchema.optional(),
 });
 export type Hello = z.infer<typeof helloSchema>;
 
@@ -125,6 +128,10 @@ export const aliveDriverSchema = z.strictObject({
 });
 export type AliveDriver = z.infer<typeof aliveDriverSchema>;
 
+/** Who wishes that a command ends: its sender; or the owner, who revoked its key or sent its script away. */
+export const recallCauses = ["sender", "revoked", "sent-away"] as const;
+export type RecallCause = (typeof recallCauses)[number];
+
 export const relayToPageSchema = z.discriminatedUnion(
   "type",
   [
@@ -132,8 +139,8 @@ export const relayToPageSchema = z.discriminatedUnion(
     deliveredCommand.extend({ type: z.literal("command"), at }),
     /** overtakes: ends what runs and what waits in the page, then ends itself as completed */
     deliveredCommand.extend({ type: z.literal("stop"), at }),
-    /** the sender wishes that this command ends; the robot decides, and says so by `ended` */
-    z.strictObject({ type: z.literal("cancel"), seq }),
+    /** somebody wishes that this command ends; the robot decides, and says so by `ended` */
+    z.strictObject({ type: z.literal("cancel"), seq, why: z.enum(recallCauses) }),
     /** the ending of this command is stored: the page may forget it */
     z.strictObject({ type: z.literal("stored"), seq }),
     /** the ending that the page told came too late: this is how the command has ended */
@@ -148,6 +155,7 @@ export const relayToPageSchema = z.discriminatedUnion(
     driversSchema.extend({
       type: z.literal("drivers"),
       alive: z.array(aliveDriverSchema).max(32),
+      scripts: z.array(scriptSchema).max(MAX_SCRIPTS + MAX_SENT_AWAY),
       at,
     }),
     /** the answer to `time` */

@@ -4,7 +4,14 @@
  * that was broken, is heard as `missed`. A relay that does not give a sign of life for three seconds counts as
  * dead, and the pages that it had as away; one that was not dead after all lets its pages connect anew.
  */
-import { aliveDriverSchema, driversSchema, hasEnded, type Snapshot } from "@corridor/protocol";
+import {
+  aliveDriverSchema,
+  driversSchema,
+  hasEnded,
+  recallCauses,
+  scriptSchema,
+  type Snapshot,
+} from "@corridor/protocol";
 import type { Logger } from "pino";
 import { z } from "zod";
 import type { Clock } from "../clock.ts";
@@ -24,7 +31,10 @@ const DEAF_LOOK_MS = 400;
 
 const holderSchema = z.object({ relay: z.string(), epoch: z.int() });
 const beatSchema = z.object({ lapsed: z.boolean(), holders: z.array(holderSchema.nullable()) });
-const scriptsSchema = driversSchema.extend({ alive: z.array(aliveDriverSchema) });
+const scriptsSchema = driversSchema.extend({
+  alive: z.array(aliveDriverSchema),
+  scripts: z.array(scriptSchema),
+});
 const from = z.string();
 const epoch = z.int();
 const messageSchema = z.discriminatedUnion("kind", [
@@ -38,7 +48,7 @@ const messageSchema = z.discriminatedUnion("kind", [
   z.object({ kind: z.literal("page"), from, epoch }),
   z.object({ kind: z.literal("page-left"), from, epoch }),
   z.object({ kind: z.literal("here"), from, scripts: scriptsSchema, asks: z.boolean() }),
-  z.object({ kind: z.literal("cancel"), from, seq: z.int() }),
+  z.object({ kind: z.literal("cancel"), from, seq: z.int(), why: z.enum(recallCauses) }),
   z.object({ kind: z.literal("keys"), from }),
   z.object({ kind: z.literal("over"), from }),
 ]);

@@ -3,7 +3,7 @@
  * for a command to be neither lost nor doubled; the store alone sees to that. Every form of it passes
  * `testing/switchboard.cases.ts`; see docs/adr/0010-several-relays.md.
  */
-import type { CommandRecord, Snapshot } from "@corridor/protocol";
+import type { CommandRecord, RecallCause, Snapshot } from "@corridor/protocol";
 import type { Scripts } from "../sessions/driver-roster.ts";
 import type { TermedRecord } from "../store/session-store.ts";
 
@@ -30,8 +30,8 @@ export type News =
   /** another relay has the robot on its line, and these scripts; `asks` for the newest snapshot at once */
   | { kind: "here"; from: string; scripts: Scripts; asks: boolean }
   /** the page is asked to end this command */
-  | { kind: "cancel"; seq: number }
-  /** keys were made or revoked, or may have been: the store has those that count */
+  | { kind: "cancel"; seq: number; why: RecallCause }
+  /** keys or who is away were changed, or may have been: the store has what counts */
   | { kind: "keys" }
   /** the robot was forgotten */
   | { kind: "over" };

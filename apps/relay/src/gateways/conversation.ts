@@ -4,6 +4,7 @@
  */
 import { closeReasons, type CloseReason } from "@corridor/protocol";
 import type { OverReason } from "../sessions/reader-feed.ts";
+import { scriptIsAway } from "../sessions/script-gate.ts";
 
 export interface Conversation {
   /** One message of the client. Calls do not overlap in effect: the session puts them in order. */
@@ -25,9 +26,14 @@ export function closeWith(
 
 /** Tells a reader why it gets nothing more. */
 export function sayGoodbye(port: Parameters<typeof closeWith>[0], reason: OverReason): void {
-  if (reason !== "revoked") return closeWith(port, closeReasons[reason]);
-  const detail = "This key was revoked. Copy the robot's new address from its page.";
-  closeWith(port, closeReasons.notAuthorised, detail);
+  if (reason === "revoked") {
+    const detail = "This key was revoked. Copy the robot's new address from its page.";
+    return closeWith(port, closeReasons.notAuthorised, detail);
+  }
+  if (reason === "sentAway") {
+    return closeWith(port, closeReasons.forbidden, scriptIsAway().problem.detail);
+  }
+  closeWith(port, closeReasons[reason]);
 }
 
 /** A close reason may have 123 bytes of UTF-8. */

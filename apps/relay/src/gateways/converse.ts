@@ -1,8 +1,9 @@
 /** From a hello to a conversation, and from a refusal to a goodbye: the same on every kind of line. */
-import { closeReasons, type CloseReason, type Hello } from "@corridor/protocol";
+import { closeReasons, scriptName, type CloseReason, type Hello } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Metrics } from "../metrics/metrics.ts";
 import { asRefusal, type ProblemKind } from "../problems.ts";
+import type { Introduction } from "../sessions/script.ts";
 import type { Grant } from "../sessions/session-hub.ts";
 import { bounded } from "./bounded.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
@@ -14,6 +15,7 @@ const closeReasonByProblem = new Map<ProblemKind, CloseReason>([
   ["no-robot", closeReasons.noRobot],
   ["not-authorised", closeReasons.notAuthorised],
   ["forbidden", closeReasons.forbidden],
+  ["sent-away", closeReasons.forbidden],
   ["too-many-readers", closeReasons.tooMany],
   ["restarting", closeReasons.restart],
 ]);
@@ -23,8 +25,6 @@ export interface Guest {
   /** what its key allows */
   grant: Grant;
   line: ReaderLine;
-  /** the script's language, such as "Python" */
-  client: string;
   metrics: Metrics;
 }
 
@@ -32,11 +32,16 @@ export interface Guest {
  * Begins to speak with whoever said hello, as a page or as a script.
  * @throws Refusal when too many read already
  */
-export function converse({ hello, grant, line, client, metrics }: Guest): Conversation {
+export function converse({ hello, grant, line, metrics }: Guest): Conversation {
   if (hello.role === "own") return bounded(new PageConversation(grant, line), line);
   const refused = (kind: ProblemKind): void => metrics.refused(kind);
   const since = hello.since ?? null;
-  return new DriverConversation({ grant, line, client, since, refused });
+  return new DriverConversation({ grant, line, since, refused });
+}
+
+/** What a hello says of the script. @param client its language, as the request's headers have it */
+export function introduced({ name }: Hello, client: string): Introduction {
+  return { client, name: name === undefined ? null : scriptName(name) };
 }
 
 /** Closes a line because of an error; a mistake of the relay goes to its log. */

@@ -1,7 +1,7 @@
 /** A script whose commands wait for a store that takes its time. */
 import { decodeFrame, relayToDriverSchema, type RelayToDriver } from "@corridor/protocol";
 import { expect, it } from "vitest";
-import type { StoredKey } from "../store/session-store.ts";
+import { callerOf, unknownScript } from "../sessions/script.ts";
 import { limits } from "../sessions/limits.ts";
 import type { Session } from "../sessions/session.ts";
 import { DriverConversation } from "./driver-conversation.ts";
@@ -10,9 +10,9 @@ function withSlowStore() {
   const waiting: (() => void)[] = [];
   const told: RelayToDriver[] = [];
   const closed: number[] = [];
-  const key: StoredKey = { kind: "drive", hash: "d" };
+  const key = callerOf({ kind: "drive", hash: "d" }, unknownScript);
   const session = {
-    keys: { check: () => undefined },
+    check: () => undefined,
     heard: () => () => undefined,
     join: () => ({ seen: () => undefined, leave: () => undefined }),
     submit: async () => new Promise<void>((resolve) => void waiting.push(resolve)),
@@ -31,7 +31,6 @@ function withSlowStore() {
       isOpen: true,
       waitingBytes: 0,
     },
-    client: "Script",
     since: null,
     refused: () => undefined,
   });

@@ -19,8 +19,6 @@ import type { ReaderLine } from "./reader-line.ts";
 export interface DriverOptions {
   grant: Grant;
   line: ReaderLine;
-  /** the script's language, such as "Python" */
-  client: string;
   /** the last state that it was told on an earlier line */
   since: string | null;
   /** is told of every message that is refused */
@@ -41,7 +39,7 @@ export class DriverConversation implements Conversation {
    */
   constructor(options: DriverOptions) {
     this.#options = options;
-    const { grant, line, client, since } = options;
+    const { grant, line, since } = options;
     const sink: ReaderSink = {
       door: line.door,
       flow: line.flow,
@@ -52,15 +50,15 @@ export class DriverConversation implements Conversation {
       over: (reason) => sayGoodbye(line, reason),
     };
     this.#reader = grant.session.join(grant.key, sink, since);
-    grant.session.heard(client, grant.key)();
+    grant.session.heard(grant.key)();
   }
 
   async received(text: string): Promise<void> {
     const { session, key: grant } = this.#options.grant;
     const message = decodeFrame(driverToRelaySchema, text);
     if (!message.ok) return this.#refuse(badRequest("The message is wrong.", message.problems));
-    session.keys.check(grant, message.value.type === "command" ? "command" : "read");
-    session.heard(this.#options.client, grant)();
+    session.check(grant, message.value.type === "command" ? "command" : "read");
+    session.heard(grant)();
     if (message.value.type === "seen") return this.#reader.seen(message.value.seq);
     const { key = null, command } = message.value;
     const isStop = command.action === "stop";

@@ -16,7 +16,7 @@ import type { Patience } from "../sessions/audience.ts";
 import { limits } from "../sessions/limits.ts";
 import { verbOfRole } from "../sessions/rights.ts";
 import { closeWith } from "./conversation.ts";
-import { closeFor, converse } from "./converse.ts";
+import { closeFor, converse, introduced } from "./converse.ts";
 import { HttpLine } from "./http-line.ts";
 import type { GatewayOptions } from "./websocket-gateway.ts";
 
@@ -38,7 +38,12 @@ export class HttpLines {
    */
   async open(robot: string, hello: Hello, from: string, client: string): Promise<OpenedLine> {
     const { hub, clock, log, metrics } = this.#options;
-    const grant = await hub.authorise(robot, hello.key, verbOfRole[hello.role]);
+    const grant = await hub.authorise(
+      robot,
+      hello.key,
+      verbOfRole[hello.role],
+      introduced(hello, client),
+    );
     const ofAddress = [...this.#lines.values()].filter(({ address }) => address === from).length;
     if (ofAddress >= limits.socketsPerAddress) {
       throw new Refusal("too-many-readers", "Too many lines are open from this network.", {
@@ -53,12 +58,12 @@ export class HttpLines {
       clock,
       // As each message of a script on a socket; that a request waits says nothing of the script.
       onRequest: () => {
-        if (hello.role !== "own") grant.session.heard(client, grant.key)();
+        if (hello.role !== "own") grant.session.heard(grant.key)();
       },
       onGone: () => void this.#lines.delete(hash),
     });
     try {
-      line.begin(converse({ hello, grant, line, client, metrics }));
+      line.begin(converse({ hello, grant, line, metrics }));
     } catch (error) {
       line.drop();
       throw error;

@@ -33,7 +33,7 @@ export class PageConversation implements Conversation {
 
   async received(text: string): Promise<void> {
     const { session, key } = this.#grant;
-    session.keys.check(key, "host");
+    session.check(key, "host");
     if (!this.#hasResumed) {
       const resume = decodeFrame(resumeSchema, text);
       if (!resume.ok) return this.#refuse(resume.problems);

@@ -26,7 +26,7 @@ import { limits } from "../sessions/limits.ts";
 import { verbOfRole } from "../sessions/rights.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
-import { closeFor, converse } from "./converse.ts";
+import { closeFor, converse, introduced } from "./converse.ts";
 import type { ReaderLine } from "./reader-line.ts";
 import { refuseUpgrade } from "./refuse-upgrade.ts";
 import { wsPort } from "./ws-port.ts";
@@ -164,7 +164,8 @@ export class WebSocketGateway {
     if (!robotIdSchema.safeParse(id).success) return closeWith(socket, closeReasons.noRobot);
     const { role, key } = hello.value;
     const client = clientName(request.headers["user-agent"]);
-    const grant = await this.#options.hub.authorise(id, key, verbOfRole[role]);
+    const introduction = introduced(hello.value, client);
+    const grant = await this.#options.hub.authorise(id, key, verbOfRole[role], introduction);
     if (socket.readyState !== socket.OPEN) return;
     guest.key = markOf(key);
     this.#options.log.info({ role, client, key: guest.key }, "a socket said hello");
@@ -172,7 +173,6 @@ export class WebSocketGateway {
       hello: hello.value,
       grant,
       line: port,
-      client,
       metrics: this.#options.metrics,
     });
   }

@@ -15,6 +15,9 @@ import {
   shortLinkIdSchema,
   shortLinkSchema,
   snapshotSchema,
+  scriptListSchema,
+  scriptRefSchema,
+  sentAwaySchema,
   takenMessagesSchema,
 } from "@corridor/protocol";
 import { z } from "zod";
@@ -32,11 +35,13 @@ import {
   idempotencyHeader,
   lastEventHeader,
   logQuery,
+  nameHeader,
   newerQuery,
   seqPath,
   waitQuery,
 } from "../routes/reading.ts";
 import { keyPath } from "../routes/keys.ts";
+import { scriptPath } from "../routes/scripts.ts";
 import { answer, location, parameters, refusals } from "./parts.ts";
 
 const robot = parameters("path", z.object({ id: robotIdSchema }));
@@ -47,8 +52,11 @@ const logReader = [...reader, { ownerKey: [] }];
 const line = [{ lineKey: [] }];
 const owner = [{ ownerKey: [] }];
 const shortLink = parameters("path", z.object({ id: shortLinkIdSchema }));
+const scriptName = parameters("header", nameHeader);
 /** What every call with a key may meet. */
 const keyed = ["bad-request", "not-authorised", "forbidden", "no-robot"] as const;
+/** The same for a call that scripts make. */
+const asScript = [...keyed, "sent-away"] as const;
 
 export const calls: ZodOpenApiPathsObject = {
   "/api/v1/robots": {
@@ -117,8 +125,45 @@ export const calls: ZodOpenApiPathsObject = {
       },
     },
   },
-  "/api/v1/robots/{id}/sensors": {
+  "/api/v1/robots/{id}/scripts": {
     parameters: robot,
+    get: {
+      operationId: "listScripts",
+      summary: "List the scripts of a robot by name, with what each did last",
+      description:
+        "Those that have a line or were heard in the last 2 minutes, and those that are away. A script is " +
+        "told apart by its key and its name; one without a name, by its key and its language.",
+      security: owner,
+      responses: { 200: answer("The scripts.", scriptListSchema), ...refusals(...keyed) },
+    },
+  },
+  "/api/v1/robots/{id}/away": {
+    parameters: robot,
+    post: {
+      operationId: "sendScriptAway",
+      summary: "Send a script away, until it is let back",
+      description:
+        "Its lines are closed, its requests refused, and what it asked for and has not ended is cancelled. " +
+        "Other scripts with the same key go on. It is no lock: to shut out whoever has the key, revoke it.",
+      security: owner,
+      requestBody: { required: true, content: { "application/json": { schema: scriptRefSchema } } },
+      responses: {
+        201: answer("The script that is away.", sentAwaySchema, location),
+        ...refusals(...keyed, "no-key", "too-many-away", "too-large", "not-json"),
+      },
+    },
+  },
+  "/api/v1/robots/{id}/away/{scriptId}": {
+    parameters: [...robot, ...parameters("path", scriptPath)],
+    delete: {
+      operationId: "letScriptBack",
+      summary: "Let a script back that was sent away",
+      security: owner,
+      responses: { 204: { description: "It may come again." }, ...refusals(...keyed, "no-script") },
+    },
+  },
+  "/api/v1/robots/{id}/sensors": {
+    parameters: [...robot, ...scriptName],
     get: {
       operationId: "readSensors",
       summary: "Read the newest snapshot, or wait for a newer one",
@@ -129,12 +174,12 @@ export const calls: ZodOpenApiPathsObject = {
       parameters: parameters("query", newerQuery),
       responses: {
         200: answer("The newest snapshot.", snapshotSchema),
-        ...refusals(...keyed, "no-snapshot", "too-many-readers"),
+        ...refusals(...asScript, "no-snapshot", "too-many-readers"),
       },
     },
   },
   "/api/v1/robots/{id}/commands": {
-    parameters: robot,
+    parameters: [...robot, ...scriptName],
     post: {
       operationId: "sendCommand",
       summary: "Send a command",
@@ -147,7 +192,7 @@ export const calls: ZodOpenApiPathsObject = {
       responses: {
         202: answer("The record of the command, which is stored.", commandRecordSchema, location),
         ...refusals(
-          ...keyed,
+          ...asScript,
           "key-conflict",
           "too-late",
           "too-large",
@@ -166,7 +211,7 @@ export const calls: ZodOpenApiPathsObject = {
       parameters: parameters("query", logQuery),
       responses: {
         200: answer("The next part of the log; empty at its end.", commandLogSchema),
-        ...refusals(...keyed),
+        ...refusals(...asScript),
       },
     },
     delete: {
@@ -176,12 +221,12 @@ export const calls: ZodOpenApiPathsObject = {
       parameters: idempotencyKey,
       responses: {
         202: answer("The record of the stop, which overtakes.", commandRecordSchema, location),
-        ...refusals(...keyed, "key-conflict", "too-fast", "storage-full"),
+        ...refusals(...asScript, "key-conflict", "too-fast", "storage-full"),
       },
     },
   },
   "/api/v1/robots/{id}/commands/{seq}": {
-    parameters: [...robot, ...parameters("path", seqPath)],
+    parameters: [...robot, ...parameters("path", seqPath), ...scriptName],
     get: {
       operationId: "followCommand",
       summary: "Read the record of a command, or wait for its end",
@@ -189,7 +234,7 @@ export const calls: ZodOpenApiPathsObject = {
       parameters: parameters("query", waitQuery),
       responses: {
         200: answer("The record, at its end or when the time is over.", commandRecordSchema),
-        ...refusals(...keyed, "no-command", "too-many-readers"),
+        ...refusals(...asScript, "no-command", "too-many-readers"),
       },
     },
     delete: {
@@ -199,12 +244,12 @@ export const calls: ZodOpenApiPathsObject = {
       security: driver,
       responses: {
         202: answer("The record, as it is now.", commandRecordSchema, location),
-        ...refusals(...keyed, "no-command", "storage-full"),
+        ...refusals(...asScript, "no-command", "storage-full"),
       },
     },
   },
   "/api/v1/robots/{id}/events": {
-    parameters: robot,
+    parameters: [...robot, ...scriptName],
     get: {
       operationId: "followEvents",
       summary: "Follow a robot by server-sent events, or by long poll",
@@ -225,7 +270,7 @@ export const calls: ZodOpenApiPathsObject = {
             "text/event-stream": { schema: { type: "string" } },
           },
         },
-        ...refusals(...keyed, "too-many-readers"),
+        ...refusals(...asScript, "too-many-readers"),
       },
     },
   },
@@ -241,7 +286,7 @@ export const calls: ZodOpenApiPathsObject = {
       requestBody: { required: true, content: { "application/json": { schema: helloSchema } } },
       responses: {
         201: answer("The key of the line.", openedLineSchema),
-        ...refusals(...keyed, "too-large", "not-json", "too-many-readers"),
+        ...refusals(...asScript, "too-large", "not-json", "too-many-readers"),
       },
     },
     delete: {

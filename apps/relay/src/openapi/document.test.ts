@@ -97,7 +97,7 @@ describe("the description of the API", () => {
 
   it("describes a query by the numbers that it may carry, with the limits that are checked", () => {
     const sensors = calls.find(({ operation }) => operation.operationId === "readSensors");
-    const [, after, wait] = sensors?.parameters ?? [];
+    const [, , after, wait] = sensors?.parameters ?? [];
     expect(after).toMatchObject({ name: "after", required: false, schema: { type: "integer" } });
     expect(wait).toMatchObject({ name: "wait", schema: { type: "number", maximum: 25 } });
   });

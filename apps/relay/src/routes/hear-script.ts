@@ -2,7 +2,7 @@
 import type { Request, Response } from "express";
 import type { Grant, SessionHub } from "../sessions/session-hub.ts";
 import type { Verb } from "../sessions/rights.ts";
-import { readBearer, readClient } from "./reading.ts";
+import { readBearer, readIntroduction } from "./reading.ts";
 
 /**
  * @returns the session and the script's key, and a function that says that it is answered before it is
@@ -14,8 +14,13 @@ export async function hearScript(
   response: Response,
   verb: Verb,
 ): Promise<Grant & { answered: () => void }> {
-  const grant = await hub.authorise(request.params.id, readBearer(request), verb);
-  const answered = grant.session.heard(readClient(request), grant.key);
+  const grant = await hub.authorise(
+    request.params.id,
+    readBearer(request),
+    verb,
+    readIntroduction(request),
+  );
+  const answered = grant.session.heard(grant.key);
   response.once("close", answered);
   // Whoever hung up while it was authorised is not waited for.
   if (response.closed) answered();

@@ -5,6 +5,7 @@ import {
   orderSchema,
   readJson,
   readValue,
+  scriptName,
   sinceSchema,
   termsOf,
   type CommandTerms,
@@ -14,7 +15,7 @@ import { z } from "zod";
 import { clientName } from "../client-name.ts";
 import { badRequest, Refusal } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
-import type { StoredKey } from "../store/session-store.ts";
+import type { Caller, Introduction } from "../sessions/script.ts";
 import type { Patience } from "../sessions/audience.ts";
 
 // First the text is checked, then the number that it stands for: /openapi.json describes the number.
@@ -36,6 +37,13 @@ const wholeNumber = z
   .transform(Number)
   .pipe(z.int().min(0).max(999_999_999_999_999));
 
+/** The header by which a script gives its name; other letters than ASCII percent-encoded. */
+export const nameHeader = z.object({
+  "Script-Name": z
+    .string()
+    .optional()
+    .describe("what the script calls itself, for the robot's owner; percent-encoded UTF-8"),
+});
 /** `?wait=S` of a command's record */
 export const waitQuery = z.object({ wait: waitSchema });
 /** `?after=SEQ&wait=S` of snapshots; without `after` any snapshot will do */
@@ -135,6 +143,24 @@ export function readClient(request: Request): string {
   return clientName(request.get("user-agent"));
 }
 
+/** What a script says of itself in its headers. */
+export function readIntroduction(request: Request): Introduction {
+  const sent = request.get("Script-Name");
+  return {
+    client: readClient(request),
+    name: sent === undefined ? null : scriptName(decoded(sent)),
+  };
+}
+
+/** Headers hold ASCII only, so other letters are percent-encoded; a lone % stands for itself. */
+function decoded(text: string): string {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
 /**
  * Takes the body in as text; what is not JSON or too large is refused by the error handler.
  * @param limit in bytes
@@ -186,7 +212,7 @@ export function readIdempotencyKey(request: Request): string | null {
 }
 
 /** Waits as long as asked, or until the client hangs up, or its key is revoked. */
-export function patienceOf(response: Response, seconds: number, key?: StoredKey): Patience {
+export function patienceOf(response: Response, seconds: number, key?: Caller): Patience {
   const controller = new AbortController();
   response.once("close", () => controller.abort());
   const patience = { milliseconds: seconds * 1000, signal: controller.signal };

@@ -21,6 +21,14 @@ const calls: { verb: Verb; method: string; path: string; body?: unknown }[] = [
   { verb: "grant", method: "POST", path: "/keys", body: { kind: "watch" } },
   { verb: "grant", method: "GET", path: "/keys" },
   { verb: "grant", method: "DELETE", path: "/keys/______" },
+  { verb: "moderate", method: "GET", path: "/scripts" },
+  {
+    verb: "moderate",
+    method: "POST",
+    path: "/away",
+    body: { driver: "______", name: null, client: "Python" },
+  },
+  { verb: "moderate", method: "DELETE", path: "/away/________" },
   { verb: "inspect", method: "GET", path: "" },
   { verb: "remove", method: "DELETE", path: "" },
 ];

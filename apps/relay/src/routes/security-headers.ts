@@ -48,7 +48,8 @@ export const openToAllSites: RequestHandler = (request, response, next) => {
   response
     .set({
       "Access-Control-Allow-Methods": "GET, POST, DELETE",
-      "Access-Control-Allow-Headers": "Authorization, Content-Type, Idempotency-Key, Last-Event-ID",
+      "Access-Control-Allow-Headers":
+        "Authorization, Content-Type, Idempotency-Key, Last-Event-ID, Script-Name",
       "Access-Control-Max-Age": "86400",
     })
     .status(204)

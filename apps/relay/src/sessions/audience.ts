@@ -6,10 +6,11 @@ import type { CommandRecord, Snapshot, StateEvent } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import { Refusal, retryAfter } from "../problems.ts";
 import type { EventLog } from "./event-log.ts";
-import type { StoredKey } from "../store/session-store.ts";
 import { StoreAway } from "../store/store-away.ts";
 import { keyRevoked } from "./key-ring.ts";
 import { limits } from "./limits.ts";
+import type { Caller } from "./script.ts";
+import { scriptIsAway } from "./script-gate.ts";
 
 /** Whoever follows the robot: a reader's feed, or a request that waits. */
 interface Listener {
@@ -20,8 +21,11 @@ interface Listener {
   over(reason: AwayReason): void;
 }
 
-/** Why somebody is sent away. revoked: the key was, by which they read; busy: nobody knows whether it was */
-export type AwayReason = "over" | "restart" | "revoked" | "busy";
+/**
+ * Why somebody is sent away. revoked: the key was, by which they read; busy: nobody knows whether it was;
+ * sentAway: the owner wants them to go
+ */
+export type AwayReason = "over" | "restart" | "revoked" | "busy" | "sentAway";
 
 /** The ways in which a robot is followed. */
 export type ReaderDoor = "websocket" | "line" | "events" | "long-poll";
@@ -31,13 +35,13 @@ export interface Patience {
   milliseconds: number;
   signal: AbortSignal;
   /** by which key they read; who waits is sent away when it is revoked */
-  key?: StoredKey;
+  key?: Caller;
 }
 
 export class Audience {
   readonly #clock: Clock;
   readonly #events: EventLog;
-  readonly #entries = new Set<{ listener: Listener; key: StoredKey | null; door: ReaderDoor }>();
+  readonly #entries = new Set<{ listener: Listener; key: Caller | null; door: ReaderDoor }>();
 
   /** @param events numbers what is told, and keeps it for those who come back */
   constructor(clock: Clock, events: EventLog) {
@@ -60,7 +64,7 @@ export class Audience {
    * @returns a function that lets it go; false from it: it was gone already
    * @throws Refusal when too many read already, with this key or at this robot
    */
-  join(listener: Listener, key: StoredKey, door: ReaderDoor): () => boolean {
+  join(listener: Listener, key: Caller, door: ReaderDoor): () => boolean {
     const ofKey = [...this.#entries].filter(
       (entry) => entry.door !== "long-poll" && entry.key?.hash === key.hash,
     ).length;
@@ -78,7 +82,7 @@ export class Audience {
   /**
    * Waits until `done` is called, until patience ends or until the session does.
    * @param listen what to listen for; calls `done` when it came
-   * @throws Refusal when too many read already, or when the key is revoked meanwhile
+   * @throws Refusal when too many read already, or when they are sent away meanwhile
    */
   async until(
     { milliseconds, signal, key }: Patience,
@@ -89,6 +93,7 @@ export class Audience {
     const over = (reason: AwayReason): void => {
       if (reason === "revoked") return reject(keyRevoked());
       if (reason === "busy") return reject(new StoreAway("which keys count is not known"));
+      if (reason === "sentAway") return reject(scriptIsAway());
       return resolve();
     };
     const deaf = { snapshot: () => undefined, state: () => undefined };
@@ -121,10 +126,10 @@ export class Audience {
     for (const { listener } of this.#entries) listener.missed();
   }
 
-  /** Sends those away who read by such a key. */
-  dismiss(isTheirs: (key: StoredKey) => boolean, reason: AwayReason): void {
+  /** Sends those away whom it means. */
+  dismiss(isMeant: (caller: Caller) => boolean, reason: AwayReason): void {
     for (const entry of this.#entries) {
-      if (entry.key === null || !isTheirs(entry.key)) continue;
+      if (entry.key === null || !isMeant(entry.key)) continue;
       this.#entries.delete(entry);
       entry.listener.over(reason);
     }
@@ -136,7 +141,7 @@ export class Audience {
     this.#entries.clear();
   }
 
-  #add(listener: Listener, key: StoredKey | null, door: ReaderDoor): () => boolean {
+  #add(listener: Listener, key: Caller | null, door: ReaderDoor): () => boolean {
     // Watchers are counted by themselves, so that they never keep a script out.
     const isWatcher = key?.kind === "watch";
     const alike = [...this.#entries].filter((entry) => (entry.key?.kind === "watch") === isWatcher);

@@ -18,7 +18,7 @@ import {
 import type { Clock } from "../clock.ts";
 import type { Step } from "../cluster/switchboard.ts";
 import { noRobot, restarting } from "../problems.ts";
-import type { SessionStore, StoredKey, TermedRecord } from "../store/session-store.ts";
+import type { SessionStore, TermedRecord } from "../store/session-store.ts";
 import type { Audience } from "./audience.ts";
 import { CommandLog } from "./command-log.ts";
 import { CommandRecall } from "./command-recall.ts";
@@ -31,6 +31,7 @@ import { commandFrame } from "./page-frames.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat } from "./page-seat.ts";
 import type { RobotLine } from "./robot-line.ts";
+import type { Caller } from "./script.ts";
 import type { Witness } from "./witness.ts";
 
 export interface CommandLifeParts {
@@ -81,9 +82,9 @@ export class CommandLife {
       store,
       work: this.#work,
       ended: (commands) => this.#endedHere(commands),
-      ask: (seq) => {
-        seat.page?.link.send({ type: "cancel", seq });
-        line.cancel(seq);
+      ask: (seq, why) => {
+        seat.page?.link.send({ type: "cancel", seq, why });
+        line.cancel(seq, why);
       },
     });
     this.#deadlines = new DeadlineTimer(clock, () => void this.#expire().catch(() => undefined));
@@ -270,7 +271,7 @@ export class CommandLife {
    * @throws Refusal when it comes too fast, too many wait, or the key had another command
    */
   async submit(
-    grant: StoredKey,
+    grant: Caller,
     request: { key: string | null } & CommandTerms,
     acknowledge: (record: CommandRecord) => void,
   ): Promise<void> {
@@ -295,6 +296,7 @@ export class CommandLife {
         replace,
         lease,
         driver: grant.hash,
+        script: grant.script?.id ?? null,
         acceptedAt: cameAt,
         deadline: cameAt + ttl - age,
         maxWaiting: limits.waitingCommands,
@@ -311,7 +313,14 @@ export class CommandLife {
       this.#newestStop = isStop ? record.seq : null;
       this.#witness.stored(this.#secondsSince(cameAt));
       acknowledge(record);
-      const terms = { driver: grant.hash, ttl, deadline: cameAt + ttl - age, replace, lease };
+      const terms = {
+        driver: grant.hash,
+        script: grant.script?.id ?? null,
+        ttl,
+        deadline: cameAt + ttl - age,
+        replace,
+        lease,
+      };
       return this.#stored({ record, ...terms }, ended);
     });
   }

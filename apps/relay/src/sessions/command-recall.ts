@@ -2,10 +2,12 @@
  * Taking commands back: what waits ends at the relay; for what the robot has, the robot is asked. The
  * store keeps the wish, so that a page that was away is asked when it is back.
  */
-import type { CommandRecord } from "@corridor/protocol";
+import { recallCauses, type CommandRecord, type RecallCause } from "@corridor/protocol";
 import type {
+  AwayResult,
   KeyChange,
   KeysResult,
+  ScriptChange,
   SessionStore,
   StoredKey,
   TermedRecord,
@@ -20,8 +22,15 @@ export interface CommandRecallParts {
   /** commands have ended at the relay */
   ended(commands: readonly TermedRecord[]): void;
   /** asks the page, wherever it is, to end a command */
-  ask(seq: number): void;
+  ask(seq: number, why: RecallCause): void;
 }
+
+/** As the record of a command says it. */
+const reasons = {
+  sender: "cancelled by its sender",
+  revoked: "its key was revoked",
+  "sent-away": "its script was sent away",
+} as const satisfies Record<RecallCause, string>;
 
 export class CommandRecall {
   readonly #parts: CommandRecallParts;
@@ -38,7 +47,7 @@ export class CommandRecall {
   async one({ hash }: StoredKey, seq: number): Promise<CommandRecord> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
-      const by = { driver: hash, reason: "cancelled by its sender" };
+      const by = { driver: hash, reason: reasons.sender };
       const result = await store.cancel(robot, seq, by);
       switch (result.outcome) {
         case "no-command":
@@ -49,7 +58,7 @@ export class CommandRecall {
           this.#parts.ended([result.termed]);
           return result.termed.record;
         case "delivered":
-          this.#parts.ask(seq);
+          this.#parts.ask(seq, "sender");
           return result.record;
         case "over":
           return result.record;
@@ -58,10 +67,20 @@ export class CommandRecall {
   }
 
   /** Changes the robot's keys, and takes back what those that go have sent. */
-  async changeKeys(change: KeyChange): Promise<KeysResult> {
+  async changeKeys(change: Omit<KeyChange, "reason">): Promise<KeysResult> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
-      const result = await store.changeKeys(robot, change);
+      const result = await store.changeKeys(robot, { ...change, reason: reasons.revoked });
+      if (result.outcome === "changed") this.#parts.ended(result.ended);
+      return result;
+    });
+  }
+
+  /** Changes which scripts are away, and takes back what one that goes has sent. */
+  async changeAway(change: Omit<ScriptChange, "reason">): Promise<AwayResult> {
+    const { robot, store, work } = this.#parts;
+    return work.run(async () => {
+      const result = await store.changeAway(robot, { ...change, reason: reasons["sent-away"] });
       if (result.outcome === "changed") this.#parts.ended(result.ended);
       return result;
     });
@@ -75,6 +94,12 @@ export class CommandRecall {
   /** The same, for whoever has the turn. */
   async askAgainInTurn(): Promise<void> {
     const { robot, store } = this.#parts;
-    for (const seq of await store.recalled(robot)) this.#parts.ask(seq);
+    for (const { seq, reason } of await store.recalled(robot)) {
+      this.#parts.ask(seq, causeOf(reason));
+    }
   }
+}
+
+function causeOf(reason: string): RecallCause {
+  return recallCauses.find((cause) => reasons[cause] === reason) ?? "sender";
 }

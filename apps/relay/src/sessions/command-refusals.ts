@@ -4,6 +4,7 @@ import { noRobot, Refusal, retryAfter } from "../problems.ts";
 import type { AddResult } from "../store/session-store.ts";
 import { keyRevoked } from "./key-ring.ts";
 import { limits } from "./limits.ts";
+import { scriptIsAway } from "./script-gate.ts";
 
 /** What the store may answer instead of storing a command or finding it stored. */
 type NotStored = Exclude<AddResult, { outcome: "stored" | "duplicate" }>;
@@ -14,6 +15,8 @@ export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusa
       return noRobot();
     case "revoked":
       return keyRevoked();
+    case "sent-away":
+      return scriptIsAway();
     case "full":
       return new Refusal(
         "queue-full",

@@ -3,10 +3,12 @@
  * a motion without an end only while the script that wished it is heard: by each message and request,
  * and for as long as a request waits for its answer.
  */
-import type { AliveDriver, Drivers } from "@corridor/protocol";
+import type { AliveDriver, CommandRecord, Drivers, ScriptView } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import { keyId } from "../keys.ts";
+import type { StoredScript } from "../store/session-store.ts";
 import { limits } from "./limits.ts";
+import { ScriptList } from "./script-list.ts";
 
 /** Whoever was silent for longer holds no motion any more. */
 const FORGET_MS = 10_000;
@@ -17,6 +19,8 @@ export const MOST_TOLD = 16;
 export interface Scripts extends Drivers {
   /** those that may hold a motion */
   alive: AliveDriver[];
+  /** by name */
+  scripts: ScriptView[];
 }
 
 interface Life {
@@ -30,6 +34,9 @@ interface Life {
 export class DriverRoster {
   readonly #clock: Clock;
   readonly #tell: () => void;
+  /** the same scripts by name */
+  readonly #list: ScriptList;
+  readonly #away: () => readonly StoredScript[];
   /** by the hash of its key */
   readonly #lives = new Map<string, Life>();
   #connected = 0;
@@ -38,21 +45,22 @@ export class DriverRoster {
   #cancelTimer: (() => void) | null = null;
   #isNews = false;
 
-  /** @param tell is called when there is something new to be told */
-  constructor(clock: Clock, tell: () => void) {
+  /**
+   * @param tell is called when there is something new to be told
+   * @param away the scripts that the owner has sent away
+   */
+  constructor(clock: Clock, tell: () => void, away: () => readonly StoredScript[]) {
     this.#clock = clock;
     this.#tell = tell;
+    this.#list = new ScriptList(clock);
+    this.#away = away;
   }
 
-  /**
-   * A script was heard.
-   * @param client such as "Python"
-   * @param driver hash of its key
-   * @returns to be called once its request is answered
-   */
-  heard(client: string, driver: string): () => void {
-    const life = this.#lifeOf(driver);
-    this.#client = client;
+  /** A script was heard. @returns to be called once its request is answered */
+  heard(script: StoredScript): () => void {
+    const life = this.#lifeOf(script.driver);
+    const listed = this.#list.heard(script);
+    this.#client = script.client;
     this.#heardAt = this.#clock.now();
     life.waiting += 1;
     this.#changed();
@@ -60,6 +68,7 @@ export class DriverRoster {
     return () => {
       if (!isWaiting) return;
       isWaiting = false;
+      listed();
       life.waiting -= 1;
       life.heardAt = this.#clock.now();
       this.#changed();
@@ -67,19 +76,32 @@ export class DriverRoster {
   }
 
   /** A script's socket or stream was opened. @returns to be called when it is closed */
-  connected(driver: string): () => void {
+  connected(script: StoredScript): () => void {
     this.#connected += 1;
-    this.#lifeOf(driver).lineAt = this.#clock.now();
+    const listed = this.#list.connected(script);
+    this.#lifeOf(script.driver).lineAt = this.#clock.now();
     // At once: what a script kept while it had no line may come right behind.
     this.#flush();
     return () => {
       this.#connected -= 1;
+      listed();
       this.#changed();
     };
   }
 
+  /** A script's command was taken. */
+  sent(script: StoredScript, record: CommandRecord): void {
+    this.#list.sent(script, record);
+    this.#changed();
+  }
+
+  /** Who is away has changed. */
+  awayChanged(): void {
+    this.#changed();
+  }
+
   told(): Scripts {
-    return { ...this.now(), alive: this.alive() };
+    return { ...this.now(), alive: this.alive(), scripts: this.#list.told(this.#away()) };
   }
 
   now(): Drivers {

@@ -3,7 +3,13 @@ import { MAX_KEYS, type KeyList, type KeyWish, type MadeKey } from "@corridor/pr
 import { hashKey, keyId, matchKey, mintKey } from "../keys.ts";
 import { noRobot, notAuthorised, Refusal } from "../problems.ts";
 import type { Clock } from "../clock.ts";
-import type { KeyChange, KeysResult, SessionStore, StoredKey } from "../store/session-store.ts";
+import type {
+  KeyChange,
+  KeysResult,
+  SessionStore,
+  StoredKey,
+  StoredSession,
+} from "../store/session-store.ts";
 import { StoreAway } from "../store/store-away.ts";
 import { limits } from "./limits.ts";
 import { checkRight, type Verb } from "./rights.ts";
@@ -14,9 +20,11 @@ export interface KeyRingParts {
   store: Pick<SessionStore, "find">;
   clock: Clock;
   /** changes the stored keys, with all that follows for commands */
-  change: (change: KeyChange) => Promise<KeysResult>;
+  change: (change: Omit<KeyChange, "reason">) => Promise<KeysResult>;
   /** is told when this relay has changed the keys */
   changed: () => void;
+  /** is told what else the store says of the robot, once it was looked up again */
+  found: (stored: StoredSession) => void;
   /** is told of a key that counts no more */
   revoked: (key: StoredKey) => void;
   /** is told when nobody knows any more which keys count: the store does not answer */
@@ -117,7 +125,10 @@ export class KeyRing {
       const asked = this.#news;
       try {
         const stored = await store.find(robot);
-        if (stored !== null) this.#learn(stored.keys);
+        if (stored !== null) {
+          this.#learn(stored.keys);
+          this.#parts.found(stored);
+        }
         known = asked;
       } catch {
         await new Promise<void>((resolve) => {
@@ -142,8 +153,7 @@ export class KeyRing {
   }
 
   async #change(change: Pick<KeyChange, "add" | "remove" | "removeKind">): Promise<void> {
-    const reason = "its key was revoked";
-    const result = await this.#parts.change({ ...change, reason, most: MAX_KEYS });
+    const result = await this.#parts.change({ ...change, most: MAX_KEYS });
     if (result.outcome === "no-session") throw noRobot();
     if (result.outcome === "full") {
       throw new Refusal("too-many-keys", `A robot has ${MAX_KEYS} at most. Revoke one first.`);

@@ -10,6 +10,8 @@ export const rights = {
   inspect: ["own"],
   /** make, list and revoke keys */
   grant: ["own"],
+  /** see the scripts by name, send one away and let it back */
+  moderate: ["own"],
   /** delete the robot with all that is held of it */
   remove: ["own"],
   /** send commands, take back its own, stop the robot */

@@ -2,11 +2,12 @@
  * A robot's line to the other relays that hold it: what this one tells there, how often, and who is
  * there. With nobody else on the line it costs next to nothing.
  */
-import type { AliveDriver, Snapshot } from "@corridor/protocol";
+import type { AliveDriver, RecallCause, Snapshot } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import type { Ears, Line, Step, Switchboard } from "../cluster/switchboard.ts";
 import { MOST_TOLD, type Scripts } from "./driver-roster.ts";
 import { limits } from "./limits.ts";
+import { mergedScripts } from "./script-list.ts";
 
 export class RobotLine {
   readonly #clock: Clock;
@@ -39,11 +40,12 @@ export class RobotLine {
   }
 
   /** Asks the page, wherever it is, to end a command. */
-  cancel(seq: number): void {
-    this.#line?.tell({ kind: "cancel", seq });
+  cancel(seq: number, why: RecallCause): void {
+    this.#line?.tell({ kind: "cancel", seq, why });
   }
 
-  keysChanged(): void {
+  /** The owner has changed which keys count, or which scripts are away. */
+  rightsChanged(): void {
     this.#line?.tell({ kind: "keys" });
   }
 
@@ -116,9 +118,13 @@ export class RobotLine {
   }
 }
 
-function older({ silentMs, alive, ...rest }: Scripts, ms: number): Scripts {
+function older({ silentMs, alive, scripts, ...rest }: Scripts, ms: number): Scripts {
   return {
     ...rest,
+    scripts: scripts.map((each) => ({
+      ...each,
+      silentMs: each.silentMs === null ? null : each.silentMs + ms,
+    })),
     silentMs: silentMs === null ? null : silentMs + ms,
     alive: alive.map((each) => ({
       ...each,
@@ -139,5 +145,6 @@ function together(a: Scripts, b: Scripts): Scripts {
   }
   const { client, silentMs } = newest;
   const connected = a.connected + b.connected;
-  return { connected, client, silentMs, alive: [...alive.values()].slice(-MOST_TOLD) };
+  const scripts = mergedScripts([a.scripts, b.scripts]);
+  return { connected, client, silentMs, scripts, alive: [...alive.values()].slice(-MOST_TOLD) };
 }

@@ -13,6 +13,7 @@ import type { SessionStore, StoredKey } from "../store/session-store.ts";
 import type { ReaderDoor } from "./audience.ts";
 import { limits } from "./limits.ts";
 import { checkRight, type Verb } from "./rights.ts";
+import { callerOf, unknownScript, type Caller, type Introduction } from "./script.ts";
 import { Session } from "./session.ts";
 import { TokenBucket } from "./token-bucket.ts";
 import { noWitness, type Witness } from "./witness.ts";
@@ -37,7 +38,7 @@ export interface HubOptions {
 
 export interface Grant {
   session: Session;
-  key: StoredKey;
+  key: Caller;
 }
 
 export class SessionHub {
@@ -94,9 +95,15 @@ export class SessionHub {
 
   /**
    * Finds the session and checks that the key allows what is asked of it.
-   * @throws Refusal no-robot, not-authorised, forbidden or restarting
+   * @param introduction what a script says of itself
+   * @throws Refusal no-robot, not-authorised, forbidden, sent-away or restarting
    */
-  async authorise(id: string, key: string | null, verb: Verb): Promise<Grant> {
+  async authorise(
+    id: string,
+    key: string | null,
+    verb: Verb,
+    introduction: Introduction = unknownScript,
+  ): Promise<Grant> {
     const session = await this.#find(id);
     // A key that is not known any more would be given up for good; a restart is not the key's fault.
     if (this.#isClosing) throw restarting();
@@ -108,7 +115,9 @@ export class SessionHub {
       );
     }
     checkRight(stored.kind, verb);
-    return { session, key: stored };
+    const caller = callerOf(stored, introduction);
+    session.gate.check(caller);
+    return { session, key: caller };
   }
 
   async census(): Promise<Census> {

@@ -42,7 +42,10 @@ async function withRobot() {
   const cut = cutStore(store);
   const hub = new SessionHub(cut.store, clock, pino({ level: "silent" }));
   const robot = await hub.register("10.0.0.1", "http://localhost");
-  const { session, key } = await hub.authorise(robot.id, robot.driverKey, "command");
+  const { session, key } = await hub.authorise(robot.id, robot.driverKey, "command", {
+    client: "Python",
+    name: null,
+  });
   const submit = async (order: Order, idempotencyKey: string | null = null) => {
     const records: CommandRecord[] = [];
     const request = { key: idempotencyKey, ...termsOf(order) };
@@ -353,7 +356,7 @@ describe("a robot session: replacing and cancelling", () => {
     for (let n = 0; n < 9; n++) await robot.submit(LEFT);
     expect(await robot.session.cancel(robot.key, 9)).toMatchObject({ state: "cancelled" });
     expect(await robot.session.cancel(robot.key, 8)).toMatchObject({ state: "delivered" });
-    expect(host.told.at(-1)).toEqual({ type: "cancel", seq: 8 });
+    expect(host.told.at(-1)).toEqual({ type: "cancel", seq: 8, why: "sender" });
     await host.ended({ ...completed(8), state: "cancelled" });
     expect(await robot.session.cancel(robot.key, 8)).toMatchObject({ state: "cancelled" });
     await expect(robot.session.cancel(robot.key, 10)).rejects.toMatchObject({ kind: "no-command" });
@@ -373,7 +376,7 @@ describe("a robot session: taking back while the page is away", () => {
       expect(await robot.session.cancel(robot.key, seq)).toHaveProperty("seq");
     const after = await page(robot, { lastApplied: 1 });
     expect(after.seqs("command")).toEqual([3]);
-    expect(after.told).toContainEqual({ type: "cancel", seq: 1 });
+    expect(after.told).toContainEqual({ type: "cancel", seq: 1, why: "sender" });
     expect(await robot.states()).toEqual(["1 started", "2 cancelled", "3 delivered"]);
     await after.ended({ ...completed(1), state: "cancelled" });
     expect(await robot.states()).toEqual(["1 cancelled", "2 cancelled", "3 delivered"]);
@@ -619,7 +622,7 @@ describe("a robot session: what scripts see", () => {
     await robot.clock.pass(2_000);
     const before = host.told.length;
     for (let n = 0; n < 50; n++) {
-      robot.session.heard("Python", robot.key)();
+      robot.session.heard(robot.key)();
       await robot.clock.pass(100);
     }
     const drivers = host.told.slice(before).filter(({ type }) => type === "drivers");
@@ -638,10 +641,10 @@ describe("a robot session: the life of its scripts", () => {
     const robot = await withRobot();
     const host = await page(robot);
     await robot.clock.pass(2_000);
-    robot.session.heard("Python", robot.key)();
+    robot.session.heard(robot.key)();
     expect(alive(host)).toEqual([{ driver: name(robot), silentMs: 0, lineMs: null }]);
     await robot.clock.pass(300);
-    robot.session.heard("Python", robot.key)();
+    robot.session.heard(robot.key)();
     await robot.clock.pass(700);
     expect(alive(host)).toEqual([{ driver: name(robot), silentMs: 700, lineMs: null }]);
   });
@@ -649,7 +652,7 @@ describe("a robot session: the life of its scripts", () => {
   it("takes a request that waits for a sign of life, each second, and none that was answered", async () => {
     const robot = await withRobot();
     const host = await page(robot);
-    const answered = robot.session.heard("curl", robot.key);
+    const answered = robot.session.heard(robot.key);
     await robot.clock.pass(10_500);
     const before = host.told.length;
     await robot.clock.pass(2_000);
@@ -665,7 +668,7 @@ describe("a robot session: the life of its scripts", () => {
   it("says at once that a script has a new line", async () => {
     const robot = await withRobot();
     const host = await page(robot);
-    robot.session.heard("Python", robot.key)();
+    robot.session.heard(robot.key)();
     robot.session.join(
       robot.key,
       { snapshot: () => undefined, state: () => undefined, ...deafReader },

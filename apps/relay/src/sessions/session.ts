@@ -9,11 +9,17 @@ import {
   type CommandTerms,
   type PageToRelay,
   type Resume,
+  type ScriptView,
   type Snapshot,
 } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import type { News, Switchboard } from "../cluster/switchboard.ts";
-import type { SessionStore, StoredKey, StoredSession } from "../store/session-store.ts";
+import type {
+  SessionStore,
+  StoredKey,
+  StoredScript,
+  StoredSession,
+} from "../store/session-store.ts";
 import { Audience, type Patience, type ReaderDoor } from "./audience.ts";
 import { CommandLife } from "./command-life.ts";
 import { DriverRoster } from "./driver-roster.ts";
@@ -26,6 +32,9 @@ import { PageSeat } from "./page-seat.ts";
 import { ReaderFeed, type ReaderSink, type ReaderSource } from "./reader-feed.ts";
 import { RobotLine } from "./robot-line.ts";
 import { RobotView } from "./robot-view.ts";
+import type { Verb } from "./rights.ts";
+import type { Caller } from "./script.ts";
+import { ScriptGate } from "./script-gate.ts";
 import type { Witness } from "./witness.ts";
 
 /** A reader's hold on the session. */
@@ -49,6 +58,7 @@ export class Session {
   readonly createdAt: number;
   readonly roster: DriverRoster;
   readonly keys: KeyRing;
+  readonly gate: ScriptGate;
   readonly #store: SessionStore;
   readonly #clock: Clock;
   readonly #view = new RobotView();
@@ -87,11 +97,27 @@ export class Session {
       store,
       clock,
       change: (change) => this.#life.recall.changeKeys(change),
-      changed: () => line.keysChanged(),
+      changed: () => line.rightsChanged(),
+      found: ({ away }) => {
+        this.gate.learn(away);
+        this.roster.awayChanged();
+      },
       revoked: (key) => this.#revoked(key),
       doubted: () => audience.dismiss(({ kind }) => kind !== "own", "busy"),
     });
-    this.roster = new DriverRoster(clock, () => this.#tellScripts());
+    this.gate = new ScriptGate({
+      robot: this.id,
+      away: stored.away,
+      store,
+      change: (change) => this.#life.recall.changeAway(change),
+      changed: () => {
+        line.rightsChanged();
+        this.roster.awayChanged();
+      },
+      sentAway: (script) => this.#sentAway(script),
+    });
+    const tell = (): void => this.#tellScripts();
+    this.roster = new DriverRoster(clock, tell, () => this.gate.away);
   }
 
   /** Takes a session into memory, and onto the line of the relays that hold it. */
@@ -129,6 +155,11 @@ export class Session {
 
   get hasPage(): boolean {
     return this.#seat.page !== null;
+  }
+
+  /** The scripts by name: those that are here or were lately, at any relay that this one knows of. */
+  get scripts(): ScriptView[] {
+    return this.#line.withOthers(this.roster.told()).scripts;
   }
 
   /** How many follow the robot, by the way in which they do. */
@@ -187,13 +218,22 @@ export class Session {
 
   // --- scripts ---
 
+  /** Asked at every message. @throws Refusal when the key was revoked or does not allow it, or the script is away */
+  check(caller: Caller, verb: Verb): void {
+    this.keys.check(caller, verb);
+    this.gate.check(caller);
+  }
+
   /** Stores a command and sends it on when its turn comes: see `CommandLife.submit`. */
   async submit(
-    grant: StoredKey,
+    caller: Caller,
     request: { key: string | null } & CommandTerms,
     acknowledge: (record: CommandRecord) => void,
   ): Promise<void> {
-    await this.#life.submit(grant, request, acknowledge);
+    await this.#life.submit(caller, request, (record) => {
+      if (caller.script !== null) this.roster.sent(caller.script, record);
+      acknowledge(record);
+    });
   }
 
   /** Takes one command back: see `CommandRecall.one`. */
@@ -211,10 +251,9 @@ export class Session {
   }
 
   /** A script was heard by HTTP or socket. @returns to be called once its request is answered */
-  heard(client: string, { hash, kind }: StoredKey): () => void {
+  heard({ script }: Caller): () => void {
     this.#used();
-    // Who looks on is no script, nor is the owner.
-    return kind === "drive" ? this.roster.heard(client, hash) : () => undefined;
+    return script === null ? () => undefined : this.roster.heard(script);
   }
 
   /**
@@ -222,11 +261,11 @@ export class Session {
    * @param since the last state that it was told before; null for a new reader
    * @throws Refusal when too many read already
    */
-  join(grant: StoredKey, sink: ReaderSink, since: string | null): JoinedReader {
+  join(caller: Caller, sink: ReaderSink, since: string | null): JoinedReader {
     const feed = new ReaderFeed(sink, this.#source, this.#clock);
-    const leave = this.#audience.join(feed, grant, sink.door);
-    const isWatcher = grant.kind === "watch";
-    const disconnected = isWatcher ? () => undefined : this.roster.connected(grant.hash);
+    const leave = this.#audience.join(feed, caller, sink.door);
+    const { script } = caller;
+    const disconnected = script === null ? () => undefined : this.roster.connected(script);
     feed.begin(since);
     return {
       seen: (seq) => feed.seen(seq),
@@ -337,7 +376,7 @@ export class Session {
         return this.#tellScripts();
       }
       case "cancel":
-        return page?.link.send({ type: "cancel", seq: news.seq });
+        return page?.link.send({ type: "cancel", seq: news.seq, why: news.why });
       case "keys":
         return this.keys.refresh();
       case "over":
@@ -365,7 +404,20 @@ export class Session {
 
   /** Whoever used the key is sent away, and what it asked for ends. */
   #revoked({ hash }: StoredKey): void {
-    this.#audience.dismiss((key) => key.hash === hash, "revoked");
+    this.#audience.dismiss((caller) => caller.hash === hash, "revoked");
+    this.#askToEnd();
+    // A script that was away is gone with its key.
+    this.gate.learn(this.gate.away.filter(({ driver }) => driver !== hash));
+  }
+
+  /** The script loses its lines, and what it asked for ends. */
+  #sentAway({ id }: StoredScript): void {
+    this.#audience.dismiss(({ script }) => script?.id === id, "sentAway");
+    this.#askToEnd();
+  }
+
+  /** Asks the page, where it is here, for what was taken back. */
+  #askToEnd(): void {
     // Where that fails, the page is asked with its next greeting.
     if (this.hasPage) this.#life.recall.askAgain().catch(() => undefined);
   }

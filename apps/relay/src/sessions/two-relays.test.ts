@@ -61,7 +61,15 @@ async function withRelays() {
     return { session, link, told, closed, epoch: welcome?.epoch ?? 0 };
   };
   const host = await page();
-  const { session: atScripts, key } = await scripts.authorise(robot.id, robot.driverKey, "command");
+  const { session: atScripts, key } = await scripts.authorise(
+    robot.id,
+    robot.driverKey,
+    "command",
+    {
+      client: "Python",
+      name: null,
+    },
+  );
   const submit = async (order: Order, idempotencyKey: string | null = null) => {
     const records: CommandRecord[] = [];
     const request = { key: idempotencyKey, ...termsOf(order) };
@@ -143,7 +151,7 @@ describe("page and script at different relays", () => {
       record: { seq: 9, state: "cancelled" },
     });
     await atScripts.cancel(key, 1);
-    expect(host.told.at(-1)).toEqual({ type: "cancel", seq: 1 });
+    expect(host.told.at(-1)).toEqual({ type: "cancel", seq: 1, why: "sender" });
     await submit({ action: "stop" });
     expect(seqs(host)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 10]);
   });
@@ -192,7 +200,7 @@ describe("page and script at different relays", () => {
   it("tells the page of the scripts at all relays", async () => {
     const { host, clock, atScripts, key, read } = await withRelays();
     read();
-    atScripts.heard("Python", key)();
+    atScripts.heard(key)();
     await clock.pass(limits.driversIntervalMs);
     const drivers = host.told.findLast(({ type }) => type === "drivers");
     expect(drivers).toMatchObject({ connected: 1, client: "Python", alive: [{ lineMs: 1_000 }] });

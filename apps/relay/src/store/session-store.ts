@@ -17,6 +17,17 @@ export interface StoredKey {
   hash: string;
 }
 
+/** A script that its robot's owner has sent away. */
+export interface StoredScript {
+  id: string;
+  /** hash of its key */
+  driver: string;
+  /** as it calls itself */
+  name: string | null;
+  /** its language */
+  client: string;
+}
+
 export interface StoredSession {
   id: string;
   /** raised each time a page takes the robot; 0 before the first */
@@ -24,6 +35,7 @@ export interface StoredSession {
   createdAt: number;
   lastUsedAt: number;
   keys: StoredKey[];
+  away: StoredScript[];
 }
 
 export interface KeyChange {
@@ -44,9 +56,27 @@ export type KeysResult =
   | { outcome: "full" }
   | { outcome: "no-session" };
 
+export interface ScriptChange {
+  add: StoredScript | null;
+  /** id */
+  remove: string | null;
+  /** why what it had sent is taken back */
+  reason: string;
+  /** refuse to add when there would be more */
+  most: number;
+}
+
+export type AwayResult =
+  /** `ended`: what waited and had been sent by the script */
+  | { outcome: "changed"; away: StoredScript[]; ended: TermedRecord[] }
+  | { outcome: "full" }
+  | { outcome: "no-session" };
+
 export interface NewCommand {
   /** hash of the key that sent it: the scope of `key` */
   driver: string;
+  /** id of the script that sent it */
+  script: string | null;
   /** the idempotency key, or null */
   key: string | null;
   command: Command;
@@ -76,6 +106,8 @@ export type AddResult =
   | { outcome: "late" }
   /** the key that sent it is none of this robot's any more */
   | { outcome: "revoked" }
+  /** the script that sent it is away */
+  | { outcome: "sent-away" }
   | { outcome: "no-session" };
 
 /** A record with what only the relay and the robot need of its command. */
@@ -83,6 +115,8 @@ export interface TermedRecord {
   record: CommandRecord;
   /** hash of the key that sent it */
   driver: string;
+  /** id of the script that sent it; null where an earlier Corridor stored it */
+  script: string | null;
   ttl: number;
   deadline: number;
   replace: boolean;
@@ -114,10 +148,18 @@ export interface PageState {
 }
 
 export interface SessionStore {
-  create(session: Omit<StoredSession, "epoch" | "lastUsedAt">): Promise<void>;
+  create(session: Omit<StoredSession, "epoch" | "lastUsedAt" | "away">): Promise<void>;
   find(id: string): Promise<StoredSession | null>;
-  /** Makes and revokes keys in one step, and takes back what the revoked ones have sent: see `cancel`. */
+  /**
+   * Makes and revokes keys in one step, and takes back what the revoked ones have sent: see `cancel`. Scripts
+   * of a revoked key are not away any more: they are gone.
+   */
   changeKeys(id: string, change: KeyChange): Promise<KeysResult>;
+  /**
+   * Sends a script away, once however often it is asked for, and takes back what it has sent; or lets one
+   * back.
+   */
+  changeAway(id: string, change: ScriptChange): Promise<AwayResult>;
   /** Notes that the session is in use. */
   touch(id: string, now: number): Promise<void>;
   /** Deletes the session and everything of it. @returns false when there was none */
@@ -175,8 +217,8 @@ export interface SessionStore {
   commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]>;
   /** The commands that have not ended, in order. */
   openCommands(id: string): Promise<CommandRecord[]>;
-  /** Numbers of the commands that were taken back and that the robot has, in order. */
-  recalled(id: string): Promise<number[]>;
+  /** The commands that were taken back and that the robot has, in order, and why they were. */
+  recalled(id: string): Promise<{ seq: number; reason: string }[]>;
   /**
    * Whether the store can be written, found out by writing.
    * @returns full: it answers, and has no room left

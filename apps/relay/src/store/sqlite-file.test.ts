@@ -27,6 +27,7 @@ async function onFillingDisk() {
   const add = (command: Command, key: string | null = null) =>
     store.add(ID, {
       driver: "d",
+      script: null,
       key,
       command,
       acceptedAt: 1,

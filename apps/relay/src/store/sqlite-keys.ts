@@ -37,7 +37,8 @@ export function changeKeys(
   const ended: TermedRecord[] = [];
   for (const { hash } of all.filter(isGone)) {
     writing.run("DELETE FROM keys WHERE robot = ? AND hash = ?", [robot, hash]);
-    ended.push(...recallAllOf(writing, robot, hash, reason));
+    writing.run("DELETE FROM away WHERE robot = ? AND driver = ?", [robot, hash]);
+    ended.push(...recallAllOf(writing, robot, { driver: hash }, reason));
   }
   addKeys(writing, robot, add);
   return { outcome: "changed", keys: [...kept, ...add], ended };

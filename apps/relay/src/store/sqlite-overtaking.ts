@@ -27,24 +27,26 @@ export function overtake(
   );
 }
 
-/** Takes back all that a driver has sent. @returns what waited, and has ended by this */
+/** Takes back all that a key or a script has sent. @returns what waited, and has ended by this */
 export function recallAllOf(
   statements: Statements,
   id: string,
-  driver: string,
+  whose: { driver: string } | { script: string },
   reason: string,
 ): TermedRecord[] {
-  const mine = `robot = ? AND driver = ? AND ${IS_OPEN}`;
+  const isByKey = "driver" in whose;
+  const mark = isByKey ? whose.driver : whose.script;
+  const mine = `robot = ? AND ${isByKey ? "driver" : "script"} = ? AND ${IS_OPEN}`;
   statements.run(
     `UPDATE ${OPEN_COMMANDS} SET recalled = coalesce(recalled, ?)
      WHERE ${mine} AND state IN ('delivered', 'started')`,
-    [reason, id, driver],
+    [reason, id, mark],
   );
   return termedIn(
     statements,
     `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = ?
      WHERE ${mine} AND state = 'accepted' RETURNING ${TERMED}`,
-    [reason, id, driver],
+    [reason, id, mark],
   );
 }
 

@@ -17,6 +17,7 @@ const recordRow = z.object({
 });
 const termsRow = z.object({
   driver: z.string(),
+  script: z.string().nullable(),
   ttl: z.number(),
   deadline: z.number(),
   replaces: z.int(),
@@ -27,7 +28,7 @@ const actionOf = z.object({ action: z.string() });
 /** The columns that `recordsIn` reads. */
 export const RECORD = "seq, key, command, state, reason, accepted_at, pose, distance";
 /** The columns that `termedIn` reads. */
-export const TERMED = `${RECORD}, driver, ttl, deadline, replaces, lease`;
+export const TERMED = `${RECORD}, driver, script, ttl, deadline, replaces, lease`;
 
 /** Commands in the order of their numbers: RETURNING gives rows in no promised order. */
 export function recordsIn(

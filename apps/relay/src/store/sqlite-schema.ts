@@ -73,8 +73,20 @@ const RECALLED = `
 ALTER TABLE commands ADD COLUMN recalled TEXT;
 `;
 
+const SCRIPTS = `
+ALTER TABLE commands ADD COLUMN script TEXT;
+CREATE TABLE away (
+  robot TEXT NOT NULL REFERENCES sessions (id) ON DELETE CASCADE,
+  id TEXT NOT NULL,
+  driver TEXT NOT NULL,
+  name TEXT,
+  client TEXT NOT NULL,
+  PRIMARY KEY (robot, id)
+) STRICT, WITHOUT ROWID;
+`;
+
 /** What each version added to the one before it: the first leads from an empty file to version 1. */
-const STEPS: readonly string[] = [SESSIONS, DOCUMENTS, TERMS, RECALLED];
+const STEPS: readonly string[] = [SESSIONS, DOCUMENTS, TERMS, RECALLED, SCRIPTS];
 
 /** Opens a database, made with its folder when it is missing. @throws as `prepareDatabase` does */
 export function openDatabase(file: string): DatabaseSync {

@@ -34,7 +34,7 @@ it("finds the commands of a robot by index, however many have ended", async () =
   const id = "AAAAAAAAAAAAAAAAAAAAAA";
   await store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
   const terms = { ttl: 9, deadline: 10, replace: false, lease: null, maxWaiting: 64, keep: 100 };
-  const command = { driver: "d", key: "a-key-0001", acceptedAt: 1, ...terms };
+  const command = { driver: "d", script: null, key: "a-key-0001", acceptedAt: 1, ...terms };
   await store.add(id, { ...command, command: { action: "left 90" } });
   await store.add(id, { ...command, key: null, command: { action: "stop" } });
   await store.cancel(id, 1, { driver: "d", reason: "no" });

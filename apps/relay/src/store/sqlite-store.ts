@@ -9,16 +9,19 @@ import { hasEnded, type CommandRecord, type Ending } from "@corridor/protocol";
 import { z } from "zod";
 import {
   type AddResult,
+  type AwayResult,
   type CancelResult,
   type EndResult,
   type KeyChange,
   type KeysResult,
   type NewCommand,
   type PageState,
+  type ScriptChange,
   type SessionStore,
   type StoredSession,
   type TermedRecord,
 } from "./session-store.ts";
+import { awayIn, changeAway, isAway } from "./sqlite-away.ts";
 import { SqliteFile } from "./sqlite-file.ts";
 import { begin, countIn, deliver, IS_LATE } from "./sqlite-delivery.ts";
 import { addKeys, changeKeys, isKeyOf, keysIn } from "./sqlite-keys.ts";
@@ -43,7 +46,7 @@ export class SqliteStore implements SessionStore {
     this.#file = typeof file === "string" ? new SqliteFile(file) : file;
   }
 
-  async create({ id, createdAt, keys }: Omit<StoredSession, "epoch" | "lastUsedAt">) {
+  async create({ id, createdAt, keys }: Omit<StoredSession, "epoch" | "lastUsedAt" | "away">) {
     await this.#file.growingStep(() => {
       this.#writing.run("INSERT INTO sessions (id, created_at, last_used_at) VALUES (?, ?, ?)", [
         id,
@@ -64,6 +67,7 @@ export class SqliteStore implements SessionStore {
       createdAt: row.created_at,
       lastUsedAt: row.last_used_at,
       keys: keysIn(reading, id),
+      away: awayIn(reading, id),
     };
   }
 
@@ -74,6 +78,15 @@ export class SqliteStore implements SessionStore {
         : changeKeys(this.#writing, id, change);
     // A key can be revoked on a full disk, too.
     return change.add.length === 0 ? this.#file.step(work) : this.#file.growingStep(work);
+  }
+
+  async changeAway(id: string, change: ScriptChange): Promise<AwayResult> {
+    const work = (): AwayResult =>
+      sessionIn(this.#writing, id) === null
+        ? { outcome: "no-session" }
+        : changeAway(this.#writing, id, change);
+    // A script can be sent away on a full disk, too: few are.
+    return this.#file.step(work);
   }
 
   async touch(id: string, now: number): Promise<void> {
@@ -103,8 +116,9 @@ export class SqliteStore implements SessionStore {
     const work = (): AddResult => {
       const session = sessionIn(this.#writing, id);
       if (session === null) return { outcome: "no-session" };
-      const { driver, key, acceptedAt, ttl, deadline, replace, lease } = command;
+      const { driver, script, key, acceptedAt, ttl, deadline, replace, lease } = command;
       if (!isKeyOf(this.#writing, id, driver)) return { outcome: "revoked" };
+      if (script !== null && isAway(this.#writing, id, script)) return { outcome: "sent-away" };
       const earlier = recordsIn(
         this.#writing,
         `SELECT ${RECORD} FROM commands WHERE robot = ? AND driver = ? AND key = ?`,
@@ -123,9 +137,10 @@ export class SqliteStore implements SessionStore {
       const terms = [Math.round(ttl), Math.round(deadline), replace ? 1 : 0, lease];
       this.#writing.run(
         `INSERT INTO commands
-           (robot, seq, driver, key, command, state, accepted_at, ttl, deadline, replaces, lease)
-         VALUES (?, ?, ?, ?, ?, 'accepted', ?, ?, ?, ?, ?)`,
-        [id, seq, driver, key, text, acceptedAt, ...terms],
+           (robot, seq, driver, script, key, command, state, accepted_at,
+            ttl, deadline, replaces, lease)
+         VALUES (?, ?, ?, ?, ?, ?, 'accepted', ?, ?, ?, ?, ?)`,
+        [id, seq, driver, script, key, text, acceptedAt, ...terms],
       );
       const record = recordOf(this.#writing, id, seq);
       if (record === null) throw new Error("SQLite did not keep the command");
@@ -255,11 +270,12 @@ export class SqliteStore implements SessionStore {
     return recordsIn(this.#writing, sql, [id]);
   }
 
-  async recalled(id: string): Promise<number[]> {
-    const sql = `SELECT seq FROM ${OPEN_COMMANDS}
+  async recalled(id: string): Promise<{ seq: number; reason: string }[]> {
+    const sql = `SELECT seq, recalled FROM ${OPEN_COMMANDS}
       WHERE robot = ? AND state IN ('delivered', 'started') AND ${IS_OPEN} AND recalled IS NOT NULL
       ORDER BY seq`;
-    return this.#writing.all(sql, [id]).map((row) => Number(row["seq"]));
+    const rows = this.#writing.all(sql, [id]);
+    return rows.map((row) => ({ seq: Number(row["seq"]), reason: String(row["recalled"]) }));
   }
 
   async check(): Promise<"ok" | "full"> {

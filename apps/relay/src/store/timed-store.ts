@@ -5,6 +5,7 @@ import type { SessionStore } from "./session-store.ts";
 const COMMITS: ReadonlySet<string | symbol> = new Set([
   "create",
   "changeKeys",
+  "changeAway",
   "touch",
   "remove",
   "removeExpired",

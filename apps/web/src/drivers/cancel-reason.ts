@@ -11,6 +11,8 @@ export const cancelReasons = {
   stopped: "A stop came.",
   replaced: "A newer command took its place.",
   takenBack: "Its sender took it back.",
+  keyRevoked: "Its key was revoked.",
+  sentAway: "Its script was sent away.",
   silent: "Its sender fell silent, so the robot stopped.",
   disconnected: "The robot's page disconnected.",
   addressEnded: "The robot's page no longer uses this address.",

@@ -129,13 +129,13 @@ export class RemoteDriver {
     this.#endAll("cancelled", reason);
   }
 
-  /** Ends one command that its sender takes back, and stops the robot where it runs. */
-  takeBack(seq: number): void {
-    if (this.#running?.seq === seq) return this.#stop("takenBack");
+  /** Ends one command that somebody takes back, and stops the robot where it runs. */
+  takeBack(seq: number, reason: CancelReason = "takenBack"): void {
+    if (this.#running?.seq === seq) return this.#stop(reason);
     const rest = this.#waiting.filter(({ delivery }) => delivery.seq !== seq);
     if (rest.length === this.#waiting.length) return;
     this.#waiting = rest;
-    this.#report(seq, "cancelled", "takenBack", 0);
+    this.#report(seq, "cancelled", reason, 0);
   }
 
   /** A new line to the relay: forgets what waits, since the relay gives again what still holds. */

@@ -1,4 +1,4 @@
-/** What the Remote panel shows: the connection, the address with its key, and the commands. */
+/** What the Remote panel shows: the connection, the address with its key, the scripts and the commands. */
 import { createStore } from "zustand/vanilla";
 import type { RemoteView } from "../worker/worker-messages.ts";
 
@@ -7,6 +7,7 @@ export function createRemoteStore() {
     status: { kind: "off" },
     session: null,
     commands: [],
+    scripts: [],
   }));
 }
 export type RemoteStore = ReturnType<typeof createRemoteStore>;

@@ -105,7 +105,7 @@ class Relay {
 function openPage() {
   const relay = new Relay();
   let time = 0;
-  let view: RemoteView = { status: { kind: "off" }, session: null, commands: [] };
+  let view: RemoteView = { status: { kind: "off" }, session: null, commands: [], scripts: [] };
   const host: RemoteHost = new RemoteHost({
     origin: "http://localhost",
     now: () => time,
@@ -113,7 +113,7 @@ function openPage() {
     onView: (newest) => (view = newest),
     onDelivery: (delivery) => loop.accept(delivery),
     cancel: (reason) => loop.cancelRemote(reason),
-    takeBack: (seq) => loop.remote?.takeBack(seq),
+    takeBack: (seq, reason) => loop.remote?.takeBack(seq, reason),
     giveBack: () => loop.remote?.giveBack(),
     hear: (alive) => loop.remote?.hear(alive),
     fetch: relay.fetch,

@@ -9,14 +9,28 @@ import type {
   CommandRecord,
   DeliveredCommand,
   Drivers,
+  RecallCause,
+  ScriptView,
   Snapshot,
 } from "@corridor/protocol";
 import { cancelReasons, type CancelReason } from "../drivers/cancel-reason.ts";
 import type { Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
 import type { troubleOf } from "./remote-trouble.ts";
-import type { ListedCommand, RemoteSession, RemoteStatus, RemoteView } from "./worker-messages.ts";
+import type {
+  ListedCommand,
+  ListedScript,
+  RemoteSession,
+  RemoteStatus,
+  RemoteView,
+} from "./worker-messages.ts";
 
 const noDrivers: Drivers = { connected: 0, client: null, silentMs: null };
+
+const recallReasons = {
+  sender: "takenBack",
+  revoked: "keyRevoked",
+  "sent-away": "sentAway",
+} as const satisfies Record<RecallCause, CancelReason>;
 
 /** Commands that the panel lists. */
 const MAX_LISTED = 100;
@@ -33,7 +47,7 @@ export interface RemoteHostPorts {
   /** ends all that was delivered, by `ended`, before this returns */
   cancel(reason: CancelReason): void;
   /** ends one command, by `ended`, unless it has ended */
-  takeBack(seq: number): void;
+  takeBack(seq: number, reason: CancelReason): void;
   /** forgets what was delivered and has not started */
   giveBack(): void;
   /** scripts were heard, and may go on with the motions that they wished */
@@ -52,6 +66,7 @@ export class RemoteHost implements RemoteDriverEvents {
   #link: HostLink | null = null;
   #status: RemoteStatus = { kind: "off" };
   #drivers = noDrivers;
+  #scripts: ListedScript[] = [];
   /** rises with each open and close: what an older one still waits for is dropped */
   #attempt = 0;
 
@@ -94,6 +109,7 @@ export class RemoteHost implements RemoteDriverEvents {
     this.#ports.cancel("disconnected");
     this.#link?.close();
     this.#drivers = noDrivers;
+    this.#scripts = [];
     if (this.#status.kind !== "off") this.#tell({ kind: "off" });
   }
 
@@ -147,13 +163,14 @@ export class RemoteHost implements RemoteDriverEvents {
         this.#ports.cancel("stopped");
         this.#change(stop.seq, { state: "completed" });
       },
-      onCancel: (seq) => this.#ports.takeBack(seq),
+      onCancel: (seq, why) => this.#ports.takeBack(seq, recallReasons[why]),
       onGiveBack: () => this.#giveBack(),
       onState: (record, ttl) => this.#show({ ...record, ttl, reason: null }),
       onRefused: ({ seq, state }) => this.#change(seq, { state, reason: null }),
       onStatus: (status) => this.#linkChanged(status, trouble.troubleOf),
-      onDrivers: (drivers, alive) => {
+      onDrivers: (drivers, alive, scripts) => {
         this.#drivers = drivers;
+        this.#scripts = scripts.map((script) => this.#listed(script));
         this.#ports.hear(alive);
         if (this.isOpen) this.#tell(this.#connectedStatus());
       },
@@ -168,6 +185,7 @@ export class RemoteHost implements RemoteDriverEvents {
     this.#link.close();
     this.#link = null;
     this.#drivers = noDrivers;
+    this.#scripts = [];
   }
 
   #deliver(command: DeliveredCommand): void {
@@ -243,11 +261,16 @@ export class RemoteHost implements RemoteDriverEvents {
     return { kind: "connected", client: client ?? "", heardAt: this.#ports.now() - silentMs };
   }
 
+  #listed({ silentMs, ...script }: ScriptView): ListedScript {
+    return { ...script, heardAt: silentMs === null ? null : this.#ports.now() - silentMs };
+  }
+
   #tell(status: RemoteStatus): void {
     this.#status = status;
     this.#ports.onView({
       status,
       session: this.#session,
+      scripts: this.#scripts,
       commands: [...this.#commands.values()].toSorted((a, b) => b.seq - a.seq),
     });
   }

@@ -47,7 +47,7 @@ function withRemote(use: (host: RemoteHost) => void): void {
       // The file did not come: that is a lost line, and the next try asks for it again.
       remoteLoading = null;
       const status = { kind: "lost", reason: "lineLost" } as const;
-      post({ type: "remote", remote: { status, session: null, commands: [] } });
+      post({ type: "remote", remote: { status, session: null, commands: [], scripts: [] } });
     },
   );
 }
@@ -64,7 +64,7 @@ async function loadRemote(): Promise<RemoteHost> {
     onView: (view) => post({ type: "remote", remote: view }),
     onDelivery: (delivery) => loop?.accept(delivery),
     cancel: (reason) => loop?.cancelRemote(reason),
-    takeBack: (seq) => loop?.remote?.takeBack(seq),
+    takeBack: (seq, reason) => loop?.remote?.takeBack(seq, reason),
     giveBack: () => loop?.remote?.giveBack(),
     hear: (alive) => loop?.remote?.hear(alive),
     fetch: (url, request) => fetch(url, request),

@@ -12,6 +12,7 @@ import type {
   FieldProblem,
   LineRef,
   Pose,
+  ScriptView,
   Snapshot,
   TimedCommand,
 } from "@corridor/protocol";
@@ -174,11 +175,18 @@ export interface ListedCommand extends Omit<CommandRecord, "reason"> {
   ttl: number;
 }
 
+/** A script as the panel shows it. */
+export interface ListedScript extends Omit<ScriptView, "silentMs"> {
+  /** milliseconds since 1970; null: not lately */
+  heardAt: number | null;
+}
+
 export interface RemoteView {
   status: RemoteStatus;
   session: RemoteSession | null;
   /** newest first, at most 100 */
   commands: ListedCommand[];
+  scripts: ListedScript[];
 }
 
 /** The answer to `load-run`: the documents that the run ended with; or why nothing was loaded. */

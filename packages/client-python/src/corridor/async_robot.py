@@ -40,9 +40,10 @@ class AsyncRobot:
         answer_timeout: float = 30.0,
         finish_timeout: float = 600.0,
         ttl: Optional[float] = None,
+        name: Optional[str] = None,
     ) -> None:
         where = parse_address(address, key)
-        self._talk = RobotTalk(where, answer_timeout, finish_timeout, check_ttl(ttl))
+        self._talk = RobotTalk(where, answer_timeout, finish_timeout, check_ttl(ttl), name=name)
         self._line = Line()
 
     @classmethod
@@ -54,10 +55,16 @@ class AsyncRobot:
         answer_timeout: float = 30.0,
         finish_timeout: float = 600.0,
         ttl: Optional[float] = None,
+        name: Optional[str] = None,
     ) -> AsyncRobot:
         """A robot that is known to be there, with a key that fits."""
         robot = cls(
-            address, key, answer_timeout=answer_timeout, finish_timeout=finish_timeout, ttl=ttl
+            address,
+            key,
+            answer_timeout=answer_timeout,
+            finish_timeout=finish_timeout,
+            ttl=ttl,
+            name=name,
         )
         await robot._run(robot._talk.greet())
         return robot

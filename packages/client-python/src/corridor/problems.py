@@ -60,6 +60,8 @@ def error_of(answer: Answer) -> RobotError:
             "Something else than a robot's host answers at this address",
             "Copy the whole address again; a network with a sign-in page wants that done first.",
         )
+    if kind == "sent-away":
+        return NotAuthorisedError("not-authorised", "This script may not drive now", reason)
     if status in (401, 403):
         return NotAuthorisedError("not-authorised", "The robot does not take this key", reason)
     if status == 407:

@@ -30,7 +30,7 @@ class Robot:
     `address` is `http://HOST/r/ID#KEY`, as the page shows it under Remote. `answer_timeout` is how
     many seconds a host may stay silent, reconnecting included; `finish_timeout` how many the robot
     may take for one command; `ttl` within how many a command must have begun, or it expires (0.2 to
-    60; the host's own default is 10).
+    60; the host's own default is 10); `name` what this script calls itself, for the robot's owner.
     """
 
     def __init__(
@@ -41,9 +41,10 @@ class Robot:
         answer_timeout: float = 30.0,
         finish_timeout: float = 600.0,
         ttl: Optional[float] = None,
+        name: Optional[str] = None,
     ) -> None:
         where = parse_address(address, key)
-        self._talk = RobotTalk(where, answer_timeout, finish_timeout, check_ttl(ttl))
+        self._talk = RobotTalk(where, answer_timeout, finish_timeout, check_ttl(ttl), name=name)
         self._line = Line()
         self._run(self._talk.greet())
 

@@ -11,6 +11,7 @@ import logging
 import random
 import time
 import uuid
+from urllib.parse import quote
 from typing import Callable, List, Optional
 
 from .actions import Action, has_no_end, plain
@@ -34,6 +35,8 @@ _FIRST_CONTACT = 10.0
 _BEGIN_POLL = 0.1
 #: A robot stops by itself when it hears nothing of its driver for 3 s.
 _SIGN_OF_LIFE = 1.0
+#: The host shows 40 characters of a name.
+_LONGEST_NAME = 40
 _LOG_PAGE = 200
 _NO_COMMAND_YET = 999_999_999_999_999
 
@@ -54,6 +57,7 @@ class RobotTalk:
         ttl: Optional[float] = None,
         clock: Callable[[], float] = time.monotonic,
         chance: Callable[[], float] = random.random,
+        name: Optional[str] = None,
     ) -> None:
         self.address = address
         self.is_closed = False
@@ -62,6 +66,8 @@ class RobotTalk:
         self._answer_timeout = answer_timeout
         self._finish_timeout = finish_timeout
         self._ttl = ttl
+        # Headers hold ASCII only.
+        self._name = {} if not name else {"Script-Name": quote(name[:_LONGEST_NAME], safe=" ")}
         self._clock = clock
         self._chance = chance
         self._newest = -1
@@ -170,6 +176,7 @@ class RobotTalk:
             "Authorization": f"Bearer {self.address.key}",
             "Accept": "application/json",
             "User-Agent": USER_AGENT,
+            **self._name,
         }
         if wish is not None:
             headers["Content-Type"] = "application/json"

@@ -8,7 +8,7 @@ import type { Line, News, Switchboard } from "../switchboard.ts";
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";
 const nothingDone = { lastApplied: 0, fresh: false, endings: [] };
-const scripts = { connected: 1, client: "Python", silentMs: 5, alive: [] };
+const scripts = { connected: 1, client: "Python", silentMs: 5, alive: [], scripts: [] };
 
 export interface TestRelay {
   store: SessionStore;
@@ -92,8 +92,9 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
       const snapshot = snapshotOf({ seq: 7 });
       a.line.tell({ kind: "snapshot", snapshot });
       await vi.waitFor(() => expect(b.heard).toEqual([{ kind: "snapshot", snapshot }]));
-      a.line.tell({ kind: "cancel", seq: 3 });
-      await vi.waitFor(() => expect(b.heard.at(-1)).toMatchObject({ kind: "cancel", seq: 3 }));
+      const cancel = { kind: "cancel", seq: 3, why: "revoked" } as const;
+      a.line.tell(cancel);
+      await vi.waitFor(() => expect(b.heard.at(-1)).toMatchObject(cancel));
       expect([a.heard.length, elsewhere.heard]).toEqual([1, []]);
     });
 
@@ -113,7 +114,7 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
     it("is silent to who has left", async () => {
       const { a, b } = await withLine();
       b.line.leave();
-      a.line.tell({ kind: "cancel", seq: 3 });
+      a.line.tell({ kind: "cancel", seq: 3, why: "sender" });
       await a.add();
       await vi.waitFor(() => expect(a.steps).toEqual(["+1 (own)"]));
       expect([b.heard, b.steps]).toEqual([[], []]);

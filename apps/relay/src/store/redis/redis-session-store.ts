@@ -9,12 +9,14 @@ import {
   CLOCK_TOLERANCE_MS,
   keyKinds,
   type AddResult,
+  type AwayResult,
   type CancelResult,
   type EndResult,
   type KeyChange,
   type KeysResult,
   type NewCommand,
   type PageState,
+  type ScriptChange,
   type SessionStore,
   type StoredSession,
   type TermedRecord,
@@ -32,22 +34,41 @@ const keysText = z
   .string()
   .transform((text): unknown => JSON.parse(text))
   .pipe(z.array(z.object({ kind: z.enum(keyKinds), hash: z.string() })));
+const awayText = z
+  .string()
+  .transform((text): unknown => JSON.parse(text))
+  .pipe(
+    z.array(
+      z.object({
+        id: z.string(),
+        driver: z.string(),
+        name: z.string().nullable(),
+        client: z.string(),
+      }),
+    ),
+  );
 const sessionAnswer = z
   .object({
     epoch: z.int(),
     createdAt: z.number(),
     lastUsedAt: z.number(),
     keys: keysText,
+    away: awayText,
   })
   .nullable();
 const changeAnswer = z.discriminatedUnion("outcome", [
   z.object({ outcome: z.literal("changed"), keys: keysText, ended: z.array(termedRow) }),
   z.object({ outcome: z.enum(["full", "no-session"]) }),
 ]);
+const awayAnswer = z.discriminatedUnion("outcome", [
+  z.object({ outcome: z.literal("changed"), away: awayText, ended: z.array(termedRow) }),
+  z.object({ outcome: z.enum(["full", "no-session"]) }),
+]);
+const recalledAnswer = z.array(z.object({ seq: z.int(), reason: z.string() }));
 const addAnswer = z.discriminatedUnion("outcome", [
   z.object({ outcome: z.literal("stored"), row: recordRow, ended: z.array(termedRow) }),
   z.object({ outcome: z.enum(["duplicate", "conflict"]), row: recordRow }),
-  z.object({ outcome: z.enum(["full", "late", "revoked", "no-session"]) }),
+  z.object({ outcome: z.enum(["full", "late", "revoked", "sent-away", "no-session"]) }),
 ]);
 const expireAnswer = z.object({ ended: z.array(termedRow), next: z.number().nullable() });
 const cancelAnswer = z.discriminatedUnion("outcome", [
@@ -78,7 +99,7 @@ export class RedisSessionStore implements SessionStore {
     this.#forgotten = forgotten;
   }
 
-  async create({ id, createdAt, keys }: Omit<StoredSession, "epoch" | "lastUsedAt">) {
+  async create({ id, createdAt, keys }: Omit<StoredSession, "epoch" | "lastUsedAt" | "away">) {
     await this.#step("create", id, { id, createdAt, keys: JSON.stringify(keys) });
   }
 
@@ -89,6 +110,13 @@ export class RedisSessionStore implements SessionStore {
 
   async changeKeys(id: string, change: KeyChange): Promise<KeysResult> {
     return changeAnswer.parse(await this.#step("changeKeys", id, change));
+  }
+
+  async changeAway(id: string, { add, remove, ...rest }: ScriptChange): Promise<AwayResult> {
+    // As text: Lua takes an empty list for an object.
+    const script = add === null ? null : JSON.stringify(add);
+    const values = { add: script, id: add?.id ?? remove, ...rest };
+    return awayAnswer.parse(await this.#step("changeAway", id, values));
   }
 
   async touch(id: string, now: number): Promise<void> {
@@ -177,8 +205,8 @@ export class RedisSessionStore implements SessionStore {
     return z.array(recordRow).parse(await this.#step("open", id, {}));
   }
 
-  async recalled(id: string): Promise<number[]> {
-    return z.array(z.int()).parse(await this.#step("recalled", id, {}));
+  async recalled(id: string): Promise<{ seq: number; reason: string }[]> {
+    return recalledAnswer.parse(await this.#step("recalled", id, {}));
   }
 
   async check(): Promise<"ok" | "full"> {

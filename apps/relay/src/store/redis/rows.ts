@@ -13,6 +13,8 @@ const row = z.object({
   pose: z.string().nullable(),
   distance: z.string().nullable(),
   driver: z.string(),
+  // A row of an earlier Corridor has none.
+  script: z.string().nullable().default(null),
   ttl: z.number(),
   deadline: z.number(),
   replace: z.boolean(),
@@ -22,8 +24,8 @@ const actionOf = z.object({ action: z.string() });
 
 /** The row of a command, read. */
 export const termedRow = row.transform((given): TermedRecord => {
-  const { driver, ttl, deadline, replace, lease, command, pose, distance, acceptedAt, ...rest } =
-    given;
+  const { driver, script, ttl, deadline, replace, lease, ...shown } = given;
+  const { command, pose, distance, acceptedAt, ...rest } = shown;
   const parsed: unknown = JSON.parse(command);
   const record = commandRecordSchema.parse({
     ...rest,
@@ -34,16 +36,17 @@ export const termedRow = row.transform((given): TermedRecord => {
     distance: distance === null ? null : JSON.parse(distance),
     duplicate: false,
   });
-  return { record, driver, ttl, deadline, replace, lease };
+  return { record, driver, script, ttl, deadline, replace, lease };
 });
 /** The same without what only relay and robot need. */
 export const recordRow = termedRow.transform(({ record }) => record);
 
 /** A command that gets its number in Redis. */
 export function rowOf(given: NewCommand): unknown {
-  const { driver, key, command, acceptedAt, ttl, deadline, replace, lease } = given;
+  const { driver, script, key, command, acceptedAt, ttl, deadline, replace, lease } = given;
   return {
     driver,
+    script,
     key,
     command: JSON.stringify(command),
     stop: command.action === "stop",

@@ -116,6 +116,18 @@ local function forget(id)
   return redis.call('DEL', base, base .. ':open', base .. ':ended', base .. ':keys') > 0
 end
 
+-- Which scripts stay away. Returns them.
+local function keepAway(stays)
+  local before, kept = cjson.decode(redis.call('HGET', SESSION, 'away') or '[]'), {}
+  for _, script in ipairs(before) do
+    if stays(script) then kept[#kept + 1] = script end
+  end
+  if #kept < #before then
+    redis.call('HSET', SESSION, 'away', #kept > 0 and cjson.encode(kept) or '[]')
+  end
+  return kept
+end
+
 local steps = {}
 
 function steps.create()
@@ -127,10 +139,11 @@ function steps.create()
 end
 
 function steps.find()
-  local epoch, createdAt, keys = unpack(redis.call('HMGET', SESSION, 'epoch', 'createdAt', 'keys'))
+  local epoch, createdAt, keys, away =
+    unpack(redis.call('HMGET', SESSION, 'epoch', 'createdAt', 'keys', 'away'))
   if not epoch then return 'null' end
   return cjson.encode({ epoch = tonumber(epoch), createdAt = tonumber(createdAt), keys = keys,
-    lastUsedAt = tonumber(redis.call('ZSCORE', USES, given.id)) })
+    away = away or '[]', lastUsedAt = tonumber(redis.call('ZSCORE', USES, given.id)) })
 end
 
 function steps.changeKeys()
@@ -146,12 +159,38 @@ function steps.changeKeys()
   if #given.add > 0 and #keys > given.most then return '{"outcome":"full"}' end
   local now = cjson.encode(keys)
   redis.call('HSET', SESSION, 'keys', now)
+  keepAway(function(script) return not removed[script.driver] end)
   redis.call('PUBLISH', LINE, '{"kind":"keys","from":"' .. relay .. '"}')
   local gone = {}
   for _, row in ipairs(open(function(row) return removed[row.driver] end)) do
     if recall(row, given.reason) then gone[#gone + 1] = row end
   end
   return '{"outcome":"changed","keys":' .. cjson.encode(now) .. ',"ended":' .. list(gone) .. '}'
+end
+
+function steps.changeAway()
+  if redis.call('EXISTS', SESSION) == 0 then return '{"outcome":"no-session"}' end
+  local isKnown = false
+  local others = keepAway(function(script)
+    return given.add ~= cjson.null or script.id ~= given.id
+  end)
+  if given.add ~= cjson.null then
+    for _, script in ipairs(others) do isKnown = isKnown or script.id == given.id end
+    if not isKnown then
+      if #others >= given.most then return '{"outcome":"full"}' end
+      others[#others + 1] = cjson.decode(given.add)
+      redis.call('HSET', SESSION, 'away', cjson.encode(others))
+    end
+  end
+  redis.call('PUBLISH', LINE, '{"kind":"keys","from":"' .. relay .. '"}')
+  local gone = {}
+  if given.add ~= cjson.null then
+    for _, row in ipairs(open(function(row) return row.script == given.id end)) do
+      if recall(row, given.reason) then gone[#gone + 1] = row end
+    end
+  end
+  local away = cjson.encode(redis.call('HGET', SESSION, 'away') or '[]')
+  return '{"outcome":"changed","away":' .. away .. ',"ended":' .. list(gone) .. '}'
 end
 
 function steps.touch()
@@ -177,10 +216,13 @@ function steps.removeExpired()
 end
 
 function steps.add()
-  local seq, keys = unpack(redis.call('HMGET', SESSION, 'seq', 'keys'))
+  local seq, keys, away = unpack(redis.call('HMGET', SESSION, 'seq', 'keys', 'away'))
   if not seq then return '{"outcome":"no-session"}' end
   local row = given.row
   if not string.find(keys, '"' .. row.driver .. '"', 1, true) then return '{"outcome":"revoked"}' end
+  if away and row.script ~= cjson.null and string.find(away, '"' .. row.script .. '"', 1, true) then
+    return '{"outcome":"sent-away"}'
+  end
   if row.key ~= cjson.null then
     local known = redis.call('HGET', BY_KEY, keyOf(row))
     local earlier = known and find(known)
@@ -331,11 +373,11 @@ function steps.open()
 end
 
 function steps.recalled()
-  local seqs = {}
+  local asked = {}
   for i, row in ipairs(open(function(each) return each.recalled and not waits(each) end)) do
-    seqs[i] = row.seq
+    asked[i] = cjson.encode({ seq = row.seq, reason = row.recalled })
   end
-  return '[' .. table.concat(seqs, ',') .. ']'
+  return '[' .. table.concat(asked, ',') .. ']'
 end
 
 local answer = steps[step]()

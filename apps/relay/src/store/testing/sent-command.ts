@@ -5,6 +5,7 @@ export function sentCommand(change: Partial<NewCommand> = {}): NewCommand {
   const acceptedAt = 5_000;
   return {
     driver: "d",
+    script: null,
     key: null,
     command: { action: "left 90" },
     acceptedAt,

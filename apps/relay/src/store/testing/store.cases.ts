@@ -12,6 +12,7 @@ const NOW = 5_000;
 const EPOCH = 1;
 const sent: NewCommand = {
   driver: "driver-hash-of-this-robot",
+  script: null,
   key: null,
   command: LEFT,
   acceptedAt: NOW,
@@ -103,7 +104,7 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await store.changeKeys(ID, change)).toMatchObject({
         ended: [{ record: { seq: 3, state: "cancelled", reason: "revoked" } }],
       });
-      expect(await store.recalled(ID)).toEqual([1]);
+      expect(await store.recalled(ID)).toEqual([{ seq: 1, reason: "revoked" }]);
       expect(await add(LEFT)).toEqual({ outcome: "revoked" });
       expect(await add(LEFT, null, { driver: "e" })).toMatchObject({ outcome: "stored" });
       expect(await states()).toEqual(["1 delivered", "2 accepted", "3 cancelled", "4 accepted"]);
@@ -113,6 +114,80 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
       const { store } = await withRobot();
       const change = keyChange({ add: [watch] });
       expect(await store.changeKeys("B".repeat(22), change)).toEqual({ outcome: "no-session" });
+    });
+  });
+
+  describe(`${name}: scripts that are away`, () => {
+    const driver = "driver-hash-of-this-robot";
+    const reason = "its script was sent away";
+    const anna = { id: "AnnaAnna", driver, name: "Anna \u00fc \u2713", client: "Python" };
+    const watcher = { kind: "watch" as const, hash: "watcher-hash" };
+    const nameless = { id: "Nameless", driver, name: null, client: "curl" };
+
+    it("stay away after a restart, each once, until they are let back", async () => {
+      const { store, reopen } = await withRobot();
+      expect((await store.find(ID))?.away).toEqual([]);
+      await store.changeAway(ID, { add: anna, remove: null, reason, most: 16 });
+      await store.changeAway(ID, { add: nameless, remove: null, reason, most: 16 });
+      const again = await store.changeAway(ID, { add: anna, remove: null, reason, most: 2 });
+      expect(again).toEqual({ outcome: "changed", away: [anna, nameless], ended: [] });
+      const reopened = await reopen();
+      expect((await reopened.find(ID))?.away).toEqual([anna, nameless]);
+      const back = { add: null, remove: anna.id, reason, most: 16 };
+      expect(await reopened.changeAway(ID, back)).toMatchObject({ away: [nameless] });
+      await reopened.changeAway(ID, { add: null, remove: nameless.id, reason, most: 16 });
+      expect((await reopened.find(ID))?.away).toEqual([]);
+    });
+
+    it("are only so many, and none where there is no robot", async () => {
+      const { store } = await withRobot();
+      await store.changeAway(ID, { add: anna, remove: null, reason, most: 1 });
+      const one = { add: nameless, remove: null, reason, most: 1 };
+      expect(await store.changeAway(ID, one)).toEqual({ outcome: "full" });
+      expect((await store.find(ID))?.away).toEqual([anna]);
+      expect(await store.changeAway("B".repeat(22), one)).toEqual({ outcome: "no-session" });
+    });
+
+    it("are gone with their key, and from the disk with the robot", async () => {
+      const { store, holds } = await withRobot();
+      const other = { ...nameless, driver: "another-hash" };
+      await store.changeAway(ID, {
+        add: { ...anna, name: "Annas-name" },
+        remove: null,
+        reason,
+        most: 16,
+      });
+      await store.changeAway(ID, { add: other, remove: null, reason, most: 16 });
+      await store.changeKeys(ID, keyChange({ add: [watcher], remove: [driver] }));
+      expect((await store.find(ID))?.away).toEqual([other]);
+      await store.remove(ID);
+      expect(await holds("Annas-name")).toBe(false);
+    });
+
+    it("loses what it had sent: what waits ends, and the robot is asked for the rest", async () => {
+      const { store, add, deliver, states } = await withRobot();
+      const byAnna = { script: anna.id };
+      await add(LEFT, null, byAnna);
+      await add(LEFT);
+      await deliver(2);
+      await add(LEFT, null, byAnna);
+      await add(LEFT);
+      const result = await store.changeAway(ID, { add: anna, remove: null, reason, most: 16 });
+      expect(result).toMatchObject({
+        ended: [{ record: { seq: 3, state: "cancelled", reason }, script: anna.id }],
+      });
+      expect(await states()).toEqual(["1 delivered", "2 delivered", "3 cancelled", "4 accepted"]);
+      expect(await store.recalled(ID)).toEqual([{ seq: 1, reason }]);
+    });
+
+    it("sends nothing while it is away, not even where a relay has not heard of it", async () => {
+      const { store, add } = await withRobot();
+      const byAnna = { script: anna.id };
+      await store.changeAway(ID, { add: anna, remove: null, reason, most: 16 });
+      expect(await add(LEFT, null, byAnna)).toEqual({ outcome: "sent-away" });
+      expect(await add(LEFT)).toMatchObject({ outcome: "stored" });
+      await store.changeAway(ID, { add: null, remove: anna.id, reason, most: 16 });
+      expect(await add(LEFT, null, byAnna)).toMatchObject({ outcome: "stored" });
     });
   });
 
@@ -403,12 +478,15 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await store.recalled(ID)).toEqual([]);
       for (const seq of [1, 2, 4]) await store.cancel(ID, seq, by);
       await store.cancel(ID, 2, { ...by, reason: "later" });
-      expect(await store.recalled(ID)).toEqual([1, 2]);
+      expect(await store.recalled(ID)).toEqual([
+        { seq: 1, reason: by.reason },
+        { seq: 2, reason: by.reason },
+      ]);
       await store.takeOver(ID, { lastApplied: 1, fresh: false, endings: [] });
       expect(await states()).toEqual(["1 started", "2 cancelled", "3 accepted", "4 cancelled"]);
       expect(await store.command(ID, 1)).toMatchObject({ reason: null });
       expect(await store.command(ID, 2)).toMatchObject({ reason: by.reason });
-      expect(await store.recalled(ID)).toEqual([1]);
+      expect(await store.recalled(ID)).toEqual([{ seq: 1, reason: by.reason }]);
       await store.end(ID, EPOCH + 1, completed(1));
       expect(await store.recalled(ID)).toEqual([]);
     });

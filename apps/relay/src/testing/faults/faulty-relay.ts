@@ -106,7 +106,6 @@ export class FaultyRelay {
           : new DriverConversation({
               grant,
               line,
-              client: "Script",
               since,
               refused: () => undefined,
             });

@@ -5,6 +5,7 @@ import { AddressFields } from "./AddressFields.tsx";
 import { CommandList } from "./CommandList.tsx";
 import { ConnectionCard } from "./ConnectionCard.tsx";
 import { robotAddress } from "./robot-address.ts";
+import { ScriptList } from "./ScriptList.tsx";
 import { Snippets } from "./Snippets.tsx";
 import styles from "./remote.module.css";
 
@@ -21,6 +22,7 @@ export function RemotePanel() {
         {isShown && <AddressFields address={address} session={session} />}
       </div>
       {isShown && <Snippets address={address} />}
+      {isShown && <ScriptList session={session} />}
       <CommandList />
     </div>
   );

@@ -1,5 +1,12 @@
 import { describe, expect, it } from "vitest";
-import { secondsLeft, watchAddress, withNewKey, type Ask } from "./owner-calls.ts";
+import {
+  letBack,
+  secondsLeft,
+  sendAway,
+  watchAddress,
+  withNewKey,
+  type Ask,
+} from "./owner-calls.ts";
 
 const id = "A".repeat(22);
 const session = {
@@ -47,6 +54,27 @@ describe("a new key for scripts", () => {
     expect(await withNewKey(ask, session)).toBeNull();
     expect(await watchAddress(ask, session)).toBeNull();
     expect(await secondsLeft(ask, session)).toBeNull();
+  });
+});
+
+describe("a script", () => {
+  const anna = { driver: "Zx81qP", name: "Anna", client: "Python" };
+
+  it("is sent away by its key and name, and let back by its id", async () => {
+    const { asked, ask } = service(() => new Response(null, { status: 204 }));
+    expect(await sendAway(ask, session, anna)).toBe(true);
+    expect(await letBack(ask, session, "k3J9x2aB")).toBe(true);
+    expect(asked).toEqual([
+      `POST /api/v1/robots/${id}/away Bearer own_secret {"driver":"Zx81qP","name":"Anna","client":"Python"}`,
+      `DELETE /api/v1/robots/${id}/away/k3J9x2aB Bearer own_secret`,
+    ]);
+  });
+
+  it("stays as it is where nothing answers or the service refuses", async () => {
+    const refused = service(() => Response.json({}, { status: 409 }));
+    expect(await sendAway(refused.ask, session, anna)).toBe(false);
+    const silent = service(() => Promise.reject(new TypeError("offline")));
+    expect(await letBack(silent.ask, session, "k3J9x2aB")).toBe(false);
   });
 });
 

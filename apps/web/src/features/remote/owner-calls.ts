@@ -1,5 +1,6 @@
-/** What the owner of a robot asks of the service: how long the robot has left, and new keys. */
-import { madeKeySchema, readJson, type MadeKey } from "@corridor/protocol";
+/** What the owner of a robot asks of the service: how long the robot has left, new keys, and which
+ * scripts may drive. */
+import { madeKeySchema, readJson, type MadeKey, type ScriptRef } from "@corridor/protocol";
 import type { RemoteSession } from "../../worker/worker-messages.ts";
 
 const MAX_ANSWER = 4_096;
@@ -40,6 +41,37 @@ export async function withNewKey(ask: Ask, session: RemoteSession): Promise<Remo
  */
 export async function watchAddress(ask: Ask, session: RemoteSession): Promise<string | null> {
   return (await makeKey(ask, session, "watch"))?.address ?? null;
+}
+
+/** Sends a script away, until it is let back. @returns whether the service did so */
+export async function sendAway(
+  ask: Ask,
+  session: RemoteSession,
+  { driver, name, client }: ScriptRef,
+): Promise<boolean> {
+  return isDone(ask, session, "/away", {
+    method: "POST",
+    body: JSON.stringify({ driver, name, client }),
+  });
+}
+
+/** @param script id @returns whether the service did so */
+export async function letBack(ask: Ask, session: RemoteSession, script: string): Promise<boolean> {
+  return isDone(ask, session, `/away/${script}`, { method: "DELETE" });
+}
+
+async function isDone(
+  ask: Ask,
+  { id, ownerKey }: RemoteSession,
+  path: string,
+  request: { method: string; body?: string },
+): Promise<boolean> {
+  try {
+    const headers = { ...bearer(ownerKey), "Content-Type": "application/json" };
+    return (await ask(`/api/v1/robots/${id}${path}`, { ...request, headers })).ok;
+  } catch {
+    return false;
+  }
 }
 
 async function makeKey(

@@ -1,0 +1,184 @@
+import {
+  scriptListSchema,
+  sentAwaySchema,
+  type Registration,
+  type ScriptView,
+} from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import { startTestRelay, testFolder, type TestRelay } from "../testing/test-relay.ts";
+import { TestSocket } from "../testing/test-socket.ts";
+
+const LEFT = { action: "left 90" };
+
+async function withRobot(dataDir = testFolder()) {
+  const relay = await startTestRelay({ dataDir });
+  const robot = await relay.register();
+  return { dataDir, robot, ...helpers(relay, robot) };
+}
+
+function helpers(relay: TestRelay, robot: Registration) {
+  const owner = { key: robot.ownerKey };
+  const scripts = async (): Promise<ScriptView[]> =>
+    scriptListSchema.parse(await (await relay.ask(robot, "/scripts", owner)).json()).scripts;
+  const named = async (name: string | null) => {
+    const found = (await scripts()).find((script) => script.name === name);
+    if (found === undefined) throw new Error(`there is no ${name}`);
+    return found;
+  };
+  const sendAway = async ({ driver, name, client }: ScriptView) => {
+    const body = { driver, name, client };
+    const answer = await relay.ask(robot, "/away", { ...owner, method: "POST", body });
+    expect(answer.status).toBe(201);
+    return sentAwaySchema.parse(await answer.json()).id;
+  };
+  const letBack = async (id: string) =>
+    (await relay.ask(robot, `/away/${id}`, { ...owner, method: "DELETE" })).status;
+  /** A request of a script that gives a name. */
+  const as = (name: string, path: string, body?: unknown) =>
+    relay.ask(robot, path, {
+      headers: { "Script-Name": name, "User-Agent": "Python-urllib/3.11" },
+      ...(body !== undefined && { method: "POST", body }),
+    });
+  const socketOf = async (name: string) => {
+    const socket = await TestSocket.open(relay, robot.id, { "User-Agent": "node" });
+    socket.send({ type: "hello", version: 1, role: "drive", key: robot.driverKey, name });
+    await socket.next("welcome");
+    return socket;
+  };
+  return { relay, scripts, named, sendAway, letBack, as, socketOf };
+}
+
+describe("the scripts of a robot", () => {
+  it("are listed by name, with what each did last", async () => {
+    const { scripts, as, socketOf } = await withRobot();
+    await as("Anna", "/commands", LEFT);
+    await as("Ben%20%E2%9C%93", "/commands?after=0");
+    await socketOf("Clara");
+    const list = await scripts();
+    expect(list).toMatchObject([
+      { name: "Anna", client: "Python", lines: 0, last: { seq: 1, action: "left 90" } },
+      { name: "Ben ✓", client: "Python", lines: 0, last: null },
+      { name: "Clara", client: "JavaScript", lines: 1, last: null },
+    ]);
+    expect(new Set(list.map(({ id }) => id)).size).toBe(3);
+    expect(new Set(list.map(({ driver }) => driver)).size).toBe(1);
+  });
+
+  it("are told to the page as well", async () => {
+    const { relay, robot, as } = await withRobot();
+    const { socket: page } = await TestSocket.page(relay, robot);
+    await as("Anna", "/commands", LEFT);
+    await expect
+      .poll(async () => (await page.next("drivers"))["scripts"], { timeout: 5_000 })
+      .toMatchObject([{ name: "Anna", last: { seq: 1 } }]);
+  });
+
+  it("have names of one line and 40 characters, whatever they send", async () => {
+    const { scripts, as } = await withRobot();
+    await as("%00%0A%E2%80%AEevil%09name", "/commands?after=0");
+    await as("x".repeat(4_000), "/commands?after=0");
+    await as("100 % mine", "/commands?after=0");
+    await as("%20%20", "/commands?after=0");
+    const names = (await scripts()).map(({ name }) => name);
+    expect(names).toEqual(["evil name", "x".repeat(40), "100 % mine", null]);
+  });
+
+  it("are few in memory, however many names they give", async () => {
+    const { scripts, as } = await withRobot();
+    for (let n = 0; n < 50; n++) await as(`script ${n}`, "/commands?after=0");
+    const list = await scripts();
+    expect(list).toHaveLength(16);
+    expect(list.at(-1)).toMatchObject({ name: "script 49" });
+  });
+});
+
+describe("a script that is sent away", () => {
+  it("loses its lines with a reason, and is refused until it is let back", async () => {
+    const { relay, robot, named, sendAway, letBack, as, socketOf } = await withRobot();
+    const socket = await socketOf("Anna");
+    const waiting = as("Anna", "/events?since=00000000-0&wait=25");
+    const opened = await relay.ask(robot, "/line", {
+      method: "POST",
+      body: { type: "hello", version: 1, role: "drive", key: robot.driverKey, name: "Anna" },
+    });
+    const { line } = (await opened.json()) as { line: string };
+    await waiting;
+    const poll = as("Anna", "/sensors?wait=25");
+    await as("Anna", "/commands?after=0");
+    const anna = await sendAway(await named("Anna"));
+
+    const { code, reason } = await socket.closed;
+    expect([code, reason]).toEqual([4403, expect.stringContaining("sent this script away")]);
+    expect((await poll).status).toBe(403);
+    const fetched = await relay.ask(robot, "/line/messages?after=1", { key: line });
+    expect(await fetched.json()).toMatchObject({ closed: { code: 4403 } });
+    const refused = await as("Anna", "/commands", LEFT);
+    expect(refused.status).toBe(403);
+    expect(await refused.json()).toMatchObject({ type: "/problems/sent-away" });
+    const again = await TestSocket.open(relay, robot.id);
+    again.send({ type: "hello", version: 1, role: "drive", key: robot.driverKey, name: "Anna" });
+    expect((await again.closed).code).toBe(4403);
+    expect(await named("Anna")).toMatchObject({ isAway: true, lines: 0 });
+
+    expect(await letBack(anna)).toBe(204);
+    expect((await as("Anna", "/commands", LEFT)).status).toBe(202);
+    expect(await letBack(anna)).toBe(404);
+  });
+
+  it("leaves the others with its key alone, and what it asked for ends", async () => {
+    const { relay, robot, named, sendAway, as, socketOf } = await withRobot();
+    const { socket: page, epoch } = await TestSocket.page(relay, robot);
+    const ben = await socketOf("Ben");
+    for (let count = 0; count < 10; count++) await as("Anna", "/commands", LEFT);
+    ben.send({ type: "command", command: LEFT });
+    expect(await ben.next("ack")).toMatchObject({ record: { seq: 11 } });
+    page.send({ type: "started", epoch, seq: 1 });
+    await sendAway(await named("Anna"));
+    // What the robot has, the robot ends.
+    expect(await page.next("cancel")).toMatchObject({ seq: 1, why: "sent-away" });
+    await expect
+      .poll(async () => (await (await as("Ben", "/commands?after=9")).json()) as unknown)
+      .toMatchObject({
+        commands: [
+          { seq: 10, state: "cancelled", reason: "its script was sent away" },
+          { seq: 11 },
+        ],
+      });
+    ben.send({ type: "command", command: LEFT });
+    expect(await ben.next("ack")).toMatchObject({ record: { seq: 12 } });
+  });
+
+  it("stays away after the relay was restarted, and is gone with its key", async () => {
+    const before = await withRobot();
+    const { robot } = before;
+    await before.as("Anna", "/commands?after=0");
+    await before.sendAway(await before.named("Anna"));
+    await before.relay.close();
+    const after = helpers(await startTestRelay({ dataDir: before.dataDir }), robot);
+    expect((await after.as("Anna", "/commands?after=0")).status).toBe(403);
+    const wish = { kind: "drive", replace: true };
+    await after.relay.ask(robot, "/keys", { method: "POST", key: robot.ownerKey, body: wish });
+    expect(await after.scripts()).toEqual([]);
+    expect((await after.as("Anna", "/commands?after=0")).status).toBe(401);
+  });
+
+  it("is one of 16 at most, and must have a key of this robot", async () => {
+    const { relay, robot, as, named, sendAway } = await withRobot();
+    for (let n = 0; n < 16; n++) {
+      await as(`${n}`, "/commands?after=0");
+      await sendAway(await named(`${n}`));
+    }
+    await as("one more", "/commands?after=0");
+    const { driver, client } = await named("one more");
+    const post = (body: unknown) =>
+      relay.ask(robot, "/away", { method: "POST", key: robot.ownerKey, body });
+    const full = await post({ driver, client, name: "one more" });
+    expect([full.status, await full.json()]).toMatchObject([
+      409,
+      { type: "/problems/too-many-away" },
+    ]);
+    expect((await post({ driver: "______", client, name: "Anna" })).status).toBe(404);
+    expect((await post({ driver, client })).status).toBe(400);
+    expect((await post({ driver, client, name: "" })).status).toBe(400);
+  });
+});

@@ -1,0 +1,70 @@
+/** The scripts of a robot, as its owner sees them; and sending one away, or letting it back. */
+import {
+  scriptIdSchema,
+  scriptRefSchema,
+  type ScriptList,
+  type SentAway,
+} from "@corridor/protocol";
+import { Router } from "express";
+import { z } from "zod";
+import { keyId } from "../keys.ts";
+import type { SessionHub } from "../sessions/session-hub.ts";
+import { methodNotAllowed } from "./fallbacks.ts";
+import { jsonText, read, readBearer, readBody } from "./reading.ts";
+
+/** Key, name and language. */
+const MAX_REF_BYTES = 1024;
+
+/** The id of a script, as the last part of a path. */
+export const scriptPath = z.object({ scriptId: scriptIdSchema.describe("id of the script") });
+
+export function scriptRoutes(hub: SessionHub): Router {
+  const router = Router();
+
+  router
+    .route("/robots/:id/scripts")
+    .get(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
+      const list: ScriptList = { scripts: session.scripts };
+      response.json(list);
+    })
+    .all(methodNotAllowed("GET"));
+
+  router
+    .route("/robots/:id/away")
+    .post(
+      // Who may not is told so before the body is read.
+      async (request, _response, next) => {
+        await hub.authorise(request.params.id, readBearer(request), "moderate");
+        next();
+      },
+      jsonText(MAX_REF_BYTES),
+      async (request, response) => {
+        const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
+        const wanted = readBody(request, scriptRefSchema, MAX_REF_BYTES, "The script is wrong.");
+        const script = await session.gate.sendAway(wanted);
+        const answer: SentAway = { ...script, driver: keyId(script.driver) };
+        response
+          .status(201)
+          .location(`/api/v1/robots/${session.id}/away/${script.id}`)
+          .json(answer);
+      },
+    )
+    .all(methodNotAllowed("POST"));
+
+  router
+    .route("/robots/:id/away/:scriptId")
+    .delete(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
+      const { scriptId } = read(
+        scriptPath,
+        { scriptId: request.params.scriptId },
+        "The path is wrong.",
+      );
+      await session.gate.letBack(scriptId);
+      response.status(204).end();
+    })
+    .all(methodNotAllowed("DELETE"));
+
+  return router;
+}

@@ -1,0 +1,105 @@
+/**
+ * Which scripts the owner of a robot has sent away. It is no lock: whoever has the key can come back under
+ * another name. It says to one of several scripts that it is not its turn; a new key ends them all.
+ */
+import { MAX_SENT_AWAY, type ScriptRef } from "@corridor/protocol";
+import { keyId } from "../keys.ts";
+import { noRobot, Refusal } from "../problems.ts";
+import type {
+  AwayResult,
+  ScriptChange,
+  SessionStore,
+  StoredScript,
+  StoredSession,
+} from "../store/session-store.ts";
+import { scriptOf, type Caller } from "./script.ts";
+
+export interface ScriptGateParts {
+  robot: string;
+  away: readonly StoredScript[];
+  store: Pick<SessionStore, "find">;
+  /** changes who is away in the store, with all that follows for commands */
+  change: (change: Omit<ScriptChange, "reason">) => Promise<AwayResult>;
+  /** is told when this relay has changed who is away */
+  changed: () => void;
+  /** is told of a script that was sent away */
+  sentAway: (script: StoredScript) => void;
+}
+
+export class ScriptGate {
+  readonly #parts: ScriptGateParts;
+  #away: readonly StoredScript[];
+
+  constructor(parts: ScriptGateParts) {
+    this.#parts = parts;
+    this.#away = parts.away;
+  }
+
+  get away(): readonly StoredScript[] {
+    return this.#away;
+  }
+
+  /** Asked at every message. @throws Refusal when the script was sent away */
+  check({ script }: Caller): void {
+    if (this.#away.some(({ id }) => id === script?.id)) throw scriptIsAway();
+  }
+
+  /**
+   * Sends a script away; one that is away already stays so.
+   * @throws Refusal when there is no such key, or too many scripts are away
+   */
+  async sendAway({ driver, name, client }: ScriptRef): Promise<StoredScript> {
+    const stored = await this.#stored();
+    const key = stored?.keys.find(({ kind, hash }) => kind === "drive" && keyId(hash) === driver);
+    if (key === undefined) {
+      throw new Refusal("no-key", "No script can use it any more. GET .../scripts lists all.");
+    }
+    const script = scriptOf(key.hash, { name, client });
+    await this.#change({ add: script, remove: null });
+    return script;
+  }
+
+  /** @throws Refusal when no script with this id is away */
+  async letBack(id: string): Promise<void> {
+    const stored = await this.#stored();
+    if (stored?.away.some((script) => script.id === id) !== true) {
+      throw new Refusal("no-script", "No script with this id is away. GET .../scripts lists all.");
+    }
+    await this.#change({ add: null, remove: id });
+  }
+
+  /** Takes in what the store holds: another relay may have changed it. */
+  learn(away: readonly StoredScript[]): void {
+    const before = this.#away;
+    this.#away = away;
+    for (const script of away) {
+      if (!before.some(({ id }) => id === script.id)) this.#parts.sentAway(script);
+    }
+  }
+
+  /** Another relay may have changed it a moment ago. */
+  async #stored(): Promise<StoredSession | null> {
+    return this.#parts.store.find(this.#parts.robot);
+  }
+
+  async #change(change: Pick<ScriptChange, "add" | "remove">): Promise<void> {
+    const result = await this.#parts.change({ ...change, most: MAX_SENT_AWAY });
+    if (result.outcome === "no-session") throw noRobot();
+    if (result.outcome === "full") {
+      throw new Refusal(
+        "too-many-away",
+        `${MAX_SENT_AWAY} scripts are away already. Let one back, or make a new key, which ends all of the old one.`,
+      );
+    }
+    this.learn(result.away);
+    this.#parts.changed();
+  }
+}
+
+/** The answer to a script that was sent away. */
+export function scriptIsAway(): Refusal {
+  return new Refusal(
+    "sent-away",
+    "The robot's owner has sent this script away. Ask them to let it back, then start it again.",
+  );
+}

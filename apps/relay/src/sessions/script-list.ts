@@ -1,0 +1,128 @@
+/**
+ * The scripts of one robot by name, with what each did last: those that were heard not long ago, those
+ * with an open line, and those that are away. How many are kept is bounded, whatever names they give.
+ */
+import { MAX_SCRIPTS, type CommandRecord, type ScriptView } from "@corridor/protocol";
+import type { Clock } from "../clock.ts";
+import { keyId } from "../keys.ts";
+import type { StoredScript } from "../store/session-store.ts";
+
+/** A script without a line is not shown any more once it was silent for so long. */
+const SHOWN_MS = 120_000;
+
+interface Trace {
+  script: StoredScript;
+  lines: number;
+  heardAt: number;
+  /** requests that wait for their answer */
+  waiting: number;
+  last: ScriptView["last"];
+}
+
+export class ScriptList {
+  readonly #clock: Clock;
+  /** by id, the one that was heard last at the end */
+  readonly #traces = new Map<string, Trace>();
+
+  constructor(clock: Clock) {
+    this.#clock = clock;
+  }
+
+  /** A script was heard. @returns to be called once its request is answered */
+  heard(script: StoredScript): () => void {
+    const trace = this.#traceOf(script);
+    trace.waiting += 1;
+    return () => {
+      trace.waiting -= 1;
+      trace.heardAt = this.#clock.now();
+    };
+  }
+
+  /** A line of a script was opened. @returns to be called when it is closed */
+  connected(script: StoredScript): () => void {
+    const trace = this.#traceOf(script);
+    trace.lines += 1;
+    return () => {
+      trace.lines -= 1;
+    };
+  }
+
+  /** A script's command was taken. */
+  sent(script: StoredScript, { seq, action }: CommandRecord): void {
+    this.#traceOf(script).last = { seq, action };
+  }
+
+  /** @param away those that the owner has sent away; told first, however long ago that was */
+  told(away: readonly StoredScript[]): ScriptView[] {
+    const now = this.#clock.now();
+    const isAway = (id: string): boolean => away.some((script) => script.id === id);
+    const here = [...this.#traces.values()]
+      .filter(({ script, lines, waiting, heardAt }) => {
+        const isHere = lines > 0 || waiting > 0 || now - heardAt < SHOWN_MS;
+        return isHere && !isAway(script.id);
+      })
+      .slice(-MAX_SCRIPTS)
+      .map((trace) => ({
+        ...view(trace.script),
+        lines: trace.lines,
+        silentMs: trace.waiting > 0 ? 0 : Math.max(0, now - trace.heardAt),
+        last: trace.last,
+        isAway: false,
+      }));
+    const gone = away.map((script) => ({
+      ...view(script),
+      lines: 0,
+      silentMs: null,
+      last: this.#traces.get(script.id)?.last ?? null,
+      isAway: true,
+    }));
+    return [...gone, ...here];
+  }
+
+  #traceOf(script: StoredScript): Trace {
+    const known = this.#traces.get(script.id);
+    const trace = known ?? { script, lines: 0, heardAt: 0, waiting: 0, last: null };
+    trace.heardAt = this.#clock.now();
+    this.#traces.delete(script.id);
+    this.#traces.set(script.id, trace);
+    if (known === undefined) this.#forgetOldest();
+    return trace;
+  }
+
+  /** Scripts that give ever new names must not fill the memory. */
+  #forgetOldest(): void {
+    if (this.#traces.size <= 2 * MAX_SCRIPTS) return;
+    for (const [id, { lines, waiting }] of this.#traces) {
+      if (lines > 0 || waiting > 0) continue;
+      this.#traces.delete(id);
+      return;
+    }
+  }
+}
+
+function view({ id, driver, name, client }: StoredScript) {
+  return { id, driver: keyId(driver), name, client };
+}
+
+/** The scripts of several relays as one list: the same one may have lines at each. */
+export function mergedScripts(lists: readonly ScriptView[][]): ScriptView[] {
+  const byId = new Map<string, ScriptView>();
+  for (const script of lists.flat()) {
+    const other = byId.get(script.id);
+    byId.set(script.id, other === undefined ? script : merged(other, script));
+  }
+  const all = [...byId.values()];
+  const here = all.filter(({ isAway }) => !isAway).toSorted(byHeard);
+  return [...all.filter(({ isAway }) => isAway), ...here.slice(0, MAX_SCRIPTS)];
+}
+
+function merged(a: ScriptView, b: ScriptView): ScriptView {
+  const last = (a.last?.seq ?? 0) >= (b.last?.seq ?? 0) ? a.last : b.last;
+  const times = [a.silentMs, b.silentMs].filter((ms) => ms !== null);
+  const silentMs = times.length > 0 ? Math.min(...times) : null;
+  return { ...a, lines: a.lines + b.lines, silentMs, last, isAway: a.isAway || b.isAway };
+}
+
+function byHeard(a: ScriptView, b: ScriptView): number {
+  return (a.silentMs ?? Infinity) - (b.silentMs ?? Infinity);
+}

@@ -1,0 +1,46 @@
+/** The scripts that a robot's owner has sent away, in SQLite. */
+import { z } from "zod";
+import type { AwayResult, ScriptChange, StoredScript } from "./session-store.ts";
+import { recallAllOf } from "./sqlite-overtaking.ts";
+import type { Statements } from "./statements.ts";
+
+const awayRow = z.object({
+  id: z.string(),
+  driver: z.string(),
+  name: z.string().nullable(),
+  client: z.string(),
+});
+
+export function awayIn(statements: Statements, robot: string): StoredScript[] {
+  const sql = "SELECT id, driver, name, client FROM away WHERE robot = ? ORDER BY id";
+  return statements.all(sql, [robot]).map((row) => awayRow.parse(row));
+}
+
+export function isAway(writing: Statements, robot: string, script: string): boolean {
+  return writing.all("SELECT 1 FROM away WHERE robot = ? AND id = ?", [robot, script]).length > 0;
+}
+
+/** Sends a script away, or lets one back. @returns all that are away then */
+export function changeAway(
+  writing: Statements,
+  robot: string,
+  { add, remove, reason, most }: ScriptChange,
+): AwayResult {
+  if (remove !== null) {
+    writing.run("DELETE FROM away WHERE robot = ? AND id = ?", [robot, remove]);
+  }
+  const away = awayIn(writing, robot);
+  if (add !== null && !away.some(({ id }) => id === add.id)) {
+    if (away.length >= most) return { outcome: "full" };
+    const { id, driver, name, client } = add;
+    writing.run("INSERT INTO away (robot, id, driver, name, client) VALUES (?, ?, ?, ?, ?)", [
+      robot,
+      id,
+      driver,
+      name,
+      client,
+    ]);
+  }
+  const ended = add === null ? [] : recallAllOf(writing, robot, { script: add.id }, reason);
+  return { outcome: "changed", away: awayIn(writing, robot), ended };
+}

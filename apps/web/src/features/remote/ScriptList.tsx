@@ -1,0 +1,104 @@
+/** The scripts by name, what each did last, and the button that sends one away or lets it back. */
+import { useId, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { joinList } from "../../text/joined.ts";
+import { Button } from "../../ui/Button.tsx";
+import { classNames } from "../../ui/class-names.ts";
+import type { ListedScript, RemoteSession } from "../../worker/worker-messages.ts";
+import { quietSeconds, shownScripts } from "./listed-scripts.ts";
+import { letBack, sendAway } from "./owner-calls.ts";
+import { useNow } from "./use-now.ts";
+import styles from "./remote.module.css";
+
+export function ScriptList({ session }: { session: RemoteSession }) {
+  const { t } = useTranslation();
+  const { remote } = useServices();
+  const scripts = useStore(remote, (state) => state.scripts);
+  const now = useNow(scripts.length > 0);
+  const [isFailed, setFailed] = useState(false);
+  const shown = shownScripts(scripts, now);
+  if (shown.length === 0) return null;
+  const change = async (script: ListedScript): Promise<void> => {
+    const isDone = script.isAway
+      ? await letBack(fetch, session, script.id)
+      : await sendAway(fetch, session, script);
+    setFailed(!isDone);
+  };
+  return (
+    <section className={styles["section"]} aria-labelledby="scripts-heading">
+      <h2 id="scripts-heading" className={styles["heading"]}>
+        {t("remote.scripts")}
+      </h2>
+      <ul className={styles["scripts"]}>
+        {shown.map((script) => (
+          <ScriptRow
+            key={script.id}
+            script={script}
+            now={now}
+            onChange={() => void change(script)}
+          />
+        ))}
+      </ul>
+      <p className={styles["note"]}>
+        <output>{isFailed ? t("remote.watchFailed") : t("remote.scriptsNote")}</output>
+      </p>
+    </section>
+  );
+}
+
+interface ScriptRowProps {
+  script: ListedScript;
+  now: number;
+  onChange: () => void;
+}
+
+function ScriptRow({ script, now, onChange }: ScriptRowProps) {
+  const { t } = useTranslation();
+  const id = useId();
+  const language = useLanguageName(script.client);
+  const details = useDetails(script, now);
+  return (
+    <li className={classNames(styles["script"], script.isAway && styles["away"])}>
+      <div className={styles["cardWords"]}>
+        <p id={id} className={styles["scriptName"]}>
+          <bdi>{script.name ?? language}</bdi>
+        </p>
+        <p className={styles["note"]}>
+          {joinList(t, script.name === null ? details : [language, ...details])}
+        </p>
+      </div>
+      <Button size="small" aria-describedby={id} onClick={onChange}>
+        {script.isAway ? t("remote.letBack") : t("remote.sendAway")}
+      </Button>
+    </li>
+  );
+}
+
+/** What it did last and how that stands, and for how long it has been silent. */
+function useDetails(script: ListedScript, now: number): string[] {
+  const { t } = useTranslation();
+  const { remote } = useServices();
+  const { last, isAway } = script;
+  const state = useStore(
+    remote,
+    ({ commands }) => commands.find(({ seq }) => seq === last?.seq)?.state ?? null,
+  );
+  if (isAway) return [t("remote.away")];
+  const seconds = quietSeconds(script, now);
+  const did = last === null ? t("remote.readsOnly") : t("remote.last", { action: last.action });
+  return [
+    did,
+    ...(state === null ? [] : [t(`remote.${state}`)]),
+    ...(seconds > 0 ? [t("remote.quietFor", { seconds })] : []),
+  ];
+}
+
+/** The relay names a language by the request's headers, or just "Script". */
+function useLanguageName(client: string): string {
+  const { t } = useTranslation();
+  return client === "" || client === "Script"
+    ? t("remote.someScript")
+    : t("remote.scriptIn", { language: client });
+}

@@ -1,0 +1,37 @@
+import { describe, expect, it } from "vitest";
+import type { ListedScript } from "../../worker/worker-messages.ts";
+import { quietSeconds, shownScripts } from "./listed-scripts.ts";
+
+const NOW = 1_000_000;
+
+function script(change: Partial<ListedScript>): ListedScript {
+  const base = { id: "AAAAAAAA", driver: "Zx81qP", name: null, client: "Python" };
+  return { ...base, lines: 0, heardAt: NOW, last: null, isAway: false, ...change };
+}
+
+describe("the scripts in the panel", () => {
+  it("keep their places, whichever was heard last", () => {
+    const anna = script({ id: "1", name: "Anna", heardAt: NOW });
+    const ben = script({ id: "2", name: "Ben", heardAt: NOW - 9_000 });
+    const names = (list: ListedScript[]) => shownScripts(list, NOW).map(({ name }) => name);
+    expect(names([ben, anna])).toEqual(["Anna", "Ben"]);
+    expect(names([anna, { ...ben, heardAt: NOW + 1 }])).toEqual(["Anna", "Ben"]);
+  });
+
+  it("go when they have been silent for two minutes, unless they have a line or are away", () => {
+    const long = { heardAt: NOW - 130_000 };
+    const list = [
+      script({ id: "1", ...long }),
+      script({ id: "2", ...long, lines: 1 }),
+      script({ id: "3", heardAt: null, isAway: true }),
+    ];
+    expect(shownScripts(list, NOW).map(({ id }) => id)).toEqual(["2", "3"]);
+  });
+
+  it("are quiet once they have asked nothing for five seconds", () => {
+    expect(quietSeconds(script({ heardAt: NOW - 4_900 }), NOW)).toBe(0);
+    expect(quietSeconds(script({ heardAt: NOW - 12_300 }), NOW)).toBe(12);
+    expect(quietSeconds(script({ heardAt: NOW - 12_300, lines: 1 }), NOW)).toBe(0);
+    expect(quietSeconds(script({ heardAt: null, isAway: true }), NOW)).toBe(0);
+  });
+});
