@@ -53,6 +53,7 @@ export class SessionHub {
   #cancelTimer: () => void;
   #expiryAt: number;
   #isClosing = false;
+  #isForgetting = false;
 
   constructor(store: SessionStore, clock: Clock, log: Logger, options: HubOptions = {}) {
     this.#store = store;
@@ -179,25 +180,35 @@ export class SessionHub {
   }
 
   async #check(): Promise<void> {
-    try {
-      await this.#checkLife();
-      if (this.#clock.now() >= this.#expiryAt) await this.#checkExpiry();
-    } catch (error) {
-      this.#log.error({ err: error }, "the sweep over the sessions failed");
+    const found = [...this.#sessions];
+    await Promise.all(found.map(([id, session]) => this.#tried(this.#checkLife(id, session))));
+    if (this.#clock.now() >= this.#expiryAt && !this.#isForgetting) {
+      this.#isForgetting = true;
+      // Not waited for: a store may take long to take out of its files what it forgets.
+      const forgotten = this.#tried(this.#checkExpiry());
+      void forgotten.then(() => (this.#isForgetting = false));
     }
+    if (this.#isClosing) return;
     this.#cancelTimer = this.#clock.after(LIFE_CHECK_MS, () => void this.#check());
   }
 
-  async #checkLife(): Promise<void> {
-    for (const [id, found] of this.#sessions) {
-      const session = await found.catch(() => null);
-      if (session === null) continue;
-      await session.noteUse();
-      await session.checkLife();
-      if (!session.isQuiet) continue;
-      this.#sessions.delete(id);
-      session.leave();
+  /** What fails for one session is tried again with the next sweep, and holds nobody else up. */
+  async #tried(work: Promise<void>): Promise<void> {
+    try {
+      await work;
+    } catch (error) {
+      this.#log.error({ err: error }, "the sweep over the sessions failed");
     }
+  }
+
+  async #checkLife(id: string, found: Promise<Session | null>): Promise<void> {
+    const session = await found.catch(() => null);
+    if (session === null) return;
+    await session.checkLife();
+    await session.noteUse();
+    if (!session.isQuiet || session.isOver) return;
+    if (this.#sessions.get(id) === found) this.#sessions.delete(id);
+    session.leave();
   }
 
   async #checkExpiry(): Promise<void> {

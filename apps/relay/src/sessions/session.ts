@@ -307,8 +307,9 @@ export class Session {
   /** Writes down that the session is in use, at most once a minute. */
   async noteUse(): Promise<void> {
     if (this.#lastUsedAt - this.#touchedAt < limits.touchMs) return;
-    this.#touchedAt = this.#lastUsedAt;
-    await this.#store.touch(this.id, this.#lastUsedAt);
+    const usedAt = this.#lastUsedAt;
+    await this.#store.touch(this.id, usedAt);
+    this.#touchedAt = usedAt;
   }
 
   /** Ends the session for everyone who is connected. */
