@@ -9,11 +9,16 @@
 import type { Snapshot } from "@corridor/protocol";
 import { limits } from "./limits.ts";
 
+/** More snapshots than any page sends. */
+const MOST_A_SECOND = 100;
+
 export class RobotView {
   #newest: Snapshot | null = null;
   /** of the newest snapshot of this page */
   #tick: number | null = null;
   #heardAt = 0;
+  /** a robot had no snapshot with this number before its page came */
+  #least = 0;
   #state: "awake" | "asleep" | "away" = "away";
 
   /** The newest snapshot, with the state as it is now; null while the robot has never reported. */
@@ -22,9 +27,9 @@ export class RobotView {
     return { ...this.#newest, state: this.#state === "away" ? "gone" : "paused" };
   }
 
-  /** Takes a snapshot from the page. Its number always rises, also after a reload of the page. */
+  /** Takes a snapshot from the page. Its number always rises, also after a reload of the page at another relay. */
   report(snapshot: Snapshot, now: number): void {
-    const seq = Math.max(snapshot.seq, (this.#newest?.seq ?? -1) + 1);
+    const seq = Math.max(snapshot.seq, (this.#newest?.seq ?? -1) + 1, this.#least);
     const isStill = snapshot.state === "running" && snapshot.tick === this.#tick;
     this.#tick = snapshot.tick;
     this.#newest = seq === snapshot.seq ? snapshot : { ...snapshot, seq };
@@ -40,7 +45,10 @@ export class RobotView {
     this.#state = "awake";
   }
 
-  pageCame(now: number): void {
+  /** @param ageMs of the robot, where another page had it before; 0 for its first page */
+  pageCame(now: number, ageMs: number): void {
+    // What was told at a relay that is gone nobody knows, but it cannot have been more than this.
+    this.#least = Math.ceil((ageMs / 1000) * MOST_A_SECOND);
     this.#heardAt = now;
     this.#tick = null;
     if (this.#state === "away") this.#state = "asleep";

@@ -188,7 +188,8 @@ export class Session {
   async takePage(link: PageLink, resume: Resume): Promise<void> {
     await this.#life.takePage(link, resume, () => {
       this.#used();
-      this.#view.pageCame(this.#clock.now());
+      const now = this.#clock.now();
+      this.#view.pageCame(now, this.#seat.epoch > 1 ? now - this.createdAt : 0);
       // Before the endings that came with it: who hears of one reads nothing older.
       if (resume.snapshot !== undefined) this.#show(resume.snapshot);
       this.#tellScripts();

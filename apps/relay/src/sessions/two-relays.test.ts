@@ -98,6 +98,8 @@ async function withRelays() {
   return {
     clock,
     cut,
+    /** One that no other can tell anything. */
+    newRelay: () => new SessionHub(store, clock, log),
     /** Tells the first relay something that its line would. */
     tellPages: (news: News) => ears.at(-1)?.heard(news),
     switchboard,
@@ -181,6 +183,19 @@ describe("page and script at different relays", () => {
     const again = await scripts.authorise(robot.id, robot.driverKey, "command");
     expect(again.session).not.toBe(atScripts);
     expect(again.session.newest).toMatchObject({ seq: 7 });
+  });
+
+  it("keeps counting snapshots when a reloaded page meets a relay that never held the robot", async () => {
+    const { host, page, clock, robot, newRelay } = await withRelays();
+    await clock.pass(30_000);
+    await report(host, { seq: 900 });
+    const { session } = await newRelay().authorise(robot.id, robot.ownerKey, "host");
+    const reloaded = await page(session, { fresh: true });
+    await report(reloaded, { seq: 1 });
+    expect(session.newest?.seq).toBeGreaterThan(900);
+    const seq = session.newest?.seq ?? 0;
+    await report(reloaded, { seq: 2 });
+    expect(session.newest?.seq).toBe(seq + 1);
   });
 
   it("sends nothing to a relay that does not hold the robot any more", async () => {
