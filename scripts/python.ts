@@ -1,4 +1,4 @@
-/** Finds Python, and makes an environment of its own for what the tests of the Python package need. */
+/** Finds Python, and makes environments of their own for what tests need of it. */
 import { spawnSync } from "node:child_process";
 import { existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -7,16 +7,12 @@ import { inPath, run, tryInstall } from "./programs.ts";
 const ROOT = join(import.meta.dirname, "..");
 const PACKAGE = join(ROOT, "packages/client-python");
 const REQUIREMENTS = join(PACKAGE, "tests/requirements.txt");
-const ENVIRONMENT = join(ROOT, "node_modules/.cache/python");
-/** holds the requirements that the environment was made for */
-const MARK = join(ENVIRONMENT, "made-for.txt");
-const OWN_PYTHON = join(
-  ENVIRONMENT,
-  process.platform === "win32" ? "Scripts/python.exe" : "bin/python",
-);
+const ENVIRONMENTS = join(ROOT, "node_modules/.cache");
+/** holds the requirements that an environment was made for */
+const MARK = "made-for.txt";
 
 /** The command that runs the tests of the Python package. */
-export const pythonTests: readonly string[] = [OWN_PYTHON, "-m", "pytest", PACKAGE];
+export const pythonTests: readonly string[] = [programOf("python"), "-m", "pytest", PACKAGE];
 
 /** @throws Error that says what to install, where there is no Python and none can be installed */
 export function requirePython(): void {
@@ -26,35 +22,51 @@ export function requirePython(): void {
   }
 }
 
-/**
- * Has an environment with pytest and mypy, made anew when the wanted versions or Python have changed.
- * @throws Error that says what is missing and how to get it
- */
+/** Has an environment with pytest and mypy. @throws Error as `requireEnvironment` does */
 export function requirePythonTools(): void {
   requirePython();
-  const wanted = `${readFileSync(REQUIREMENTS, "utf8")}\n${pythonVersion()}`;
-  if (existsSync(MARK) && readFileSync(MARK, "utf8") === wanted) return;
-  rmSync(ENVIRONMENT, { recursive: true, force: true });
-  if (!makeEnvironment() && !(tryInstall("python3-venv") && makeEnvironment())) {
+  requireEnvironment("python", REQUIREMENTS);
+}
+
+/**
+ * Has an environment, made anew when the wanted versions or Python have changed.
+ * @param requirements the file that names what is in it
+ * @returns the path of its Python
+ * @throws Error that says what is missing and how to get it
+ */
+export function requireEnvironment(name: string, requirements: string): string {
+  const folder = join(ENVIRONMENTS, name);
+  const python = programOf(name);
+  const mark = join(folder, MARK);
+  const wanted = `${readFileSync(requirements, "utf8")}\n${pythonVersion()}`;
+  if (existsSync(mark) && readFileSync(mark, "utf8") === wanted) return python;
+  rmSync(folder, { recursive: true, force: true });
+  if (!makeEnvironment(folder) && !(tryInstall("python3-venv") && makeEnvironment(folder))) {
     throw new Error(
       "Python cannot make an environment for the tests: install its module venv (on Debian and Ubuntu: apt-get install python3-venv).",
     );
   }
   const install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check"];
-  if (!run(OWN_PYTHON, [...install, "--requirement", REQUIREMENTS])) {
+  if (!run(python, [...install, "--requirement", requirements])) {
     throw new Error(
-      "pip could not install pytest (see above): it needs PyPI, or an index of your own (PIP_INDEX_URL).",
+      "pip could not install what the tests need (see above): it needs PyPI, or an index of your own (PIP_INDEX_URL).",
     );
   }
-  writeFileSync(MARK, wanted);
+  writeFileSync(mark, wanted);
+  return python;
+}
+
+function programOf(name: string): string {
+  const own = process.platform === "win32" ? "Scripts/python.exe" : "bin/python";
+  return join(ENVIRONMENTS, name, own);
 }
 
 function pythonVersion(): string {
   return spawnSync("python3", ["--version"], { encoding: "utf8" }).stdout;
 }
 
-function makeEnvironment(): boolean {
-  return run("python3", ["-m", "venv", "--clear", ENVIRONMENT]);
+function makeEnvironment(folder: string): boolean {
+  return run("python3", ["-m", "venv", "--clear", folder]);
 }
 
 if (import.meta.main) {

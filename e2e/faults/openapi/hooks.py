@@ -1,0 +1,131 @@
+"""What schemathesis is told of the service: robots that are there, keys that count, and no patience.
+
+It generates bodies, queries, headers and paths by itself, right and wrong ones. Where a path is right,
+most calls go to a robot that exists: nearly all others would end at "no such robot".
+"""
+
+import itertools
+import json
+import os
+import random
+import re
+import urllib.request
+
+import schemathesis
+
+SERVICE = os.environ["CORRIDOR_URL"]
+ROBOTS = json.loads(os.environ["CORRIDOR_ROBOTS"])
+CHANCE = random.Random(int(os.environ["CORRIDOR_SEED"]))
+# Every call comes from an address of its own, as from many schools: limits of an address are not what is tried.
+ADDRESSES = (f"10.{n >> 16 & 255}.{n >> 8 & 255}.{n & 255}" for n in itertools.count(1))
+MISSES = 0.1
+WAIT = "0.02"
+MAZE = {
+    "format": "corridor/maze",
+    "version": 1,
+    "name": "Hall",
+    "blocks": ["#####", "#...#", "#####"],
+    "start": {"column": 1, "row": 1, "heading": "east"},
+    "goals": [{"column": 3, "row": 1}],
+}
+KEY = r"[A-Za-z0-9_-]{8,64}"
+# Calls after which a robot is gone, or has as many keys or lines as it may have.
+USES_UP = "deleteRobot makeKey revokeKey openLine leaveLine sendMessages fetchMessages".split()
+STOP = {"action": "stop"}
+INTERNALS = re.compile(
+    r"node:|node_modules|file://|/src/|\.ts\b|\.js\b|\bat [\w.<>]+ \(|\bSQLITE_|/tmp/|/home/|/root/|Error:|ECONN|ENOENT"
+)
+
+
+def ask(path, body=None, key=None):
+    headers = {"Content-Type": "application/json", "X-Forwarded-For": next(ADDRESSES)}
+    if key is not None:
+        headers["Authorization"] = f"Bearer {key}"
+    data = None if body is None else json.dumps(body).encode()
+    method = "POST" if data is not None or path.endswith("/robots") else "GET"
+    request = urllib.request.Request(SERVICE + path, data, headers, method=method)
+    with urllib.request.urlopen(request, timeout=20) as answer:
+        return json.load(answer)
+
+
+def fresh_robot():
+    return ask("/api/v1/robots")
+
+
+def line_of(robot):
+    hello = {"type": "hello", "version": 1, "role": "drive", "key": robot["driverKey"]}
+    return ask(f"/api/v1/robots/{robot['id']}/line", hello)["line"]
+
+
+def is_right(text, pattern):
+    return isinstance(text, str) and re.fullmatch(pattern, text) is not None
+
+
+@schemathesis.auth()
+class Keys:
+    """Puts a robot, command, key or document that exists into a right path, and the key for it into the header."""
+
+    def get(self, case, context):
+        return "set with each call"
+
+    def set(self, case, data, context):
+        case.headers["X-Forwarded-For"] = next(ADDRESSES)
+        operation = case.operation.definition.raw.get("operationId", "")
+        schemes = {name for each in case.operation.definition.raw.get("security", []) for name in each}
+        path = case.path_parameters
+        if "/mazes/{id}" in case.operation.path:
+            self.document(case, operation)
+        elif is_right(path.get("id"), r"[A-Za-z0-9_-]{22}") and CHANCE.random() > MISSES:
+            self.robot(case, operation, schemes)
+        if is_right(str(case.query.get("wait")), r"\d{1,2}(\.\d{1,3})?"):
+            case.query["wait"] = WAIT
+        # From the name of the header schemathesis takes it for a number, and its pattern for fulfilled.
+        is_number = re.fullmatch(r"[\d.]+", case.headers.get("Last-Event-ID", "")) is not None
+        if is_number and case.meta is not None and case.meta.generation.mode.is_positive:
+            case.headers["Last-Event-ID"] = "AAAAAAAA-1"
+        # A stream has no end to be checked; wrong queries are refused all the same.
+        if operation == "followEvents" and "wait" not in case.query:
+            case.query["wait"] = WAIT
+
+    def document(self, case, operation):
+        if not is_right(case.path_parameters.get("id"), r"[A-Za-z0-9_-]{12}"):
+            return
+        if CHANCE.random() < MISSES:
+            return
+        stored = ask("/api/v1/mazes", MAZE | {"name": f"Hall {CHANCE.random()}"})
+        case.path_parameters["id"] = stored["id"]
+        if operation == "deleteDocument":
+            case.headers["Authorization"] = f"Bearer {stored['deleteKey']}"
+
+    def robot(self, case, operation, schemes):
+        robot = fresh_robot() if operation in USES_UP else CHANCE.choice(ROBOTS)
+        path = case.path_parameters
+        path["id"] = robot["id"]
+        api = f"/api/v1/robots/{robot['id']}"
+        if is_right(str(path.get("seq")), r"\d{1,15}"):
+            path["seq"] = ask(api + "/commands", STOP, robot["driverKey"])["seq"]
+        if "keyId" in path and is_right(path["keyId"], r"[A-Za-z0-9_-]{1,64}"):
+            path["keyId"] = ask(api + "/keys", key=robot["ownerKey"])["keys"][0]["id"]
+        if operation == "openLine" and isinstance(case.body, dict):
+            if is_right(case.body.get("key"), KEY):
+                case.body["key"] = robot["driverKey"]
+        if not schemes:
+            return
+        key = robot["ownerKey"] if "ownerKey" in schemes else robot["driverKey"]
+        if "lineKey" in schemes:
+            key = line_of(robot)
+        case.headers["Authorization"] = f"Bearer {key}"
+
+
+@schemathesis.hook
+def filter_query(context, query):
+    """A name in a query that nobody knows is let through, as HTTP services do: no wrong request is made of it."""
+    return set(query or {}) <= {parameter.name for parameter in context.operation.query}
+
+
+@schemathesis.check
+def no_internals(context, response, case):
+    """No path of a file and no stack reaches a client."""
+    found = INTERNALS.search(response.text)
+    if found is not None:
+        raise AssertionError(f"The body shows internals: {found.group()!r}")
