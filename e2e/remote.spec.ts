@@ -238,9 +238,35 @@ test("scripts are listed by name, and one is sent away while the others go on", 
   // Still away after a reload of the page.
   await page.reload();
   await anna.getByRole("button", { name: "Let back" }).click();
-  await expect(anna.getByRole("button", { name: "Send away" })).toHaveCount(0);
-  expect((await as("Anna", "/commands", { action: "left 90" })).status).toBe(202);
   await expect(anna.getByRole("button", { name: "Send away" })).toBeVisible();
+  expect((await as("Anna", "/commands", { action: "left 90" })).status).toBe(202);
+});
+
+test("paused scripts drive no more until they are let, over a reload as well", async ({ page }) => {
+  await page.goto("/");
+  const address = await copyAddress(page);
+  await setSpeed(page, "0.25");
+  await api(address, "/commands", { action: "move", distance: 200 });
+  const row = page.getByRole("row", { name: /move 200/ });
+  await expect(row).toContainText("running");
+  const scripts = page.getByRole("region", { name: "Scripts" });
+  await scripts.getByRole("button", { name: "Pause scripts" }).click();
+  await expect(scripts.getByRole("status").first()).toContainText("Paused");
+  await expect(row).toContainText("Remote driving was paused.");
+  const refused = await api(address, "/commands", { action: "left 90" });
+  expect([refused.status, (await refused.json()).detail]).toEqual([
+    409,
+    expect.stringContaining("owner has paused remote driving"),
+  ]);
+  expect((await api(address, "/commands", { action: "stop" })).status).toBe(202);
+  await page.reload();
+  await expect(scripts.getByRole("status").first()).toContainText("Paused");
+  await setSpeed(page, "16");
+  await scripts.getByRole("button", { name: "Let scripts drive" }).click();
+  await expect(scripts.getByRole("button", { name: "Pause scripts" })).toBeVisible();
+  const sent = await (await api(address, "/commands", { action: "left 90" })).json();
+  const record = await (await api(address, `/commands/${sent.seq}?wait=20`)).json();
+  expect(record).toMatchObject({ state: "completed" });
 });
 
 test("taking over by hand cancels what the script asked for and says why", async ({ page }) => {

@@ -26,6 +26,7 @@ export const problemKinds = {
   "no-command": { status: 404, title: "There is no such command" },
   "method-not-allowed": { status: 405, title: "This address does not know the method" },
   "key-conflict": { status: 409, title: "The idempotency key was used for another command" },
+  "driving-paused": { status: 409, title: "Remote driving is paused" },
   "no-snapshot": { status: 409, title: "The robot has not reported yet" },
   "too-many-keys": { status: 409, title: "The robot has too many keys" },
   "too-many-away": { status: 409, title: "Too many scripts are away" },

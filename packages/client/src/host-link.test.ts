@@ -231,7 +231,7 @@ describe("HostLink", () => {
     platform.socket.receive({ type: "time", at: 3_010 });
     platform.socket.receive({ ...command(2), at: 3_010, remaining: 2_000 });
     const scripts = { connected: 1, client: "Python", silentMs: 0, alive: [] };
-    platform.socket.receive({ type: "drivers", at: 3_010, scripts: [], ...scripts });
+    platform.socket.receive({ type: "drivers", at: 3_010, scripts: [], paused: false, ...scripts });
     expect(delivered.map(({ remaining }) => remaining)).toEqual([0, 1_990]);
     expect(asked()).toHaveLength(1);
   });
@@ -249,6 +249,7 @@ describe("HostLink", () => {
       ...drivers,
       alive: scripts,
       scripts: [],
+      paused: false,
       at: 1_500,
     });
     expect(delivered.map(({ remaining }) => remaining)).toEqual([9_000, 0]);

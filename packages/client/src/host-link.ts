@@ -24,7 +24,7 @@ import {
   type PageToRelay,
   type RecallCause,
   type RelayToPage,
-  type ScriptView,
+  type ScriptList,
   type Snapshot,
 } from "@corridor/protocol";
 import { AppliedCommands } from "./applied-commands.ts";
@@ -72,9 +72,9 @@ export interface HostLinkOptions {
   /**
    * Scripts came, went or were heard; about once a second.
    * @param alive whose motions without an end may go on: 3 s after a script was heard last they stop
-   * @param scripts the same by name, and those that were sent away
+   * @param owned the same by name with those that were sent away, and whether remote driving is paused
    */
-  onDrivers(drivers: Drivers, alive: readonly AliveDriver[], scripts: readonly ScriptView[]): void;
+  onDrivers(drivers: Drivers, alive: readonly AliveDriver[], owned: ScriptList): void;
   /** default: what browsers, workers and Node offer */
   platform?: Omit<Platform, "uniqueText">;
 }
@@ -210,7 +210,7 @@ export class HostLink {
       case "state":
         return this.#options.onState(message.record, message.ttl);
       case "drivers": {
-        const { type: _type, alive, scripts, at, ...drivers } = message;
+        const { type: _type, alive, scripts, paused, at, ...drivers } = message;
         const waited = this.#transit.came(at, this.#clock.now());
         const now = alive.map(({ driver, silentMs, lineMs }) => ({
           driver,
@@ -218,7 +218,7 @@ export class HostLink {
           lineMs: lineMs === null ? null : lineMs + waited,
         }));
         this.#askTime();
-        return this.#options.onDrivers(drivers, now, scripts);
+        return this.#options.onDrivers(drivers, now, { scripts, paused });
       }
       case "time":
         return this.#transit.answered(message.at, this.#clock.now());

@@ -128,8 +128,11 @@ export const aliveDriverSchema = z.strictObject({
 });
 export type AliveDriver = z.infer<typeof aliveDriverSchema>;
 
-/** Who wishes that a command ends: its sender; or the owner, who revoked its key or sent its script away. */
-export const recallCauses = ["sender", "revoked", "sent-away"] as const;
+/**
+ * Who wishes that a command ends: its sender; or the owner, who revoked its key, sent its script away or paused
+ * remote driving.
+ */
+export const recallCauses = ["sender", "revoked", "sent-away", "paused"] as const;
 export type RecallCause = (typeof recallCauses)[number];
 
 export const relayToPageSchema = z.discriminatedUnion(
@@ -156,6 +159,8 @@ export const relayToPageSchema = z.discriminatedUnion(
       type: z.literal("drivers"),
       alive: z.array(aliveDriverSchema).max(32),
       scripts: z.array(scriptSchema).max(MAX_SCRIPTS + MAX_SENT_AWAY),
+      /** the owner has paused remote driving */
+      paused: z.boolean(),
       at,
     }),
     /** the answer to `time` */

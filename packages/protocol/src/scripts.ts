@@ -66,6 +66,8 @@ export const scriptSchema = z.strictObject({
 export type ScriptView = z.infer<typeof scriptSchema>;
 
 export const scriptListSchema = z.strictObject({
+  /** remote driving is paused: commands are refused, all but a stop */
+  paused: z.boolean(),
   scripts: z.array(scriptSchema).max(MAX_SCRIPTS + MAX_SENT_AWAY),
 });
 export type ScriptList = z.infer<typeof scriptListSchema>;

@@ -137,6 +137,24 @@ export const calls: ZodOpenApiPathsObject = {
       responses: { 200: answer("The scripts.", scriptListSchema), ...refusals(...keyed) },
     },
   },
+  "/api/v1/robots/{id}/pause": {
+    parameters: robot,
+    put: {
+      operationId: "pauseDriving",
+      summary: "Pause remote driving",
+      description:
+        "Commands of scripts are refused until they may drive again, all but a stop; what they asked for and " +
+        "has not ended is cancelled. Scripts stay connected and read on. It is stored.",
+      security: owner,
+      responses: { 204: { description: "It is paused." }, ...refusals(...keyed) },
+    },
+    delete: {
+      operationId: "resumeDriving",
+      summary: "Let scripts drive again",
+      security: owner,
+      responses: { 204: { description: "They may drive." }, ...refusals(...keyed) },
+    },
+  },
   "/api/v1/robots/{id}/away": {
     parameters: robot,
     post: {
@@ -194,6 +212,7 @@ export const calls: ZodOpenApiPathsObject = {
         ...refusals(
           ...asScript,
           "key-conflict",
+          "driving-paused",
           "too-late",
           "too-large",
           "not-json",

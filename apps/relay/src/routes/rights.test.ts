@@ -22,6 +22,8 @@ const calls: { verb: Verb; method: string; path: string; body?: unknown }[] = [
   { verb: "grant", method: "GET", path: "/keys" },
   { verb: "grant", method: "DELETE", path: "/keys/______" },
   { verb: "moderate", method: "GET", path: "/scripts" },
+  { verb: "moderate", method: "PUT", path: "/pause" },
+  { verb: "moderate", method: "DELETE", path: "/pause" },
   {
     verb: "moderate",
     method: "POST",

@@ -182,3 +182,62 @@ describe("a script that is sent away", () => {
     expect((await post({ driver, client, name: "" })).status).toBe(400);
   });
 });
+
+describe("remote driving that is paused", () => {
+  const pause = async ({ relay, robot }: Awaited<ReturnType<typeof withRobot>>, method = "PUT") =>
+    (await relay.ask(robot, "/pause", { method, key: robot.ownerKey })).status;
+
+  it("refuses commands with a sentence, takes stops, and lets scripts read", async () => {
+    const world = await withRobot();
+    const { relay, robot, as, socketOf } = world;
+    const { socket: page } = await TestSocket.page(relay, robot);
+    const script = await socketOf("Anna");
+    expect(await pause(world)).toBe(204);
+    await expect.poll(async () => (await page.next("drivers"))["paused"]).toBe(true);
+    const refused = await as("Ben", "/commands", LEFT);
+    expect([refused.status, await refused.json()]).toMatchObject([
+      409,
+      { type: "/problems/driving-paused", detail: expect.stringContaining("owner has paused") },
+    ]);
+    script.send({ type: "command", key: "a-key-0001", command: LEFT });
+    expect(await script.next("problem")).toMatchObject({
+      key: "a-key-0001",
+      problem: { type: "/problems/driving-paused" },
+    });
+    expect((await relay.ask(robot, "/commands", { method: "DELETE" })).status).toBe(202);
+    expect(await page.next("stop")).toMatchObject({ seq: 1 });
+    expect((await as("Ben", "/commands?after=0")).status).toBe(200);
+    expect(await pause(world, "DELETE")).toBe(204);
+    script.send({ type: "command", key: "a-key-0001", command: LEFT });
+    expect(await script.next("ack")).toMatchObject({ record: { seq: 2 } });
+  });
+
+  it("ends what was sent: what waits at once, and the robot is asked for the rest", async () => {
+    const world = await withRobot();
+    const { relay, robot, as } = world;
+    const { socket: page } = await TestSocket.page(relay, robot);
+    for (let n = 0; n < 9; n++) await as("Anna", "/commands", LEFT);
+    await pause(world);
+    for (let seq = 1; seq <= 8; seq++) {
+      expect(await page.next("cancel")).toEqual({ type: "cancel", seq, why: "paused" });
+    }
+    expect(await (await relay.ask(robot, "/commands/9?wait=5")).json()).toMatchObject({
+      state: "cancelled",
+      reason: "the owner paused remote driving",
+    });
+  });
+
+  it("stays so after the relay was restarted, and once more pressed changes nothing", async () => {
+    const world = await withRobot();
+    expect([await pause(world), await pause(world)]).toEqual([204, 204]);
+    await world.relay.close();
+    const relay = await startTestRelay({ dataDir: world.dataDir });
+    const after = helpers(relay, world.robot);
+    expect((await after.as("Anna", "/commands", LEFT)).status).toBe(409);
+    const { socket: page } = await TestSocket.page(relay, world.robot);
+    expect(await page.next("drivers")).toMatchObject({ paused: true });
+    const again = { ...world, relay };
+    expect([await pause(again, "DELETE"), await pause(again, "DELETE")]).toEqual([204, 204]);
+    expect((await after.as("Anna", "/commands", LEFT)).status).toBe(202);
+  });
+});

@@ -1,4 +1,4 @@
-/** The scripts of a robot, as its owner sees them; and sending one away, or letting it back. */
+/** The scripts of a robot, as its owner sees them: sending one away, letting it back, pausing all. */
 import {
   scriptIdSchema,
   scriptRefSchema,
@@ -25,10 +25,24 @@ export function scriptRoutes(hub: SessionHub): Router {
     .route("/robots/:id/scripts")
     .get(async (request, response) => {
       const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
-      const list: ScriptList = { scripts: session.scripts };
+      const list: ScriptList = { paused: session.gate.isPaused, scripts: session.scripts };
       response.json(list);
     })
     .all(methodNotAllowed("GET"));
+
+  router
+    .route("/robots/:id/pause")
+    .put(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
+      await session.gate.pause(true);
+      response.status(204).end();
+    })
+    .delete(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
+      await session.gate.pause(false);
+      response.status(204).end();
+    })
+    .all(methodNotAllowed("PUT, DELETE"));
 
   router
     .route("/robots/:id/away")

@@ -47,7 +47,7 @@ export const openToAllSites: RequestHandler = (request, response, next) => {
   if (request.method !== "OPTIONS") return next();
   response
     .set({
-      "Access-Control-Allow-Methods": "GET, POST, DELETE",
+      "Access-Control-Allow-Methods": "GET, POST, PUT, DELETE",
       "Access-Control-Allow-Headers":
         "Authorization, Content-Type, Idempotency-Key, Last-Event-ID, Script-Name",
       "Access-Control-Max-Age": "86400",

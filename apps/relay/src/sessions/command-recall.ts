@@ -30,6 +30,7 @@ const reasons = {
   sender: "cancelled by its sender",
   revoked: "its key was revoked",
   "sent-away": "its script was sent away",
+  paused: "the owner paused remote driving",
 } as const satisfies Record<RecallCause, string>;
 
 export class CommandRecall {
@@ -83,6 +84,16 @@ export class CommandRecall {
       const result = await store.changeAway(robot, { ...change, reason: reasons["sent-away"] });
       if (result.outcome === "changed") this.#parts.ended(result.ended);
       return result;
+    });
+  }
+
+  /** Pauses remote driving and takes back what scripts have sent, or lets them drive again. */
+  async pause(isPaused: boolean): Promise<boolean> {
+    const { robot, store, work } = this.#parts;
+    return work.run(async () => {
+      const ended = await store.pause(robot, isPaused, reasons.paused);
+      if (ended !== null) this.#parts.ended(ended);
+      return ended !== null;
     });
   }
 

@@ -17,6 +17,11 @@ export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusa
       return keyRevoked();
     case "sent-away":
       return scriptIsAway();
+    case "paused":
+      return new Refusal(
+        "driving-paused",
+        "The owner has paused remote driving. Send this again, with the same key, once scripts may drive.",
+      );
     case "full":
       return new Refusal(
         "queue-full",

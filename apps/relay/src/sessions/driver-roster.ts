@@ -95,9 +95,9 @@ export class DriverRoster {
     this.#changed();
   }
 
-  /** Who is away has changed. */
+  /** Who may drive has changed: told at once, for somebody has pressed a button and looks. */
   awayChanged(): void {
-    this.#changed();
+    this.#flush();
   }
 
   told(): Scripts {

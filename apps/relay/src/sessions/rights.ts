@@ -10,7 +10,7 @@ export const rights = {
   inspect: ["own"],
   /** make, list and revoke keys */
   grant: ["own"],
-  /** see the scripts by name, send one away and let it back */
+  /** see the scripts by name, send one away and let it back, pause all */
   moderate: ["own"],
   /** delete the robot with all that is held of it */
   remove: ["own"],

@@ -1,5 +1,5 @@
 /**
- * Which scripts the owner of a robot has sent away. It is no lock: whoever has the key can come back under
+ * Which scripts the owner of a robot has sent away, and whether any may drive. Sending away is no lock: whoever has the key can come back under
  * another name. It says to one of several scripts that it is not its turn; a new key ends them all.
  */
 import { MAX_SENT_AWAY, type ScriptRef } from "@corridor/protocol";
@@ -16,23 +16,36 @@ import { scriptOf, type Caller } from "./script.ts";
 
 export interface ScriptGateParts {
   robot: string;
-  away: readonly StoredScript[];
+  stored: Standing;
   store: Pick<SessionStore, "find">;
   /** changes who is away in the store, with all that follows for commands */
   change: (change: Omit<ScriptChange, "reason">) => Promise<AwayResult>;
-  /** is told when this relay has changed who is away */
+  /** pauses in the store, with all that follows for commands @returns false: there is no such robot */
+  pause: (isPaused: boolean) => Promise<boolean>;
+  /** is told when this relay has changed something */
   changed: () => void;
   /** is told of a script that was sent away */
   sentAway: (script: StoredScript) => void;
+  /** is told when remote driving was paused */
+  paused: () => void;
 }
+
+/** What the owner lets scripts do. */
+type Standing = Pick<StoredSession, "away" | "isPaused">;
 
 export class ScriptGate {
   readonly #parts: ScriptGateParts;
   #away: readonly StoredScript[];
+  #isPaused: boolean;
 
   constructor(parts: ScriptGateParts) {
     this.#parts = parts;
-    this.#away = parts.away;
+    this.#away = parts.stored.away;
+    this.#isPaused = parts.stored.isPaused;
+  }
+
+  get isPaused(): boolean {
+    return this.#isPaused;
   }
 
   get away(): readonly StoredScript[] {
@@ -68,10 +81,20 @@ export class ScriptGate {
     await this.#change({ add: null, remove: id });
   }
 
+  /** Pauses remote driving, or lets scripts drive again; each as often as it is asked for. */
+  async pause(isPaused: boolean): Promise<void> {
+    if (!(await this.#parts.pause(isPaused))) throw noRobot();
+    this.learn({ away: this.#away, isPaused });
+    this.#parts.changed();
+  }
+
   /** Takes in what the store holds: another relay may have changed it. */
-  learn(away: readonly StoredScript[]): void {
+  learn({ away, isPaused }: { away: readonly StoredScript[]; isPaused?: boolean }): void {
     const before = this.#away;
+    const wasPaused = this.#isPaused;
     this.#away = away;
+    this.#isPaused = isPaused ?? wasPaused;
+    if (this.#isPaused && !wasPaused) this.#parts.paused();
     for (const script of away) {
       if (!before.some(({ id }) => id === script.id)) this.#parts.sentAway(script);
     }
@@ -91,7 +114,7 @@ export class ScriptGate {
         `${MAX_SENT_AWAY} scripts are away already. Let one back, or make a new key, which ends all of the old one.`,
       );
     }
-    this.learn(result.away);
+    this.learn(result);
     this.#parts.changed();
   }
 }

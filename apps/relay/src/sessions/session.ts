@@ -98,8 +98,8 @@ export class Session {
       clock,
       change: (change) => this.#life.recall.changeKeys(change),
       changed: () => line.rightsChanged(),
-      found: ({ away }) => {
-        this.gate.learn(away);
+      found: (found) => {
+        this.gate.learn(found);
         this.roster.awayChanged();
       },
       revoked: (key) => this.#revoked(key),
@@ -107,14 +107,16 @@ export class Session {
     });
     this.gate = new ScriptGate({
       robot: this.id,
-      away: stored.away,
+      stored,
       store,
       change: (change) => this.#life.recall.changeAway(change),
+      pause: async (isPaused) => this.#life.recall.pause(isPaused),
       changed: () => {
         line.rightsChanged();
         this.roster.awayChanged();
       },
       sentAway: (script) => this.#sentAway(script),
+      paused: () => this.#askToEnd(),
     });
     const tell = (): void => this.#tellScripts();
     this.roster = new DriverRoster(clock, tell, () => this.gate.away);
@@ -401,6 +403,7 @@ export class Session {
       type: "drivers",
       at: this.#clock.now(),
       ...this.#line.withOthers(scripts),
+      paused: this.gate.isPaused,
     });
   }
 
@@ -409,7 +412,7 @@ export class Session {
     this.#audience.dismiss((caller) => caller.hash === hash, "revoked");
     this.#askToEnd();
     // A script that was away is gone with its key.
-    this.gate.learn(this.gate.away.filter(({ driver }) => driver !== hash));
+    this.gate.learn({ away: this.gate.away.filter(({ driver }) => driver !== hash) });
   }
 
   /** The script loses its lines, and what it asked for ends. */

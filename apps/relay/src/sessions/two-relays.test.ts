@@ -318,6 +318,19 @@ describe("page and script at different relays", () => {
     expect(() => atScripts.keys.check(key, "command")).not.toThrow();
   });
 
+  it("pauses remote driving at every relay at once", async () => {
+    const { host, atScripts, submit } = await withRelays();
+    await submit(LEFT);
+    await atScripts.gate.pause(true);
+    await settled();
+    expect(host.told).toContainEqual({ type: "cancel", seq: 1, why: "paused" });
+    expect(host.session.gate.isPaused).toBe(true);
+    await expect(submit(LEFT)).rejects.toMatchObject({ kind: "driving-paused" });
+    await host.session.gate.pause(false);
+    await settled();
+    expect(await submit(LEFT)).toMatchObject({ seq: 2 });
+  });
+
   it("forgets the robot at every relay at once", async () => {
     const { host, pages, scripts, robot, read } = await withRelays();
     const said = read();

@@ -36,6 +36,8 @@ export interface StoredSession {
   lastUsedAt: number;
   keys: StoredKey[];
   away: StoredScript[];
+  /** the owner lets no script drive at the moment */
+  isPaused: boolean;
 }
 
 export interface KeyChange {
@@ -108,6 +110,8 @@ export type AddResult =
   | { outcome: "revoked" }
   /** the script that sent it is away */
   | { outcome: "sent-away" }
+  /** the owner lets no script drive at the moment */
+  | { outcome: "paused" }
   | { outcome: "no-session" };
 
 /** A record with what only the relay and the robot need of its command. */
@@ -148,7 +152,7 @@ export interface PageState {
 }
 
 export interface SessionStore {
-  create(session: Omit<StoredSession, "epoch" | "lastUsedAt" | "away">): Promise<void>;
+  create(session: Omit<StoredSession, "epoch" | "lastUsedAt" | "away" | "isPaused">): Promise<void>;
   find(id: string): Promise<StoredSession | null>;
   /**
    * Makes and revokes keys in one step, and takes back what the revoked ones have sent: see `cancel`. Scripts
@@ -160,6 +164,12 @@ export interface SessionStore {
    * back.
    */
   changeAway(id: string, change: ScriptChange): Promise<AwayResult>;
+  /**
+   * Pauses remote driving, and takes back all but stops; or lets scripts drive again.
+   * @param reason why what they had sent is taken back
+   * @returns what waited and has ended by this; null when there is no such session
+   */
+  pause(id: string, isPaused: boolean, reason: string): Promise<TermedRecord[] | null>;
   /** Notes that the session is in use. */
   touch(id: string, now: number): Promise<void>;
   /** Deletes the session and everything of it. @returns false when there was none */
@@ -170,7 +180,7 @@ export interface SessionStore {
   /**
    * Stores a command as accepted, with the next seq, and forgets old ones that have ended. A stop
    * cancels all that are accepted, one that replaces supersedes them. A known key is answered first,
-   * however late it comes again.
+   * however late it comes again, and while scripts may not drive, too.
    */
   add(id: string, command: NewCommand): Promise<AddResult>;
   /**

@@ -27,16 +27,15 @@ export function overtake(
   );
 }
 
-/** Takes back all that a key or a script has sent. @returns what waited, and has ended by this */
+/** Takes back all that a key or a script has sent, or all but stops. @returns what waited, and has ended by this */
 export function recallAllOf(
   statements: Statements,
   id: string,
-  whose: { driver: string } | { script: string },
+  whose: { driver: string } | { script: string } | "all",
   reason: string,
 ): TermedRecord[] {
-  const isByKey = "driver" in whose;
-  const mark = isByKey ? whose.driver : whose.script;
-  const mine = `robot = ? AND ${isByKey ? "driver" : "script"} = ? AND ${IS_OPEN}`;
+  const [condition, mark] = conditionOf(whose);
+  const mine = `robot = ? AND ${condition} AND ${IS_OPEN}`;
   statements.run(
     `UPDATE ${OPEN_COMMANDS} SET recalled = coalesce(recalled, ?)
      WHERE ${mine} AND state IN ('delivered', 'started')`,
@@ -48,6 +47,11 @@ export function recallAllOf(
      WHERE ${mine} AND state = 'accepted' RETURNING ${TERMED}`,
     [reason, id, mark],
   );
+}
+
+function conditionOf(whose: Parameters<typeof recallAllOf>[2]): [condition: string, mark: string] {
+  if (whose === "all") return ["command <> ?", STOP];
+  return "driver" in whose ? ["driver = ?", whose.driver] : ["script = ?", whose.script];
 }
 
 /** delivered or started → its ending. @returns null when it was neither */

@@ -85,8 +85,12 @@ CREATE TABLE away (
 ) STRICT, WITHOUT ROWID;
 `;
 
+const PAUSE = `
+ALTER TABLE sessions ADD COLUMN paused INTEGER NOT NULL DEFAULT 0;
+`;
+
 /** What each version added to the one before it: the first leads from an empty file to version 1. */
-const STEPS: readonly string[] = [SESSIONS, DOCUMENTS, TERMS, RECALLED, SCRIPTS];
+const STEPS: readonly string[] = [SESSIONS, DOCUMENTS, TERMS, RECALLED, SCRIPTS, PAUSE];
 
 /** Opens a database, made with its folder when it is missing. @throws as `prepareDatabase` does */
 export function openDatabase(file: string): DatabaseSync {

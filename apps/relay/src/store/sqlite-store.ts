@@ -25,7 +25,7 @@ import { awayIn, changeAway, isAway } from "./sqlite-away.ts";
 import { SqliteFile } from "./sqlite-file.ts";
 import { begin, countIn, deliver, IS_LATE } from "./sqlite-delivery.ts";
 import { addKeys, changeKeys, isKeyOf, keysIn } from "./sqlite-keys.ts";
-import { end, meetPage, overtake, recordOf, STOP } from "./sqlite-overtaking.ts";
+import { end, meetPage, overtake, recallAllOf, recordOf, STOP } from "./sqlite-overtaking.ts";
 import { numberIn, RECORD, recordsIn, TERMED, termedIn } from "./sqlite-rows.ts";
 import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
 import type { Statements } from "./statements.ts";
@@ -36,6 +36,7 @@ const sessionRow = z.object({
   last_seq: z.int(),
   created_at: z.int(),
   last_used_at: z.int(),
+  paused: z.int(),
 });
 
 export class SqliteStore implements SessionStore {
@@ -46,7 +47,11 @@ export class SqliteStore implements SessionStore {
     this.#file = typeof file === "string" ? new SqliteFile(file) : file;
   }
 
-  async create({ id, createdAt, keys }: Omit<StoredSession, "epoch" | "lastUsedAt" | "away">) {
+  async create({
+    id,
+    createdAt,
+    keys,
+  }: Omit<StoredSession, "epoch" | "lastUsedAt" | "away" | "isPaused">) {
     await this.#file.growingStep(() => {
       this.#writing.run("INSERT INTO sessions (id, created_at, last_used_at) VALUES (?, ?, ?)", [
         id,
@@ -68,6 +73,7 @@ export class SqliteStore implements SessionStore {
       lastUsedAt: row.last_used_at,
       keys: keysIn(reading, id),
       away: awayIn(reading, id),
+      isPaused: row.paused === 1,
     };
   }
 
@@ -87,6 +93,14 @@ export class SqliteStore implements SessionStore {
         : changeAway(this.#writing, id, change);
     // A script can be sent away on a full disk, too: few are.
     return this.#file.step(work);
+  }
+
+  async pause(id: string, isPaused: boolean, reason: string): Promise<TermedRecord[] | null> {
+    const sql = "UPDATE sessions SET paused = ? WHERE id = ?";
+    return this.#file.step(() => {
+      if (this.#writing.run(sql, [isPaused ? 1 : 0, id]) === 0) return null;
+      return isPaused ? recallAllOf(this.#writing, id, "all", reason) : [];
+    });
   }
 
   async touch(id: string, now: number): Promise<void> {
@@ -128,6 +142,7 @@ export class SqliteStore implements SessionStore {
         const same = JSON.stringify(earlier.command) === text;
         return { outcome: same ? "duplicate" : "conflict", record: earlier };
       }
+      if (session.paused === 1 && !isStop) return { outcome: "paused" };
       if (deadline <= acceptedAt) return { outcome: "late" };
       const seq = session.last_seq + 1;
       const ended = isStop || replace ? overtake(this.#writing, id, { seq, isStop }) : [];

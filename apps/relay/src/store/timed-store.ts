@@ -6,6 +6,7 @@ const COMMITS: ReadonlySet<string | symbol> = new Set([
   "create",
   "changeKeys",
   "changeAway",
+  "pause",
   "touch",
   "remove",
   "removeExpired",

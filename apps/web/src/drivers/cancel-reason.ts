@@ -13,6 +13,7 @@ export const cancelReasons = {
   takenBack: "Its sender took it back.",
   keyRevoked: "Its key was revoked.",
   sentAway: "Its script was sent away.",
+  paused: "The owner paused remote driving.",
   silent: "Its sender fell silent, so the robot stopped.",
   disconnected: "The robot's page disconnected.",
   addressEnded: "The robot's page no longer uses this address.",

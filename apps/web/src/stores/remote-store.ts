@@ -8,6 +8,7 @@ export function createRemoteStore() {
     session: null,
     commands: [],
     scripts: [],
+    isPaused: false,
   }));
 }
 export type RemoteStore = ReturnType<typeof createRemoteStore>;

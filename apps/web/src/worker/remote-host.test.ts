@@ -105,7 +105,13 @@ class Relay {
 function openPage() {
   const relay = new Relay();
   let time = 0;
-  let view: RemoteView = { status: { kind: "off" }, session: null, commands: [], scripts: [] };
+  let view: RemoteView = {
+    status: { kind: "off" },
+    session: null,
+    commands: [],
+    scripts: [],
+    isPaused: false,
+  };
   const host: RemoteHost = new RemoteHost({
     origin: "http://localhost",
     now: () => time,

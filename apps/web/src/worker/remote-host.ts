@@ -30,6 +30,7 @@ const recallReasons = {
   sender: "takenBack",
   revoked: "keyRevoked",
   "sent-away": "sentAway",
+  paused: "paused",
 } as const satisfies Record<RecallCause, CancelReason>;
 
 /** Commands that the panel lists. */
@@ -67,6 +68,7 @@ export class RemoteHost implements RemoteDriverEvents {
   #status: RemoteStatus = { kind: "off" };
   #drivers = noDrivers;
   #scripts: ListedScript[] = [];
+  #isPaused = false;
   /** rises with each open and close: what an older one still waits for is dropped */
   #attempt = 0;
 
@@ -168,8 +170,9 @@ export class RemoteHost implements RemoteDriverEvents {
       onState: (record, ttl) => this.#show({ ...record, ttl, reason: null }),
       onRefused: ({ seq, state }) => this.#change(seq, { state, reason: null }),
       onStatus: (status) => this.#linkChanged(status, trouble.troubleOf),
-      onDrivers: (drivers, alive, scripts) => {
+      onDrivers: (drivers, alive, { scripts, paused }) => {
         this.#drivers = drivers;
+        this.#isPaused = paused;
         this.#scripts = scripts.map((script) => this.#listed(script));
         this.#ports.hear(alive);
         if (this.isOpen) this.#tell(this.#connectedStatus());
@@ -271,6 +274,7 @@ export class RemoteHost implements RemoteDriverEvents {
       status,
       session: this.#session,
       scripts: this.#scripts,
+      isPaused: this.#isPaused,
       commands: [...this.#commands.values()].toSorted((a, b) => b.seq - a.seq),
     });
   }

@@ -47,7 +47,10 @@ function withRemote(use: (host: RemoteHost) => void): void {
       // The file did not come: that is a lost line, and the next try asks for it again.
       remoteLoading = null;
       const status = { kind: "lost", reason: "lineLost" } as const;
-      post({ type: "remote", remote: { status, session: null, commands: [], scripts: [] } });
+      post({
+        type: "remote",
+        remote: { status, session: null, commands: [], scripts: [], isPaused: false },
+      });
     },
   );
 }

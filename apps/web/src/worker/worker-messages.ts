@@ -187,6 +187,8 @@ export interface RemoteView {
   /** newest first, at most 100 */
   commands: ListedCommand[];
   scripts: ListedScript[];
+  /** remote driving is paused by its owner */
+  isPaused: boolean;
 }
 
 /** The answer to `load-run`: the documents that the run ended with; or why nothing was loaded. */

@@ -54,6 +54,7 @@ const sessionAnswer = z
     lastUsedAt: z.number(),
     keys: keysText,
     away: awayText,
+    isPaused: z.boolean(),
   })
   .nullable();
 const changeAnswer = z.discriminatedUnion("outcome", [
@@ -68,7 +69,7 @@ const recalledAnswer = z.array(z.object({ seq: z.int(), reason: z.string() }));
 const addAnswer = z.discriminatedUnion("outcome", [
   z.object({ outcome: z.literal("stored"), row: recordRow, ended: z.array(termedRow) }),
   z.object({ outcome: z.enum(["duplicate", "conflict"]), row: recordRow }),
-  z.object({ outcome: z.enum(["full", "late", "revoked", "sent-away", "no-session"]) }),
+  z.object({ outcome: z.enum(["full", "late", "revoked", "sent-away", "paused", "no-session"]) }),
 ]);
 const expireAnswer = z.object({ ended: z.array(termedRow), next: z.number().nullable() });
 const cancelAnswer = z.discriminatedUnion("outcome", [
@@ -99,7 +100,11 @@ export class RedisSessionStore implements SessionStore {
     this.#forgotten = forgotten;
   }
 
-  async create({ id, createdAt, keys }: Omit<StoredSession, "epoch" | "lastUsedAt" | "away">) {
+  async create({
+    id,
+    createdAt,
+    keys,
+  }: Omit<StoredSession, "epoch" | "lastUsedAt" | "away" | "isPaused">) {
     await this.#step("create", id, { id, createdAt, keys: JSON.stringify(keys) });
   }
 
@@ -117,6 +122,13 @@ export class RedisSessionStore implements SessionStore {
     const script = add === null ? null : JSON.stringify(add);
     const values = { add: script, id: add?.id ?? remove, ...rest };
     return awayAnswer.parse(await this.#step("changeAway", id, values));
+  }
+
+  async pause(id: string, isPaused: boolean, reason: string): Promise<TermedRecord[] | null> {
+    return z
+      .array(termedRow)
+      .nullable()
+      .parse(await this.#step("pause", id, { isPaused, reason }));
   }
 
   async touch(id: string, now: number): Promise<void> {

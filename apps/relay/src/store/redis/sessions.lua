@@ -139,11 +139,11 @@ function steps.create()
 end
 
 function steps.find()
-  local epoch, createdAt, keys, away =
-    unpack(redis.call('HMGET', SESSION, 'epoch', 'createdAt', 'keys', 'away'))
+  local epoch, createdAt, keys, away, paused =
+    unpack(redis.call('HMGET', SESSION, 'epoch', 'createdAt', 'keys', 'away', 'paused'))
   if not epoch then return 'null' end
   return cjson.encode({ epoch = tonumber(epoch), createdAt = tonumber(createdAt), keys = keys,
-    away = away or '[]', lastUsedAt = tonumber(redis.call('ZSCORE', USES, given.id)) })
+    away = away or '[]', isPaused = paused == '1', lastUsedAt = tonumber(redis.call('ZSCORE', USES, given.id)) })
 end
 
 function steps.changeKeys()
@@ -193,6 +193,19 @@ function steps.changeAway()
   return '{"outcome":"changed","away":' .. away .. ',"ended":' .. list(gone) .. '}'
 end
 
+function steps.pause()
+  if redis.call('EXISTS', SESSION) == 0 then return 'null' end
+  redis.call('HSET', SESSION, 'paused', given.isPaused and '1' or '0')
+  redis.call('PUBLISH', LINE, '{"kind":"keys","from":"' .. relay .. '"}')
+  local gone = {}
+  if given.isPaused then
+    for _, row in ipairs(open(function(row) return not row.stop end)) do
+      if recall(row, given.reason) then gone[#gone + 1] = row end
+    end
+  end
+  return list(gone)
+end
+
 function steps.touch()
   redis.call('ZADD', USES, 'XX', 'GT', given.now, given.id)
   return 'null'
@@ -216,7 +229,7 @@ function steps.removeExpired()
 end
 
 function steps.add()
-  local seq, keys, away = unpack(redis.call('HMGET', SESSION, 'seq', 'keys', 'away'))
+  local seq, keys, away, paused = unpack(redis.call('HMGET', SESSION, 'seq', 'keys', 'away', 'paused'))
   if not seq then return '{"outcome":"no-session"}' end
   local row = given.row
   if not string.find(keys, '"' .. row.driver .. '"', 1, true) then return '{"outcome":"revoked"}' end
@@ -231,6 +244,7 @@ function steps.add()
       return '{"outcome":"' .. outcome .. '","row":' .. cjson.encode(earlier) .. '}'
     end
   end
+  if paused == '1' and not row.stop then return '{"outcome":"paused"}' end
   if row.deadline <= row.acceptedAt then return '{"outcome":"late"}' end
   row.seq = tonumber(seq) + 1
   local overtaken = {}

@@ -191,6 +191,43 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
     });
   });
 
+  describe(`${name}: remote driving that is paused`, () => {
+    const reason = "the owner paused remote driving";
+
+    it("takes back what was sent, all but stops, in the same step", async () => {
+      const { store, add, deliver, states } = await withRobot();
+      for (let n = 0; n < 3; n++) await add(LEFT);
+      await deliver(2);
+      await add(STOP);
+      await add(LEFT);
+      const ended = await store.pause(ID, true, reason);
+      expect(ended).toMatchObject([{ record: { seq: 5, state: "cancelled", reason } }]);
+      const all = ["1 delivered", "2 delivered", "3 cancelled", "4 accepted", "5 cancelled"];
+      expect(await states()).toEqual(all);
+      expect((await store.recalled(ID)).map(({ seq }) => seq)).toEqual([1, 2]);
+    });
+
+    it("refuses commands and frees their keys, but takes a stop and knows what it took before", async () => {
+      const { store, add } = await withRobot();
+      await add(LEFT, "key-0001");
+      await store.pause(ID, true, reason);
+      expect(await add(LEFT, "key-0002")).toEqual({ outcome: "paused" });
+      expect(await add(LEFT, "key-0001")).toMatchObject({ outcome: "duplicate" });
+      expect(await add(STOP, "key-0003")).toMatchObject({ outcome: "stored" });
+      expect(await store.pause(ID, false, reason)).toEqual([]);
+      expect(await add(LEFT, "key-0002")).toMatchObject({ outcome: "stored" });
+    });
+
+    it("stays so after a restart, and is nothing where there is no robot", async () => {
+      const { store, add, reopen } = await withRobot();
+      await add(LEFT);
+      expect((await store.find(ID))?.isPaused).toBe(false);
+      await store.pause(ID, true, reason);
+      expect((await (await reopen()).find(ID))?.isPaused).toBe(true);
+      expect(await store.pause("B".repeat(22), true, reason)).toBeNull();
+    });
+  });
+
   describe(`${name}: commands`, () => {
     it("numbers commands 1, 2, 3 and keeps the whole request", async () => {
       const { add, store } = await withRobot();

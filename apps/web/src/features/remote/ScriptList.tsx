@@ -1,4 +1,7 @@
-/** The scripts by name, what each did last, and the button that sends one away or lets it back. */
+/**
+ * The scripts by name, what each did last, and the button that sends one away or lets it back; and the one
+ * that pauses them all.
+ */
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -8,7 +11,7 @@ import { Button } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import type { ListedScript, RemoteSession } from "../../worker/worker-messages.ts";
 import { quietSeconds, shownScripts } from "./listed-scripts.ts";
-import { letBack, sendAway } from "./owner-calls.ts";
+import { letBack, pauseDriving, sendAway } from "./owner-calls.ts";
 import { useNow } from "./use-now.ts";
 import styles from "./remote.module.css";
 
@@ -18,8 +21,11 @@ export function ScriptList({ session }: { session: RemoteSession }) {
   const scripts = useStore(remote, (state) => state.scripts);
   const now = useNow(scripts.length > 0);
   const [isFailed, setFailed] = useState(false);
+  const isPaused = useStore(remote, (state) => state.isPaused);
   const shown = shownScripts(scripts, now);
-  if (shown.length === 0) return null;
+  const pause = async (): Promise<void> => {
+    setFailed(!(await pauseDriving(fetch, session, !isPaused)));
+  };
   const change = async (script: ListedScript): Promise<void> => {
     const isDone = script.isAway
       ? await letBack(fetch, session, script.id)
@@ -28,9 +34,22 @@ export function ScriptList({ session }: { session: RemoteSession }) {
   };
   return (
     <section className={styles["section"]} aria-labelledby="scripts-heading">
-      <h2 id="scripts-heading" className={styles["heading"]}>
-        {t("remote.scripts")}
-      </h2>
+      <div className={styles["bar"]}>
+        <h2 id="scripts-heading" className={styles["heading"]}>
+          {t("remote.scripts")}
+        </h2>
+        <Button
+          size="small"
+          kind={isPaused ? "primary" : "outline"}
+          className={styles["long"]}
+          onClick={() => void pause()}
+        >
+          {isPaused ? t("remote.letDrive") : t("remote.pauseScripts")}
+        </Button>
+      </div>
+      <output className={classNames(styles["note"], isPaused && styles["paused"])}>
+        {isPaused && t("remote.pausedNote")}
+      </output>
       <ul className={styles["scripts"]}>
         {shown.map((script) => (
           <ScriptRow
@@ -42,7 +61,8 @@ export function ScriptList({ session }: { session: RemoteSession }) {
         ))}
       </ul>
       <p className={styles["note"]}>
-        <output>{isFailed ? t("remote.watchFailed") : t("remote.scriptsNote")}</output>
+        <output>{isFailed && t("remote.watchFailed")}</output>
+        {!isFailed && shown.length > 0 && t("remote.scriptsNote")}
       </p>
     </section>
   );

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import {
   letBack,
+  pauseDriving,
   secondsLeft,
   sendAway,
   watchAddress,
@@ -67,6 +68,16 @@ describe("a script", () => {
     expect(asked).toEqual([
       `POST /api/v1/robots/${id}/away Bearer own_secret {"driver":"Zx81qP","name":"Anna","client":"Python"}`,
       `DELETE /api/v1/robots/${id}/away/k3J9x2aB Bearer own_secret`,
+    ]);
+  });
+
+  it("drives no more while all are paused, and then again", async () => {
+    const { asked, ask } = service(() => new Response(null, { status: 204 }));
+    expect(await pauseDriving(ask, session, true)).toBe(true);
+    expect(await pauseDriving(ask, session, false)).toBe(true);
+    expect(asked).toEqual([
+      `PUT /api/v1/robots/${id}/pause Bearer own_secret`,
+      `DELETE /api/v1/robots/${id}/pause Bearer own_secret`,
     ]);
   });
 

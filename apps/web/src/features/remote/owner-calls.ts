@@ -60,6 +60,15 @@ export async function letBack(ask: Ask, session: RemoteSession, script: string):
   return isDone(ask, session, `/away/${script}`, { method: "DELETE" });
 }
 
+/** Pauses remote driving, or lets scripts drive again. @returns whether the service did so */
+export async function pauseDriving(
+  ask: Ask,
+  session: RemoteSession,
+  isPaused: boolean,
+): Promise<boolean> {
+  return isDone(ask, session, "/pause", { method: isPaused ? "PUT" : "DELETE" });
+}
+
 async function isDone(
   ask: Ask,
   { id, ownerKey }: RemoteSession,
