@@ -4,7 +4,7 @@ import { answerText, commandText, numberIn, snapshotText } from "./messages.ts";
 import { TextWire } from "./text-wire.ts";
 
 export async function openBare(options: FleetOptions): Promise<Fleet> {
-  const { pages, readers, robots, ears } = options;
+  const { pages, readers, robots, onlookers, ears } = options;
   let commands = 0;
   const all = await openAll(robots, async (robot) => {
     const end = (port: string, role: string, hear: (text: string) => void): Promise<TextWire> =>
@@ -14,17 +14,15 @@ export async function openBare(options: FleetOptions): Promise<Fleet> {
       if (text.startsWith('{"type":"snapshot"')) ears.snapshot(robot, numberIn(text));
       else ears.answered(robot);
     });
-    return { page, reader };
+    const more = await openAll(onlookers, (n) => end(readers, `onlooker${n}`, () => undefined));
+    return [page, reader, ...more] as const;
   });
   return {
-    report: (robot, n) => all[robot]?.page.send(snapshotText(n, 1)),
-    command: (robot) => all[robot]?.reader.send(commandText(commands++)),
+    report: (robot, n) => all[robot]?.[0].send(snapshotText(n, 1)),
+    command: (robot) => all[robot]?.[1].send(commandText(commands++)),
     taken: null,
     close: async () => {
-      for (const { page, reader } of all) {
-        page.close();
-        reader.close();
-      }
+      for (const wire of all.flat()) wire.close();
     },
   };
 }

@@ -7,12 +7,13 @@ import { openAll, type Fleet, type FleetOptions } from "./fleet.ts";
 import { commandText, numberIn, snapshotText } from "./messages.ts";
 import { TextWire } from "./text-wire.ts";
 
-/** So many robots share an address, as a class does. */
-const A_CLASS = 30;
+/** So many robots share an address: as many as may, with all who look on. */
+const A_CLASS = 6;
 
 interface Robot {
   page: TextWire;
   reader: TextWire;
+  onlookers: TextWire[];
   epoch: number;
   /** who waits for the relay's time: then it has taken all that was said before */
   asking: (() => void)[];
@@ -34,16 +35,15 @@ export async function openCorridor(options: FleetOptions): Promise<Fleet> {
         at?.page.send(`{"type":"time","epoch":${at.epoch}}`);
       }),
     close: async () => {
-      for (const { page, reader } of all) {
-        page.close();
-        reader.close();
+      for (const { page, reader, onlookers } of all) {
+        for (const wire of [page, reader, ...onlookers]) wire.close();
       }
     },
   };
 }
 
 async function openRobot(robot: number, options: FleetOptions): Promise<Robot> {
-  const { pages, readers, scripts, ears } = options;
+  const { pages, readers, scripts, onlookers, ears } = options;
   const headers = { "X-Forwarded-For": `10.1.0.${Math.floor(robot / A_CLASS) + 1}` };
   const api = `http://127.0.0.1:${pages}/api/v1/robots`;
   const { id, ownerKey, driverKey } = (await post(api, { headers })) as Registration;
@@ -73,30 +73,40 @@ async function openRobot(robot: number, options: FleetOptions): Promise<Robot> {
     );
   };
 
+  const enter = async (
+    role: "drive" | "watch",
+    key: string,
+    hear: (text: string) => void,
+  ): Promise<TextWire> => {
+    const joined = Promise.withResolvers<void>();
+    const wire = await TextWire.open({
+      port: Number(readers),
+      path,
+      headers,
+      hear: (text) => (text.startsWith('{"type":"welcome"') ? joined.resolve() : hear(text)),
+    });
+    wire.send(JSON.stringify({ type: "hello", version: 1, role, key }));
+    await joined.promise;
+    return wire;
+  };
+  const hear = (text: string): void => {
+    if (text.startsWith('{"type":"snapshot"')) {
+      const n = numberIn(text);
+      reader.send(`{"type":"seen","seq":${n}}`);
+      ears.snapshot(robot, n);
+    } else if (text.startsWith('{"type":"ack"')) ears.answered(robot);
+    else if (text.startsWith('{"type":"state"')) {
+      if (text.includes('"state":"started"')) ears.began(robot);
+    } else if (text.startsWith('{"type":"problem"')) throw new Error(text);
+  };
   const isScript = robot < scripts;
-  const key = isScript ? driverKey : await watchKey(`${api}/${id}/keys`, ownerKey, headers);
-  const joined = Promise.withResolvers<void>();
-  const reader = await TextWire.open({
-    port: Number(readers),
-    path,
-    headers,
-    hear: (text) => {
-      if (text.startsWith('{"type":"snapshot"')) {
-        const n = numberIn(text);
-        reader.send(`{"type":"seen","seq":${n}}`);
-        ears.snapshot(robot, n);
-      } else if (text.startsWith('{"type":"ack"')) ears.answered(robot);
-      else if (text.startsWith('{"type":"state"')) {
-        if (text.includes('"state":"started"')) ears.began(robot);
-      } else if (text.startsWith('{"type":"welcome"')) joined.resolve();
-      else if (text.startsWith('{"type":"problem"')) throw new Error(text);
-    },
-  });
-  reader.send(
-    JSON.stringify({ type: "hello", version: 1, role: isScript ? "drive" : "watch", key }),
-  );
-  await joined.promise;
-  return { page, reader, epoch, asking };
+  const watch =
+    isScript && onlookers === 0 ? "" : await watchKey(`${api}/${id}/keys`, ownerKey, headers);
+  const reader: TextWire = isScript
+    ? await enter("drive", driverKey, hear)
+    : await enter("watch", watch, hear);
+  const more = await openAll(onlookers, () => enter("watch", watch, () => undefined));
+  return { page, reader, onlookers: more, epoch, asking };
 }
 
 async function watchKey(

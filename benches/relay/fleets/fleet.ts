@@ -17,6 +17,8 @@ export interface FleetOptions {
   robots: number;
   /** of so many robots the reader is a script that may command; the others' only look on */
   scripts: number;
+  /** more readers of each robot, which only look on */
+  onlookers: number;
   ears: Ears;
 }
 

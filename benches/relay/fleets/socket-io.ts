@@ -8,7 +8,7 @@ interface Said {
 }
 
 export async function openSocketIo(options: FleetOptions): Promise<Fleet> {
-  const { pages, readers, robots, ears } = options;
+  const { pages, readers, robots, onlookers, ears } = options;
   const command: unknown = JSON.parse(commandText(1));
   const answer: unknown = JSON.parse(answerText(1));
   const all = await openAll(robots, async (robot) => {
@@ -17,7 +17,10 @@ export async function openSocketIo(options: FleetOptions): Promise<Fleet> {
     const reader = await open(readers, { robot: String(robot), role: "reader" });
     reader.on("snapshot", ({ snapshot }: Said) => ears.snapshot(robot, snapshot.seq));
     reader.on("answer", () => ears.answered(robot));
-    return { page, reader, said: JSON.parse(snapshotText(1, 1)) as Said };
+    const more = await openAll(onlookers, () =>
+      open(readers, { robot: String(robot), role: "onlooker" }),
+    );
+    return { page, reader, more, said: JSON.parse(snapshotText(1, 1)) as Said };
   });
   return {
     report: (robot, n) => {
@@ -29,9 +32,8 @@ export async function openSocketIo(options: FleetOptions): Promise<Fleet> {
     command: (robot) => all[robot]?.reader.emit("command", command),
     taken: null,
     close: async () => {
-      for (const { page, reader } of all) {
-        page.disconnect();
-        reader.disconnect();
+      for (const { page, reader, more } of all) {
+        for (const socket of [page, reader, ...more]) socket.disconnect();
       }
     },
   };

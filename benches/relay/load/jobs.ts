@@ -8,6 +8,8 @@ export interface OpenJob {
   readers: string;
   robots: number;
   scripts: number;
+  /** default: 0 */
+  onlookers?: number;
 }
 
 /** Pages report at a steady pace, scripts command at another. */

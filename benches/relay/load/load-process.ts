@@ -43,8 +43,22 @@ async function run(job: Job): Promise<Answer> {
   return { fleet, seen: null };
 }
 
-async function open({ contender, robots, scripts, ...where }: OpenJob): Promise<Driven> {
+async function open({
+  contender,
+  robots,
+  scripts,
+  onlookers = 0,
+  pages,
+  readers,
+}: OpenJob): Promise<Driven> {
   const watch = new Watch(robots);
-  const fleet = await openers[contender]({ ...where, robots, scripts, ears: watch });
+  const fleet = await openers[contender]({
+    pages,
+    readers,
+    robots,
+    scripts,
+    onlookers,
+    ears: watch,
+  });
   return { fleet, watch, robots, scripts };
 }

@@ -6,11 +6,14 @@ import {
   encodeFrame,
   PROTOCOL_VERSION,
   termsOf,
+  type EventGap,
   type RelayToDriver,
+  type Snapshot,
+  type StateEvent,
 } from "@corridor/protocol";
 import { asRefusal, badRequest, Refusal, retryAfter, type ProblemKind } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
-import type { ReaderSink } from "../sessions/reader-feed.ts";
+import type { OverReason, ReaderSink, ReaderStart } from "../sessions/reader-feed.ts";
 import type { Grant } from "../sessions/session-hub.ts";
 import type { JoinedReader } from "../sessions/session.ts";
 import { closeWith, sayGoodbye, type Conversation } from "./conversation.ts";
@@ -25,7 +28,9 @@ export interface DriverOptions {
   refused(kind: ProblemKind): void;
 }
 
-export class DriverConversation implements Conversation {
+export class DriverConversation implements Conversation, ReaderSink {
+  readonly door: ReaderSink["door"];
+  readonly flow: ReaderSink["flow"];
   readonly #options: DriverOptions;
   readonly #reader: JoinedReader;
   #badFrames = 0;
@@ -40,18 +45,35 @@ export class DriverConversation implements Conversation {
   constructor(options: DriverOptions) {
     this.#options = options;
     const { grant, line, since } = options;
-    const sink: ReaderSink = {
-      door: line.door,
-      flow: line.flow,
-      began: (start) => this.#send({ type: "welcome", version: PROTOCOL_VERSION, ...start }),
-      snapshot: (snapshot) => this.#send({ type: "snapshot", snapshot }),
-      state: (event) => this.#send({ type: "state", ...event }),
-      gap: (gap) => this.#send({ type: "gap", ...gap }),
-      over: (reason) => sayGoodbye(line, reason),
-    };
-    this.#reader = grant.session.join(grant.key, sink, since);
+    this.door = line.door;
+    this.flow = line.flow;
+    this.#reader = grant.session.join(grant.key, this, since);
     grant.session.heard(grant.key)();
   }
+
+  // --- what it is told, as a reader ---
+
+  began(start: ReaderStart): void {
+    this.#send({ type: "welcome", version: PROTOCOL_VERSION, ...start });
+  }
+
+  snapshot(snapshot: Snapshot): void {
+    this.#send({ type: "snapshot", snapshot });
+  }
+
+  state(event: StateEvent): void {
+    this.#send({ type: "state", ...event });
+  }
+
+  gap(gap: EventGap): void {
+    this.#send({ type: "gap", ...gap });
+  }
+
+  over(reason: OverReason): void {
+    sayGoodbye(this.#options.line, reason);
+  }
+
+  // --- what it says ---
 
   async received(text: string): Promise<void> {
     const { session, key: grant } = this.#options.grant;

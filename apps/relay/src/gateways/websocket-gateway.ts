@@ -29,14 +29,21 @@ import { closeWith, type Conversation } from "./conversation.ts";
 import { closeFor, converse, introduced } from "./converse.ts";
 import type { ReaderLine } from "./reader-line.ts";
 import { refuseUpgrade } from "./refuse-upgrade.ts";
-import { wsPort } from "./ws-port.ts";
+import { WsPort } from "./ws-port.ts";
+
+const nothing = (): void => undefined;
 
 const PATH = /^\/api\/v1\/robots\/([^/]{1,64})\/socket$/;
 
 interface Guest {
   socket: WebSocket;
   port: ReaderLine;
-  address: string;
+  /** of the robot, as the address says it */
+  id: string;
+  /** the script's language, such as "Python" */
+  client: string;
+  /** ends the wait for its first message */
+  cancelTimer: () => void;
   heardAt: number;
   /** what the log may show of its key */
   key: string | null;
@@ -60,6 +67,8 @@ export class WebSocketGateway {
     clientTracking: false,
   });
   readonly #guests = new Set<Guest>();
+  /** how many come from each address */
+  readonly #ofAddress = new Map<string, number>();
   #cancelTimer: () => void;
 
   constructor(options: GatewayOptions) {
@@ -111,21 +120,25 @@ export class WebSocketGateway {
     return id;
   }
 
+  /** Nothing here holds on to the request: with its headers it is larger than all else of a quiet guest. */
   #welcome(socket: WebSocket, request: IncomingMessage, id: string): void {
     const { clock, entrance, metrics } = this.#options;
     const address = entrance.addressOf(request);
     const guest: Guest = {
       socket,
-      port: wsPort(socket, clock),
-      address,
+      port: new WsPort(socket, clock),
+      id,
+      client: clientName(request.headers["user-agent"]),
+      cancelTimer: clock.after(limits.helloMs, () => {
+        if (guest.conversation === null) closeWith(socket, closeReasons.notAuthorised);
+      }),
       heardAt: clock.now(),
       key: null,
       conversation: null,
     };
     this.#guests.add(guest);
-    const cancelTimer = clock.after(limits.helloMs, () => {
-      if (guest.conversation === null) closeWith(socket, closeReasons.notAuthorised);
-    });
+    const ofAddress = (this.#ofAddress.get(address) ?? 0) + 1;
+    this.#ofAddress.set(address, ofAddress);
     // Messages are taken one after the other, so that nothing overtakes the first.
     let work: Promise<void> = Promise.resolve();
     socket.on("message", (data: Buffer, isBinary) => {
@@ -136,7 +149,7 @@ export class WebSocketGateway {
       const text = data.toString("utf8");
       if (guest.conversation !== null) return this.#hear(guest, text);
       work = work
-        .then(() => this.#hello(guest, request, id, text))
+        .then(() => this.#hello(guest, text))
         .catch((error: unknown) => this.#refuse(guest, error));
       return undefined;
     });
@@ -146,24 +159,29 @@ export class WebSocketGateway {
     socket.on("close", (code) => {
       metrics.socketClosed(code);
       this.#options.log.info({ code, key: guest.key }, "a socket was closed");
-      cancelTimer();
+      guest.cancelTimer();
       this.#guests.delete(guest);
+      this.#left(address);
       guest.conversation?.closed();
     });
-    const ofAddress = [...this.#guests].filter((other) => other.address === address).length;
     if (ofAddress > limits.socketsPerAddress) closeWith(socket, closeReasons.tooMany);
   }
 
-  async #hello(guest: Guest, request: IncomingMessage, id: string, text: string): Promise<void> {
+  #left(address: string): void {
+    const others = (this.#ofAddress.get(address) ?? 1) - 1;
+    if (others > 0) this.#ofAddress.set(address, others);
+    else this.#ofAddress.delete(address);
+  }
+
+  async #hello(guest: Guest, text: string): Promise<void> {
     // Messages that came while the first was still being checked.
     if (guest.conversation !== null) return this.#hear(guest, text);
-    const { socket, port } = guest;
+    const { socket, port, id, client } = guest;
     if (socket.readyState !== socket.OPEN) return;
     const hello = decodeFrame(helloSchema, text, MAX_HELLO_BYTES);
     if (!hello.ok) return closeWith(socket, closeReasons.notAuthorised);
     if (!robotIdSchema.safeParse(id).success) return closeWith(socket, closeReasons.noRobot);
     const { role, key } = hello.value;
-    const client = clientName(request.headers["user-agent"]);
     const introduction = introduced(hello.value, client);
     const grant = await this.#options.hub.authorise(id, key, verbOfRole[role], introduction);
     if (socket.readyState !== socket.OPEN) return;
@@ -175,6 +193,8 @@ export class WebSocketGateway {
       line: port,
       metrics: this.#options.metrics,
     });
+    guest.cancelTimer();
+    guest.cancelTimer = nothing;
   }
 
   #hear(guest: Guest, text: string): void {

@@ -23,12 +23,20 @@ export interface ReaderFlow {
   readonly isProof: boolean;
 }
 
+/** Where a reader begins. */
+export interface ReaderStart {
+  stream: string;
+  /** states after this one follow; null when a gap follows */
+  n: number | null;
+  snapshot: Snapshot | null;
+}
+
 /** Where the reader is, in whichever dialect it speaks. */
 export interface ReaderSink {
   readonly door: Exclude<ReaderDoor, "long-poll">;
   readonly flow: ReaderFlow;
-  /** The first that it gets. @param n states after this one follow; null when a gap follows */
-  began(start: { stream: string; n: number | null; snapshot: Snapshot | null }): void;
+  /** The first that it gets. */
+  began(start: ReaderStart): void;
   snapshot(snapshot: Snapshot): void;
   state(event: StateEvent): void;
   gap(gap: EventGap): void;

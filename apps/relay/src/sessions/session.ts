@@ -67,6 +67,8 @@ export class Session {
   readonly #seat: PageSeat;
   readonly #life: CommandLife;
   readonly #line: RobotLine;
+  /** what its readers read: one for all of them */
+  readonly #source: ReaderSource;
   readonly #forgotten: () => void;
   /** ends the wait for the page's relay */
   #met: () => void = () => undefined;
@@ -91,6 +93,11 @@ export class Session {
     this.#line = line;
     this.#forgotten = parts.forgotten;
     this.#life = new CommandLife({ robot: this.id, store, clock, witness, audience, seat, line });
+    this.#source = {
+      events: this.#events,
+      newest: () => this.newest,
+      tellOpen: (tell) => this.#life.log.tellOpen(tell),
+    };
     this.keys = new KeyRing({
       robot: this.id,
       keys: stored.keys,
@@ -429,14 +436,6 @@ export class Session {
 
   #used(): void {
     this.#lastUsedAt = Math.max(this.#lastUsedAt, this.#clock.now());
-  }
-
-  get #source(): ReaderSource {
-    return {
-      events: this.#events,
-      newest: () => this.newest,
-      tellOpen: (tell) => this.#life.log.tellOpen(tell),
-    };
   }
 
   /** What the page reports: kept, and told to everybody. */
