@@ -242,6 +242,43 @@ test("scripts are listed by name, and one is sent away while the others go on", 
   expect((await as("Anna", "/commands", { action: "left 90" })).status).toBe(202);
 });
 
+test("the robot is handed from a script to the hand and back, and nothing old runs on", async ({
+  page,
+}) => {
+  await page.goto("/");
+  const address = await copyAddress(page);
+  await setSpeed(page, "0.25");
+  const poseOf = async () => (await (await api(address, "/sensors")).json()).pose;
+  for (let count = 0; count < 30; count++) {
+    expect((await api(address, "/commands", { action: "move", distance: 20 })).status).toBe(202);
+  }
+  await expect(page.getByRole("cell", { name: "running" })).toBeVisible();
+  await page.getByRole("radio", { name: "Me", exact: true }).click();
+  await page.getByRole("radio", { name: "Remote" }).click();
+  const last = await (await api(address, "/commands/30?wait=20")).json();
+  expect(last).toMatchObject({ state: "cancelled", reason: "The robot's page took over." });
+  const stood = await poseOf();
+  const log = await (await api(address, "/commands")).json();
+  const open = log.commands.filter(({ state }: { state: string }) => state !== "cancelled");
+  // Those that were done before, if any, and nothing that came through after.
+  expect(open.every(({ state }: { state: string }) => state === "completed")).toBe(true);
+  await setSpeed(page, "16");
+  await api(address, "/commands", { action: "move", distance: 20 });
+  expect(await (await api(address, "/commands/31?wait=20")).json()).toMatchObject({
+    state: "completed",
+  });
+  const { x, y } = await poseOf();
+  expect(Math.hypot(x - stood.x, y - stood.y)).toBeCloseTo(20, 0);
+  // While the program drives, a script is told so at once.
+  await page.getByRole("radio", { name: "Program" }).click();
+  await api(address, "/commands", { action: "left 90" });
+  const refused = await (await api(address, "/commands/32?wait=20")).json();
+  expect(refused).toMatchObject({
+    state: "cancelled",
+    reason: "Remote does not drive: choose Remote on the robot's page.",
+  });
+});
+
 test("paused scripts drive no more until they are let, over a reload as well", async ({ page }) => {
   await page.goto("/");
   const address = await copyAddress(page);

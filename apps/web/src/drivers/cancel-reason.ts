@@ -19,5 +19,18 @@ export const cancelReasons = {
   addressEnded: "The robot's page no longer uses this address.",
 } as const satisfies Record<string, string>;
 
+/**
+ * What the page itself does to the robot. Whatever was sent before it was meant for another state of things,
+ * so it ends too where it still waits at the relay.
+ */
+export const takenByPage: ReadonlySet<CancelReason> = new Set([
+  "notRemote",
+  "handedOver",
+  "reset",
+  "mazeChanged",
+  "movedInTime",
+  "disconnected",
+]);
+
 /** Key of `cancelReasons`. */
 export type CancelReason = keyof typeof cancelReasons;

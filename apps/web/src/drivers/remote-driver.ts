@@ -22,6 +22,8 @@ export interface Ending {
 export interface RemoteDriverEvents {
   started(seq: number): void;
   ended(seq: number, ending: Ending): void;
+  /** All that was given so far is over, whatever of it there was. */
+  swept?(reason: CancelReason): void;
 }
 
 /** The robot that is driven: what it is doing, and where commands go. */
@@ -127,6 +129,7 @@ export class RemoteDriver {
   /** Ends the running and every waiting command; the robot is for the caller to stop. */
   cancel(reason: CancelReason): void {
     this.#endAll("cancelled", reason);
+    this.#events.swept?.(reason);
   }
 
   /** Ends one command that somebody takes back, and stops the robot where it runs. */

@@ -84,6 +84,14 @@ class Relay {
     this.#deliver(seq);
   }
 
+  /** A command is accepted and waits at the relay, of which the page is told. */
+  wait(seq: number): void {
+    const { command, key, acceptedAt, ttl } = deliveryOf(seq, { action: "move", distance: 20 });
+    const rest = { state: "accepted", reason: null, pose: null, distance: null, duplicate: false };
+    const record = { seq, key, action: command.action, command, acceptedAt, ...rest };
+    this.#say({ type: "state", record, ttl });
+  }
+
   cut(code: number): void {
     this.#events.at(-1)?.closed(code);
   }
@@ -131,6 +139,7 @@ function openPage() {
   return {
     relay,
     host,
+    loop,
     view: () => view,
     states: () => view.commands.map(({ seq, state, reason }) => [seq, state, reason]),
     /** Opens, and waits until there is a line or word of a trouble. */
@@ -226,6 +235,60 @@ describe("disconnecting while the line is lost", () => {
     relay.accept("A", 3);
     drive(1_000);
     expect(states()[0]).toEqual([3, "completed", null]);
+  });
+});
+
+describe("what waits at the relay when the page takes the robot", () => {
+  it.each([
+    { what: "is handed over", reason: "handedOver", act: (loop: RunLoop) => loop.setDriver("me") },
+    { what: "is reset", reason: "reset", act: (loop: RunLoop) => loop.reset() },
+  ])("never runs where the robot $what, though Remote drives when it comes", async (row) => {
+    const { relay, loop, states, drive } = await openRobot();
+    relay.accept("A", 1);
+    relay.wait(2);
+    drive(50);
+    row.act(loop);
+    loop.setDriver("remote");
+    relay.accept("A", 2);
+    relay.accept("A", 3);
+    drive(2_000);
+    expect(states()).toEqual([
+      [3, "completed", null],
+      [2, "cancelled", row.reason],
+      [1, "cancelled", row.reason],
+    ]);
+    const started = relay.told.filter(({ type }) => type === "started");
+    expect(started.map(({ seq }) => seq)).toEqual([1, 3]);
+  });
+
+  it("never runs either where it was sent while Remote did not drive", async () => {
+    const { relay, loop, states, drive } = await openRobot();
+    loop.setDriver("me");
+    relay.wait(2);
+    relay.accept("A", 1);
+    loop.setDriver("remote");
+    relay.accept("A", 2);
+    drive(2_000);
+    expect(states()).toEqual([
+      [2, "cancelled", "notRemote"],
+      [1, "cancelled", "notRemote"],
+    ]);
+  });
+
+  it("goes on where a script's stop came, or where it is another robot's", async () => {
+    const { relay, open, loop, states, drive } = await openRobot();
+    relay.wait(2);
+    loop.cancelRemote("stopped");
+    relay.accept("A", 2);
+    drive(2_000);
+    expect(states()).toEqual([[2, "completed", null]]);
+    relay.wait(5);
+    loop.reset();
+    await open(null);
+    relay.welcome("B");
+    relay.accept("B", 1);
+    drive(2_000);
+    expect(states()).toEqual([[1, "completed", null]]);
   });
 });
 

@@ -13,7 +13,7 @@ import type {
   ScriptView,
   Snapshot,
 } from "@corridor/protocol";
-import { cancelReasons, type CancelReason } from "../drivers/cancel-reason.ts";
+import { cancelReasons, takenByPage, type CancelReason } from "../drivers/cancel-reason.ts";
 import type { Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
 import type { troubleOf } from "./remote-trouble.ts";
 import type {
@@ -69,6 +69,8 @@ export class RemoteHost implements RemoteDriverEvents {
   #drivers = noDrivers;
   #scripts: ListedScript[] = [];
   #isPaused = false;
+  /** the page took the robot: what had been sent by then never runs, even where it comes only now */
+  #swept: { upTo: number; reason: CancelReason } | null = null;
   /** rises with each open and close: what an older one still waits for is dropped */
   #attempt = 0;
 
@@ -95,7 +97,10 @@ export class RemoteHost implements RemoteDriverEvents {
       return this.#tell(this.#status);
     }
     this.#leave();
-    if (session === null || session.id !== this.#session?.id) this.#commands.clear();
+    if (session === null || session.id !== this.#session?.id) {
+      this.#commands.clear();
+      this.#swept = null;
+    }
     this.#session = session;
     this.#tell({ kind: "connecting" });
     const attempt = ++this.#attempt;
@@ -135,6 +140,11 @@ export class RemoteHost implements RemoteDriverEvents {
   ended(seq: number, ending: Ending): void {
     this.#link?.ended(seq, { ...ending, reason: this.#reasonFor(seq, ending) });
     this.#change(seq, ending);
+  }
+
+  swept(reason: CancelReason): void {
+    if (!takenByPage.has(reason)) return;
+    this.#swept = { upTo: Math.max(0, ...this.#commands.keys()), reason };
   }
 
   async #connect(wanted: RemoteSession | null, fresh: boolean, attempt: number): Promise<void> {
@@ -193,6 +203,11 @@ export class RemoteHost implements RemoteDriverEvents {
 
   #deliver(command: DeliveredCommand): void {
     this.#list(command);
+    const pose = this.#ports.snapshot()?.pose;
+    if (this.#swept !== null && command.seq <= this.#swept.upTo && pose !== undefined) {
+      const { reason } = this.#swept;
+      return this.ended(command.seq, { state: "cancelled", reason, pose, distance: 0 });
+    }
     this.#ports.onDelivery(command);
   }
 
