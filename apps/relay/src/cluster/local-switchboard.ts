@@ -37,6 +37,7 @@ export class LocalSwitchboard implements Switchboard {
         if (news.kind === "page") place.page = news.epoch;
         return tell(news);
       },
+      hurry: () => undefined,
       leave: () => {
         places.delete(place);
         leftPage();

@@ -134,6 +134,8 @@ export class RedisSwitchboard implements Switchboard {
       // The script that did the step has told it.
       stepped: () => undefined,
       tell: (news) => this.#tell(robot, news),
+      // By the same connection as the steps, so that it arrives in this order, too.
+      hurry: () => this.#post.flush(),
       leave: () => {
         if (this.#places.get(robot) === place) this.#places.delete(robot);
         hearing.unsubscribe(channel, hear).catch(() => undefined);

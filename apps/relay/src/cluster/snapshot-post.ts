@@ -28,13 +28,17 @@ export class SnapshotPost {
       const bag = this.#bags.get(relay) ?? new Map<string, Snapshot>();
       this.#bags.set(relay, bag.set(robot, snapshot));
     }
-    this.#cancelTimer ??= this.#clock.after(GATHER_MS, () => {
-      this.#cancelTimer = null;
-      for (const [relay, bag] of this.#bags) {
-        this.#send(relay, JSON.stringify(Object.fromEntries(bag)));
-      }
-      this.#bags.clear();
-    });
+    this.#cancelTimer ??= this.#clock.after(GATHER_MS, () => this.flush());
+  }
+
+  /** Sends what was gathered. */
+  flush(): void {
+    this.#cancelTimer?.();
+    this.#cancelTimer = null;
+    for (const [relay, bag] of this.#bags) {
+      this.#send(relay, JSON.stringify(Object.fromEntries(bag)));
+    }
+    this.#bags.clear();
   }
 
   close(): void {

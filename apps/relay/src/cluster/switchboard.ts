@@ -49,6 +49,8 @@ export interface Line {
   /** Passes on what a step of this relay has changed, unless the store has done so. */
   stepped(step: Step): void;
   tell(news: News): void;
+  /** What was told so far goes before the next step of the store. */
+  hurry(): void;
   leave(): void;
 }
 

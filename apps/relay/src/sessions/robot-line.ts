@@ -60,6 +60,13 @@ export class RobotLine {
     if (this.#cancelTimer === null) this.#flush();
   }
 
+  /** A command is about to end: no reader at another relay is told so before it gets the newest snapshot. */
+  hurry(): void {
+    if (this.#pending !== null) this.#line?.tell({ kind: "snapshot", snapshot: this.#pending });
+    this.#pending = null;
+    this.#line?.hurry();
+  }
+
   /**
    * Tells the page's relay that this one is on the line, so that it gets snapshots.
    * @param asks for the newest at once

@@ -222,6 +222,7 @@ export class Session {
     if (message.epoch !== this.#seat.page?.epoch) return link.close(closeReasons.replaced);
     if (message.type === "time") return link.send({ type: "time", at: this.#clock.now() });
     this.#used();
+    if (message.type === "ended") this.#line.hurry();
     if (message.type !== "snapshot") return this.#life.hearPage(link, message);
     this.#show(message.snapshot);
   }

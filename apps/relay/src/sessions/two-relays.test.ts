@@ -185,6 +185,19 @@ describe("page and script at different relays", () => {
     expect(again.session.newest).toMatchObject({ seq: 7 });
   });
 
+  it("shows readers at the other relay the newest snapshot before an ending that came after it", async () => {
+    const { host, clock, submit, read } = await withRelays();
+    await clock.pass(limits.relayHereMs);
+    await submit(LEFT);
+    const said = read();
+    await report(host, { seq: 1 });
+    await report(host, { seq: 2 });
+    const { session, link, epoch } = host;
+    await session.hearPage(link, { type: "ended", epoch, ...completed(1) });
+    await settled();
+    expect(said).toEqual(["snapshot 1 running", "snapshot 2 running", "1 completed"]);
+  });
+
   it("keeps counting snapshots when a reloaded page meets a relay that never held the robot", async () => {
     const { host, page, clock, robot, newRelay } = await withRelays();
     await clock.pass(30_000);
