@@ -1,14 +1,26 @@
 /**
- * The smallest balancer that will do for trying out several relays: each connection goes to the next relay
- * that takes it, byte by byte. It knows nothing of HTTP; in earnest use nginx, HAProxy or a cloud's.
+ * The smallest balancer that will do for trying out several relays: each request goes to the next relay
+ * that takes it, those of a line by HTTPS to one relay for each robot, because a line lives there. In
+ * earnest use nginx, HAProxy or a cloud's.
  */
-import { connect, createServer, type AddressInfo, type Socket } from "node:net";
+import { createHash } from "node:crypto";
+import {
+  createServer,
+  request as forward,
+  type IncomingMessage,
+  type ServerResponse,
+} from "node:http";
+import { connect, type AddressInfo, type Socket } from "node:net";
+import { pipeline, type Duplex } from "node:stream";
 
 const CONNECT_MS = 1_000;
+const LINE = /^\/api\/v1\/robots\/([^/?]+)\/line(?:[/?]|$)/;
+/** of one connection, not of the message; what the body needs Node adds again */
+const HOP = new Set(["connection", "keep-alive", "transfer-encoding"]);
 
 export interface Balancer {
   port: number;
-  /** where connections may go; may change at any time */
+  /** where requests may go; may change at any time */
   targets: number[];
   close(): Promise<void>;
 }
@@ -23,15 +35,22 @@ export async function startBalancer(targets: number[], port = 0, host?: string):
   const balancer = { port, targets, close: () => close() };
   const open = new Set<Socket>();
   let turn = 0;
-  const server = createServer({ pauseOnConnect: true }, (client) => {
+  const orderFor = (url = ""): number[] => {
+    const robot = LINE.exec(url)?.[1];
+    if (robot !== undefined) return byRobot(robot, balancer.targets);
+    const first = turn++ % Math.max(1, balancer.targets.length);
+    return [...balancer.targets.slice(first), ...balancer.targets.slice(0, first)];
+  };
+  const server = createServer((request, response) => {
+    void pass(request, response, orderFor(request.url));
+  });
+  server.on("connection", (client: Socket) => {
     open.add(client);
     client.on("close", () => open.delete(client));
     client.on("error", () => client.destroy());
-    const first = turn++;
-    const order = balancer.targets.map(
-      (_port, index, all) => all[(first + index) % all.length] ?? 0,
-    );
-    void join(client, order);
+  });
+  server.on("upgrade", (request, client, head) => {
+    void join(request, client, head, orderFor(request.url));
   });
   const close = async (): Promise<void> => {
     for (const client of open) client.destroy();
@@ -45,18 +64,77 @@ export async function startBalancer(targets: number[], port = 0, host?: string):
   return balancer;
 }
 
-/** Joins a client with the first relay that takes the connection; with none, it is cut. */
-async function join(client: Socket, ports: number[]): Promise<void> {
+/** The order in which relays are tried for a robot: the same as long as they are, and little else when one goes. */
+function byRobot(robot: string, ports: number[]): number[] {
+  const rank = (port: number): string =>
+    createHash("sha1").update(`${robot} ${port}`).digest("hex");
+  return ports.toSorted((a, b) => (rank(a) < rank(b) ? -1 : 1));
+}
+
+/** Passes a request on, and its answer back as it comes. A relay that breaks off cuts its client. */
+async function pass(
+  request: IncomingMessage,
+  response: ServerResponse,
+  ports: number[],
+): Promise<void> {
+  const relay = await firstOf(ports);
+  if (relay === null) return void response.destroy();
+  const { method, url, rawHeaders } = request;
+  const onward = forward({
+    createConnection: () => relay,
+    method,
+    path: url,
+    headers: withoutHops(rawHeaders),
+    setHost: false,
+  });
+  onward.on("error", () => response.destroy());
+  onward.on("response", (answer) => {
+    response.writeHead(answer.statusCode ?? 502, withoutHops(answer.rawHeaders));
+    response.flushHeaders();
+    pipeline(answer, response, () => undefined);
+  });
+  response.on("close", () => onward.destroy());
+  request.pipe(onward);
+}
+
+/** Joins a client that wants another protocol with a relay, byte by byte. */
+async function join(
+  { method, url, rawHeaders }: IncomingMessage,
+  client: Duplex,
+  head: Buffer,
+  ports: number[],
+): Promise<void> {
+  const relay = await firstOf(ports);
+  if (relay === null) return void client.destroy();
+  relay.on("error", () => client.destroy());
+  relay.on("close", () => client.destroy());
+  client.on("error", () => relay.destroy());
+  client.on("close", () => relay.destroy());
+  const lines = pairsOf(rawHeaders).map(([name, value]) => `${name}: ${value}\r\n`);
+  relay.write(`${method} ${url} HTTP/1.1\r\n${lines.join("")}\r\n`);
+  relay.write(head);
+  client.pipe(relay).pipe(client);
+}
+
+function withoutHops(rawHeaders: string[]): string[] {
+  return pairsOf(rawHeaders)
+    .filter(([name]) => !HOP.has(name.toLowerCase()))
+    .flat();
+}
+
+function pairsOf(rawHeaders: string[]): [string, string][] {
+  return rawHeaders.flatMap((name, index) =>
+    index % 2 === 0 ? [[name, rawHeaders[index + 1] ?? ""] as [string, string]] : [],
+  );
+}
+
+/** A connection to the first relay that takes it. */
+async function firstOf(ports: number[]): Promise<Socket | null> {
   for (const port of ports) {
     const relay = await reach(port);
-    if (relay === null) continue;
-    relay.on("error", () => client.destroy());
-    relay.on("close", () => client.destroy());
-    client.on("close", () => relay.destroy());
-    client.pipe(relay).pipe(client);
-    return;
+    if (relay !== null) return relay;
   }
-  client.destroy();
+  return null;
 }
 
 function reach(port: number): Promise<Socket | null> {
