@@ -73,7 +73,7 @@ export {
   type Resume,
 } from "./messages.ts";
 export { LEASE_MS, orderSchema, termsOf, TTL_MS, type CommandTerms, type Order } from "./order.ts";
-export { decodePageFrame } from "./page-frame.ts";
+export { decodePageFrame, isPlainSnapshot } from "./page-frame.ts";
 export { problemSchema, type ProblemDocument } from "./problem.ts";
 export { driverSchema, type DriverName, type Pose, type SensorReadings } from "./quantities.ts";
 export { registrationSchema, robotIdSchema, type Registration } from "./registration.ts";

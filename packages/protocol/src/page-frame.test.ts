@@ -4,7 +4,8 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { decodeFrame } from "./codec.ts";
 import { pageToRelaySchema } from "./messages.ts";
-import { decodePageFrame, readPlainSnapshot } from "./page-frame.ts";
+import { decodePageFrame, isPlainSnapshot, readPlainSnapshot } from "./page-frame.ts";
+import { snapshotSchema } from "./snapshot.ts";
 
 type Tree = { [name: string]: unknown };
 
@@ -82,6 +83,22 @@ describe("a snapshot that is checked by hand", () => {
       }),
       { numRuns: 2000 },
     );
+  });
+
+  it("is by itself what the schema makes of it, too", () => {
+    fc.assert(
+      fc.property(texts, (text) => {
+        let snapshot: unknown;
+        try {
+          snapshot = (JSON.parse(text) as Tree)["snapshot"];
+        } catch {
+          return;
+        }
+        if (isPlainSnapshot(snapshot)) expect(snapshotSchema.parse(snapshot)).toEqual(snapshot);
+      }),
+      { numRuns: 5000 },
+    );
+    expect(isPlainSnapshot(snapshotMessage["snapshot"])).toBe(true);
   });
 
   it("is every ordinary one", () => {

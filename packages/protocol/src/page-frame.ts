@@ -8,6 +8,7 @@ import { decodeFrame, MAX_FRAME_BYTES } from "./codec.ts";
 import type { ReadResult } from "./document-reader.ts";
 import { pageToRelaySchema, type PageToRelay } from "./messages.ts";
 import { MAX_LENGTH } from "./quantities.ts";
+import type { Snapshot } from "./snapshot.ts";
 
 type SnapshotMessage = Extract<PageToRelay, { type: "snapshot" }>;
 
@@ -50,7 +51,26 @@ function isSnapshotMessage(input: unknown): input is SnapshotMessage {
   const message = input as Loose<SnapshotMessage>;
   if (typeof message !== "object" || message === null) return false;
   if (message.type !== "snapshot" || !isCount(message.epoch) || message.epoch < 1) return false;
-  const snapshot = message.snapshot as Loose<SnapshotMessage["snapshot"]>;
+  return isSnapshot(message.snapshot);
+}
+
+/** A snapshot by itself, as one relay tells it to another; a false one need not be wrong. */
+export function isPlainSnapshot(input: unknown): input is Snapshot {
+  return (
+    isSnapshot(input) &&
+    hasFields(input, 12) &&
+    hasFields(input.sensors, 4) &&
+    hasFields(input.pose, 3)
+  );
+}
+
+function hasFields(input: object, wanted: number): boolean {
+  return Object.keys(input).length === wanted;
+}
+
+/** Whether all fields are there and right; there may be others. */
+function isSnapshot(input: unknown): input is Snapshot {
+  const snapshot = input as Loose<Snapshot>;
   if (typeof snapshot !== "object" || snapshot === null) return false;
   const { state, driver, motion, line, command } = snapshot;
   return (
@@ -71,7 +91,7 @@ function isSnapshotMessage(input: unknown): input is SnapshotMessage {
 }
 
 function isReadings(input: unknown): boolean {
-  const sensors = input as Loose<SnapshotMessage["snapshot"]["sensors"]>;
+  const sensors = input as Loose<Snapshot["sensors"]>;
   return (
     typeof sensors === "object" &&
     sensors !== null &&
@@ -83,7 +103,7 @@ function isReadings(input: unknown): boolean {
 }
 
 function isPose(input: unknown): boolean {
-  const pose = input as Loose<SnapshotMessage["snapshot"]["pose"]>;
+  const pose = input as Loose<Snapshot["pose"]>;
   return (
     typeof pose === "object" &&
     pose !== null &&
