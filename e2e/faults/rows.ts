@@ -2,9 +2,22 @@
 import type { Row } from "./row.ts";
 import { cleanNet } from "./rows/clean-net.ts";
 import { cuts } from "./rows/cuts.ts";
+import { hiddenPage } from "./rows/hidden-page.ts";
+import { hostileLinks } from "./rows/hostile-links.ts";
+import { malformedFrames } from "./rows/malformed-frames.ts";
 import { openApiFuzz } from "./rows/openapi-fuzz.ts";
 import { reloads } from "./rows/reloads.ts";
 import { twoRelays } from "./rows/two-relays.ts";
 import { relayKilled } from "./rows/relay-killed.ts";
 
-export const rows: readonly Row[] = [cleanNet, relayKilled, cuts, reloads, twoRelays, openApiFuzz];
+export const rows: readonly Row[] = [
+  cleanNet,
+  relayKilled,
+  cuts,
+  reloads,
+  twoRelays,
+  hiddenPage,
+  malformedFrames,
+  openApiFuzz,
+  hostileLinks,
+];

@@ -103,6 +103,12 @@ export class RawPage {
     await this.#browser.send("Target.activateTarget", { targetId: this.#target });
   }
 
+  /** Freezes it as a browser does with a tab that was hidden for long, or thaws it. */
+  async setFrozen(isFrozen: boolean): Promise<void> {
+    const state = isFrozen ? "frozen" : "active";
+    await this.#browser.send("Page.setWebLifecycleState", { state }, this.#session);
+  }
+
   /** What a part of it shows, in CSS pixels, as a PNG file in base64. It must be in front. */
   async picture(part: unknown): Promise<string> {
     const clip = { ...(part as Answer), scale: 1 };

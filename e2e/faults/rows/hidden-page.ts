@@ -1,0 +1,98 @@
+/** A page that is hidden drives on as if it were seen; one that is frozen is known to be, and runs nothing old. */
+import { commandRecordSchema, type CommandRecord } from "@corridor/protocol";
+import { RawChromium } from "../../support/devtools.ts";
+import { RelayProcess } from "../../support/relay-process.ts";
+import { machineNow, sleep, until } from "../clock.ts";
+import { percentile } from "../percentile.ts";
+import type { Row } from "../row.ts";
+import { LineScript } from "../scripts/line-script.ts";
+
+const HIDDEN_MS = 60_000;
+/** Longer than the time to live of what is sent meanwhile. */
+const FROZEN_MS = 8_000;
+const STALE = 5;
+
+export const hiddenPage: Row = {
+  title: "Hidden, frozen",
+  does: () =>
+    `a real tab hidden for ${HIDDEN_MS / 1000} s gets commands one by one; then it is frozen for ${FROZEN_MS / 1000} s and gets ${STALE} with a time to live of 2 s`,
+  run: async (terms) => {
+    const relay = await RelayProcess.start();
+    terms.after(() => relay.stop());
+    const browser = await RawChromium.start();
+    terms.after(() => browser.close());
+    const page = await browser.open(`${relay.url}/`);
+    await page.until(`document.querySelector('input[value="remote"]') !== null`);
+    await page.evaluate(`document.querySelector('input[value="remote"]').click()`);
+    const text = await page.until(`sessionStorage.getItem("corridor.remote")`);
+    const { id, driverKey } = JSON.parse(String(text));
+    const script = await LineScript.connect(relay.url, id, driverKey);
+    terms.after(() => script.close());
+
+    await browser.open("about:blank");
+    await page.until(`document.visibilityState === "hidden"`);
+    const starts: number[] = [];
+    for (const end = machineNow() + HIDDEN_MS; machineNow() < end;) {
+      const record = await script.run({ action: starts.length % 2 === 0 ? "left 90" : "right 90" });
+      starts.push(script.startedMs(record.seq));
+    }
+    const state = await page.evaluate("document.visibilityState");
+
+    const frozenAt = machineNow();
+    await page.setFrozen(true);
+    const toldMs = await until(() => script.robotState === "paused", 20_000);
+    const stale: number[] = [];
+    for (let n = 0; n < STALE; n++) {
+      stale.push(await script.post({ action: "move", distance: 50, ttl: 2_000 }));
+    }
+    await sleep(FROZEN_MS - (machineNow() - frozenAt));
+    await page.setFrozen(false);
+    await until(() => script.robotState === "running", 20_000);
+    await sleep(2_000);
+    const robot = `${relay.url}/api/v1/robots/${id}/commands/`;
+    const records: CommandRecord[] = [];
+    for (const seq of stale) {
+      const headers = { authorization: `Bearer ${driverKey}` };
+      const answer = await fetch(`${robot}${seq}?wait=5`, { headers });
+      records.push(commandRecordSchema.parse(await answer.json()));
+    }
+    return [
+      {
+        words: "commands started while hidden",
+        measured: state === "hidden" ? starts.length : 0,
+        bound: { atLeast: 50 },
+        unit: "commands",
+      },
+      {
+        words: "post to start while hidden, p50",
+        measured: percentile(starts, 50),
+        bound: { atMost: 250 },
+        unit: "ms",
+      },
+      {
+        words: "post to start while hidden, p99",
+        measured: percentile(starts, 99),
+        bound: { atMost: 250 },
+        unit: "ms",
+      },
+      {
+        words: "from the freezing until scripts are told",
+        measured: toldMs,
+        bound: { atMost: 5_000 },
+        unit: "ms",
+      },
+      {
+        words: "commands from meanwhile that ran on thawing",
+        measured: records.filter((each) => each.state !== "expired").length,
+        bound: { atMost: 0 },
+        unit: `of ${records.length}`,
+      },
+      {
+        words: "commands from meanwhile that were begun",
+        measured: stale.filter((seq) => Number.isFinite(script.startedMs(seq))).length,
+        bound: { atMost: 0 },
+        unit: `of ${stale.length}`,
+      },
+    ];
+  },
+};
