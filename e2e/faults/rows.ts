@@ -7,6 +7,7 @@ import { hostileLinks } from "./rows/hostile-links.ts";
 import { malformedFrames } from "./rows/malformed-frames.ts";
 import { openApiFuzz } from "./rows/openapi-fuzz.ts";
 import { reloads } from "./rows/reloads.ts";
+import { staleMotion } from "./rows/stale-motion.ts";
 import { twoRelays } from "./rows/two-relays.ts";
 import { relayKilled } from "./rows/relay-killed.ts";
 
@@ -15,6 +16,7 @@ export const rows: readonly Row[] = [
   relayKilled,
   cuts,
   reloads,
+  staleMotion,
   twoRelays,
   hiddenPage,
   malformedFrames,

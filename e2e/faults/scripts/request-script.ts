@@ -37,6 +37,11 @@ export class RequestScript implements Script {
   post(order: Order): void {
     const key = randomUUID();
     this.diary.asked(key);
+    const last = this.#waiting.at(-1);
+    if (last !== undefined && isVelocity(last.order) && isVelocity(order)) {
+      this.#waiting.pop();
+      this.diary.isPassedOver(last.key);
+    }
     this.#waiting.push({ key, order });
     void this.#send();
   }
@@ -61,9 +66,17 @@ export class RequestScript implements Script {
       this.diary.tries(key, order.ttl ?? TTL_MS.default);
       const age = Math.round(machineNow() - firstTry);
       const isOver = await this.#try(key, { ...order, age }).catch(() => false);
-      if (isOver) return;
+      if (isOver || this.#isPassedOver({ key, order })) return;
       await sleep(AGAIN_MS);
     }
+  }
+
+  /** Whether a newer velocity waits, and this one need not be tried again. */
+  #isPassedOver({ key, order }: Wish): boolean {
+    const [next] = this.#waiting;
+    if (next === undefined || !isVelocity(order) || !isVelocity(next.order)) return false;
+    this.diary.isPassedOver(key);
+    return true;
   }
 
   /** @returns whether there is an answer that holds */
@@ -89,4 +102,9 @@ export class RequestScript implements Script {
     this.diary.isRefused(key);
     return true;
   }
+}
+
+/** Of those that wait only the newest is sent: a drive without a time says what holds now. */
+function isVelocity(order: Order): boolean {
+  return order.action === "drive" && order.milliseconds === undefined && order.replace !== true;
 }

@@ -53,6 +53,11 @@ export class Diary {
     this.#robot.history.told(record);
   }
 
+  /** A newer velocity was sent in its place. */
+  isPassedOver(key: string): void {
+    this.#open.delete(key);
+  }
+
   isRefused(key: string): void {
     if (this.#open.delete(key)) this.refused += 1;
   }

@@ -41,7 +41,10 @@ export class SocketScript implements Script {
     const done = send(this.#client, order);
     const key = this.#newestKey;
     // How it ended is compared later; here counts what was never stored.
-    done.catch(() => this.diary.isRefused(key));
+    done.then(
+      (record) => record.key !== key && this.diary.isPassedOver(key),
+      () => this.diary.isRefused(key),
+    );
   }
 
   close(): void {

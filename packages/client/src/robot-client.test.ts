@@ -92,6 +92,30 @@ describe("RobotClient", () => {
     expect(await forward).toMatchObject({ state: "started" });
   });
 
+  it("sends of the velocities that came while the line was down only the newest", async () => {
+    const { platform, robot, sent, tell, welcome } = await connected();
+    const before = robot.drive(0.1, 0.1);
+    platform.socket.cut(1006);
+    const wished = [0.2, 0.3].map((power) => robot.drive(power, power));
+    const turn = robot.turn(45);
+    const after = [0.4, 0.5].map((power) => robot.drive(power, power));
+    platform.pass(10_000);
+    welcome();
+    expect(sent().map(({ command }) => command)).toMatchObject([{ action: "drive", left: 0.3 }]);
+    tell("ack", 1);
+    tell("state", 1, { state: "started" });
+    for (const done of [before, ...wished]) {
+      expect(await done).toMatchObject({ seq: 1, command: { left: 0.3 } });
+    }
+    expect(sent().at(-1)).toMatchObject({ command: { action: "turn" } });
+    tell("ack", 2);
+    expect(sent().at(-1)).toMatchObject({ command: { action: "drive", left: 0.5 } });
+    tell("state", 2, { state: "completed" });
+    tell("ack", 3, { state: "started" });
+    expect(await turn).toMatchObject({ seq: 2 });
+    expect(await Promise.all(after)).toMatchObject([{ seq: 3 }, { seq: 3 }]);
+  });
+
   it.each(["cancelled", "superseded", "expired"] as const)(
     "says why a manoeuvre was %s",
     async (state) => {

@@ -62,8 +62,8 @@ interface Pending {
   triedAt: number | null;
   /** what keeps the promise */
   until: "started" | "ended";
-  resolve(record: CommandRecord): void;
-  reject(error: ClientError): void;
+  resolve: (record: CommandRecord) => void;
+  reject: (error: ClientError) => void;
   cancelTimer(): void;
 }
 
@@ -176,7 +176,8 @@ export class RobotClient {
   /**
    * Sets the wheel powers, each from -1 to 1, for so many milliseconds. Resolves when the time is over.
    * Without a time it is a velocity: the robot stops after half a second unless another one follows, and
-   * this resolves when it has begun.
+   * this resolves when it has begun. Of velocities that could not be sent yet only the newest is, and all
+   * of them resolve with it.
    */
   drive(
     left: number,
@@ -274,9 +275,10 @@ export class RobotClient {
   }
 
   #sendFirst(): void {
+    if (!this.#connection.isConnected) return;
+    this.#passOverOldVelocities();
     const [first] = this.#queue;
     if (first === undefined) return;
-    if (!this.#connection.isConnected) return;
     const { clock } = this.#platform;
     const triedAt = (first.triedAt ??= clock.now());
     const { key, order } = first;
@@ -285,6 +287,27 @@ export class RobotClient {
       const age = clock.now() - triedAt;
       return encodeFrame({ type: "command", key, command: age === 0 ? order : { ...order, age } });
     });
+  }
+
+  /** What was wished while the line was down must not move the robot bit by bit once it is back. */
+  #passOverOldVelocities(): void {
+    for (;;) {
+      const [older, newer] = this.#queue;
+      if (newer === undefined || older === undefined) return;
+      if (!isVelocity(older.order) || !isVelocity(newer.order) || older.order.replace === true)
+        return;
+      this.#queue.shift();
+      older.cancelTimer();
+      const { resolve, reject } = newer;
+      newer.resolve = (record) => {
+        older.resolve(record);
+        resolve(record);
+      };
+      newer.reject = (error) => {
+        older.reject(error);
+        reject(error);
+      };
+    }
   }
 
   #limit(pending: Pending, ms: number, what: string): void {
@@ -406,6 +429,11 @@ export class RobotClient {
     this.#queue = [];
     this.#inbox.close(error);
   }
+}
+
+/** Of which only the newest value counts: a drive without a time. */
+function isVelocity(order: Order): boolean {
+  return order.action === "drive" && order.milliseconds === undefined;
 }
 
 function errorOf({ code, cause, remedy }: CloseReason): ClientError {

@@ -188,6 +188,28 @@ describe("wheel powers that come all at once", () => {
     expect(bench.story.at(-1)).toBe("started 6");
   });
 
+  it("count for the newest alone, where a burst lasts for long because the relay stores each of them", () => {
+    const { bench, deliver } = robot();
+    for (let n = 0; n < 46; n++) {
+      deliver(drive(0.1));
+      bench.pass(8);
+    }
+    bench.pass(100);
+    const begun = bench.story.filter((told) => told.startsWith("started"));
+    // Nobody knows of the first ones that they are a burst.
+    expect(begun.length).toBeLessThanOrEqual(2);
+    expect(begun.at(-1)).toBe("started 46");
+  });
+
+  it("move the robot in a flood that does not end, too", () => {
+    const { bench, deliver } = robot();
+    for (let n = 0; n < 200; n++) {
+      deliver(drive(0.1));
+      bench.pass(8);
+    }
+    expect(bench.story.filter((told) => told.startsWith("started")).length).toBeGreaterThan(10);
+  });
+
   it.each([
     { name: "the page's own line", begin: (bench: Bench) => bench.loop.remote?.giveBack() },
     {
@@ -203,6 +225,19 @@ describe("wheel powers that come all at once", () => {
     deliver(drive(0.2));
     bench.pass(56);
     expect(bench.story).toEqual(["superseded 1", "started 2"]);
+  });
+
+  it("wait for a newer one where they were tried for long, but not again and again", () => {
+    const { bench, deliver } = robot();
+    const wait = { ttl: 10_000, remaining: 8_000 };
+    deliver(drive(0.1), wait);
+    bench.pass(160);
+    deliver(drive(0.2));
+    bench.pass(32);
+    expect(bench.story).toEqual(["superseded 1", "started 2"]);
+    deliver(drive(0.3), wait);
+    bench.pass(32);
+    expect(bench.story).toEqual(["superseded 1", "started 2", "completed 2", "started 3"]);
   });
 
   it("leave a stop and a manoeuvre alone", () => {

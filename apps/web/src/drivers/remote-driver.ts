@@ -71,7 +71,7 @@ export class RemoteDriver {
       this.#robot.input({ do: "cancel" });
     }
     if (isRegister(delivery)) {
-      this.#bursts.came(now);
+      this.#bursts.came(now, delivery.ttl - delivery.remaining);
       this.#supersedeLast(delivery.driver);
     }
     this.#running?.lease?.heard(delivery.driver, now);
