@@ -1,0 +1,172 @@
+import { snapshotOf } from "@corridor/protocol/testing";
+import { describe, expect, it } from "vitest";
+import { settled } from "../testing/fake-clock.ts";
+import { completed } from "../testing/messages.ts";
+import { limits } from "./limits.ts";
+import { deafReader, LEFT, patience, withRobot, page } from "./testing/robot-at-relay.ts";
+
+describe("a robot session: what scripts see", () => {
+  it("sends a reader at most 20 snapshots a second, the newest each time", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    const seen: number[] = [];
+    robot.session.join(
+      robot.key,
+      { snapshot: ({ seq }) => seen.push(seq), state: () => undefined, ...deafReader },
+      null,
+    );
+    for (let seq = 1; seq <= 100; seq++) {
+      await host.report({ seq });
+      await robot.clock.pass(10);
+    }
+    await robot.clock.pass(100);
+    expect(seen.length).toBeGreaterThan(15);
+    expect(seen.length).toBeLessThanOrEqual(22);
+    expect(seen.at(-1)).toBe(100);
+  });
+
+  it("sends a slow reader nothing old, and drops one that does not read", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    const flow = { sentBytes: 0, takenBytes: 0, isProof: false, ask: () => undefined };
+    const seen: number[] = [];
+    const over: string[] = [];
+    const snapshot = ({ seq }: { seq: number }): void => {
+      seen.push(seq);
+      flow.sentBytes += 400;
+    };
+    robot.session.join(
+      robot.key,
+      {
+        ...deafReader,
+        snapshot,
+        state: () => undefined,
+        over: (reason) => over.push(reason),
+        door: "events",
+        flow,
+      },
+      null,
+    );
+    for (let seq = 1; seq <= 9; seq++) {
+      await host.report({ seq });
+      await robot.clock.pass(limits.snapshotIntervalMs);
+    }
+    expect(seen).toEqual([1, 2]);
+    flow.takenBytes = flow.sentBytes;
+    await robot.clock.pass(limits.snapshotIntervalMs);
+    expect(seen).toEqual([1, 2, 9]);
+    flow.sentBytes += limits.stuckReaderBytes + 1;
+    await robot.submit(LEFT);
+    expect(over).toEqual(["tooSlow"]);
+  });
+
+  it("shows a newer snapshot before the ending that came after it", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await robot.submit(LEFT);
+    const said: string[] = [];
+    robot.session.join(
+      robot.key,
+      {
+        snapshot: ({ seq }) => said.push(`snapshot ${seq}`),
+        state: ({ record }) => said.push(record.state),
+        ...deafReader,
+      },
+      null,
+    );
+    await host.report({ seq: 1 });
+    await host.report({ seq: 2 });
+    await host.ended(completed(1));
+    expect(said).toEqual(["snapshot 1", "snapshot 2", "completed"]);
+  });
+
+  it("shows the robot as it is before the endings that a page brings along", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await robot.submit(LEFT);
+    await host.started(1);
+    await host.report({ seq: 1, tick: 100 });
+    robot.session.leavePage(host.link);
+    const ended = robot.session.endOf(1, patience(20_000));
+    const read = ended.then(({ state }) => `${state} at ${robot.session.newest?.tick}`);
+    const snapshot = snapshotOf({ seq: 2, tick: 200 });
+    await page(robot, { lastApplied: 1, endings: [completed(1)], snapshot });
+    expect(await read).toBe("completed at 200");
+  });
+
+  it("tells apart a robot that runs, one that sleeps and one that is gone", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await host.report({ tick: 1 });
+    expect(robot.session.newest?.state).toBe("running");
+    await robot.clock.pass(5_000);
+    expect(robot.session.newest?.state).toBe("paused");
+    robot.session.leavePage(host.link);
+    expect(robot.session.newest?.state).toBe("gone");
+  });
+
+  it("takes a robot whose ticks stand still for asleep, until they go on", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let second = 0; second < 5; second++) {
+      await host.report({ seq: second, tick: 7 });
+      await robot.clock.pass(1_000);
+    }
+    expect(robot.session.newest?.state).toBe("paused");
+    await host.report({ seq: 9, tick: 8 });
+    expect(robot.session.newest?.state).toBe("running");
+  });
+
+  it("keeps counting snapshots when a reloaded page begins at 1 again", async () => {
+    const robot = await withRobot();
+    await (await page(robot)).report({ seq: 900 });
+    await (await page(robot)).report({ seq: 1 });
+    expect(robot.session.newest?.seq).toBe(901);
+  });
+
+  it("answers a long poll when there is news, and after the wait when there is none", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await host.report({ seq: 7 });
+    const newer = robot.session.nextSnapshot(7, patience(25_000));
+    await host.report({ seq: 8 });
+    expect(await newer).toMatchObject({ seq: 8 });
+    const none = robot.session.nextSnapshot(8, patience(25_000));
+    await robot.clock.pass(3_000);
+    await host.report({ seq: 8 });
+    expect(await none).toMatchObject({ seq: 9 });
+    const gone = robot.session.nextSnapshot(9, patience(25_000));
+    robot.session.leavePage(host.link);
+    expect(await gone).toMatchObject({ seq: 9, state: "gone" });
+    const quiet = robot.session.nextSnapshot(9, patience(25_000));
+    await robot.clock.pass(25_000);
+    expect(await quiet).toMatchObject({ seq: 9, state: "gone" });
+  });
+
+  it("waits for the end of a command", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await robot.submit(LEFT);
+    const end = robot.session.endOf(1, patience(25_000));
+    await settled();
+    await host.ended(completed(1));
+    expect(await end).toMatchObject({ state: "completed" });
+    expect(await robot.session.endOf(1, patience(25_000))).toMatchObject({ state: "completed" });
+    await expect(robot.session.endOf(2, patience(0))).rejects.toMatchObject({ kind: "no-command" });
+  });
+
+  it("tells the page about its scripts, at most once a second", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await robot.clock.pass(2_000);
+    const before = host.told.length;
+    for (let n = 0; n < 50; n++) {
+      robot.session.heard(robot.key)();
+      await robot.clock.pass(100);
+    }
+    const drivers = host.told.slice(before).filter(({ type }) => type === "drivers");
+    expect(drivers.length).toBeGreaterThanOrEqual(5);
+    expect(drivers.length).toBeLessThanOrEqual(6);
+    expect(drivers.at(-1)).toMatchObject({ connected: 0, client: "Python" });
+  });
+});

@@ -1,0 +1,95 @@
+/** One robot, its page and its script, at one relay by a fake clock, for the tests of sessions. */
+import { snapshotOf } from "@corridor/protocol/testing";
+import { join } from "node:path";
+import {
+  termsOf,
+  type Command,
+  type CommandRecord,
+  type Ending,
+  type Order,
+  type RelayToPage,
+  type Resume,
+} from "@corridor/protocol";
+import { pino } from "pino";
+import { onTestFinished } from "vitest";
+import { SqliteStore } from "../../store/sqlite-store.ts";
+import { cutStore } from "../../testing/cut-store.ts";
+import { FakeClock } from "../../testing/fake-clock.ts";
+import { testFolder } from "../../testing/test-relay.ts";
+import type { PageLink } from "../page-link.ts";
+import { SessionHub } from "../session-hub.ts";
+
+/** What a reader in a test does not listen to. */
+export const deafReader = {
+  door: "websocket",
+  flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
+  began: () => undefined,
+  gap: () => undefined,
+  over: () => undefined,
+} as const;
+
+export const LEFT: Command = { action: "left 90" };
+export const patience = (milliseconds: number) => ({
+  milliseconds,
+  signal: new AbortController().signal,
+});
+
+/** A robot that was registered at a relay of its own, and a script that drives it. */
+export async function withRobot() {
+  const clock = new FakeClock();
+  const store = new SqliteStore(join(testFolder(), "corridor.sqlite"));
+  onTestFinished(() => store.close());
+  const cut = cutStore(store);
+  const hub = new SessionHub(cut.store, clock, pino({ level: "silent" }));
+  const robot = await hub.register("10.0.0.1", "http://localhost");
+  const { session, key } = await hub.authorise(robot.id, robot.driverKey, "command", {
+    client: "Python",
+    name: null,
+  });
+  const submit = async (order: Order, idempotencyKey: string | null = null) => {
+    const records: CommandRecord[] = [];
+    const request = { key: idempotencyKey, ...termsOf(order) };
+    await session.submit(key, request, (record) => records.push(record));
+    return records[0];
+  };
+  const states = async () =>
+    (await session.commandsAfter(0)).map(({ seq, state }) => `${seq} ${state}`);
+  return { clock, cut, hub, robot, session, key, submit, states };
+}
+
+export type Robot = Awaited<ReturnType<typeof withRobot>>;
+
+/** A page that takes the robot, and all that it is told. */
+export async function page({ session }: Robot, resume: Partial<Resume> = {}) {
+  const told: RelayToPage[] = [];
+  const closed: number[] = [];
+  const link: PageLink = {
+    isOpen: true,
+    send: (message) => told.push(message),
+    close: ({ code }) => closed.push(code),
+  };
+  await session.takePage(link, {
+    type: "resume",
+    lastApplied: 0,
+    fresh: false,
+    endings: [],
+    ...resume,
+  });
+  const welcome = told.find((message) => message.type === "welcome");
+  const epoch = welcome?.type === "welcome" ? welcome.epoch : 0;
+  const seqs = (type: "command" | "stop") =>
+    told.flatMap((message) => (message.type === type && "seq" in message ? [message.seq] : []));
+  return {
+    told,
+    closed,
+    link,
+    epoch,
+    seqs,
+    started: (seq: number) => session.hearPage(link, { type: "started", epoch, seq }),
+    ended: (ending: Ending) => session.hearPage(link, { type: "ended", epoch, ...ending }),
+    report: (change = {}) =>
+      session.hearPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) }),
+  };
+}
+
+export type Host = Awaited<ReturnType<typeof page>>;

@@ -1,0 +1,177 @@
+/** What every store must do: commands, from being stored to being delivered. */
+import { describe, expect, it } from "vitest";
+import { completed } from "../../testing/messages.ts";
+import {
+  ID,
+  LEFT,
+  STOP,
+  NOW,
+  EPOCH,
+  sent,
+  keyChange,
+  nothingDone,
+  type OpenStore,
+  robotIn,
+} from "./robot-in-store.ts";
+
+export function commandCases(name: string, open: () => Promise<OpenStore>): void {
+  const withRobot = () => robotIn(open);
+
+  describe(`${name}: commands`, () => {
+    it("numbers commands 1, 2, 3 and keeps the whole request", async () => {
+      const { add, store } = await withRobot();
+      await add(LEFT);
+      await add({ action: "drive", left: 0.2, right: -0.2, milliseconds: 602 }, "key-0001");
+      expect(await store.command(ID, 2)).toEqual({
+        seq: 2,
+        key: "key-0001",
+        action: "drive",
+        command: { action: "drive", left: 0.2, right: -0.2, milliseconds: 602 },
+        state: "accepted",
+        reason: null,
+        acceptedAt: "1970-01-01T00:00:05.000Z",
+        pose: null,
+        distance: null,
+        duplicate: false,
+      });
+    });
+
+    it("gives a retry the first record, and refuses the key for another command", async () => {
+      const { add, states } = await withRobot();
+      await add(LEFT, "key-0001");
+      expect(await add(LEFT, "key-0001")).toMatchObject({
+        outcome: "duplicate",
+        record: { seq: 1 },
+      });
+      expect(await add(STOP, "key-0001")).toMatchObject({ outcome: "conflict" });
+      expect(await states()).toEqual(["1 accepted"]);
+    });
+
+    it("lets another driver use the same key", async () => {
+      const { add, store } = await withRobot();
+      await add(LEFT, "key-0001");
+      await store.changeKeys(ID, keyChange({ add: [{ kind: "drive", hash: "e" }] }));
+      const other = { ...sent, driver: "e", key: "key-0001", command: STOP };
+      expect(await store.add(ID, other)).toMatchObject({ outcome: "stored" });
+    });
+
+    it("refuses a command too many and leaves its key free, but never a stop", async () => {
+      const { add, deliver } = await withRobot();
+      const maxWaiting = 2;
+      await add(LEFT, null, { maxWaiting });
+      await add(LEFT, null, { maxWaiting });
+      expect(await add(LEFT, "key-0001", { maxWaiting })).toEqual({ outcome: "full" });
+      await deliver(1);
+      expect(await add(LEFT, "key-0001", { maxWaiting })).toMatchObject({
+        outcome: "stored",
+        record: { seq: 3 },
+      });
+      expect(await add(STOP, null, { maxWaiting })).toMatchObject({ outcome: "stored" });
+    });
+
+    it("forgets old commands once they have ended, with their keys, and never an open one", async () => {
+      const { add, store, states, deliver } = await withRobot();
+      const keep = 2;
+      await add(LEFT, "key-0001", { keep });
+      await add(LEFT, "key-0002", { keep });
+      await deliver(8);
+      await store.end(ID, EPOCH, completed(2));
+      await add(LEFT, "key-0003", { keep });
+      expect(await states()).toEqual(["1 delivered", "2 completed", "3 accepted"]);
+      await add(LEFT, "key-0004", { keep });
+      expect(await states()).toEqual(["1 delivered", "3 accepted", "4 accepted"]);
+      expect(await store.command(ID, 2)).toBeNull();
+      expect(await add(LEFT, "key-0003", { keep })).toMatchObject({ outcome: "duplicate" });
+      expect(await add(LEFT, "key-0002", { keep })).toMatchObject({
+        outcome: "stored",
+        record: { seq: 5 },
+      });
+      await store.end(ID, EPOCH, completed(1));
+      await add(STOP, null, { keep });
+      expect(await states()).toEqual(["5 cancelled", "6 accepted"]);
+    });
+
+    it("forgets only the commands of the robot that got a new one", async () => {
+      const { add, store, states, deliver } = await withRobot();
+      await add(LEFT);
+      await deliver(8);
+      await store.end(ID, EPOCH, completed(1));
+      const other = "BBBBBBBBBBBBBBBBBBBBBB";
+      const keys = [{ kind: "drive" as const, hash: sent.driver }];
+      await store.create({ id: other, createdAt: 1_000, keys });
+      for (let n = 0; n < 3; n++) await store.add(other, { ...sent, keep: 1 });
+      expect(await states()).toEqual(["1 completed"]);
+    });
+
+    it("stores nothing for a robot that is not there", async () => {
+      const { store } = await open();
+      expect(await store.add(ID, sent)).toEqual({ outcome: "no-session" });
+      expect(await store.takeOver(ID, nothingDone)).toBeNull();
+    });
+
+    it("delivers in order, no more than the window", async () => {
+      const { add, store, states, deliver } = await withRobot();
+      for (let n = 0; n < 4; n++) await add(LEFT);
+      const first = await store.deliver(ID, EPOCH, 3, NOW);
+      expect(first.map(({ record }) => [record.seq, record.state])).toEqual([
+        [1, "delivered"],
+        [2, "delivered"],
+        [3, "delivered"],
+      ]);
+      expect(await deliver(3)).toEqual([]);
+      await store.start(ID, EPOCH, 1);
+      expect(await deliver(3)).toEqual([4]);
+      expect(await states()).toEqual(["1 started", "2 delivered", "3 delivered", "4 delivered"]);
+    });
+
+    it("lets a stop overtake: what waits is cancelled, what is delivered is the robot's to end", async () => {
+      const { add, states, deliver } = await withRobot();
+      for (let n = 0; n < 3; n++) await add(LEFT);
+      await deliver(2);
+      const stop = await add(STOP);
+      expect(stop).toMatchObject({
+        ended: [{ record: { seq: 3, reason: "stopped by command 4" } }],
+      });
+      expect(await deliver(2)).toEqual([4]);
+      expect(await states()).toEqual(["1 delivered", "2 delivered", "3 cancelled", "4 delivered"]);
+    });
+
+    it("keeps the first ending for ever", async () => {
+      const { add, store, deliver } = await withRobot();
+      await add(LEFT);
+      expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({
+        outcome: "over",
+        record: { state: "accepted" },
+      });
+      await deliver(8);
+      expect(await store.start(ID, EPOCH, 1)).toMatchObject({ state: "started" });
+      expect(await store.start(ID, EPOCH, 1)).toBeNull();
+      expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({
+        outcome: "ended",
+        record: { state: "completed", distance: 100 },
+      });
+      expect(await store.end(ID, EPOCH, { ...completed(1), state: "collided" })).toMatchObject({
+        outcome: "over",
+        record: { state: "completed" },
+      });
+      expect(await store.end(ID, EPOCH, completed(9))).toEqual({ outcome: "over", record: null });
+      expect(await store.abandon(ID, EPOCH, "gone")).toEqual([]);
+      expect(await store.command(ID, 1)).toMatchObject({ state: "completed", pose: { x: 250 } });
+    });
+
+    it("ends what runs when the robot is gone, leaves what waits, and believes that page no more", async () => {
+      const { add, store, deliver, states } = await withRobot();
+      for (let n = 0; n < 3; n++) await add(LEFT);
+      await deliver(2);
+      await store.start(ID, EPOCH, 1);
+      await store.abandon(ID, EPOCH, "the robot is gone");
+      expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 accepted"]);
+      expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({
+        outcome: "over",
+        record: { state: "cancelled", reason: "the robot is gone" },
+      });
+      expect(await deliver(8)).toEqual([]);
+      expect((await store.takeOver(ID, nothingDone))?.epoch).toBe(EPOCH + 2);
+    });
+  });
+}

@@ -1,0 +1,66 @@
+/** What every store must do: the keys of a robot. */
+import { describe, expect, it } from "vitest";
+import { ID, LEFT, sent, keyChange, type OpenStore, robotIn } from "./robot-in-store.ts";
+
+export function keyCases(name: string, open: () => Promise<OpenStore>): void {
+  const withRobot = () => robotIn(open);
+
+  describe(`${name}: keys`, () => {
+    const watch = { kind: "watch" as const, hash: "watcher-hash" };
+    const first = { kind: "drive" as const, hash: "driver-hash-of-this-robot" };
+
+    it("makes and revokes keys in one step, also for after a restart", async () => {
+      const { store, reopen } = await withRobot();
+      const change = keyChange({ add: [watch], remove: [first.hash] });
+      const changed = { outcome: "changed", keys: [watch], ended: [] };
+      expect(await store.changeKeys(ID, change)).toEqual(changed);
+      const again = keyChange({ add: [first] });
+      expect(await store.changeKeys(ID, again)).toMatchObject({ outcome: "changed" });
+      const keys = (await (await reopen()).find(ID))?.keys ?? [];
+      expect(keys.toSorted((a, b) => a.hash.localeCompare(b.hash))).toEqual([first, watch]);
+    });
+
+    it("refuses one too many and leaves all as it was, but revokes and replaces then, too", async () => {
+      const { store } = await withRobot();
+      const full = await store.changeKeys(ID, keyChange({ add: [watch], most: 1 }));
+      expect(full).toEqual({ outcome: "full" });
+      expect((await store.find(ID))?.keys).toEqual([first]);
+      const change = keyChange({ add: [watch], remove: [first.hash], most: 1 });
+      const replaced = await store.changeKeys(ID, change);
+      expect(replaced).toEqual({ outcome: "changed", keys: [watch], ended: [] });
+    });
+
+    it("revokes all of a kind, whoever has made them", async () => {
+      const { store } = await withRobot();
+      const other = { kind: "drive" as const, hash: "of-another-relay" };
+      await store.changeKeys(ID, keyChange({ add: [watch, other] }));
+      const anew = { kind: "drive" as const, hash: "new" };
+      const replaced = await store.changeKeys(ID, keyChange({ add: [anew], removeKind: "drive" }));
+      expect(replaced).toEqual({ outcome: "changed", keys: [watch, anew], ended: [] });
+    });
+
+    it("takes back what a revoked key had sent, and stores nothing more of it", async () => {
+      const { store, add, deliver, states } = await withRobot();
+      const other = { kind: "drive" as const, hash: "e" };
+      await store.changeKeys(ID, keyChange({ add: [other] }));
+      await add(LEFT);
+      await add(LEFT, null, { driver: "e" });
+      await deliver(1);
+      await add(LEFT);
+      const change = keyChange({ remove: [sent.driver] });
+      expect(await store.changeKeys(ID, change)).toMatchObject({
+        ended: [{ record: { seq: 3, state: "cancelled", reason: "revoked" } }],
+      });
+      expect(await store.recalled(ID)).toEqual([{ seq: 1, reason: "revoked" }]);
+      expect(await add(LEFT)).toEqual({ outcome: "revoked" });
+      expect(await add(LEFT, null, { driver: "e" })).toMatchObject({ outcome: "stored" });
+      expect(await states()).toEqual(["1 delivered", "2 accepted", "3 cancelled", "4 accepted"]);
+    });
+
+    it("has no keys where there is no robot", async () => {
+      const { store } = await withRobot();
+      const change = keyChange({ add: [watch] });
+      expect(await store.changeKeys("B".repeat(22), change)).toEqual({ outcome: "no-session" });
+    });
+  });
+}

@@ -1,0 +1,56 @@
+/** A robot in an empty store, and the words by which the cases of stores drive it. */
+import type { Command } from "@corridor/protocol";
+import type { KeyChange, NewCommand, PageState, SessionStore } from "../session-store.ts";
+
+export const ID = "AAAAAAAAAAAAAAAAAAAAAA";
+export const LEFT: Command = { action: "left 90" };
+export const STOP: Command = { action: "stop" };
+export const NOW = 5_000;
+/** of the page that every robot here begins with */
+export const EPOCH = 1;
+export const sent: NewCommand = {
+  driver: "driver-hash-of-this-robot",
+  script: null,
+  key: null,
+  command: LEFT,
+  acceptedAt: NOW,
+  ttl: 10_000,
+  deadline: NOW + 10_000,
+  replace: false,
+  lease: null,
+  maxWaiting: 64,
+  keep: 100,
+};
+export const keyChange = (change: Partial<KeyChange>): KeyChange => ({
+  add: [],
+  remove: [],
+  removeKind: null,
+  most: 12,
+  reason: "revoked",
+  ...change,
+});
+export const nothingDone: PageState = { lastApplied: 0, fresh: false, endings: [] };
+
+export interface OpenStore {
+  store: SessionStore;
+  /** The same data, opened again as after a restart. */
+  reopen: () => Promise<SessionStore>;
+  /** Whether the text can still be found in what is on disk. */
+  holds: (text: string) => Promise<boolean>;
+}
+
+/** A robot that a page has taken, in a store of its own. */
+export async function robotIn(open: () => Promise<OpenStore>) {
+  const opened = await open();
+  const { store } = opened;
+  const keys = [{ kind: "drive" as const, hash: "driver-hash-of-this-robot" }];
+  await store.create({ id: ID, createdAt: 1_000, keys });
+  await store.takeOver(ID, nothingDone);
+  const add = (command: Command, key: string | null = null, change: Partial<NewCommand> = {}) =>
+    store.add(ID, { ...sent, command, key, ...change });
+  const deliver = async (window: number, epoch = EPOCH): Promise<number[]> =>
+    (await store.deliver(ID, epoch, window, NOW)).map(({ record }) => record.seq);
+  const states = async (): Promise<string[]> =>
+    (await store.commandsAfter(ID, 0, 100)).map(({ seq, state }) => `${seq} ${state}`);
+  return { ...opened, add, deliver, states };
+}

@@ -1,0 +1,164 @@
+/** What every store must do: sessions as a whole. */
+import { describe, expect, it } from "vitest";
+import { ID, LEFT, STOP, keyChange, type OpenStore, robotIn } from "./robot-in-store.ts";
+
+export function sessionCases(name: string, open: () => Promise<OpenStore>): void {
+  const withRobot = () => robotIn(open);
+
+  describe(`${name}: scripts that are away`, () => {
+    const driver = "driver-hash-of-this-robot";
+    const reason = "its script was sent away";
+    const anna = { id: "AnnaAnna", driver, name: "Anna \u00fc \u2713", client: "Python" };
+    const watcher = { kind: "watch" as const, hash: "watcher-hash" };
+    const nameless = { id: "Nameless", driver, name: null, client: "curl" };
+
+    it("stay away after a restart, each once, until they are let back", async () => {
+      const { store, reopen } = await withRobot();
+      expect((await store.find(ID))?.away).toEqual([]);
+      await store.changeAway(ID, { add: anna, remove: null, reason, most: 16 });
+      await store.changeAway(ID, { add: nameless, remove: null, reason, most: 16 });
+      const again = await store.changeAway(ID, { add: anna, remove: null, reason, most: 2 });
+      expect(again).toEqual({ outcome: "changed", away: [anna, nameless], ended: [] });
+      const reopened = await reopen();
+      expect((await reopened.find(ID))?.away).toEqual([anna, nameless]);
+      const back = { add: null, remove: anna.id, reason, most: 16 };
+      expect(await reopened.changeAway(ID, back)).toMatchObject({ away: [nameless] });
+      await reopened.changeAway(ID, { add: null, remove: nameless.id, reason, most: 16 });
+      expect((await reopened.find(ID))?.away).toEqual([]);
+    });
+
+    it("are only so many, and none where there is no robot", async () => {
+      const { store } = await withRobot();
+      await store.changeAway(ID, { add: anna, remove: null, reason, most: 1 });
+      const one = { add: nameless, remove: null, reason, most: 1 };
+      expect(await store.changeAway(ID, one)).toEqual({ outcome: "full" });
+      expect((await store.find(ID))?.away).toEqual([anna]);
+      expect(await store.changeAway("B".repeat(22), one)).toEqual({ outcome: "no-session" });
+    });
+
+    it("are gone with their key, and from the disk with the robot", async () => {
+      const { store, holds } = await withRobot();
+      const other = { ...nameless, driver: "another-hash" };
+      await store.changeAway(ID, {
+        add: { ...anna, name: "Annas-name" },
+        remove: null,
+        reason,
+        most: 16,
+      });
+      await store.changeAway(ID, { add: other, remove: null, reason, most: 16 });
+      await store.changeKeys(ID, keyChange({ add: [watcher], remove: [driver] }));
+      expect((await store.find(ID))?.away).toEqual([other]);
+      await store.remove(ID);
+      expect(await holds("Annas-name")).toBe(false);
+    });
+
+    it("loses what it had sent: what waits ends, and the robot is asked for the rest", async () => {
+      const { store, add, deliver, states } = await withRobot();
+      const byAnna = { script: anna.id };
+      await add(LEFT, null, byAnna);
+      await add(LEFT);
+      await deliver(2);
+      await add(LEFT, null, byAnna);
+      await add(LEFT);
+      const result = await store.changeAway(ID, { add: anna, remove: null, reason, most: 16 });
+      expect(result).toMatchObject({
+        ended: [{ record: { seq: 3, state: "cancelled", reason }, script: anna.id }],
+      });
+      expect(await states()).toEqual(["1 delivered", "2 delivered", "3 cancelled", "4 accepted"]);
+      expect(await store.recalled(ID)).toEqual([{ seq: 1, reason }]);
+    });
+
+    it("sends nothing while it is away, not even where a relay has not heard of it", async () => {
+      const { store, add } = await withRobot();
+      const byAnna = { script: anna.id };
+      await store.changeAway(ID, { add: anna, remove: null, reason, most: 16 });
+      expect(await add(LEFT, null, byAnna)).toEqual({ outcome: "sent-away" });
+      expect(await add(LEFT)).toMatchObject({ outcome: "stored" });
+      await store.changeAway(ID, { add: null, remove: anna.id, reason, most: 16 });
+      expect(await add(LEFT, null, byAnna)).toMatchObject({ outcome: "stored" });
+    });
+  });
+
+  describe(`${name}: remote driving that is paused`, () => {
+    const reason = "the owner paused remote driving";
+
+    it("takes back what was sent, all but stops, in the same step", async () => {
+      const { store, add, deliver, states } = await withRobot();
+      for (let n = 0; n < 3; n++) await add(LEFT);
+      await deliver(2);
+      await add(STOP);
+      await add(LEFT);
+      const ended = await store.pause(ID, true, reason);
+      expect(ended).toMatchObject([{ record: { seq: 5, state: "cancelled", reason } }]);
+      const all = ["1 delivered", "2 delivered", "3 cancelled", "4 accepted", "5 cancelled"];
+      expect(await states()).toEqual(all);
+      expect((await store.recalled(ID)).map(({ seq }) => seq)).toEqual([1, 2]);
+    });
+
+    it("refuses commands and frees their keys, but takes a stop and knows what it took before", async () => {
+      const { store, add } = await withRobot();
+      await add(LEFT, "key-0001");
+      await store.pause(ID, true, reason);
+      expect(await add(LEFT, "key-0002")).toEqual({ outcome: "paused" });
+      expect(await add(LEFT, "key-0001")).toMatchObject({ outcome: "duplicate" });
+      expect(await add(STOP, "key-0003")).toMatchObject({ outcome: "stored" });
+      expect(await store.pause(ID, false, reason)).toEqual([]);
+      expect(await add(LEFT, "key-0002")).toMatchObject({ outcome: "stored" });
+    });
+
+    it("stays so after a restart, and is nothing where there is no robot", async () => {
+      const { store, add, reopen } = await withRobot();
+      await add(LEFT);
+      expect((await store.find(ID))?.isPaused).toBe(false);
+      await store.pause(ID, true, reason);
+      expect((await (await reopen()).find(ID))?.isPaused).toBe(true);
+      expect(await store.pause("B".repeat(22), true, reason)).toBeNull();
+    });
+  });
+
+  describe(`${name}: sessions`, () => {
+    it("answers that it can be written, as often as it is asked", async () => {
+      const { store, add, states } = await withRobot();
+      await add(LEFT);
+      expect([await store.check(), await store.check()]).toEqual(["ok", "ok"]);
+      expect(await states()).toEqual(["1 accepted"]);
+    });
+
+    it("still has everything after a restart", async () => {
+      const { add, store, reopen, deliver } = await withRobot();
+      await add(LEFT, "key-0001");
+      await deliver(8);
+      await store.close();
+      const again = await reopen();
+      expect(await again.find(ID)).toMatchObject({
+        id: ID,
+        createdAt: 1_000,
+        keys: [{ kind: "drive" }],
+      });
+      expect(await again.command(ID, 1)).toMatchObject({ state: "delivered", key: "key-0001" });
+    });
+
+    it("deletes a session with all of its traces", async () => {
+      const { add, store, holds } = await withRobot();
+      await add(LEFT, "a-key-to-be-forgotten");
+      expect(await holds("a-key-to-be-forgotten")).toBe(true);
+      expect(await store.remove(ID)).toBe(true);
+      expect(await store.remove(ID)).toBe(false);
+      expect(await store.find(ID)).toBeNull();
+      expect(await store.commandsAfter(ID, 0, 10)).toEqual([]);
+      expect(await holds("a-key-to-be-forgotten")).toBe(false);
+      expect(await holds("driver-hash-of-this-robot")).toBe(false);
+    });
+
+    it("forgets sessions that nobody uses or that are too old, and no others", async () => {
+      const { store } = await withRobot();
+      await store.create({ id: "BBBBBBBBBBBBBBBBBBBBBB", createdAt: 9_000, keys: [] });
+      await store.touch(ID, 8_000);
+      expect(await store.removeExpired({ lastUsedAt: 7_000, createdAt: 0 })).toEqual([]);
+      expect(await store.removeExpired({ lastUsedAt: 8_500, createdAt: 0 })).toEqual([ID]);
+      expect(await store.removeExpired({ lastUsedAt: 0, createdAt: 9_001 })).toEqual([
+        "BBBBBBBBBBBBBBBBBBBBBB",
+      ]);
+    });
+  });
+}

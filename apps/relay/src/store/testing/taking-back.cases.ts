@@ -1,0 +1,85 @@
+/** What every store must do: commands that replace others or are taken back. */
+import { describe, expect, it } from "vitest";
+import { completed } from "../../testing/messages.ts";
+import { ID, LEFT, STOP, NOW, EPOCH, sent, type OpenStore, robotIn } from "./robot-in-store.ts";
+
+export function takingBackCases(name: string, open: () => Promise<OpenStore>): void {
+  const withRobot = () => robotIn(open);
+
+  describe(`${name}: replacing and cancelling`, () => {
+    it("supersedes what is accepted, and delivers what replaces past a full window", async () => {
+      const { add, deliver, states, store } = await withRobot();
+      for (let n = 0; n < 3; n++) await add(LEFT);
+      await deliver(2);
+      expect(await add(LEFT, null, { replace: true, maxWaiting: 1 })).toMatchObject({
+        outcome: "stored",
+        ended: [{ record: { seq: 3, state: "superseded", reason: "replaced by command 4" } }],
+      });
+      expect(await store.deliver(ID, EPOCH, 2, NOW)).toMatchObject([
+        { record: { seq: 4 }, replace: true },
+      ]);
+      expect(await states()).toEqual(["1 delivered", "2 delivered", "3 superseded", "4 delivered"]);
+    });
+
+    it("keeps overtaken what was delivered before and never arrived", async () => {
+      const { add, deliver, states, store } = await withRobot();
+      for (let n = 0; n < 3; n++) await add(LEFT);
+      await deliver(8);
+      await add(LEFT, null, { replace: true });
+      await add(LEFT);
+      await store.takeOver(ID, { lastApplied: 1, fresh: false, endings: [] });
+      expect(await states()).toEqual([
+        "1 started",
+        "2 superseded",
+        "3 superseded",
+        "4 accepted",
+        "5 accepted",
+      ]);
+      await deliver(8, EPOCH + 1);
+      await add(STOP);
+      await store.expire(ID, NOW + 60_000);
+      await store.takeOver(ID, { lastApplied: 1, fresh: false, endings: [] });
+      expect((await states()).slice(3)).toEqual(["4 cancelled", "5 cancelled", "6 expired"]);
+    });
+
+    it("takes back what waits, for its sender only, and leaves to the robot what it has", async () => {
+      const { add, deliver, store } = await withRobot();
+      const by = { driver: sent.driver, reason: "cancelled by its sender" };
+      await add(LEFT);
+      await deliver(8);
+      await add(LEFT);
+      expect(await store.cancel(ID, 2, { ...by, driver: "e" })).toEqual({ outcome: "not-yours" });
+      expect(await store.cancel(ID, 2, by)).toMatchObject({
+        outcome: "cancelled",
+        termed: { record: { state: "cancelled", reason: by.reason } },
+      });
+      expect(await store.cancel(ID, 2, by)).toMatchObject({ outcome: "over" });
+      expect(await store.cancel(ID, 1, by)).toMatchObject({
+        outcome: "delivered",
+        record: { state: "delivered" },
+      });
+      expect(await store.cancel(ID, 3, by)).toEqual({ outcome: "no-command" });
+    });
+
+    it("keeps the wish to take back what the robot has, and ends by it what never arrived", async () => {
+      const { add, deliver, store, states } = await withRobot();
+      const by = { driver: sent.driver, reason: "cancelled by its sender" };
+      for (let n = 0; n < 4; n++) await add(LEFT);
+      await deliver(3);
+      expect(await store.recalled(ID)).toEqual([]);
+      for (const seq of [1, 2, 4]) await store.cancel(ID, seq, by);
+      await store.cancel(ID, 2, { ...by, reason: "later" });
+      expect(await store.recalled(ID)).toEqual([
+        { seq: 1, reason: by.reason },
+        { seq: 2, reason: by.reason },
+      ]);
+      await store.takeOver(ID, { lastApplied: 1, fresh: false, endings: [] });
+      expect(await states()).toEqual(["1 started", "2 cancelled", "3 accepted", "4 cancelled"]);
+      expect(await store.command(ID, 1)).toMatchObject({ reason: null });
+      expect(await store.command(ID, 2)).toMatchObject({ reason: by.reason });
+      expect(await store.recalled(ID)).toEqual([{ seq: 1, reason: by.reason }]);
+      await store.end(ID, EPOCH + 1, completed(1));
+      expect(await store.recalled(ID)).toEqual([]);
+    });
+  });
+}

@@ -1,0 +1,74 @@
+/** What every store must do: deadlines. */
+import { describe, expect, it } from "vitest";
+import { completed } from "../../testing/messages.ts";
+import { ID, LEFT, NOW, EPOCH, sent, type OpenStore, robotIn } from "./robot-in-store.ts";
+
+export function timeCases(name: string, open: () => Promise<OpenStore>): void {
+  const withRobot = () => robotIn(open);
+
+  describe(`${name}: time to live`, () => {
+    const short = { ttl: 400, deadline: NOW + 400 };
+
+    it("expires what waits too long, and says when the next is due", async () => {
+      const { add, store, states } = await withRobot();
+      await add(LEFT, null, short);
+      await add(LEFT);
+      expect(await store.expire(ID, NOW + 399)).toEqual({ ended: [], next: NOW + 400 });
+      const { ended, next } = await store.expire(ID, NOW + 400);
+      expect(ended).toMatchObject([
+        { ttl: 400, record: { seq: 1, state: "expired", reason: "older than 0.4 s" } },
+      ]);
+      expect(next).toBe(NOW + 10_000);
+      expect(await states()).toEqual(["1 expired", "2 accepted"]);
+      expect(await store.expire(ID, NOW + 10_000)).toMatchObject({ next: null });
+    });
+
+    it("leaves to the robot what was delivered in time, and delivers nothing late", async () => {
+      const { add, store, states } = await withRobot();
+      await add(LEFT, null, short);
+      await add(LEFT, null, short);
+      expect(await store.deliver(ID, EPOCH, 1, NOW + 399)).toMatchObject([
+        {
+          record: { seq: 1 },
+          driver: sent.driver,
+          deadline: NOW + 400,
+          replace: false,
+          lease: null,
+        },
+      ]);
+      expect(await store.deliver(ID, EPOCH, 8, NOW + 400)).toEqual([]);
+      await store.expire(ID, NOW + 400);
+      expect(await states()).toEqual(["1 delivered", "2 expired"]);
+      expect(await store.end(ID, EPOCH, { ...completed(1), state: "expired" })).toMatchObject({
+        outcome: "ended",
+      });
+    });
+
+    it("refuses what comes too late and leaves its key free, but knows a key again at any age", async () => {
+      const { add, states } = await withRobot();
+      expect(await add(LEFT, "key-0001", { deadline: NOW })).toEqual({ outcome: "late" });
+      expect(await add(LEFT, "key-0001")).toMatchObject({ outcome: "stored", record: { seq: 1 } });
+      expect(await add(LEFT, "key-0001", { deadline: NOW })).toMatchObject({
+        outcome: "duplicate",
+      });
+      expect(await states()).toEqual(["1 accepted"]);
+    });
+
+    it("gives nothing more time when the clock was set back", async () => {
+      const { add, store, states } = await withRobot();
+      await add(LEFT);
+      expect(await store.deliver(ID, EPOCH, 8, NOW - 2_001)).toEqual([]);
+      expect(await store.expire(ID, NOW - 2_000)).toMatchObject({ ended: [] });
+      expect(await store.expire(ID, NOW - 2_001)).toMatchObject({ ended: [{ ttl: 10_000 }] });
+      expect(await states()).toEqual(["1 expired"]);
+    });
+
+    it("still knows the deadlines after a restart", async () => {
+      const { add, store, reopen } = await withRobot();
+      await add(LEFT, null, short);
+      await store.close();
+      const again = await reopen();
+      expect(await again.expire(ID, NOW)).toEqual({ ended: [], next: NOW + 400 });
+    });
+  });
+}
