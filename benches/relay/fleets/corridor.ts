@@ -92,8 +92,8 @@ async function openRobot(robot: number, options: FleetOptions): Promise<Robot> {
   const hear = (text: string): void => {
     if (text.startsWith('{"type":"snapshot"')) {
       const n = numberIn(text);
-      reader.send(`{"type":"seen","seq":${n}}`);
       ears.snapshot(robot, n);
+      reader.send(`{"type":"seen","seq":${n}}`);
     } else if (text.startsWith('{"type":"ack"')) ears.answered(robot);
     else if (text.startsWith('{"type":"state"')) {
       if (text.includes('"state":"started"')) ears.began(robot);
