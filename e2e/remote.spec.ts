@@ -3,6 +3,7 @@ import { encodeLink } from "@corridor/link";
 import { countOpenCells, generateTree } from "@corridor/maze";
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
+import { expectNoBarriers } from "./support/axe.ts";
 import { exampleOf, runScript } from "./support/script.ts";
 
 const tree = generateTree({ columns: 11, rows: 11, seed: 3, name: "Tree" });
@@ -235,6 +236,7 @@ test("scripts are listed by name, and one is sent away while the others go on", 
     expect.stringContaining("has sent this script away"),
   ]);
   expect((await as("Ben", "/commands", { action: "left 90" })).status).toBe(202);
+  await expectNoBarriers(page, "scripts by name");
   // Still away after a reload of the page.
   await page.reload();
   await anna.getByRole("button", { name: "Let back" }).click();
@@ -289,6 +291,7 @@ test("paused scripts drive no more until they are let, over a reload as well", a
   const scripts = page.getByRole("region", { name: "Scripts" });
   await scripts.getByRole("button", { name: "Pause scripts" }).click();
   await expect(scripts.getByRole("status").first()).toContainText("Paused");
+  await expectNoBarriers(page, "scripts are paused");
   await expect(row).toContainText("Remote driving was paused.");
   const refused = await api(address, "/commands", { action: "left 90" });
   expect([refused.status, (await refused.json()).detail]).toEqual([
