@@ -3,6 +3,7 @@ import type { Row } from "./row.ts";
 import { cleanNet } from "./rows/clean-net.ts";
 import { cuts } from "./rows/cuts.ts";
 import { hiddenPage } from "./rows/hidden-page.ts";
+import { slowReaders } from "./rows/slow-readers.ts";
 import { hostileLinks } from "./rows/hostile-links.ts";
 import { malformedFrames } from "./rows/malformed-frames.ts";
 import { openApiFuzz } from "./rows/openapi-fuzz.ts";
@@ -19,6 +20,7 @@ export const rows: readonly Row[] = [
   staleMotion,
   twoRelays,
   hiddenPage,
+  slowReaders,
   malformedFrames,
   openApiFuzz,
   hostileLinks,

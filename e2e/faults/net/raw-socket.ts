@@ -16,13 +16,20 @@ export interface Frame {
   length?: number;
 }
 
+const KEPT_BYTES = 100_000;
+
 export class RawSocket {
   readonly #socket: Socket;
   #answer = "";
+  /** how many bytes came so far */
+  received = 0;
 
   private constructor(socket: Socket) {
     this.#socket = socket;
-    socket.on("data", (data: Buffer) => (this.#answer += data.toString("latin1")));
+    socket.on("data", (data: Buffer) => {
+      this.received += data.length;
+      if (this.#answer.length < KEPT_BYTES) this.#answer += data.toString("latin1");
+    });
     socket.on("error", () => undefined);
   }
 
@@ -39,7 +46,7 @@ export class RawSocket {
     return raw;
   }
 
-  /** all that came so far, byte for byte */
+  /** what came at first, byte for byte */
   get answer(): string {
     return this.#answer;
   }
@@ -58,6 +65,15 @@ export class RawSocket {
 
   write(bytes: string | Uint8Array): void {
     if (this.#socket.writable) this.#socket.write(bytes);
+  }
+
+  /** Reads nothing, as a program that sleeps. */
+  sleep(): void {
+    this.#socket.pause();
+  }
+
+  wake(): void {
+    this.#socket.resume();
   }
 
   /** Says that nothing more comes, and listens on. */
