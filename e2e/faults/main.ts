@@ -7,7 +7,7 @@
  * Words choose rows by their titles.
  */
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { cpus, tmpdir } from "node:os";
+import { cpus, loadavg, tmpdir } from "node:os";
 import { join } from "node:path";
 import { parseArgs } from "node:util";
 import { goalLine } from "../../benches/core/goals.ts";
@@ -32,22 +32,29 @@ const chosen = rows.filter(
 );
 
 const judged: Judged[] = [];
-for (const row of chosen) judged.push(await judge(row));
+for (const row of chosen) {
+  judged.push(await judge(row));
+  // After each one: a long run may be ended before its time.
+  if (values.report !== undefined) writeFileSync(values.report, report());
+}
 
 const held = judged.filter(holds).length;
 console.log(`\n${held} of ${judged.length} rows hold.`);
 if (held < judged.length || chosen.length === 0) process.exitCode = 1;
-if (values.report !== undefined) {
-  const [processor] = cpus();
-  const about = {
-    date: new Date().toISOString().slice(0, 10),
-    machine: `${cpus().length} x ${processor?.model.trim() || process.arch}, ${process.platform}`,
-    versions: `Node ${process.versions.node}`,
-  };
-  writeFileSync(values.report, reportOf(judged, { ...about, isLong, seed }));
-}
 // What a row has left open ends here.
 process.exit();
+
+function report(): string {
+  const [processor] = cpus();
+  const kind = processor?.model.trim() || process.arch;
+  return reportOf(judged, {
+    date: new Date().toISOString().slice(0, 10),
+    machine: `${cpus().length} x ${kind}, ${process.platform}`,
+    versions: `Node ${process.versions.node}`,
+    isLong,
+    seed,
+  });
+}
 
 async function judge(row: Row): Promise<Judged> {
   const { title } = row;
@@ -67,14 +74,19 @@ async function judge(row: Row): Promise<Judged> {
   try {
     const goals = await row.run(terms);
     for (const goal of goals) console.log(goalLine(goal));
-    return { title, does, goals, seconds: seconds() };
+    return { title, does, goals, seconds: seconds(), load: loadOf() };
   } catch (error) {
     const fault = error instanceof Error ? (error.stack ?? error.message) : String(error);
     console.log(`FAIL  ${fault}`);
     const [words = ""] = fault.split("\n");
-    return { title, does, goals: null, fault: words, seconds: seconds() };
+    return { title, does, goals: null, fault: words, seconds: seconds(), load: loadOf() };
   } finally {
     for (const clean of cleaning.toReversed()) await clean();
     rmSync(folder, { recursive: true, force: true, maxRetries: 5 });
   }
+}
+
+/** Of the whole machine in the last minute: more than it has processors means that others were at work, too. */
+function loadOf(): number {
+  return loadavg()[0] ?? NaN;
 }

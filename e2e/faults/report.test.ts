@@ -11,7 +11,7 @@ const about = {
 
 function row(measured: number): Judged {
   const goal = { words: "back", measured, bound: { atMost: 2 }, unit: "s" };
-  return { title: "Killed", does: "kills it", goals: [goal], seconds: 61 };
+  return { title: "Killed", does: "kills it", goals: [goal], seconds: 61, load: 1 };
 }
 
 it("a row holds when all of its goals are met, and it came to its end", () => {
@@ -27,6 +27,7 @@ it("says of every row what must hold, what was measured and whether it holds", (
     goals: null,
     fault: "a | b",
     seconds: 1,
+    load: 1,
   };
   const report = reportOf([row(1.5), row(3), broken], about);
   expect(report).toContain("| Killed | back: at most 2 | 1.5 s | pass |");

@@ -8,6 +8,8 @@ export interface Judged {
   goals: readonly Goal[] | null;
   fault?: string;
   seconds: number;
+  /** average of the machine in its last minute */
+  load: number;
 }
 
 export interface Circumstances {
@@ -29,7 +31,10 @@ export function reportOf(rows: readonly Judged[], about: Circumstances): string 
   return `# What breaks, and what holds
 
 Written by \`npm run test:faults${about.isLong ? " -- --long" : ""}\`: real processes and sockets, with faults.
-What each row does and how to read it: [CONTRIBUTING.md](../CONTRIBUTING.md).
+Histories of scripts, relay and robots are compared: "lost", "doubled", "reordered", "ended twice" and "late" count
+commands for which they differ, or that a robot began more than 100 ms after their time to live. A load above the
+number of processors means that others were at work on the machine, which makes every time longer. How to add a row:
+[CONTRIBUTING.md](../CONTRIBUTING.md).
 
 ${about.date}, ${about.machine}; ${about.versions}; seed ${about.seed}; ${about.isLong ? "long" : "short"} run.
 ${rows.filter(holds).length} of ${rows.length} rows hold.
@@ -38,8 +43,12 @@ ${rows.filter(holds).length} of ${rows.length} rows hold.
 | --- | --- | --- | --- |
 ${lines.join("\n")}
 
-${rows.map(({ title, does, seconds }) => `- **${title}** (${Math.round(seconds)} s): ${does}.`).join("\n")}
+${rows.map(lineAbout).join("\n")}
 `;
+}
+
+function lineAbout({ title, does, seconds, load }: Judged): string {
+  return `- **${title}** (${Math.round(seconds)} s, load ${load.toFixed(1)}): ${does}.`;
 }
 
 function linesOf({ title, goals, fault }: Judged): string[] {
