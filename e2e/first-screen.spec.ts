@@ -42,22 +42,18 @@ async function firstScreen(page: Page, relay: string): Promise<Loaded[]> {
 }
 
 /**
- * Leaves in `firstFiles` what was loaded when the robot first stands elsewhere: what comes after that,
- * in the background, is not part of the first screen.
+ * Leaves in `firstFiles` what was loaded at the first tick, with which the lines are marked as begun: what
+ * comes after that, in the background, is not part of the first screen.
  */
 async function noteFilesUntilFirstTick(page: Page): Promise<void> {
   await page.addInitScript(() => {
-    let start: string | null = null;
     const watch = new MutationObserver(() => {
-      const place = /Robot at \d+, \d+/.exec(document.body?.textContent ?? "")?.[0];
-      if (place === undefined || place === start) return;
-      start ??= place;
-      if (place === start) return;
+      if (document.querySelector("[data-begun]") === null) return;
       watch.disconnect();
       const files = performance.getEntriesByType("resource").map(({ name }) => name);
       Reflect.set(window, "firstFiles", [location.href, ...files]);
     });
-    watch.observe(document, { subtree: true, childList: true, characterData: true });
+    watch.observe(document, { subtree: true, childList: true, attributeFilter: ["data-begun"] });
   });
 }
 

@@ -88,26 +88,36 @@ test("sees the tick of a line stay in its place while its number changes", async
   expect(seen.places, `numbers of ${seen.lengths.join(", ")} signs`).toHaveLength(1);
 });
 
-test("finds every line in its place while one after the other drives", async ({ corridor }) => {
+test("finds every line in its place, and no words at rest, while one after the other drives", async ({
+  corridor,
+}) => {
   const { program } = corridor;
   await corridor.run.click();
   await expect(corridor.clock).not.toHaveText("0:00.0");
   const seen = await program.region.evaluate(
     (region) =>
-      new Promise<{ drivers: string[]; places: string[] }>((resolve) => {
-        const [drivers, places] = [new Set<string>(), new Set<string>()];
+      new Promise<{ drivers: string[]; places: string[]; atRest: string[] }>((resolve) => {
+        const [drivers, places, atRest] = [new Set<string>(), new Set<string>(), new Set<string>()];
         const look = (): void => {
           const all = [...region.querySelectorAll("li:not([aria-hidden]), fieldset")];
           places.add(all.map((each) => each.getBoundingClientRect().top).join(" "));
           drivers.add(all.map((each) => each.ariaCurrent ?? "-").join(" "));
+          for (const line of all) {
+            const words = line.querySelector("progress")?.parentElement;
+            if (!words || line.ariaCurrent !== null) continue;
+            const isSeen = getComputedStyle(words).color !== getComputedStyle(line).backgroundColor;
+            if (isSeen) atRest.add(words.textContent);
+          }
           // Line 1, line 2 and otherwise.
-          if (drivers.size >= 3) resolve({ drivers: [...drivers], places: [...places] });
+          const isOver = drivers.size >= 3;
+          if (isOver) resolve({ drivers: [...drivers], places: [...places], atRest: [...atRest] });
           else requestAnimationFrame(look);
         };
         look();
       }),
   );
   expect(seen.places, `while ${seen.drivers.join(", ")} drove`).toHaveLength(1);
+  expect(seen.atRest).toEqual([]);
 });
 
 test("sees how far the turn of otherwise is", async ({ corridor }) => {
