@@ -18,6 +18,22 @@ test("is told what failed, with the number, while the robot drives", async ({ co
   await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
 });
 
+test("comes to the goal in a run that does not count, and is told why", async ({
+  corridor,
+  page,
+}) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(3);
+  await corridor.run.click();
+  await expect(lessons.outcome).toContainText(/^Bump at/);
+  await corridor.program.action(1).selectOption("left 90");
+  await corridor.run.click();
+  await expect(lessons.outcome).toHaveText(
+    /^Bump at \d\.\d s\. This mission allows none\. Press Reset and try again\.$/,
+  );
+  await expect(page.getByRole("region", { name: "Solved!" })).toBeHidden();
+});
+
 test("lets go of the key where the sensor says", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(2);

@@ -45,6 +45,9 @@ export class LessonsService {
     this.showProgress();
     ports.simulator.listen((message) => {
       if (message.type === "notice") void this.#explain();
+      // A change of the program begins anew, but not the run: it is told again why it does not count.
+      const isGoal = message.type === "moment" && message.moment.kind === "goal";
+      if (isGoal && this.#judged.kind === "failed") this.#hear(this.#judged);
       if (message.type !== "judgement" || message.id !== this.#judgeId) return;
       this.#judged = message.judgement;
       this.#hear(message.judgement);
