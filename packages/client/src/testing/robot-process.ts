@@ -12,6 +12,7 @@ import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
+import { setTimeout } from "node:timers/promises";
 import { registerRobot } from "../register-robot.ts";
 import { GridRobot } from "./grid-robot.ts";
 import { killRelay, startRelayChild } from "./relay-child.ts";
@@ -28,7 +29,10 @@ const words: Record<string, () => unknown> = {
   start: async () => {
     ({ child, port } = await startRelayChild(dataDir, port));
   },
-  leave: () => robot.link.close(),
+  leave: async () => {
+    robot.link.close();
+    await untilGone();
+  },
   come: () => robot.link.open(),
   state: () => ({
     done: robot.done,
@@ -37,6 +41,17 @@ const words: Record<string, () => unknown> = {
     bumps: robot.snapshot().bumps,
   }),
 };
+
+/** The relay hears a moment later that the page has gone; until then it says rightly that it is there. */
+async function untilGone(): Promise<void> {
+  const headers = { authorization: `Bearer ${registration.ownerKey}` };
+  for (;;) {
+    const answer = await fetch(`${origin}/api/v1/robots/${registration.id}`, { headers });
+    const { snapshot } = (await answer.json()) as { snapshot: { state: string } | null };
+    if (snapshot === null || snapshot.state === "gone") return;
+    await setTimeout(10);
+  }
+}
 
 function say(answer: unknown): void {
   process.stdout.write(`${JSON.stringify(answer)}\n`);
