@@ -85,7 +85,7 @@ describe("what moves other parts of the page", () => {
     expect(told).toEqual([2, 3, 4]);
   });
 
-  it("is followed by what belongs to it, at a turn in a frame of its own", () => {
+  it("is followed by what belongs to it, in the frame of its words", () => {
     const done: string[] = [];
     const work = () => done.push(`after tick ${shown()}`);
     show(2, 0);
@@ -94,10 +94,13 @@ describe("what moves other parts of the page", () => {
     expect(done).toEqual(["after tick 2"]);
     show(3, 1);
     late.after(work);
-    for (let frame = 0; frame < 2; frame++) nextFrame();
-    expect([shown(), done.length]).toEqual([3, 1]);
+    nextFrame();
+    expect([numbers(), done.length]).toEqual([3, 1]);
     nextFrame();
     expect(done).toEqual(["after tick 2", "after tick 3"]);
+    show(4, 1, "paused");
+    late.after(work);
+    expect(done.at(-1)).toBe("after tick 4");
   });
 
   it("does not do twice what newer news have overtaken", () => {

@@ -1,7 +1,7 @@
 /**
  * The run for what is shown later than what decides. Marks come at once: which line drives, what is true.
- * Numbers follow one frame later, and at a turn of the program the words below its line and the timeline one
- * after the other: on a slow computer all together are longer than a frame, and the stage would stand still.
+ * Numbers follow one frame later, and at a turn of the program words and timeline after them: on a slow
+ * computer all together are longer than a frame, and the stage would stand still.
  */
 import { createRunStore, type RunState, type RunStore } from "./run-store.ts";
 
@@ -16,7 +16,6 @@ export class LateRun {
   readonly #later: (work: () => void) => void;
   /** frame by frame */
   #waiting: Works[] = [];
-  #isTurn = false;
 
   /**
    * @param later does something one frame later. By a timer: a frame that is asked for costs, though nothing
@@ -26,20 +25,18 @@ export class LateRun {
     this.#later = later;
     run.subscribe((state, before) => {
       this.#catchUp();
-      this.#isTurn = isTurn(before, state);
       const numbers = () => this.numbers.setState(state, true);
       const words = () => this.words.setState(state, true);
-      if (this.#isTurn) this.#wait([[numbers], [words]]);
+      if (isTurn(before, state)) this.#wait([[numbers], [words]]);
       else if (isGoingOn(before, state)) this.#wait([[numbers, words]]);
       else for (const work of [numbers, words]) work();
     });
   }
 
-  /** Does what belongs to the newest state: where that waits, after it, and at a turn in a frame of its own. */
+  /** Does what belongs to the newest state: where its words wait, with them. */
   after(work: () => void): void {
     const last = this.#waiting.at(-1);
     if (last === undefined) work();
-    else if (this.#isTurn) this.#waiting.push([work]);
     else last.push(work);
   }
 
