@@ -1,8 +1,8 @@
 /** Starts contenders. One whose program is not on this machine says how to get it. */
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { createServer, type AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { freePort } from "../../../scripts/free-port.ts";
 import { inPath } from "../../../scripts/programs.ts";
 import { findRedis, startRedis } from "../../../scripts/redis-server.ts";
 import type { ContenderName, Running } from "./contender.ts";
@@ -117,12 +117,4 @@ async function startStreams(isDurable: boolean): Promise<Running | null> {
 function missing(name: string, remedy: string): null {
   console.log(`  ${name}: not measured, ${remedy}`);
   return null;
-}
-
-async function freePort(): Promise<number> {
-  const server = createServer();
-  await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
-  const { port } = server.address() as AddressInfo;
-  await new Promise((resolve) => server.close(resolve));
-  return port;
 }

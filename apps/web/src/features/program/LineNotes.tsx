@@ -71,7 +71,6 @@ function LineProgress({ line, className }: LineProgressProps) {
     const node = new Text();
     label.firstElementChild?.replaceChildren(node);
     let hasRoom = false;
-    let wasResting = true;
     const makeRoom = (): void => {
       const all = Object.values(wordsOf).flatMap((words) => COUNTS.map((count) => words(count)));
       label.dataset["longest"] = all.join("\n");
@@ -83,10 +82,9 @@ function LineProgress({ line, className }: LineProgressProps) {
       const isTold = pace.isDue(isMoving, progress?.kind ?? null);
       const isResting = progress === null;
       // An attribute that is written is styled anew, though it says the same.
-      if (wasResting !== isResting) {
-        progressBar.ariaHidden = String(isResting);
+      if (box.hasAttribute("data-resting") !== isResting) {
         box.toggleAttribute("data-resting", isResting);
-        wasResting = isResting;
+        progressBar.ariaHidden = String(isResting);
       }
       if (isResting) return;
       if (!hasRoom) makeRoom();

@@ -1,4 +1,4 @@
-import { menuActions } from "@corridor/program";
+import { plainActions } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import {
@@ -58,7 +58,7 @@ describe("shownTruth", () => {
 });
 
 describe("isManoeuvre", () => {
-  it.each(menuActions)("%s is one when it ends by itself", (action) => {
+  it.each(plainActions)("%s is one when it ends by itself", (action) => {
     expect(isManoeuvre(action)).toBe(action.includes("90") || action.includes("180"));
   });
 });

@@ -90,7 +90,7 @@ const CRUMB = 1e-6;
 
 /** Whether an action has an end to look forward to, which its line shows while it drives. */
 export function isManoeuvre(action: PlainAction): boolean {
-  return action !== "forward" && action !== "reverse";
+  return action !== "forward" && action !== "reverse" && action !== "stop";
 }
 
 /** A bump as its line shows it: how far it came, and how far it would have gone. Whole cm. */
