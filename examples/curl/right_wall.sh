@@ -12,6 +12,7 @@ set -uo pipefail
 CELL=100      # one cell of the maze is 100 cm wide
 OPEN=60       # farther than this, and there is no wall in the next cell
 PATIENCE=30   # seconds that the service may stay silent
+NAME="Right wall"   # what the robot's owner sees of this program
 
 address=${1-} until_cells=0 most_moves=2000
 shift || true
@@ -50,15 +51,20 @@ ask() {
   while true; do
     more=()
     if [ -n "$fields" ]; then
-      # How old the wish is: one that comes late is not done late.
-      age=$(((SECONDS - began) * 1000))
+      # How old the wish is, rounded up: one that comes late is not done late.
+      age=$(((SECONDS - began + 1) * 1000))
       [ "$tries" -gt 0 ] && age=",\"age\":$age" || age=""
       more=(-H "Content-Type: application/json" -H "Idempotency-Key: $once" -d "{$fields$age}")
     fi
     # The key comes by standard input: other users of this machine can read a command line.
-    answer=$(curl --silent --show-error --max-time 20 --request "$method" --config - \
-      --write-out '\n%{http_code}' "${more[@]}" "$api$path" 2>&1 <<<"header = \"Authorization: Bearer $key\"")
-    status=${answer##*$'\n'}
+    if answer=$(curl --silent --show-error --max-time 20 --request "$method" --config - \
+      --header "Script-Name: $NAME" --write-out '\n%{http_code}' "${more[@]}" "$api$path" \
+      2>&1 <<<"header = \"Authorization: Bearer $key\""); then
+      status=${answer##*$'\n'}
+    else
+      # No answer, or one that was cut, which has a status all the same.
+      status=000
+    fi
     answer=${answer%$'\n'*}
     case $status in
       2??) return ;;

@@ -27,8 +27,9 @@ import (
 )
 
 const (
-	cell = 100 // one cell of the maze is 100 cm wide
-	open = 60  // farther than this, and there is no wall in the next cell
+	cell = 100          // one cell of the maze is 100 cm wide
+	open = 60           // farther than this, and there is no wall in the next cell
+	name = "Right wall" // what the robot's owner sees of this program
 
 	patience     = 30 * time.Second // how long the service may stay silent
 	firstPause   = 250 * time.Millisecond
@@ -150,6 +151,7 @@ func (robot *Robot) try(method, path string, wanted wish, key string, age time.D
 		return false, err
 	}
 	request.Header.Set("Authorization", "Bearer "+robot.key)
+	request.Header.Set("Script-Name", name)
 	if wanted != nil {
 		request.Header.Set("Content-Type", "application/json")
 		request.Header.Set("Idempotency-Key", key)

@@ -39,6 +39,10 @@ public class Robot {
 
   private static final double FIRST_PAUSE_MS = 250;
   private static final double LONGEST_PAUSE_MS = 10_000;
+
+  /** What the robot's owner sees of this program. */
+  private static final String NAME = "Right wall";
+
   private static final int PROXY_WANTS_A_NAME = 407;
   private static final int TOO_MANY = 429;
 
@@ -110,7 +114,7 @@ public class Robot {
         }
         case "cancelled", "superseded", "expired" ->
             throw new RobotException(
-                "The command was " + state + ": " + field(record, "reason", "\"?([^\"]*)\"?,"));
+                "The command was " + state + ": " + field(record, "reason", "(null|\"[^\"]*\")"));
         default -> record = ask("GET", "/commands/" + (long) number(record, "seq") + "?wait=10", null);
       }
     }
@@ -146,6 +150,7 @@ public class Robot {
         HttpRequest.newBuilder(URI.create(api + path))
             .timeout(Duration.ofSeconds(20))
             .header("Authorization", "Bearer " + key)
+            .header("Script-Name", NAME)
             .header("User-Agent", "Java-example");
     if (fields == null) return request.method(method, BodyPublishers.noBody()).build();
     // How old the wish is: one that comes late is not done late.

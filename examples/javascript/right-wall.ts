@@ -63,7 +63,7 @@ try {
     allowPositionals: true,
     options: { "until-cells": { type: "string" }, moves: { type: "string" } },
   });
-  const robot = await RobotClient.connect(positionals[0] ?? "");
+  const robot = await RobotClient.connect(positionals[0] ?? "", { name: "Right wall" });
   try {
     const untilCells = wholeNumber(values["until-cells"]);
     await followRightWall(robot, untilCells, wholeNumber(values.moves) ?? 2000);

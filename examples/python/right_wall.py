@@ -10,7 +10,10 @@ where there is an opening on the right it goes in, else straight on, else it tur
 """
 
 import argparse
+import http.client
+import itertools
 import json
+import random
 import sys
 import time
 import urllib.error
@@ -20,17 +23,26 @@ import uuid
 
 CELL = 100  # one cell of the maze is 100 cm wide
 OPEN = 60  # farther than this, and there is no wall in the next cell
+PATIENCE = 30  # seconds that the service may stay silent
+NAME = "Right wall"  # what the robot's owner sees of this program
 
 
 class RobotError(Exception):
     """The robot, or the service that carries the messages, said no."""
 
 
+class NoRedirects(urllib.request.HTTPRedirectHandler):
+    """The key goes to the host of the address and to no other."""
+
+    def redirect_request(self, *redirect):
+        return None
+
+
 class Robot:
     """A robot somewhere on the network. Every method waits until the robot has done it."""
 
     def __init__(self, address):
-        parts = urllib.parse.urlsplit(address)
+        parts = urllib.parse.urlsplit(address.strip())
         if not parts.fragment or not parts.path.startswith("/r/"):
             raise RobotError(
                 "This is not a robot's address. Copy the whole address from the page, "
@@ -39,10 +51,11 @@ class Robot:
         robot_id = parts.path[len("/r/"):]
         self.url = f"{parts.scheme}://{parts.netloc}/api/v1/robots/{robot_id}"
         self.key = parts.fragment
+        self.opener = urllib.request.build_opener(NoRedirects)
 
     def look(self):
         """All that the robot knows now: its sensors, its place, whether it is at the goal."""
-        return self.ask("GET", "/sensors?wait=25")
+        return self.ask("GET", "/sensors?wait=10")
 
     def move(self, distance):
         """Drive so many centimetres. Says "completed", or "collided" if a wall was in the way."""
@@ -59,18 +72,22 @@ class Robot:
         # The key makes a retry safe: a command that arrives twice is done once.
         record = self.ask("POST", "/commands", command, key=uuid.uuid4().hex)
         while record["state"] in ("accepted", "delivered", "started"):
-            record = self.ask("GET", f"/commands/{record['seq']}?wait=25")
-        if record["state"] in ("cancelled", "superseded"):
+            record = self.ask("GET", f"/commands/{record['seq']}?wait=10")
+        if record["state"] not in ("completed", "collided"):
             raise RobotError(f"{record['action']} was {record['state']}: {record['reason']}")
         return record["state"]
 
     def ask(self, method, path, body=None, key=None):
         """One request to the service. Tries again when the network or the service has a bad moment."""
-        headers = {"Authorization": f"Bearer {self.key}", "Content-Type": "application/json"}
+        headers = {
+            "Authorization": f"Bearer {self.key}",
+            "Content-Type": "application/json",
+            "Script-Name": NAME,
+        }
         if key is not None:
             headers["Idempotency-Key"] = key
         first_try = time.monotonic()
-        for pause in (0.25, 0.5, 1, 2, 4, 8, None):
+        for tries in itertools.count():
             data = None
             if body is not None:
                 # By its age (in ms) a command that is sent again is never done late.
@@ -78,15 +95,17 @@ class Robot:
                 data = json.dumps({**body, "age": age}).encode()
             request = urllib.request.Request(self.url + path, data, headers, method=method)
             try:
-                with urllib.request.urlopen(request, timeout=40) as answer:
+                with self.opener.open(request, timeout=20) as answer:
                     return json.load(answer)
             except urllib.error.HTTPError as error:
                 reason = explain(error)
                 if error.code != 429 and error.code < 500:
                     raise RobotError(reason) from None
-            except (OSError, ValueError) as error:
+            except (OSError, http.client.HTTPException, ValueError) as error:
                 reason = f"The service does not answer: {error}"
-            if pause is None:
+            # Drawn by lot, so that a whole class does not come back in the same moment.
+            pause = random.uniform(0, min(10, 0.25 * 2**tries))
+            if time.monotonic() + pause > first_try + PATIENCE:
                 raise RobotError(reason)
             time.sleep(pause)
 
@@ -97,7 +116,7 @@ def explain(error):
         problem = json.load(error)
         fields = [f"{e['path']}: found {e['found']}, expected {e['expected']}" for e in problem["errors"]]
         return " ".join([problem["detail"], *fields])
-    except (ValueError, KeyError, TypeError):
+    except (OSError, http.client.HTTPException, ValueError, KeyError, TypeError):
         return f"The service answered with status {error.code}."
 
 

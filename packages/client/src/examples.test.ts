@@ -1,15 +1,30 @@
-/** The examples in further languages as their users run them, against the real relay. */
+/** The examples in one file each as their users run them, against the real relay. */
 import { execFile, execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { once } from "node:events";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
+import type { AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { promisify } from "node:util";
+import { scriptListSchema } from "@corridor/protocol";
+import { snapshotOf } from "@corridor/protocol/testing";
 import { beforeAll, describe, expect, it, onTestFinished } from "vitest";
 import { registerRobot } from "./register-robot.ts";
+import { startCuttingProxy } from "./testing/cutting-proxy.ts";
 import { GridRobot } from "./testing/grid-robot.ts";
 import { startRelayProcess } from "./testing/relay-process.ts";
 
-const run = promisify(execFile);
+/** What keeps .NET from asking the network and from writing into a home; others do not read it. */
+const DOTNET = {
+  DOTNET_CLI_TELEMETRY_OPTOUT: "1",
+  DOTNET_NOLOGO: "1",
+  DOTNET_SYSTEM_GLOBALIZATION_INVARIANT: "1",
+  DOTNET_CLI_HOME: tmpdir(),
+};
+const env = { ...process.env, ...DOTNET };
+const run = (program: string, words: readonly string[]) =>
+  promisify(execFile)(program, words, { env });
 const EXAMPLES = join(import.meta.dirname, "../../../examples");
 const TREE = ["#######", "#.#...#", "#.#.#.#", "#...#.#", "#######"];
 
@@ -24,6 +39,11 @@ interface Example {
 }
 
 const examples: readonly Example[] = [
+  {
+    language: "Python",
+    command: ["python3", join(EXAMPLES, "python/right_wall.py")],
+    probe: ["--version"],
+  },
   {
     language: "Java",
     command: ["java", join(EXAMPLES, "java/Robot.java")],
@@ -44,6 +64,16 @@ const examples: readonly Example[] = [
     language: "C#",
     command: ["dotnet", "run", join(EXAMPLES, "csharp/Robot.cs")],
     probe: ["--version"],
+    // In a project, as every version of .NET wants it before 10.
+    build: async (folder) => {
+      const { stdout: version } = await run("dotnet", ["--version"]);
+      const [major = "", minor = ""] = version.split(".");
+      const framework = `${Number(major) < 5 ? "netcoreapp" : "net"}${major}.${minor}`;
+      const project = join(folder, "Robot.csproj");
+      writeFileSync(project, csharpProject(framework, join(EXAMPLES, "csharp/Robot.cs")));
+      await run("dotnet", ["build", project, "--output", join(folder, "out")]);
+      return ["dotnet", join(folder, "out/Robot.dll")];
+    },
   },
   {
     language: "curl",
@@ -52,10 +82,40 @@ const examples: readonly Example[] = [
   },
 ];
 
+function csharpProject(framework: string, file: string): string {
+  return `<Project Sdk="Microsoft.NET.Sdk">
+  <PropertyGroup>
+    <OutputType>Exe</OutputType>
+    <TargetFramework>${framework}</TargetFramework>
+    <TreatWarningsAsErrors>true</TreatWarningsAsErrors>
+  </PropertyGroup>
+  <ItemGroup><Compile Include="${file}" /></ItemGroup>
+</Project>`;
+}
+
+/** A host whose robot sees an open way, and lets every command run out of time. @returns its origin */
+async function startLateHost(): Promise<string> {
+  const host = createServer((request, response) => {
+    const isCommand = (request.url ?? "").endsWith("/commands");
+    const answer = isCommand
+      ? { seq: 1, action: "move", state: "expired", reason: "too late" }
+      : snapshotOf({ seq: 1 });
+    response.writeHead(isCommand ? 202 : 200, { "Content-Type": "application/json" });
+    request.resume().on("end", () => response.end(JSON.stringify(answer)));
+  });
+  host.listen(0, "127.0.0.1");
+  await once(host, "listening");
+  onTestFinished(() => {
+    host.close();
+    host.closeAllConnections();
+  });
+  return `http://127.0.0.1:${(host.address() as AddressInfo).port}`;
+}
+
 /** Whether the program is on this machine; a test without it is skipped, and says so. */
 function isHere({ language, command: [program], probe }: Example): boolean {
   try {
-    execFileSync(program, probe, { stdio: "ignore" });
+    execFileSync(program, probe, { stdio: "ignore", env });
     return true;
   } catch {
     process.stderr.write(`examples.test.ts: skipped ${language}, there is no ${program} here\n`);
@@ -93,6 +153,32 @@ describe.each(examples)("the right-wall follower in $language", (example) => {
     expect(stdout).toMatch(new RegExp(`${cells} cells visited after \\d+ moves\\.\\n$`));
     expect(robot.visited.size).toBe(robot.openCells);
     expect(robot.snapshot().bumps).toBe(0);
+  });
+
+  it.skipIf(isMissing)("goes on where answers are cut, under a name of its own", async () => {
+    const { relay, robot, registration } = await robotIn(TREE);
+    const proxy = await startCuttingProxy(relay.origin, 7);
+    const { hash, pathname } = new URL(registration.address);
+    const cells = String(robot.openCells);
+    await start(`${proxy.origin}${pathname}${hash}`, "--until-cells", cells);
+    expect(proxy.cuts).toBeGreaterThan(2);
+    expect(robot.visited.size).toBe(robot.openCells);
+    expect(robot.snapshot().bumps).toBe(0);
+    const listed = await fetch(`${relay.origin}/api/v1/robots/${registration.id}/scripts`, {
+      headers: { Authorization: `Bearer ${registration.ownerKey}` },
+    });
+    const { scripts } = scriptListSchema.parse(await listed.json());
+    expect(scripts.map(({ name, client }) => ({ name, client }))).toEqual([
+      { name: "Right wall", client: example.language },
+    ]);
+  });
+
+  it.skipIf(isMissing)("does not take a command that ran out of time for done", async () => {
+    const address = `${await startLateHost()}/r/AAAAAAAAAAAAAAAAAAAAAA#drv_AAAAAAAAAAAAAAAAAAAAAA`;
+    await expect(start(address, "--moves", "3")).rejects.toMatchObject({
+      code: 1,
+      stderr: expect.stringMatching(/expired[^\n]*\n$/),
+    });
   });
 
   it.skipIf(isMissing)("says in one sentence what is wrong with an address or a key", async () => {
