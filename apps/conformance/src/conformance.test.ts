@@ -81,6 +81,7 @@ describe("the conformance kit", () => {
       fails: [
         "without a key there is no answer but 401, which asks for a bearer key",
         "a command that is too old on arrival is refused with 422, and its key stays free",
+        "a host that knows its maze tells it by a version, and one that does not says so",
         "a wrong command is refused with 400, and the field is named",
         "a body above 16 KiB is refused with 413",
         "a body that is not said to be JSON is refused with 415",

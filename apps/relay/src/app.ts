@@ -18,6 +18,7 @@ import { healthRoutes } from "./routes/health.ts";
 import { pythonClientRoutes } from "./routes/python-client.ts";
 import { keyRoutes } from "./routes/keys.ts";
 import { lineRoutes } from "./routes/lines.ts";
+import { mazeRoutes } from "./routes/maze.ts";
 import { requestLog } from "./routes/request-log.ts";
 import { robotRoutes } from "./routes/robots.ts";
 import { openToAllSites, securityHeaders } from "./routes/security-headers.ts";
@@ -66,6 +67,7 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(keyRoutes(hub, entrance));
   api.use(scriptRoutes(hub));
   api.use(sensorRoutes(hub));
+  api.use(mazeRoutes(hub));
   api.use(commandRoutes(hub, clock));
   api.use(eventRoutes(hub, clock));
   api.use(lineRoutes(lines, entrance));

@@ -23,6 +23,7 @@ export const problemKinds = {
   "no-document": { status: 404, title: "There is no such short link" },
   "no-key": { status: 404, title: "There is no such key" },
   "no-script": { status: 404, title: "There is no such script" },
+  "no-maze": { status: 404, title: "The robot's maze is not known" },
   "no-command": { status: 404, title: "There is no such command" },
   "method-not-allowed": { status: 405, title: "This address does not know the method" },
   "key-conflict": { status: 409, title: "The idempotency key was used for another command" },

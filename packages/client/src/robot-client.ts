@@ -352,6 +352,7 @@ export class RobotClient {
         return this.#sendFirst();
       case "problem":
         return this.#refused(message.problem, message.key);
+      case "maze":
       case "heartbeat":
         return;
     }

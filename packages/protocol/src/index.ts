@@ -54,6 +54,7 @@ export {
   driversSchema,
   driverToRelaySchema,
   helloSchema,
+  mazeVersionSchema,
   MAX_RESUMED_ENDINGS,
   pageToRelaySchema,
   recallCauses,

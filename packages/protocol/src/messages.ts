@@ -27,6 +27,11 @@ const epoch = count.min(1, { error: "1 or more" });
 const milliseconds = z.number({ error: "milliseconds" }).min(0, { error: "0 or more" });
 const version = z.literal(PROTOCOL_VERSION, { error: `protocol version ${PROTOCOL_VERSION}` });
 
+const mazeVersionError = "22 characters that tell one maze from another";
+export const mazeVersionSchema = z
+  .string({ error: mazeVersionError })
+  .regex(/^[A-Za-z0-9_-]{22}$/, { error: mazeVersionError });
+
 /** More endings than a page can have open; the rest of a longer list follows as `ended` messages. */
 export const MAX_RESUMED_ENDINGS = 32;
 
@@ -210,6 +215,8 @@ export const relayToDriverSchema = z.discriminatedUnion(
     /** states before this are not kept any more: what is open now, in their place */
     eventGapSchema.extend({ type: z.literal("gap") }),
     z.strictObject({ type: z.literal("snapshot"), snapshot: snapshotSchema }),
+    /** the robot is in another maze: the one that `GET .../maze` answers with this as its `ETag` */
+    z.strictObject({ type: z.literal("maze"), version: mazeVersionSchema }),
     /** the message could not be served; `key` is that of the command, where it had one */
     z.strictObject({
       type: z.literal("problem"),
@@ -218,6 +225,6 @@ export const relayToDriverSchema = z.discriminatedUnion(
     }),
     heartbeat,
   ],
-  { error: "one of welcome, ack, state, gap, snapshot, problem, heartbeat" },
+  { error: "one of welcome, ack, state, gap, snapshot, maze, problem, heartbeat" },
 );
 export type RelayToDriver = z.infer<typeof relayToDriverSchema>;

@@ -1,5 +1,10 @@
 /** Reading: sensors, events, the log. */
-import { commandRecordSchema, eventPageSchema, snapshotSchema } from "@corridor/protocol";
+import {
+  commandRecordSchema,
+  eventPageSchema,
+  problemSchema,
+  snapshotSchema,
+} from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import type { Host } from "../host.ts";
 import { must, Mismatch, shaped } from "../mismatch.ts";
@@ -48,6 +53,23 @@ export const reading: CheckGroup = {
         await host.snapshot("?after=900000000000000&wait=0.3");
         const waited = performance.now() - began;
         must(waited < 5_000, "an answer after 0.3 s", `${Math.round(waited)} ms`);
+      },
+    },
+    {
+      name: "a host that knows its maze tells it by a version, and one that does not says so",
+      run: async (host) => {
+        const answer = await host.ask("/maze");
+        if (answer.status === 404) {
+          shaped(problemSchema, answer.json, "a problem document");
+          return;
+        }
+        must(answer.status === 200, "200 or 404 for the maze", `${answer.status} ${answer.text}`);
+        const format = (answer.json as { format?: unknown } | null)?.format;
+        must(format === "corridor/maze", 'the format "corridor/maze"', format);
+        const tag = answer.header("etag");
+        must(tag !== "", "an ETag", "none");
+        const again = await host.ask("/maze", { headers: { "If-None-Match": tag } });
+        must(again.status === 304, "304 for a maze that is known", again.status);
       },
     },
     {

@@ -36,7 +36,7 @@ const sides = {
     messages: [helloSchema, resumeSchema, ...pageToRelaySchema.options],
   },
   toScript: {
-    summary: "A script hears records, states and snapshots.",
+    summary: "A script hears records, states and snapshots, and of another maze.",
     action: "send",
     messages: relayToDriverSchema.options,
   },

@@ -50,6 +50,7 @@ const messageSchema = z.discriminatedUnion("kind", [
   z.object({ kind: z.literal("here"), from, scripts: scriptsSchema, asks: z.boolean() }),
   z.object({ kind: z.literal("cancel"), from, seq: z.int(), why: z.enum(recallCauses) }),
   z.object({ kind: z.literal("keys"), from }),
+  z.object({ kind: z.literal("maze"), from, version: z.string() }),
   z.object({ kind: z.literal("over"), from }),
 ]);
 type Message = z.infer<typeof messageSchema>;

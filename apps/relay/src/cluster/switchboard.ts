@@ -33,6 +33,8 @@ export type News =
   | { kind: "cancel"; seq: number; why: RecallCause }
   /** keys or who is away were changed, or may have been: the store has what counts */
   | { kind: "keys" }
+  /** the robot is in another maze, which the store has */
+  | { kind: "maze"; version: string }
   /** the robot was forgotten */
   | { kind: "over" };
 

@@ -69,6 +69,10 @@ export class DriverConversation implements Conversation, ReaderSink {
     this.#send({ type: "gap", ...gap });
   }
 
+  maze(version: string): void {
+    this.#send({ type: "maze", version });
+  }
+
   over(reason: OverReason): void {
     sayGoodbye(this.#options.line, reason);
   }

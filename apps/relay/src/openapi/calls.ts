@@ -20,6 +20,7 @@ import {
   sentAwaySchema,
   takenMessagesSchema,
 } from "@corridor/protocol";
+import { mazeSchema } from "@corridor/maze";
 import { z } from "zod";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { documentSchema } from "../documents/document-schema.ts";
@@ -41,8 +42,9 @@ import {
   waitQuery,
 } from "../routes/reading.ts";
 import { keyPath } from "../routes/keys.ts";
+import { ifNoneMatchHeader } from "../routes/maze.ts";
 import { scriptPath } from "../routes/scripts.ts";
-import { answer, location, parameters, refusals } from "./parts.ts";
+import { answer, entityTag, location, parameters, refusals } from "./parts.ts";
 
 const robot = parameters("path", z.object({ id: robotIdSchema }));
 const idempotencyKey = parameters("header", idempotencyHeader);
@@ -196,6 +198,36 @@ export const calls: ZodOpenApiPathsObject = {
       },
     },
   },
+  "/api/v1/robots/{id}/maze": {
+    parameters: robot,
+    get: {
+      operationId: "readMaze",
+      summary: "Read the maze that the robot is in",
+      description:
+        "The document as the robot's page gave it. Who follows the robot is told of another one by a `maze` " +
+        "message or event, whose `version` is the new `ETag`.",
+      security: logReader,
+      parameters: [...scriptName, ...parameters("header", ifNoneMatchHeader)],
+      responses: {
+        200: answer("The maze.", mazeSchema, entityTag),
+        304: { description: "It is the one that is known already.", headers: entityTag },
+        ...refusals(...asScript, "no-maze"),
+      },
+    },
+    put: {
+      operationId: "keepMaze",
+      summary: "Give the maze that the robot is in; its page does this",
+      description:
+        "It is kept with the robot in the place of the one before, and deleted with it. The same maze again " +
+        "changes nothing. A robot may give one a second, 20 at once.",
+      security: owner,
+      requestBody: { required: true, content: { "application/json": { schema: mazeSchema } } },
+      responses: {
+        204: { description: "It is kept.", headers: entityTag },
+        ...refusals(...keyed, "too-large", "not-json", "too-fast", "storage-full"),
+      },
+    },
+  },
   "/api/v1/robots/{id}/commands": {
     parameters: [...robot, ...scriptName],
     post: {
@@ -275,7 +307,7 @@ export const calls: ZodOpenApiPathsObject = {
       description:
         "Without `wait`: events without end. `snapshot`, whose data is a Snapshot; `state`, whose data is " +
         "the CommandRecord of a command with a new state; `gap` in place of states that are not kept any " +
-        "more. The `id` of the last event, sent as `Last-Event-ID` or `since`, goes on from there.\n\n" +
+        "more; `maze` when the robot is in another one. The `id` of the last event, sent as `Last-Event-ID` or `since`, goes on from there.\n\n" +
         "With `wait`: one answer, as soon as there is a state after `since` or a snapshot newer than " +
         "`after`. Ask first without `since`, then each time with the `since` of the answer before. The " +
         "newest 1,000 states are kept, for 10 minutes.",

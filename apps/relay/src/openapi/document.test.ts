@@ -83,8 +83,9 @@ describe("the description of the API", () => {
       }
     }
     const answers = Object.entries(operation.responses ?? {}) as [string, oas31.ResponseObject][];
-    const refusals = answers.filter(([status]) => !status.startsWith("2"));
-    expect(answers.length - refusals.length).toBe(1);
+    // 304 answers with nothing but the tag of what is known already.
+    const refusals = answers.filter(([status]) => !status.startsWith("2") && status !== "304");
+    expect(answers.filter(([status]) => status.startsWith("2"))).toHaveLength(1);
     for (const [, { description }] of answers) expect(description).not.toBe("");
     for (const [, { content }] of refusals) {
       expect(content).toEqual({

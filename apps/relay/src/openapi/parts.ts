@@ -34,6 +34,15 @@ export const location: oas31.HeadersObject = {
   },
 };
 
+/** By what a document is told from another one. */
+export const entityTag: oas31.HeadersObject = {
+  ETag: {
+    required: true,
+    description: "the version of what is answered, in quotation marks",
+    schema: { type: "string" },
+  },
+};
+
 /**
  * The parameters that a schema reads. In a path or query all is text: each is described as the value
  * that its text stands for.

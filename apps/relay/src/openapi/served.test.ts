@@ -142,6 +142,14 @@ describe("real answers are as described", () => {
     });
 
     const key = api.robot.ownerKey;
+    const place = `${ROBOT}/maze` as const;
+    expect((await api.call("get", place)).status).toBe(404);
+    expect((await api.call("put", place, { key, body: maze })).status).toBe(204);
+    expect((await api.call("put", place, { key, body: program })).status).toBe(400);
+    expect((await api.call("get", place)).body).toEqual(maze);
+    const known = (await api.relay.ask(api.robot, "/maze")).headers.get("etag") ?? "";
+    const asked = await api.call("get", place, { headers: { "If-None-Match": known } });
+    expect(asked).toEqual({ status: 304, body: undefined });
     const keys = `${ROBOT}/keys` as const;
     expect((await api.call("post", keys, { key, body: { kind: "watch" } })).status).toBe(201);
     expect((await api.call("post", keys, { key, body: { kind: "own" } })).status).toBe(400);

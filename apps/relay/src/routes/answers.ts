@@ -2,6 +2,7 @@
 import {
   commandRecordSchema,
   driversSchema,
+  mazeVersionSchema,
   robotIdSchema,
   snapshotSchema,
 } from "@corridor/protocol";
@@ -36,6 +37,9 @@ export const heldSessionSchema = z.strictObject({
       "until it is forgotten, however much it is used; earlier when nobody uses it for 2 h",
     ),
   drivers: driversSchema,
+  maze: mazeVersionSchema
+    .nullable()
+    .describe("version of the maze that its page gave, to be read below; null while it gave none"),
   /** null while the robot has not reported */
   snapshot: snapshotSchema.nullable(),
 });

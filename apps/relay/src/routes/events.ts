@@ -88,6 +88,7 @@ function streamTo(
     snapshot: (snapshot) => send("snapshot", snapshot),
     state: (event) => send("state", event.record, sinceOf(stream, event.n)),
     gap: (gap) => send("gap", gap, sinceOf(stream, gap.n)),
+    maze: (version) => send("maze", { version }),
     over,
   });
   // A line that breaks is told by "close" as well; unheard, the error would end the process.

@@ -3,6 +3,7 @@ import { madeKeySchema, type Registration } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { rights, type Verb } from "../sessions/rights.ts";
+import { maze } from "../testing/sample-documents.ts";
 import { startTestRelay, type TestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 
@@ -11,6 +12,8 @@ const ACT = { action: "left 90" };
 /** The calls that each right is for. */
 const calls: { verb: Verb; method: string; path: string; body?: unknown }[] = [
   { verb: "read", method: "GET", path: "/sensors" },
+  { verb: "look", method: "GET", path: "/maze" },
+  { verb: "host", method: "PUT", path: "/maze", body: maze },
   { verb: "log", method: "GET", path: "/commands" },
   { verb: "log", method: "GET", path: "/commands/1" },
   { verb: "read", method: "GET", path: "/events?wait=0" },

@@ -32,6 +32,7 @@ export function robotRoutes(hub: SessionHub, entrance: Entrance): Router {
         lastUsedAt: new Date(session.lastUsedAt).toISOString(),
         endsInSeconds: Math.floor(session.leftMs / 1000),
         drivers: session.roster.now(),
+        maze: (await session.mazes.read())?.version ?? null,
         snapshot: session.newest,
       };
       response.json(held);

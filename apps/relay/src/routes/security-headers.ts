@@ -40,7 +40,7 @@ export function securityHeaders(isDevelopment: boolean): RequestHandler {
 export const openToAllSites: RequestHandler = (request, response, next) => {
   response.set({
     "Access-Control-Allow-Origin": "*",
-    "Access-Control-Expose-Headers": "Location, Retry-After",
+    "Access-Control-Expose-Headers": "ETag, Location, Retry-After",
     "Cross-Origin-Resource-Policy": "cross-origin",
     "Cache-Control": "no-store",
   });
@@ -49,7 +49,7 @@ export const openToAllSites: RequestHandler = (request, response, next) => {
     .set({
       "Access-Control-Allow-Methods": "GET, POST, PUT, DELETE",
       "Access-Control-Allow-Headers":
-        "Authorization, Content-Type, Idempotency-Key, Last-Event-ID, Script-Name",
+        "Authorization, Content-Type, Idempotency-Key, If-None-Match, Last-Event-ID, Script-Name",
       "Access-Control-Max-Age": "86400",
     })
     .status(204)

@@ -16,6 +16,8 @@ import { scriptIsAway } from "./script-gate.ts";
 interface Listener {
   snapshot(snapshot: Snapshot): void;
   state(event: StateEvent): void;
+  /** the robot is in another maze */
+  maze(version: string): void;
   /** states may have been lost on the way here */
   missed(): void;
   over(reason: AwayReason): void;
@@ -96,7 +98,7 @@ export class Audience {
       if (reason === "sentAway") return reject(scriptIsAway());
       return resolve();
     };
-    const deaf = { snapshot: () => undefined, state: () => undefined };
+    const deaf = { snapshot: () => undefined, state: () => undefined, maze: () => undefined };
     const listener = { ...deaf, ...listen(resolve), missed: resolve, over };
     const leave = this.#add(listener, key ?? null, "long-poll");
     const cancelTimer = this.#clock.after(milliseconds, resolve);
@@ -111,6 +113,10 @@ export class Audience {
 
   tellSnapshot(snapshot: Snapshot): void {
     for (const { listener } of this.#entries) listener.snapshot(snapshot);
+  }
+
+  tellMaze(version: string): void {
+    for (const { listener } of this.#entries) listener.maze(version);
   }
 
   tellStates(records: readonly CommandRecord[]): void {

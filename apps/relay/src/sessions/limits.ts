@@ -14,6 +14,8 @@ export const limits = {
   registrationRate: { perSecond: 0.5, burst: 200 },
   /** documents stored from one address: a class of 40 makes two short links each at once */
   documentRate: { perSecond: 1 / 30, burst: 80 },
+  /** mazes of one robot that its page gives: one for each edit, which it gathers for half a second */
+  mazeRate: { perSecond: 1, burst: 20 },
   /** a document is in use for so long after the last time; a use is written down at most once a day */
   documentIdleMs: 180 * 24 * 60 * 60 * 1000,
   documentNoteMs: 24 * 60 * 60 * 1000,

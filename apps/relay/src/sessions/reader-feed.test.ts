@@ -49,6 +49,7 @@ function robotWithReaders() {
         snapshot: ({ seq }) => say(`snapshot ${seq}`, 400),
         state: ({ n }) => say(`state ${n}`, STATE_BYTES),
         gap: ({ n, open }) => say(`gap ${n} ${open.map(({ seq }) => seq).join()}`, 200),
+        maze: (version) => say(`maze ${version}`, 50),
         over: (reason) => say(reason, 0),
       },
       {

@@ -40,6 +40,8 @@ export interface ReaderSink {
   snapshot(snapshot: Snapshot): void;
   state(event: StateEvent): void;
   gap(gap: EventGap): void;
+  /** the robot is in another maze */
+  maze(version: string): void;
   /** it may not read any more, the relay stops, or it cannot be served */
   over(reason: OverReason): void;
 }
@@ -114,6 +116,11 @@ export class ReaderFeed {
   /** States were lost: the reader is told of the gap. */
   missed(): void {
     if (!this.#isMissing) this.#missed();
+  }
+
+  /** Tells at once that the robot is in another maze: that is rare, and short. */
+  maze(version: string): void {
+    this.#sink.maze(version);
   }
 
   /** The reader has read all that came up to this snapshot. */

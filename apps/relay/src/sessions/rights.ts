@@ -16,6 +16,8 @@ export const rights = {
   remove: ["own"],
   /** send commands, take back its own, stop the robot */
   command: ["drive"],
+  /** see the maze that the robot is in */
+  look: ["own", "drive", "watch"],
   /** snapshots, and states of commands */
   read: ["drive", "watch"],
   /** the commands that are held, and what became of them */

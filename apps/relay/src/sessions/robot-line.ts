@@ -49,6 +49,11 @@ export class RobotLine {
     this.#line?.tell({ kind: "keys" });
   }
 
+  /** The robot is in another maze. */
+  mazeChanged(version: string): void {
+    this.#line?.tell({ kind: "maze", version });
+  }
+
   forgotten(): void {
     this.#line?.tell({ kind: "over" });
   }

@@ -27,6 +27,7 @@ import { EventLog } from "./event-log.ts";
 import { nextEvents, type WantedEvents } from "./next-events.ts";
 import { KeyRing } from "./key-ring.ts";
 import { limits } from "./limits.ts";
+import { MazeBoard } from "./maze-board.ts";
 import type { PageLink } from "./page-link.ts";
 import { PageSeat } from "./page-seat.ts";
 import { ReaderFeed, type ReaderSink, type ReaderSource } from "./reader-feed.ts";
@@ -59,6 +60,7 @@ export class Session {
   readonly roster: DriverRoster;
   readonly keys: KeyRing;
   readonly gate: ScriptGate;
+  readonly mazes: MazeBoard;
   readonly #store: SessionStore;
   readonly #clock: Clock;
   readonly #view = new RobotView();
@@ -124,6 +126,13 @@ export class Session {
       },
       sentAway: (script) => this.#sentAway(script),
       paused: () => this.#askToEnd(),
+    });
+    this.mazes = new MazeBoard({
+      robot: this.id,
+      store,
+      clock,
+      tell: (version) => audience.tellMaze(version),
+      changed: (version) => line.mazeChanged(version),
     });
     const tell = (): void => this.#tellScripts();
     this.roster = new DriverRoster(clock, tell, () => this.gate.away);
@@ -348,6 +357,8 @@ export class Session {
   missedNews(): void {
     this.#life.missedSteps();
     this.keys.refresh();
+    // Where the store is away, the next maze is told all the same.
+    this.mazes.lookAgain().catch(() => undefined);
   }
 
   /** Where the page is at another relay, waits for that one's answer: the newest snapshot, if there is one. */
@@ -391,6 +402,8 @@ export class Session {
         return page?.link.send({ type: "cancel", seq: news.seq, why: news.why });
       case "keys":
         return this.keys.refresh();
+      case "maze":
+        return this.mazes.heard(news.version);
       case "over":
         if (this.isOver) return;
         this.#forgotten();

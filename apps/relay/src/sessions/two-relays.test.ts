@@ -18,6 +18,7 @@ import { StoreAway } from "../store/store-away.ts";
 import { cutStore } from "../testing/cut-store.ts";
 import { FakeClock, settled } from "../testing/fake-clock.ts";
 import { completed } from "../testing/messages.ts";
+import { maze } from "../testing/sample-documents.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { limits } from "./limits.ts";
 import type { PageLink } from "./page-link.ts";
@@ -89,6 +90,7 @@ async function withRelays() {
         snapshot: ({ seq, state }) => said.push(`snapshot ${seq} ${state}`),
         state: ({ record }) => said.push(`${record.seq} ${record.state}`),
         gap: ({ open }) => said.push(`gap ${open.map(({ seq }) => seq).join()}`),
+        maze: (version) => said.push(`maze ${version}`),
         over: (reason) => said.push(reason),
       },
       null,
@@ -342,6 +344,23 @@ describe("page and script at different relays", () => {
     await host.session.gate.pause(false);
     await settled();
     expect(await submit(LEFT)).toMatchObject({ seq: 2 });
+  });
+
+  it("tells readers at every relay of another maze, also when that went unheard", async () => {
+    const { host, atScripts, read, cut } = await withRelays();
+    const said = read();
+    const first = await host.session.mazes.keep(maze);
+    expect(said).toEqual([`maze ${first}`]);
+    expect(await atScripts.mazes.read()).toEqual({ text: JSON.stringify(maze), version: first });
+    await host.session.mazes.keep(maze);
+    atScripts.missedNews();
+    await settled();
+    const ofMazes = () => said.filter((words) => words.startsWith("maze"));
+    expect(ofMazes()).toEqual([`maze ${first}`]);
+    await cut.store.keepMaze(host.session.id, "{}");
+    atScripts.missedNews();
+    await settled();
+    expect(ofMazes()).toHaveLength(2);
   });
 
   it("forgets the robot at every relay at once", async () => {

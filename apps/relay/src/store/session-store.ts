@@ -170,6 +170,14 @@ export interface SessionStore {
    * @returns what waited and has ended by this; null when there is no such session
    */
   pause(id: string, isPaused: boolean, reason: string): Promise<TermedRecord[] | null>;
+  /**
+   * Keeps the maze that the robot is in, in the place of the one before.
+   * @param text of the document, as JSON
+   * @returns false: there is no such session
+   */
+  keepMaze(id: string, text: string): Promise<boolean>;
+  /** The maze that the robot is in; null where none was kept. */
+  maze(id: string): Promise<string | null>;
   /** Notes that the session is in use. */
   touch(id: string, now: number): Promise<void>;
   /** Deletes the session and everything of it. @returns false when there was none */

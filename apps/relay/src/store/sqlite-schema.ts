@@ -89,8 +89,15 @@ const PAUSE = `
 ALTER TABLE sessions ADD COLUMN paused INTEGER NOT NULL DEFAULT 0;
 `;
 
+const MAZES = `
+CREATE TABLE mazes (
+  robot TEXT PRIMARY KEY REFERENCES sessions (id) ON DELETE CASCADE,
+  text TEXT NOT NULL
+) STRICT;
+`;
+
 /** What each version added to the one before it: the first leads from an empty file to version 1. */
-const STEPS: readonly string[] = [SESSIONS, DOCUMENTS, TERMS, RECALLED, SCRIPTS, PAUSE];
+const STEPS: readonly string[] = [SESSIONS, DOCUMENTS, TERMS, RECALLED, SCRIPTS, PAUSE, MAZES];
 
 /** Opens a database, made with its folder when it is missing. @throws as `prepareDatabase` does */
 export function openDatabase(file: string): DatabaseSync {

@@ -103,6 +103,19 @@ export class SqliteStore implements SessionStore {
     });
   }
 
+  async keepMaze(id: string, text: string): Promise<boolean> {
+    const sql = "INSERT INTO mazes (robot, text) VALUES (?, ?) ON CONFLICT DO UPDATE SET text = ?2";
+    return this.#file.growingStep(() => {
+      if (sessionIn(this.#writing, id) === null) return false;
+      return this.#writing.run(sql, [id, text]) > 0;
+    });
+  }
+
+  async maze(id: string): Promise<string | null> {
+    const [row] = this.#file.reading.all("SELECT text FROM mazes WHERE robot = ?", [id]);
+    return row === undefined ? null : String(row["text"]);
+  }
+
   async touch(id: string, now: number): Promise<void> {
     const sql = "UPDATE sessions SET last_used_at = max(last_used_at, ?) WHERE id = ?";
     await this.#file.step(() => this.#writing.run(sql, [now, id]));

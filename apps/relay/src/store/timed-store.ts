@@ -7,6 +7,7 @@ const COMMITS: ReadonlySet<string | symbol> = new Set([
   "changeKeys",
   "changeAway",
   "pause",
+  "keepMaze",
   "touch",
   "remove",
   "removeExpired",

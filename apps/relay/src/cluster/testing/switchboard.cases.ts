@@ -95,6 +95,9 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
       const cancel = { kind: "cancel", seq: 3, why: "revoked" } as const;
       a.line.tell(cancel);
       await vi.waitFor(() => expect(b.heard.at(-1)).toMatchObject(cancel));
+      const maze = { kind: "maze", version: "k3J9x2aBk3J9x2aBk3J9x2" } as const;
+      a.line.tell(maze);
+      await vi.waitFor(() => expect(b.heard.at(-1)).toMatchObject(maze));
       expect([a.heard.length, elsewhere.heard]).toEqual([1, []]);
     });
 

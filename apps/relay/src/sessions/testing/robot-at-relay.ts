@@ -25,6 +25,7 @@ export const deafReader = {
   flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
   began: () => undefined,
   gap: () => undefined,
+  maze: () => undefined,
   over: () => undefined,
 } as const;
 

@@ -23,7 +23,7 @@ import {
 } from "../session-store.ts";
 import { asked, type Redis } from "./connection.ts";
 import type { ForgottenBytes } from "./forgotten-bytes.ts";
-import { keysOf } from "./redis-keys.ts";
+import { keysOf, sessionOf } from "./redis-keys.ts";
 import { endingOf, recordRow, rowOf, termedRow } from "./rows.ts";
 import { Script } from "./script.ts";
 
@@ -129,6 +129,14 @@ export class RedisSessionStore implements SessionStore {
       .array(termedRow)
       .nullable()
       .parse(await this.#step("pause", id, { isPaused, reason }));
+  }
+
+  async keepMaze(id: string, text: string): Promise<boolean> {
+    return z.boolean().parse(await this.#step("keepMaze", id, { text }));
+  }
+
+  async maze(id: string): Promise<string | null> {
+    return (await asked(this.#redis.hGet(sessionOf(id), "maze"))) ?? null;
   }
 
   async touch(id: string, now: number): Promise<void> {

@@ -206,6 +206,12 @@ function steps.pause()
   return list(gone)
 end
 
+function steps.keepMaze()
+  if redis.call('EXISTS', SESSION) == 0 then return 'false' end
+  redis.call('HSET', SESSION, 'maze', given.text)
+  return 'true'
+end
+
 function steps.touch()
   redis.call('ZADD', USES, 'XX', 'GT', given.now, given.id)
   return 'null'

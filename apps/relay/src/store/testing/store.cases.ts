@@ -1,6 +1,7 @@
 /** What every store must do, whichever database is behind it. */
 import { commandCases } from "./command.cases.ts";
 import { keyCases } from "./key.cases.ts";
+import { mazeCases } from "./maze.cases.ts";
 import { pageCases } from "./page.cases.ts";
 import { sessionCases } from "./session.cases.ts";
 import { takingBackCases } from "./taking-back.cases.ts";
@@ -15,4 +16,5 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
   timeCases(name, open);
   takingBackCases(name, open);
   pageCases(name, open);
+  mazeCases(name, open);
 }

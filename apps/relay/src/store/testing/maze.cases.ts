@@ -1,0 +1,42 @@
+/** What every store must do: the maze that a robot is in. */
+import { describe, expect, it } from "vitest";
+import { ID, type OpenStore, robotIn } from "./robot-in-store.ts";
+
+export function mazeCases(name: string, open: () => Promise<OpenStore>): void {
+  const withRobot = () => robotIn(open);
+
+  describe(`${name}: the maze of a robot`, () => {
+    it("is the newest that was kept, also after a restart", async () => {
+      const { store, reopen } = await withRobot();
+      expect(await store.maze(ID)).toBeNull();
+      expect(await store.keepMaze(ID, '{"name":"first"}')).toBe(true);
+      expect(await store.keepMaze(ID, '{"name":"\u8ff7\u8def \u{1f9ed}"}')).toBe(true);
+      expect(await (await reopen()).maze(ID)).toBe('{"name":"\u8ff7\u8def \u{1f9ed}"}');
+    });
+
+    it("is kept for no robot but those that there are", async () => {
+      const { store } = await withRobot();
+      expect(await store.keepMaze("B".repeat(22), "{}")).toBe(false);
+      expect(await store.maze("B".repeat(22))).toBeNull();
+      expect(await store.find("B".repeat(22))).toBeNull();
+    });
+
+    it("goes from the disk with the robot", async () => {
+      const { store, holds } = await withRobot();
+      const text = "a-maze-to-be-forgotten ".repeat(2_000);
+      await store.keepMaze(ID, text);
+      await store.keepMaze(ID, `other-${text}`);
+      expect(await holds("a-maze-to-be-forgotten")).toBe(true);
+      await store.remove(ID);
+      expect(await store.maze(ID)).toBeNull();
+      expect(await holds("a-maze-to-be-forgotten")).toBe(false);
+    });
+
+    it("goes with a robot that ran out", async () => {
+      const { store, holds } = await withRobot();
+      await store.keepMaze(ID, "a-maze-to-be-forgotten");
+      await store.removeExpired({ lastUsedAt: 9_000, createdAt: 9_000 });
+      expect(await holds("a-maze-to-be-forgotten")).toBe(false);
+    });
+  });
+}
