@@ -74,6 +74,7 @@ export {
   type Resume,
 } from "./messages.ts";
 export { LEASE_MS, orderSchema, termsOf, TTL_MS, type CommandTerms, type Order } from "./order.ts";
+export { decodeDriverFrame } from "./driver-frame.ts";
 export { decodePageFrame, isPlainSnapshot } from "./page-frame.ts";
 export { problemSchema, type ProblemDocument } from "./problem.ts";
 export { driverSchema, type DriverName, type Pose, type SensorReadings } from "./quantities.ts";

@@ -23,17 +23,15 @@ export function bounded(
     closeWith(line, closeReasons.badFrame, detail);
   };
   return {
-    received: async (text) => {
+    received: (text) => {
+      const work = conversation.received(text);
+      if (work === undefined) return undefined;
       unfinished += 1;
       if (isOver() && !isLooking) {
         isLooking = true;
         setImmediate(look);
       }
-      try {
-        await conversation.received(text);
-      } finally {
-        unfinished -= 1;
-      }
+      return work.finally(() => (unfinished -= 1));
     },
     heartbeat: () => conversation.heartbeat(),
     closed: () => conversation.closed(),

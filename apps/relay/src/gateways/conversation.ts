@@ -7,12 +7,30 @@ import type { OverReason } from "../sessions/reader-feed.ts";
 import { scriptIsAway } from "../sessions/script-gate.ts";
 
 export interface Conversation {
-  /** One message of the client. Calls do not overlap in effect: the session puts them in order. */
-  received(text: string): Promise<void>;
+  /**
+   * One message of the client. Calls do not overlap in effect: the session puts them in order.
+   * @returns once it is done; undefined where it is already: most are snapshots and what readers have
+   *   seen of them, tens of thousands a second, which wait for nothing
+   * @throws Refusal when it may not be said
+   */
+  received(text: string): Promise<void> | undefined;
   /** Keeps the client sure that the line is alive. */
   heartbeat(): void;
   /** The socket is closed. */
   closed(): void;
+}
+
+/** Passes a message on. @param failed is told why it could not be served, now or later */
+export function hear(
+  conversation: Conversation,
+  text: string,
+  failed: (error: unknown) => void,
+): void {
+  try {
+    conversation.received(text)?.catch(failed);
+  } catch (error) {
+    failed(error);
+  }
 }
 
 /** Closes a socket with a known reason, in words that a student can act on. */

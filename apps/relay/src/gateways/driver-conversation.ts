@@ -1,11 +1,11 @@
 /** A script's part: it sends commands and gets records, states and snapshots. A watcher's: it gets them. */
 import {
   closeReasons,
-  decodeFrame,
-  driverToRelaySchema,
+  decodeDriverFrame,
   encodeFrame,
   PROTOCOL_VERSION,
   termsOf,
+  type DriverToRelay,
   type EventGap,
   type RelayToDriver,
   type Snapshot,
@@ -18,6 +18,8 @@ import type { Grant } from "../sessions/session-hub.ts";
 import type { JoinedReader } from "../sessions/session.ts";
 import { closeWith, sayGoodbye, type Conversation } from "./conversation.ts";
 import type { ReaderLine } from "./reader-line.ts";
+
+type CommandMessage = Extract<DriverToRelay, { type: "command" }>;
 
 export interface DriverOptions {
   grant: Grant;
@@ -79,14 +81,21 @@ export class DriverConversation implements Conversation, ReaderSink {
 
   // --- what it says ---
 
-  async received(text: string): Promise<void> {
+  received(text: string): Promise<void> | undefined {
     const { session, key: grant } = this.#options.grant;
-    const message = decodeFrame(driverToRelaySchema, text);
+    const message = decodeDriverFrame(text);
     if (!message.ok) return this.#refuse(badRequest("The message is wrong.", message.problems));
-    session.check(grant, message.value.type === "command" ? "command" : "read");
+    const { value } = message;
+    session.check(grant, value.type === "command" ? "command" : "read");
     session.heard(grant)();
-    if (message.value.type === "seen") return this.#reader.seen(message.value.seq);
-    const { key = null, command } = message.value;
+    if (value.type === "command") return this.#submit(value);
+    this.#reader.seen(value.seq);
+    return undefined;
+  }
+
+  async #submit(message: CommandMessage): Promise<void> {
+    const { session, key: grant } = this.#options.grant;
+    const { key = null, command } = message;
     const isStop = command.action === "stop";
     const most = limits.unfinishedCommands + (isStop ? limits.unfinishedStops : 0);
     this.#unfinished += 1;
@@ -117,7 +126,7 @@ export class DriverConversation implements Conversation, ReaderSink {
     this.#reader.leave();
   }
 
-  #refuse(refusal: ReturnType<typeof badRequest>): void {
+  #refuse(refusal: ReturnType<typeof badRequest>): undefined {
     this.#badFrames += 1;
     this.#options.refused(refusal.kind);
     this.#send({ type: "problem", problem: refusal.problem, key: null });

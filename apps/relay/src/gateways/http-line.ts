@@ -6,7 +6,7 @@ import { closeReasons, MAX_LINE_MESSAGES, type FetchedMessages } from "@corridor
 import type { Clock } from "../clock.ts";
 import type { Patience } from "../sessions/audience.ts";
 import { limits } from "../sessions/limits.ts";
-import { closeWith, type Conversation } from "./conversation.ts";
+import { closeWith, hear, type Conversation } from "./conversation.ts";
 import type { ReaderLine } from "./reader-line.ts";
 
 /** A longer answer would be cut by nobody, and read by nobody before its end. */
@@ -109,7 +109,7 @@ export class HttpLine implements ReaderLine {
     for (const [index, message] of messages.entries()) {
       if (first + index !== this.#heard + 1 || !this.isOpen) continue;
       this.#heard += 1;
-      this.#conversation?.received(JSON.stringify(message)).catch(failed);
+      if (this.#conversation !== null) hear(this.#conversation, JSON.stringify(message), failed);
     }
     this.#awaitRequest();
     return this.#heard;

@@ -31,7 +31,7 @@ export class PageConversation implements Conversation {
     };
   }
 
-  async received(text: string): Promise<void> {
+  received(text: string): Promise<void> | undefined {
     const { session, key } = this.#grant;
     session.check(key, "host");
     if (!this.#hasResumed) {
@@ -42,7 +42,7 @@ export class PageConversation implements Conversation {
     }
     const message = decodePageFrame(text);
     if (!message.ok) return this.#refuse(message.problems);
-    await session.hearPage(this.#link, message.value);
+    return session.hearPage(this.#link, message.value);
   }
 
   heartbeat(): void {
@@ -53,8 +53,7 @@ export class PageConversation implements Conversation {
     this.#grant.session.leavePage(this.#link);
   }
 
-  #refuse(problems: FieldProblem[]): void {
-    const [first] = problems;
+  #refuse([first]: FieldProblem[]): undefined {
     closeWith(this.#port, closeReasons.badFrame, first && describeProblem(first));
   }
 }

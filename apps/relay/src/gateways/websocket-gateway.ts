@@ -25,7 +25,7 @@ import { asRefusal, Refusal } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import { verbOfRole } from "../sessions/rights.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
-import { closeWith, type Conversation } from "./conversation.ts";
+import { closeWith, hear, type Conversation } from "./conversation.ts";
 import { closeFor, converse, introduced } from "./converse.ts";
 import type { ReaderLine } from "./reader-line.ts";
 import { refuseUpgrade } from "./refuse-upgrade.ts";
@@ -198,7 +198,8 @@ export class WebSocketGateway {
   }
 
   #hear(guest: Guest, text: string): void {
-    guest.conversation?.received(text).catch((error: unknown) => this.#refuse(guest, error));
+    if (guest.conversation === null) return;
+    hear(guest.conversation, text, (error) => this.#refuse(guest, error));
   }
 
   #refuse({ socket }: Guest, error: unknown): void {

@@ -73,6 +73,8 @@ export class ReaderFeed {
   #isMissing = false;
   #isClosed = false;
   #pending: Snapshot | null = null;
+  /** no snapshot is due before this time, but for one that belongs before an ending */
+  #notBefore = -Infinity;
   #onTheWay: OnTheWay[] = [];
   /** the reader says itself what it has seen; until then its line answers for it */
   #saysSeen = false;
@@ -165,19 +167,28 @@ export class ReaderFeed {
   }
 
   #flush(): void {
+    const earlyMs = this.#notBefore - this.#clock.now();
+    if (earlyMs > 0) return this.#arm(earlyMs);
     if (this.#isHeld) this.#catchUp();
     if (this.#pending !== null && this.#hasCredit) this.#sendSnapshot(this.#pending);
-    this.#arm();
+    if (this.#waits) this.#arm();
+  }
+
+  /** Something waits for its time, or for the reader to take what came before. */
+  get #waits(): boolean {
+    return this.#pending !== null || (this.#isHeld && !this.#isMissing);
   }
 
   /** Looks again in a moment. */
-  #arm(): void {
-    const { snapshotIntervalMs, lineSnapshotIntervalMs } = limits;
-    const pauseMs = this.#sink.door === "line" ? lineSnapshotIntervalMs : snapshotIntervalMs;
-    this.#cancelTimer ??= this.#clock.after(pauseMs, () => {
+  #arm(ms: number = this.#pauseMs): void {
+    this.#cancelTimer ??= this.#clock.after(ms, () => {
       this.#cancelTimer = null;
-      if (this.#pending !== null || (this.#isHeld && !this.#isMissing)) this.#flush();
+      if (this.#waits) this.#flush();
     });
+  }
+
+  get #pauseMs(): number {
+    return this.#sink.door === "line" ? limits.lineSnapshotIntervalMs : limits.snapshotIntervalMs;
   }
 
   #catchUp(): void {
@@ -219,6 +230,7 @@ export class ReaderFeed {
 
   #sendSnapshot(snapshot: Snapshot): void {
     this.#pending = null;
+    this.#notBefore = this.#clock.now() + this.#pauseMs;
     this.#sink.snapshot(snapshot);
     this.#left(snapshot);
   }

@@ -226,14 +226,26 @@ export class Session {
   }
 
   /** A message of the page. Frames of a page that was replaced or of an older epoch are refused. */
-  async hearPage(link: PageLink, message: PageToRelay): Promise<void> {
-    if (!this.#seat.isHeldBy(link)) return;
-    if (message.epoch !== this.#seat.page?.epoch) return link.close(closeReasons.replaced);
-    if (message.type === "time") return link.send({ type: "time", at: this.#clock.now() });
+  hearPage(link: PageLink, message: PageToRelay): Promise<void> | undefined {
+    if (!this.#seat.isHeldBy(link)) return undefined;
+    if (message.epoch !== this.#seat.page?.epoch) {
+      link.close(closeReasons.replaced);
+      return undefined;
+    }
     this.#used();
-    if (message.type === "ended") this.#line.hurry();
-    if (message.type !== "snapshot") return this.#life.hearPage(link, message);
-    this.#show(message.snapshot);
+    switch (message.type) {
+      case "snapshot":
+        this.#show(message.snapshot);
+        return undefined;
+      case "time":
+        link.send({ type: "time", at: this.#clock.now() });
+        return undefined;
+      case "ended":
+        this.#line.hurry();
+        return this.#life.hearPage(link, message);
+      case "started":
+        return this.#life.hearPage(link, message);
+    }
   }
 
   // --- scripts ---
