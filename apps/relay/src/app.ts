@@ -6,6 +6,7 @@ import type { DocumentShelf } from "./documents/document-shelf.ts";
 import type { Entrance } from "./entrance/entrance.ts";
 import type { HttpLines } from "./gateways/http-lines.ts";
 import type { Metrics } from "./metrics/metrics.ts";
+import type { PairingDesk } from "./pairing/pairing-desk.ts";
 import type { Readiness } from "./readiness.ts";
 import { checkRoutes } from "./routes/check.ts";
 import { commandRoutes } from "./routes/commands.ts";
@@ -19,6 +20,7 @@ import { pythonClientRoutes } from "./routes/python-client.ts";
 import { keyRoutes } from "./routes/keys.ts";
 import { lineRoutes } from "./routes/lines.ts";
 import { mazeRoutes } from "./routes/maze.ts";
+import { pairingRoutes } from "./routes/pairing.ts";
 import { requestLog } from "./routes/request-log.ts";
 import { robotRoutes } from "./routes/robots.ts";
 import { openToAllSites, securityHeaders } from "./routes/security-headers.ts";
@@ -30,6 +32,7 @@ export interface AppDependencies {
   hub: SessionHub;
   lines: HttpLines;
   documents: DocumentShelf;
+  pairing: PairingDesk;
   clock: Clock;
   log: Logger;
   entrance: Entrance;
@@ -42,8 +45,8 @@ export interface AppDependencies {
 
 /** Builds the application from its parts. */
 export function createApp(dependencies: AppDependencies): Express {
-  const { hub, lines, documents, clock, log, entrance, readiness, metrics, page, isDevelopment } =
-    dependencies;
+  const { hub, lines, documents, pairing, clock, log, entrance, readiness } = dependencies;
+  const { metrics, page, isDevelopment } = dependencies;
   const app = express();
   app.disable("x-powered-by");
   app.set("query parser", "simple");
@@ -65,6 +68,7 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(openToAllSites);
   api.use(robotRoutes(hub, entrance));
   api.use(keyRoutes(hub, entrance));
+  api.use(pairingRoutes(hub, pairing, entrance));
   api.use(scriptRoutes(hub));
   api.use(sensorRoutes(hub));
   api.use(mazeRoutes(hub));

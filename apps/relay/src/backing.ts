@@ -8,15 +8,18 @@ import type { Switchboard } from "./cluster/switchboard.ts";
 import type { Config } from "./config.ts";
 import { mintId } from "./keys.ts";
 import type { DocumentStore } from "./store/document-store.ts";
+import type { PairingStore } from "./store/pairing-store.ts";
 import { connectRedis, timeOf, type Redis } from "./store/redis/connection.ts";
 import { requireDurable } from "./store/redis/durability.ts";
 import { ForgottenBytes } from "./store/redis/forgotten-bytes.ts";
 import { RedisClock } from "./store/redis/redis-clock.ts";
 import { RedisDocumentStore } from "./store/redis/redis-document-store.ts";
+import { RedisPairingStore } from "./store/redis/redis-pairing-store.ts";
 import { RedisSessionStore } from "./store/redis/redis-session-store.ts";
 import type { SessionStore } from "./store/session-store.ts";
 import { SqliteDocumentStore } from "./store/sqlite-document-store.ts";
 import { SqliteFile } from "./store/sqlite-file.ts";
+import { SqlitePairingStore } from "./store/sqlite-pairing-store.ts";
 import { SqliteStore } from "./store/sqlite-store.ts";
 
 export interface Backing {
@@ -24,6 +27,7 @@ export interface Backing {
   clock: Clock;
   sessions: SessionStore;
   documents: DocumentStore;
+  pairings: PairingStore;
   switchboard: Switchboard;
   close(): Promise<void>;
 }
@@ -43,6 +47,7 @@ function sqliteBacking(dataDir: string, clock: Clock): Backing {
     clock,
     sessions: new SqliteStore(file),
     documents: new SqliteDocumentStore(file),
+    pairings: new SqlitePairingStore(file),
     switchboard: new LocalSwitchboard(),
     close: async () => file.close(),
   };
@@ -70,6 +75,7 @@ async function redisBacking(url: string, machine: Clock, log: Logger): Promise<B
       clock,
       sessions: new RedisSessionStore(redis, forgotten, relay),
       documents: new RedisDocumentStore(redis, forgotten),
+      pairings: new RedisPairingStore(redis, forgotten),
       switchboard,
       close: async () => {
         clock.close();

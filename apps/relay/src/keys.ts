@@ -1,5 +1,6 @@
 /** Ids and bearer keys: random bits, 128 for robots and keys. Keys are stored only as their SHA-256. */
-import { createHash, randomBytes, timingSafeEqual } from "node:crypto";
+import { createHash, randomBytes, randomInt, timingSafeEqual } from "node:crypto";
+import { PAIRING_LENGTH, PAIRING_LETTERS } from "@corridor/protocol";
 import type { KeyKind, StoredKey } from "./store/session-store.ts";
 
 /** delete: take back what a short link leads to. line: go on with a line by HTTPS. */
@@ -35,6 +36,12 @@ export function mintKey(kind: keyof typeof PREFIX): string {
   return PREFIX[kind] + randomText();
 }
 
+/** A new pairing code: one of 20 to the power of 8, 25,600,000,000. */
+export function mintCode(): string {
+  const letter = (): string => PAIRING_LETTERS.charAt(randomInt(PAIRING_LETTERS.length));
+  return Array.from({ length: PAIRING_LENGTH }, letter).join("");
+}
+
 /** What is stored of a key. */
 export function hashKey(key: string): string {
   return createHash("sha256").update(key).digest("base64url");
@@ -50,13 +57,18 @@ export function markOf(key: string | null): string | null {
   return key === null ? null : keyId(hashKey(key));
 }
 
+/** Whether two hashes are the same, in a time that does not depend on how alike they are. */
+export function isSameHash(one: string, other: string): boolean {
+  const [first, second] = [Buffer.from(one), Buffer.from(other)];
+  return first.length === second.length && timingSafeEqual(first, second);
+}
+
 /** Finds the stored key that belongs to the given one, in a time that does not depend on the match. */
 export function matchKey(key: string, stored: readonly StoredKey[]): StoredKey | null {
-  const given = Buffer.from(hashKey(key));
+  const given = hashKey(key);
   let match: StoredKey | null = null;
   for (const candidate of stored) {
-    const hash = Buffer.from(candidate.hash);
-    if (hash.length === given.length && timingSafeEqual(hash, given)) match = candidate;
+    if (isSameHash(candidate.hash, given)) match = candidate;
   }
   return match;
 }

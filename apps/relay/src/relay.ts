@@ -15,6 +15,7 @@ import { WebSocketGateway } from "./gateways/websocket-gateway.ts";
 import { closeServer, listen, portOf } from "./listening.ts";
 import { metricsServer } from "./metrics/metrics-server.ts";
 import { Metrics } from "./metrics/metrics.ts";
+import { PairingDesk } from "./pairing/pairing-desk.ts";
 import { Readiness } from "./readiness.ts";
 import { builtPage } from "./routes/built-page.ts";
 import { developmentPage, HOT_RELOAD_PREFIX } from "./routes/development-page.ts";
@@ -61,6 +62,12 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     witness: metrics,
     switchboard: backing.switchboard,
   });
+  const pairing = new PairingDesk({
+    pairings: backing.pairings,
+    sessions: store,
+    clock,
+    log,
+  });
   const entrance = new Entrance(config);
   const readiness = new Readiness(store, clock, log);
   const gateway = new WebSocketGateway({ hub, clock, log, entrance, metrics });
@@ -75,7 +82,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   });
   const development = isDevelopment ? await developmentPage(webRoot, server) : null;
   const page: Router = development?.router ?? builtPage(join(webRoot, "dist"));
-  const parts = { hub, lines, documents, clock, log, entrance, readiness, metrics };
+  const parts = { hub, lines, documents, pairing, clock, log, entrance, readiness, metrics };
   server.on("request", createApp({ ...parts, page, isDevelopment }));
   server.on("upgrade", (request, socket, head) => {
     // Vite listens for its own socket by itself.
@@ -93,6 +100,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     gateway.close();
     lines.close();
     checkSocket.close();
+    pairing.close();
     await hub.close();
     await development?.close();
     await closeServer(server, SHUTDOWN_MS, () => gateway.cut());

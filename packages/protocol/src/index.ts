@@ -76,6 +76,20 @@ export {
 export { LEASE_MS, orderSchema, termsOf, TTL_MS, type CommandTerms, type Order } from "./order.ts";
 export { decodeDriverFrame } from "./driver-frame.ts";
 export { decodePageFrame, isPlainSnapshot } from "./page-frame.ts";
+export {
+  PAIRING_LENGTH,
+  PAIRING_LETTERS,
+  pairingAnswerSchema,
+  pairingAskedSchema,
+  pairingMadeSchema,
+  pairingReplySchema,
+  pairingSchema,
+  pairingWishSchema,
+  type Pairing,
+  type PairingAnswer,
+  type PairingAsked,
+  type PairingMade,
+} from "./pairing.ts";
 export { problemSchema, type ProblemDocument } from "./problem.ts";
 export { driverSchema, type DriverName, type Pose, type SensorReadings } from "./quantities.ts";
 export { registrationSchema, robotIdSchema, type Registration } from "./registration.ts";

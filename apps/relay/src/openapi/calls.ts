@@ -44,7 +44,8 @@ import {
 import { keyPath } from "../routes/keys.ts";
 import { ifNoneMatchHeader } from "../routes/maze.ts";
 import { scriptPath } from "../routes/scripts.ts";
-import { answer, entityTag, location, parameters, refusals } from "./parts.ts";
+import { pairingCalls } from "./pairing-calls.ts";
+import { answer, entityTag, keyed, location, parameters, refusals } from "./parts.ts";
 
 const robot = parameters("path", z.object({ id: robotIdSchema }));
 const idempotencyKey = parameters("header", idempotencyHeader);
@@ -55,8 +56,6 @@ const line = [{ lineKey: [] }];
 const owner = [{ ownerKey: [] }];
 const shortLink = parameters("path", z.object({ id: shortLinkIdSchema }));
 const scriptName = parameters("header", nameHeader);
-/** What every call with a key may meet. */
-const keyed = ["bad-request", "not-authorised", "forbidden", "no-robot"] as const;
 /** The same for a call that scripts make. */
 const asScript = [...keyed, "sent-away"] as const;
 
@@ -127,6 +126,7 @@ export const calls: ZodOpenApiPathsObject = {
       },
     },
   },
+  ...pairingCalls,
   "/api/v1/robots/{id}/scripts": {
     parameters: robot,
     get: {

@@ -83,6 +83,11 @@ export function describeApi(): oas31.OpenAPIObject {
             description:
               "The key of the robot's own page: shows and deletes what is held, makes keys.",
           },
+          pairingKey: {
+            type: "http",
+            scheme: "bearer",
+            description: "The key that came with the question; a yes makes it a driver key.",
+          },
           watchKey: {
             type: "http",
             scheme: "bearer",

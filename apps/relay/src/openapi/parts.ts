@@ -18,6 +18,9 @@ const retryAfter: oas31.HeadersObject = {
   },
 };
 
+/** What every call with a key may meet. */
+export const keyed = ["bad-request", "not-authorised", "forbidden", "no-robot"] as const;
+
 const headersByStatus: Partial<Record<number, oas31.HeadersObject>> = {
   401: { "WWW-Authenticate": { required: true, schema: { type: "string", const: "Bearer" } } },
   429: retryAfter,

@@ -12,8 +12,11 @@ import { Metrics } from "../metrics/metrics.ts";
 import { Readiness } from "../readiness.ts";
 import { systemClock } from "../clock.ts";
 import { DocumentShelf } from "../documents/document-shelf.ts";
+import { PairingDesk } from "../pairing/pairing-desk.ts";
 import { SessionHub } from "../sessions/session-hub.ts";
 import { SqliteDocumentStore } from "../store/sqlite-document-store.ts";
+import { SqliteFile } from "../store/sqlite-file.ts";
+import { SqlitePairingStore } from "../store/sqlite-pairing-store.ts";
 import { SqliteStore } from "../store/sqlite-store.ts";
 import { DescribedRelay, describedCalls, METHODS } from "../testing/described-relay.ts";
 import { challenge, maze, program } from "../testing/sample-documents.ts";
@@ -30,6 +33,8 @@ const SENSORS = `${ROBOT}/sensors`;
 const EVENTS = `${ROBOT}/events`;
 const LINE = `${ROBOT}/line`;
 const MESSAGES = `${LINE}/messages`;
+const PAIRING = `${ROBOT}/pairing`;
+const PAIR = "/api/v1/pairing";
 /** Files to take along, which are no calls of the API. */
 const FILES = new Set(["get /openapi.json", "get /asyncapi.json", "get /corridor.py"]);
 
@@ -50,13 +55,16 @@ function servedCalls(layers: Layer[], prefix = ""): string[] {
 }
 
 function appWithoutPage(): Express {
-  const file = join(testFolder(), "corridor.sqlite");
+  const file = new SqliteFile(join(testFolder(), "corridor.sqlite"));
   const store = new SqliteStore(file);
   const log = pino({ level: "silent" });
   const hub = new SessionHub(store, systemClock, log);
   const documents = new DocumentShelf(new SqliteDocumentStore(file), systemClock, log);
+  const pairings = new SqlitePairingStore(file);
+  const pairing = new PairingDesk({ pairings, sessions: store, clock: systemClock, log });
   onTestFinished(async () => {
     lines.close();
+    pairing.close();
     await documents.close();
     await hub.close();
     await store.close();
@@ -65,7 +73,7 @@ function appWithoutPage(): Express {
   const readiness = new Readiness(store, systemClock, log);
   const metrics = new Metrics();
   const lines = new HttpLines({ hub, clock: systemClock, log, metrics });
-  const served = { hub, lines, documents, entrance, readiness, metrics };
+  const served = { hub, lines, documents, pairing, entrance, readiness, metrics };
   const parts = { ...served, clock: systemClock, log, page: Router() };
   return createApp({ ...parts, isDevelopment: false });
 }
@@ -186,6 +194,32 @@ describe("real answers are as described", () => {
     expect(next.body).toEqual({ since, gap: null, states: [], snapshot: null });
     const missed = await api.call("get", EVENTS, { query: "?wait=0&since=00000000-9" });
     expect(missed.body).toMatchObject({ gap: { open: [{ seq: 1, state: "accepted" }] } });
+  });
+
+  it("from a pairing code to the owner's yes", async () => {
+    const api = await DescribedRelay.start();
+    const key = api.robot.ownerKey;
+    expect((await api.call("get", PAIRING, { key })).body).toMatchObject({ state: "none" });
+    const made = await api.call("post", PAIRING, { key });
+    const { code } = made.body as { code: string };
+    const wrong = { code: code === "BCDFGHJK" ? "BCDFGHJL" : "BCDFGHJK" };
+    expect((await api.callAt("post", PAIR, { body: wrong })).status).toBe(404);
+    expect((await api.callAt("post", PAIR, { body: { code: "A" } })).status).toBe(400);
+    const asked = await api.callAt("post", PAIR, { body: { code, name: "Follower" } });
+    expect((await api.callAt("post", PAIR, { body: { code } })).status).toBe(409);
+    const waiting = (asked.body as { key: string }).key;
+    expect((await api.callAt("get", PAIR, { key: waiting })).status).toBe(200);
+    expect((await api.callAt("get", PAIR)).status).toBe(401);
+    expect((await api.callAt("get", PAIR, { key })).status).toBe(404);
+    const shown = await api.call("get", PAIRING, { key });
+    const { id } = (shown.body as { question: { id: string } }).question;
+    const yes = { key, body: { id, accept: true } };
+    expect((await api.call("put", PAIRING, yes)).status).toBe(204);
+    expect((await api.call("put", PAIRING, yes)).status).toBe(404);
+    expect((await api.callAt("get", PAIR, { key: waiting })).body).toMatchObject({
+      state: "accepted",
+    });
+    expect((await api.call("delete", PAIRING, { key })).status).toBe(204);
   });
 
   it.each([

@@ -24,6 +24,10 @@ const calls: { verb: Verb; method: string; path: string; body?: unknown }[] = [
   { verb: "grant", method: "POST", path: "/keys", body: { kind: "watch" } },
   { verb: "grant", method: "GET", path: "/keys" },
   { verb: "grant", method: "DELETE", path: "/keys/______" },
+  { verb: "grant", method: "POST", path: "/pairing" },
+  { verb: "grant", method: "GET", path: "/pairing" },
+  { verb: "grant", method: "PUT", path: "/pairing", body: { id: "______", accept: true } },
+  { verb: "grant", method: "DELETE", path: "/pairing" },
   { verb: "moderate", method: "GET", path: "/scripts" },
   { verb: "moderate", method: "PUT", path: "/pause" },
   { verb: "moderate", method: "DELETE", path: "/pause" },
@@ -106,6 +110,27 @@ describe("who may", () => {
       stop.abort();
     }
     expect(found).toEqual(expectedFor(verb, { yes: "yes", forbidden: 403, stranger: 401 }));
+  });
+
+  it("no key of a robot answers for another one's pairing, and none is needed to ask", async () => {
+    const { relay, robot, keys } = await withRobot();
+    const own = { method: "POST", key: robot.ownerKey };
+    const { code } = (await (await relay.ask(robot, "/pairing", own)).json()) as { code: string };
+    const asked = await fetch(`${relay.origin}/api/v1/pairing`, {
+      method: "POST",
+      headers: { "Content-Type": "application/json" },
+      body: JSON.stringify({ code }),
+    });
+    const { key: waiting } = (await asked.json()) as { key: string };
+    const statuses: Record<string, number> = {};
+    for (const [holder, key] of Object.entries({ ...keys, code, waiting })) {
+      const headers = { Authorization: `Bearer ${key}` };
+      statuses[holder] = (await fetch(`${relay.origin}/api/v1/pairing`, { headers })).status;
+    }
+    const others = Object.fromEntries([...holders, "code"].map((holder) => [holder, 404]));
+    expect(statuses).toEqual({ ...others, none: 401, waiting: 200 });
+    // Until the owner says yes, it is the key of no robot.
+    expect((await relay.ask(robot, "/commands", { key: waiting })).status).toBe(401);
   });
 
   it("the owner reads the log of commands, and is no script for that", async () => {

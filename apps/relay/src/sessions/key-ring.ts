@@ -84,6 +84,14 @@ export class KeyRing {
     return { id: keyId(hash), kind, key };
   }
 
+  /**
+   * Lets a key count that a script holds already: it was made when the script asked.
+   * @throws Refusal when there are too many
+   */
+  async admit(hash: string): Promise<void> {
+    await this.#change({ add: [{ kind: "drive", hash }], remove: [], removeKind: null });
+  }
+
   /** Ends a key at once, wherever it is in use. @throws Refusal when it cannot be revoked */
   async revoke(id: string): Promise<void> {
     // Another relay may have made it a moment ago.

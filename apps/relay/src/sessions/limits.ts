@@ -19,6 +19,19 @@ export const limits = {
   /** a document is in use for so long after the last time; a use is written down at most once a day */
   documentIdleMs: 180 * 24 * 60 * 60 * 1000,
   documentNoteMs: 24 * 60 * 60 * 1000,
+  /** a pairing code counts for so long */
+  pairingMs: 10 * 60 * 1000,
+  /** wrong pairing codes in a time: from one address, where a class of 40 may sit, and from anybody */
+  wrongCodesPerAddress: { count: 60, inMs: 10 * 60 * 1000 },
+  wrongCodes: { count: 100, inMs: 60 * 1000 },
+  /** beyond that nobody may try for a while, which doubles with every further wrong one */
+  wrongCodeDelay: { firstMs: 10_000, mostMs: 10 * 60 * 1000 },
+  wrongCodeDelayForAll: { firstMs: 1_000, mostMs: 60 * 1000 },
+  /** whoever waits for a pairing hears within so long what came of it at another relay */
+  pairingLookMs: 500,
+  /** requests that wait for one pairing, and all of them at this relay */
+  waitsPerPairing: 4,
+  pairingWaits: 400,
   /** open sockets and event streams of one driver key */
   readersPerKey: 4,
   /** open sockets, event streams and waiting requests of one robot; watchers are as many besides */

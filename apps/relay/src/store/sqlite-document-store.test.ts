@@ -40,6 +40,7 @@ it("brings a file from before there were short links and deadlines to this schem
     DROP TABLE away;
     ALTER TABLE sessions DROP COLUMN paused;
     DROP TABLE mazes;
+    DROP TABLE pairings;
     INSERT INTO commands (robot, seq, driver, command, state, accepted_at)
       VALUES ('${id}', 1, 'd', '{"action":"left 90"}', 'accepted', 5000);
     DROP TABLE document_keys;

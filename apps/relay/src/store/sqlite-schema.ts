@@ -96,8 +96,30 @@ CREATE TABLE mazes (
 ) STRICT;
 `;
 
+const PAIRINGS = `
+CREATE TABLE pairings (
+  robot TEXT PRIMARY KEY REFERENCES sessions (id) ON DELETE CASCADE,
+  code TEXT NOT NULL UNIQUE,
+  ends_at INTEGER NOT NULL,
+  state TEXT NOT NULL,
+  key TEXT UNIQUE,
+  name TEXT,
+  client TEXT
+) STRICT, WITHOUT ROWID;
+CREATE INDEX pairings_by_end ON pairings (ends_at);
+`;
+
 /** What each version added to the one before it: the first leads from an empty file to version 1. */
-const STEPS: readonly string[] = [SESSIONS, DOCUMENTS, TERMS, RECALLED, SCRIPTS, PAUSE, MAZES];
+const STEPS: readonly string[] = [
+  SESSIONS,
+  DOCUMENTS,
+  TERMS,
+  RECALLED,
+  SCRIPTS,
+  PAUSE,
+  MAZES,
+  PAIRINGS,
+];
 
 /** Opens a database, made with its folder when it is missing. @throws as `prepareDatabase` does */
 export function openDatabase(file: string): DatabaseSync {

@@ -112,8 +112,13 @@ local function forget(id)
   local base = 'corridor:{' .. id .. '}'
   redis.call('ZREM', USES, id)
   redis.call('ZREM', BIRTHS, id)
+  -- Its pairing code, by the names that pairings.lua has given.
+  for _, hash in ipairs(redis.call('HMGET', base .. ':pairing', 'code', 'key')) do
+    if hash then redis.call('DEL', 'corridor:pairing:' .. hash) end
+  end
+  redis.call('ZREM', 'corridor:pairings', id)
   redis.call('PUBLISH', base .. ':line', '{"kind":"over","from":"' .. relay .. '"}')
-  return redis.call('DEL', base, base .. ':open', base .. ':ended', base .. ':keys') > 0
+  return redis.call('DEL', base, base .. ':open', base .. ':ended', base .. ':keys', base .. ':pairing') > 0
 end
 
 -- Which scripts stay away. Returns them.

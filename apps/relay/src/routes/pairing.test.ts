@@ -1,0 +1,246 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { keyListSchema, PAIRING_LETTERS } from "@corridor/protocol";
+import { pino } from "pino";
+import { describe, expect, it, vi } from "vitest";
+import { hashKey } from "../keys.ts";
+import { FakeClock } from "../testing/fake-clock.ts";
+import { ownerOf, scriptAt } from "../testing/pairing-parties.ts";
+import { hasRedis, startTestRedis } from "../testing/test-redis.ts";
+import { startTestRelay, testFolder, type TestRelay } from "../testing/test-relay.ts";
+
+const MINUTE = 60_000;
+
+async function withRobot(options: Parameters<typeof startTestRelay>[0] = {}) {
+  const relay = await startTestRelay(options);
+  const robot = await relay.register();
+  return { relay, robot, owner: ownerOf(relay, robot), script: scriptAt(relay) };
+}
+
+/** A request of a script to the address that it was given. */
+async function drive(address: string): Promise<number> {
+  const { origin, pathname, hash } = new URL(address);
+  const answer = await fetch(`${origin}/api/v1/robots/${pathname.slice(3)}/commands`, {
+    method: "POST",
+    headers: { Authorization: `Bearer ${hash.slice(1)}`, "Content-Type": "application/json" },
+    body: JSON.stringify({ action: "left 90" }),
+  });
+  return answer.status;
+}
+
+const wrongCode = (at: number): string =>
+  Array.from({ length: 8 }, (_, place) =>
+    PAIRING_LETTERS.charAt(Math.floor(at / 20 ** place) % 20),
+  ).join("");
+
+describe("pairing by a code", () => {
+  it("gives a script the robot's address once the owner said yes, with a key of its own", async () => {
+    const { relay, robot, owner, script } = await withRobot();
+    const code = await owner.code();
+    expect(code).toMatch(/^[BCDFGHJKLMNPQRSTVWXZ]{8}$/);
+    expect(await owner.show()).toMatchObject({ state: "open", question: null });
+    const waiting = owner.show(25);
+    // As it is typed by hand.
+    const typed = ` ${code.slice(0, 4).toLowerCase()}-${code.slice(4)} `;
+    const asked = await script.ask(
+      { code: typed, name: "Right\nwall" },
+      { "User-Agent": "curl/8" },
+    );
+    expect(asked).toMatchObject({ status: 202 });
+    const key = asked.body?.key ?? "";
+    expect(await waiting).toMatchObject({
+      state: "asked",
+      question: { id: hashKey(key).slice(0, 6), name: "Right wall", client: "curl" },
+    });
+    expect((await script.hear(key)).body).toMatchObject({ state: "asked", address: null });
+    const answer = script.hear(key, 25);
+    expect(await owner.say(true)).toBe("");
+    const { body } = await answer;
+    expect(body).toMatchObject({ state: "accepted" });
+    expect(body?.address).toBe(`${relay.origin}/r/${robot.id}#${key}`);
+    expect(await drive(body?.address ?? "")).toBe(202);
+    // An answer that was lost on its way is given again.
+    expect((await script.hear(key)).body).toEqual(body);
+
+    const own = { key: robot.ownerKey };
+    const { keys } = keyListSchema.parse(await (await relay.ask(robot, "/keys", own)).json());
+    const { id = "" } = keys.find((each) => each.id === hashKey(key).slice(0, 6)) ?? {};
+    await relay.ask(robot, `/keys/${id}`, { method: "DELETE", ...own });
+    expect(await drive(body?.address ?? "")).toBe(401);
+  });
+
+  it("gives nothing when the owner says no", async () => {
+    const { owner, script, relay, robot } = await withRobot();
+    const key = (await script.ask({ code: await owner.code() })).body?.key ?? "";
+    const answer = script.hear(key, 25);
+    expect(await owner.say(false)).toBe("");
+    expect(await answer).toMatchObject({ status: 403, kind: "pairing-refused" });
+    expect(await drive(`${relay.origin}/r/${robot.id}#${key}`)).toBe(401);
+    expect(await owner.say(true)).toBe("no-pairing");
+  });
+
+  it("is for one script, and for the newest code alone", async () => {
+    const { owner, script } = await withRobot();
+    const first = await owner.code();
+    const second = await owner.code();
+    expect(await script.ask({ code: first })).toMatchObject({ status: 404, kind: "no-pairing" });
+    const asked = await Promise.all([1, 2, 3].map(() => script.ask({ code: second })));
+    expect(asked.filter(({ status }) => status === 202)).toHaveLength(1);
+    expect(asked.filter(({ kind }) => kind === "code-used")).toHaveLength(2);
+    expect(await owner.takeBack()).toBe(204);
+    const key = asked.find(({ body }) => body !== null)?.body?.key ?? "";
+    expect(await script.hear(key, 25)).toMatchObject({ status: 404, kind: "no-pairing" });
+    expect(await owner.show()).toMatchObject({ state: "none" });
+  });
+
+  it("says what to send when the code is no code", async () => {
+    const { script } = await withRobot();
+    for (const code of ["", "BCDFGHJ", "BCDFGHJA", "BCDFGHJKL", "BCDF_GHJK", 7, null]) {
+      expect((await script.ask({ code })).status).toBe(400);
+    }
+    const unknown = await script.ask({ code: "BCDFGHJK", key: "x" });
+    expect(unknown).toMatchObject({ status: 400, kind: "bad-request" });
+    expect((await script.hear("drv_AAAAAAAAAAAAAAAAAAAAAA")).kind).toBe("no-pairing");
+  });
+
+  it("lets the owner say yes again once there is room for one more key", async () => {
+    const { relay, robot, owner, script } = await withRobot();
+    const own = { key: robot.ownerKey };
+    const watch = { method: "POST", body: { kind: "watch" }, ...own };
+    const made = await relay.ask(robot, "/keys", watch);
+    for (let count = 3; count < 12; count++) await relay.ask(robot, "/keys", watch);
+    const key = (await script.ask({ code: await owner.code() })).body?.key ?? "";
+    expect(await owner.say(true)).toBe("too-many-keys");
+    expect((await script.hear(key)).body).toMatchObject({ state: "asked" });
+    const { id } = (await made.json()) as { id: string };
+    await relay.ask(robot, `/keys/${id}`, { method: "DELETE", ...own });
+    expect(await owner.say(true)).toBe("");
+    expect((await script.hear(key)).body).toMatchObject({ state: "accepted" });
+  });
+
+  it("ends after 10 minutes, asked or not, and leaves nothing in the files", async () => {
+    const clock = new FakeClock();
+    const dataDir = testFolder();
+    const { owner, script } = await withRobot({ clock, dataDir });
+    const holds = (text: string) =>
+      readdirSync(dataDir).some((file) => readFileSync(join(dataDir, file)).includes(text));
+    const code = await owner.code();
+    const key = (await script.ask({ code, name: "A forgettable name" })).body?.key ?? "";
+    expect(holds(hashKey(code))).toBe(true);
+    for (const secret of [code, key]) expect(holds(secret)).toBe(false);
+    await clock.pass(10 * MINUTE - 1_000);
+    expect((await script.hear(key)).body).toMatchObject({ state: "asked", endsInSeconds: 1 });
+    await clock.pass(1_000);
+    expect(await owner.say(true)).toBe("no-pairing");
+    expect((await script.hear(key)).kind).toBe("no-pairing");
+    await clock.pass(MINUTE);
+    for (const text of [hashKey(code), hashKey(key), "A forgettable name"]) {
+      expect(holds(text)).toBe(false);
+    }
+  });
+
+  it("holds no request for longer than it lasts, and not too many", async () => {
+    const { owner, script, relay } = await withRobot();
+    const key = (await script.ask({ code: await owner.code() })).body?.key ?? "";
+    const waiting = Array.from({ length: 6 }, () => script.hear(key, 25));
+    const refused = await Promise.race(waiting);
+    expect(refused).toMatchObject({ status: 429, kind: "too-many-readers", retryAfter: 2 });
+    await relay.close();
+    const answers = await Promise.all(waiting);
+    expect(answers.filter(({ status }) => status === 200)).toHaveLength(4);
+  });
+
+  it("puts neither code nor key into the log", async () => {
+    const lines: string[] = [];
+    const log = pino({ level: "trace" }, { write: (line: string) => void lines.push(line) });
+    const { owner, script } = await withRobot({ log });
+    const code = await owner.code();
+    await script.ask({ code: "BCDFGHJK" });
+    const key = (await script.ask({ code })).body?.key ?? "";
+    await owner.say(true);
+    await script.hear(key);
+    const text = lines.join("");
+    expect(text).toContain("/pairing");
+    for (const secret of [code, "BCDFGHJK", key.slice(4), hashKey(code), hashKey(key)]) {
+      expect(text).not.toContain(secret);
+    }
+  });
+});
+
+describe("guessing codes", () => {
+  /** Wrong codes from one network, until one is not looked at. */
+  const guess = async (relay: TestRelay, from: string, most: number) => {
+    const script = scriptAt(relay);
+    for (let count = 0; count < most; count++) {
+      const answer = await script.ask({ code: wrongCode(count) }, { "X-Forwarded-For": from });
+      if (answer.kind !== "no-pairing") return { count, ...answer };
+    }
+    return { count: most, kind: "", retryAfter: 0 };
+  };
+  const config = { trustedProxies: 1 };
+
+  it("is over for a network after 60 wrong ones, for longer each time, and right ones wait as well", async () => {
+    const clock = new FakeClock();
+    const { relay, owner, script } = await withRobot({ clock, config });
+    const first = await guess(relay, "10.0.0.1", 99);
+    expect(first).toMatchObject({ count: 60, kind: "too-fast", retryAfter: 10 });
+    const mine = { "X-Forwarded-For": "10.0.0.1" };
+    expect((await script.ask({ code: await owner.code() }, mine)).kind).toBe("too-fast");
+    const delays = [];
+    for (let round = 0; round < 8; round++) {
+      await clock.pass((delays.at(-1) ?? 10) * 1_000);
+      delays.push((await guess(relay, "10.0.0.1", 99)).retryAfter);
+    }
+    expect(delays).toEqual([20, 40, 80, 160, 320, 600, 10, 20]);
+    // Somebody else's code is looked at meanwhile.
+    const code = await owner.code();
+    expect((await script.ask({ code }, { "X-Forwarded-For": "10.0.0.2" })).status).toBe(202);
+  });
+
+  it("is over for all after 100 wrong ones in a minute, and begins again after it", async () => {
+    const clock = new FakeClock();
+    const { relay, owner, script } = await withRobot({ clock, config });
+    expect(await guess(relay, "10.0.0.1", 50)).toMatchObject({ count: 50 });
+    const over = await guess(relay, "10.0.0.2", 99);
+    expect(over).toMatchObject({ count: 50, kind: "too-fast", retryAfter: 1 });
+    const mine = { "X-Forwarded-For": "10.0.0.3" };
+    expect((await script.ask({ code: await owner.code() }, mine)).kind).toBe("too-fast");
+    await clock.pass(2 * MINUTE);
+    expect((await script.ask({ code: await owner.code() }, mine)).status).toBe(202);
+  });
+
+  it("finds out no more by asking all at once", async () => {
+    const { relay } = await withRobot();
+    const script = scriptAt(relay);
+    const answers = await Promise.all(
+      Array.from({ length: 90 }, (_, count) => script.ask({ code: wrongCode(count) })),
+    );
+    expect(answers.filter(({ kind }) => kind === "no-pairing")).toHaveLength(60);
+  });
+
+  it("is not what a class does that types right codes", async () => {
+    const { owner, script } = await withRobot();
+    for (let count = 0; count < 120; count++) {
+      expect((await script.ask({ code: await owner.code() })).status).toBe(202);
+    }
+  });
+});
+
+describe.skipIf(!hasRedis)("with Redis", () => {
+  it("the page is at one relay and the script at another", async () => {
+    const { url } = await startTestRedis();
+    const config = { storeUrl: url };
+    const { robot, owner } = await withRobot({ config });
+    const elsewhere = await startTestRelay({ config });
+    const script = scriptAt(elsewhere);
+    const shown = owner.show(25);
+    const code = await owner.code();
+    const key = (await script.ask({ code, name: "Far" })).body?.key ?? "";
+    await shown;
+    const answer = script.hear(key, 25);
+    expect(await owner.say(true)).toBe("");
+    const address = (await answer).body?.address ?? "";
+    expect(address).toBe(`${elsewhere.origin}/r/${robot.id}#${key}`);
+    await vi.waitFor(async () => expect(await drive(address)).toBe(202));
+  });
+});

@@ -1,0 +1,90 @@
+/** Pairing: the owner's code and answer, and the script that asks with it. */
+import { pairingReplySchema, pairingWishSchema, scriptName } from "@corridor/protocol";
+import { Router } from "express";
+import type { Entrance } from "../entrance/entrance.ts";
+import type { PairingDesk } from "../pairing/pairing-desk.ts";
+import { notAuthorised } from "../problems.ts";
+import type { SessionHub } from "../sessions/session-hub.ts";
+import { methodNotAllowed } from "./fallbacks.ts";
+import {
+  jsonText,
+  patienceOf,
+  readBearer,
+  readBody,
+  readClient,
+  readIntroduction,
+  readWait,
+} from "./reading.ts";
+
+/** A code and a name, or an answer. */
+const MAX_BODY_BYTES = 1024;
+
+export function pairingRoutes(hub: SessionHub, desk: PairingDesk, entrance: Entrance): Router {
+  const router = Router();
+
+  router
+    .route("/robots/:id/pairing")
+    .post(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+      const made = await desk.open(session.id);
+      response.status(201).json(made);
+    })
+    .get(async (request, response) => {
+      const { wait } = readWait(request);
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+      response.json(await desk.show(session.id, patienceOf(response, wait)));
+    })
+    .put(
+      // Who may not is told so before the body is read.
+      async (request, _response, next) => {
+        await hub.authorise(request.params.id, readBearer(request), "grant");
+        next();
+      },
+      jsonText(MAX_BODY_BYTES),
+      async (request, response) => {
+        const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+        const reply = readBody(request, pairingReplySchema, MAX_BODY_BYTES, "The answer is wrong.");
+        await desk.reply(session, reply.id, reply.accept);
+        response.status(204).end();
+      },
+    )
+    .delete(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+      await desk.remove(session.id);
+      response.status(204).end();
+    })
+    .all(methodNotAllowed("POST, GET, PUT, DELETE"));
+
+  router
+    .route("/pairing")
+    .post(jsonText(MAX_BODY_BYTES), async (request, response) => {
+      const { code, name } = readBody(
+        request,
+        pairingWishSchema,
+        MAX_BODY_BYTES,
+        "The pairing code is wrong.",
+      );
+      const asked = await desk.ask({
+        code,
+        name: typeof name === "string" ? scriptName(name) : readIntroduction(request).name,
+        client: readClient(request),
+        from: entrance.addressOf(request),
+      });
+      response.status(202).location("/api/v1/pairing").json(asked);
+    })
+    .get(async (request, response) => {
+      const { wait } = readWait(request);
+      const key = readBearer(request);
+      if (key === null) {
+        throw notAuthorised(
+          "Send the key that came with the question, as: Authorization: Bearer KEY",
+        );
+      }
+      const origin = entrance.originOf(request);
+      const answer = await desk.answerFor(key, origin, patienceOf(response, wait));
+      response.json(answer);
+    })
+    .all(methodNotAllowed("POST, GET"));
+
+  return router;
+}

@@ -1,0 +1,77 @@
+-- Pairing codes: each step is one run of this script.
+-- KEYS: 1 robots by the time when their code ends. The other keys are named here, after what is found.
+-- sessions.lua forgets a code with its robot, by the same names.
+local step, given = ARGV[1], cjson.decode(ARGV[2])
+local ENDS = KEYS[1]
+
+local function session(robot) return 'corridor:{' .. robot .. '}' end
+local function pairing(robot) return session(robot) .. ':pairing' end
+-- of its code, or of the key of whoever asked by it
+local function byHash(hash) return 'corridor:pairing:' .. hash end
+
+local function forget(robot)
+  for _, hash in ipairs(redis.call('HMGET', pairing(robot), 'code', 'key')) do
+    if hash then redis.call('DEL', byHash(hash)) end
+  end
+  redis.call('ZREM', ENDS, robot)
+  return redis.call('DEL', pairing(robot)) > 0
+end
+
+-- Whether the robot's code is in this state and counts.
+local function isNow(robot, state)
+  local found, ends = unpack(redis.call('HMGET', pairing(robot), 'state', 'endsAt'))
+  return found == state and tonumber(ends) > given.now
+end
+
+local steps = {}
+
+function steps.open()
+  if redis.call('EXISTS', session(given.robot)) == 0 then return '"no-robot"' end
+  local holder = redis.call('GET', byHash(given.code))
+  if holder and holder ~= given.robot then return '"taken"' end
+  -- First what a full Redis refuses: it undoes nothing.
+  redis.call('ZADD', ENDS, given.endsAt, given.robot)
+  forget(given.robot)
+  redis.call('ZADD', ENDS, given.endsAt, given.robot)
+  redis.call('SET', byHash(given.code), given.robot)
+  redis.call('HSET', pairing(given.robot), 'code', given.code, 'endsAt', given.endsAt, 'state', 'open')
+  return '"opened"'
+end
+
+function steps.find()
+  local robot = given.robot or redis.call('GET', byHash(given.hash))
+  if not robot then return 'null' end
+  local code, ends, state, question =
+    unpack(redis.call('HMGET', pairing(robot), 'code', 'endsAt', 'state', 'question'))
+  if not code or tonumber(ends) <= given.now then return 'null' end
+  return cjson.encode({ robot = robot, code = code, endsAt = tonumber(ends), state = state,
+    question = question or 'null' })
+end
+
+function steps.ask()
+  local robot = redis.call('GET', byHash(given.code))
+  if not robot or not isNow(robot, 'open') then return 'false' end
+  redis.call('SET', byHash(given.key), robot)
+  redis.call('HSET', pairing(robot), 'state', 'asked', 'key', given.key, 'question', given.question)
+  return 'true'
+end
+
+function steps.settle()
+  local robot = redis.call('GET', byHash(given.key))
+  if not robot or redis.call('HGET', pairing(robot), 'key') ~= given.key then return 'false' end
+  if not isNow(robot, given.from) then return 'false' end
+  redis.call('HSET', pairing(robot), 'state', given.to)
+  return 'true'
+end
+
+function steps.remove()
+  return tostring(forget(given.robot))
+end
+
+function steps.removeEnded()
+  local robots = redis.call('ZRANGE', ENDS, '-inf', given.now, 'BYSCORE', 'LIMIT', 0, given.most)
+  for _, robot in ipairs(robots) do forget(robot) end
+  return tostring(#robots)
+end
+
+return steps[step]()

@@ -1,0 +1,28 @@
+import { describe, onTestFinished } from "vitest";
+import { hasRedis, startTestRedis } from "../../testing/test-redis.ts";
+import { pairingStoreCases } from "../testing/pairing-store.cases.ts";
+import { connectRedis } from "./connection.ts";
+import { ForgottenBytes } from "./forgotten-bytes.ts";
+import { RedisPairingStore } from "./redis-pairing-store.ts";
+import { RedisSessionStore } from "./redis-session-store.ts";
+
+describe.skipIf(!hasRedis)("with Redis", () => {
+  pairingStoreCases("RedisPairingStore", async () => {
+    // At once: on a busy disk, "everysec" lets even the writing wait for a second or two.
+    const server = await startTestRedis(["--appendfsync", "always"]);
+    const open = async () => {
+      const redis = await connectRedis(server.url, () => undefined);
+      onTestFinished(() => redis.destroy());
+      const forgotten = new ForgottenBytes(redis);
+      return {
+        store: new RedisPairingStore(redis, forgotten),
+        sessions: new RedisSessionStore(redis, forgotten, "relay-a"),
+      };
+    };
+    return {
+      ...(await open()),
+      reopen: async () => (await open()).store,
+      holds: async (text) => server.holds(text),
+    };
+  });
+});

@@ -1,0 +1,86 @@
+/** Pairing codes in Redis or Valkey, where the page may be at one relay and the script at another. */
+import { z } from "zod";
+import type {
+  NewPairing,
+  PairingFinder,
+  PairingQuestion,
+  PairingStore,
+  StoredPairing,
+} from "../pairing-store.ts";
+import type { Redis } from "./connection.ts";
+import type { ForgottenBytes } from "./forgotten-bytes.ts";
+import { Script } from "./script.ts";
+
+const ENDS = "corridor:pairings";
+/** codes that one step forgets: others wait for Redis meanwhile */
+const MOST_AT_ONCE = 500;
+
+const openAnswer = z.enum(["opened", "taken", "no-robot"]);
+const question = z
+  .object({ key: z.string(), name: z.string().nullable(), client: z.string() })
+  .nullable();
+const findAnswer = z
+  .object({
+    robot: z.string(),
+    code: z.string(),
+    endsAt: z.number(),
+    state: z.enum(["open", "asked", "accepted", "refused"]),
+    // As text: Lua has no null in a table.
+    question: z
+      .string()
+      .transform((text): unknown => JSON.parse(text))
+      .pipe(question),
+  })
+  .nullable();
+
+export class RedisPairingStore implements PairingStore {
+  readonly #script: Script;
+  readonly #forgotten: ForgottenBytes;
+
+  /** @param redis is closed by whoever opened it */
+  constructor(redis: Redis, forgotten: ForgottenBytes) {
+    this.#script = new Script(redis, "pairings.lua");
+    this.#forgotten = forgotten;
+  }
+
+  async open(pairing: NewPairing): Promise<"opened" | "taken" | "no-robot"> {
+    return openAnswer.parse(await this.#step("open", pairing));
+  }
+
+  async find(by: PairingFinder, now: number): Promise<StoredPairing | null> {
+    const which = "robot" in by ? by : { hash: "code" in by ? by.code : by.key };
+    return findAnswer.parse(await this.#step("find", { ...which, now }));
+  }
+
+  async ask(code: string, asking: PairingQuestion, now: number): Promise<boolean> {
+    const values = { code, key: asking.key, question: JSON.stringify(asking), now };
+    return z.boolean().parse(await this.#step("ask", values));
+  }
+
+  async settle(
+    key: string,
+    change: { from: StoredPairing["state"]; to: StoredPairing["state"] },
+    now: number,
+  ): Promise<boolean> {
+    return z.boolean().parse(await this.#step("settle", { key, ...change, now }));
+  }
+
+  async remove(robot: string): Promise<boolean> {
+    const removed = z.boolean().parse(await this.#step("remove", { robot }));
+    if (removed) await this.#forgotten.sweep();
+    return removed;
+  }
+
+  async removeEnded(now: number): Promise<number> {
+    let total = 0;
+    for (let count = MOST_AT_ONCE; count === MOST_AT_ONCE; total += count) {
+      count = z.int().parse(await this.#step("removeEnded", { now, most: MOST_AT_ONCE }));
+    }
+    if (total > 0) await this.#forgotten.sweep();
+    return total;
+  }
+
+  async #step(name: string, values: unknown): Promise<unknown> {
+    return this.#script.run(name, [ENDS], values);
+  }
+}

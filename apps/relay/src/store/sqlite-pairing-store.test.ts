@@ -1,0 +1,23 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { onTestFinished } from "vitest";
+import { testFolder } from "../testing/test-relay.ts";
+import { SqliteFile } from "./sqlite-file.ts";
+import { SqlitePairingStore } from "./sqlite-pairing-store.ts";
+import { SqliteStore } from "./sqlite-store.ts";
+import { pairingStoreCases } from "./testing/pairing-store.cases.ts";
+
+pairingStoreCases("SqlitePairingStore", async () => {
+  const folder = testFolder();
+  const open = () => {
+    const file = new SqliteFile(join(folder, "corridor.sqlite"));
+    onTestFinished(() => file.close());
+    return { store: new SqlitePairingStore(file), sessions: new SqliteStore(file) };
+  };
+  return {
+    ...open(),
+    reopen: async () => open().store,
+    holds: async (text) =>
+      readdirSync(folder).some((file) => readFileSync(join(folder, file)).includes(text)),
+  };
+});
