@@ -1,4 +1,5 @@
 /** A whole relay: store, sessions, HTTP and WebSockets on one port, from start to shutdown. */
+import "./expected-words.ts";
 import { createServer } from "node:http";
 import { join } from "node:path";
 import type { Router } from "express";
@@ -9,6 +10,7 @@ import type { Clock } from "./clock.ts";
 import type { Config } from "./config.ts";
 import { DocumentShelf } from "./documents/document-shelf.ts";
 import { Entrance } from "./entrance/entrance.ts";
+import { answerBrokenRequests } from "./gateways/broken-requests.ts";
 import { CheckSocket } from "./gateways/check-socket.ts";
 import { HttpLines } from "./gateways/http-lines.ts";
 import { WebSocketGateway } from "./gateways/websocket-gateway.ts";
@@ -79,11 +81,17 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     maxHeaderSize: 8 * 1024,
     headersTimeout: 10_000,
     requestTimeout: 15_000,
+    // Node looks every 30 s otherwise: who sends a header a minute would be cut off late.
+    connectionsCheckingInterval: 1_000,
+    // The entrance asks for it, and says so in words.
+    requireHostHeader: false,
   });
   const development = isDevelopment ? await developmentPage(webRoot, server) : null;
   const page: Router = development?.router ?? builtPage(join(webRoot, "dist"));
   const parts = { hub, lines, documents, pairing, clock, log, entrance, readiness, metrics };
-  server.on("request", createApp({ ...parts, page, isDevelopment }));
+  const application = createApp({ ...parts, page, isDevelopment });
+  answerBrokenRequests(server, application, (kind) => metrics.refused(kind));
+  server.on("request", application);
   server.on("upgrade", (request, socket, head) => {
     // Vite listens for its own socket by itself.
     const protocol = request.headers["sec-websocket-protocol"] ?? "";

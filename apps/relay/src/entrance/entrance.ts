@@ -26,8 +26,14 @@ export class Entrance {
     return this.#visitor(request).address;
   }
 
-  /** @throws Refusal when the request is meant for a host that is not served here */
+  /** @throws Refusal when the request does not say for which host it is, or for one that is not served here */
   checkHost(request: IncomingMessage): void {
+    if (request.headers.host === undefined && request.httpVersion !== "1.0") {
+      throw new Refusal(
+        "bad-request",
+        "The header Host is missing. Every HTTP/1.1 request has it.",
+      );
+    }
     if (this.#hosts === null) return;
     const url = `http://${this.#visitor(request).host}`;
     if (URL.canParse(url) && this.#hosts.has(new URL(url).hostname)) return;

@@ -9,6 +9,7 @@ import type { Duplex } from "node:stream";
 import {
   closeReasons,
   decodeFrame,
+  describeProblem,
   helloSchema,
   MAX_FRAME_BYTES,
   MAX_HELLO_BYTES,
@@ -29,6 +30,7 @@ import { closeWith, hear, type Conversation } from "./conversation.ts";
 import { closeFor, converse, introduced } from "./converse.ts";
 import type { ReaderLine } from "./reader-line.ts";
 import { refuseUpgrade } from "./refuse-upgrade.ts";
+import { SpeakingSocket } from "./speaking-socket.ts";
 import { WsPort } from "./ws-port.ts";
 
 const nothing = (): void => undefined;
@@ -65,6 +67,7 @@ export class WebSocketGateway {
     maxPayload: MAX_FRAME_BYTES,
     perMessageDeflate: false,
     clientTracking: false,
+    WebSocket: SpeakingSocket,
   });
   readonly #guests = new Set<Guest>();
   /** how many come from each address */
@@ -179,7 +182,11 @@ export class WebSocketGateway {
     const { socket, port, id, client } = guest;
     if (socket.readyState !== socket.OPEN) return;
     const hello = decodeFrame(helloSchema, text, MAX_HELLO_BYTES);
-    if (!hello.ok) return closeWith(socket, closeReasons.notAuthorised);
+    if (!hello.ok) {
+      const [first] = hello.problems;
+      const detail = first && `The first message is no hello. ${describeProblem(first)}`;
+      return closeWith(socket, closeReasons.notAuthorised, detail);
+    }
     if (!robotIdSchema.safeParse(id).success) return closeWith(socket, closeReasons.noRobot);
     const { role, key } = hello.value;
     const introduction = introduced(hello.value, client);

@@ -80,8 +80,9 @@ export function answer(
 export function refusals(...kinds: ProblemKind[]): ZodOpenApiResponsesObject {
   const responses: ZodOpenApiResponsesObject = {
     default: refusal(
-      "Any other refusal: 405 with `Allow` for an unknown method, 421 for a name that is not this " +
-        "service's, 500 for a mistake, 503 with `Retry-After` while the relay restarts.",
+      "Any other refusal: 405 with `Allow` for an unknown method, 408 and 431 for a request that takes " +
+        "too long or whose headers are too large, 421 for a name that is not this service's, 500 for a " +
+        "mistake, 503 with `Retry-After` while the relay restarts.",
     ),
   };
   for (const [status, same] of Map.groupBy(kinds, (kind) => problemKinds[kind].status)) {

@@ -3,6 +3,7 @@ import {
   idempotencyKeySchema,
   MAX_FRAME_BYTES,
   orderSchema,
+  problem,
   readJson,
   readValue,
   scriptName,
@@ -161,26 +162,44 @@ function decoded(text: string): string {
   }
 }
 
+// A decoder that mends wrong bytes would store another name than the one that was meant.
+const utf8 = new TextDecoder("utf-8", { fatal: true });
+
 /**
- * Takes the body in as text; what is not JSON or too large is refused by the error handler.
+ * Takes the body in as text; what is not JSON in UTF-8 or too large is refused by the error handler.
  * @param limit in bytes
  */
 export function jsonText(limit: number = MAX_FRAME_BYTES): RequestHandler {
-  const text = express.text({ type: isJson, limit, inflate: false });
+  const bytes = express.raw({ type: () => true, limit, inflate: false });
   return (request, response, next) => {
-    if (request.headers["content-type"] === undefined || !isJson(request)) {
+    if (!isJson(request.headers["content-type"] ?? "")) {
       throw new Refusal(
         "not-json",
-        'Send the body as JSON, with the header "Content-Type: application/json".',
+        'Send the body as JSON in UTF-8, with the header "Content-Type: application/json".',
       );
     }
-    text(request, response, next);
+    bytes(request, response, (error?: unknown) => {
+      if (error === undefined && Buffer.isBuffer(request.body)) request.body = textOf(request.body);
+      next(error);
+    });
   };
 }
 
-function isJson(request: { headers: Record<string, string | string[] | undefined> }): boolean {
-  const type = String(request.headers["content-type"] ?? "");
-  return type.split(";")[0]?.trim().toLowerCase() === "application/json";
+/** @returns null for bytes that are no text */
+function textOf(bytes: Buffer): string | null {
+  try {
+    return utf8.decode(bytes);
+  } catch {
+    return null;
+  }
+}
+
+/** @param type of the body: JSON, which is UTF-8 even where nothing is said */
+function isJson(type: string): boolean {
+  const [name = "", ...parameters] = type.toLowerCase().split(";");
+  const charset = parameters.map((text) => text.trim()).find((text) => text.startsWith("charset="));
+  const isUtf8 = charset === undefined || /^charset="?utf-?8"?$/.test(charset);
+  return name.trim() === "application/json" && isUtf8;
 }
 
 /**
@@ -194,7 +213,10 @@ export function readBody<T>(
   what: string,
 ): T {
   const body: unknown = request.body;
-  const result = readJson(schema, typeof body === "string" ? body : "", maxLength);
+  const result =
+    body === null
+      ? problem("", "bytes that are not UTF-8", "a JSON document in UTF-8")
+      : readJson(schema, typeof body === "string" ? body : "", maxLength);
   if (!result.ok) throw badRequest(what, result.problems);
   return result.value;
 }

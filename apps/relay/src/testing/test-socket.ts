@@ -1,4 +1,5 @@
 /** A bare WebSocket client: what a page or a script does on the wire, message by message. */
+import type { Duplex } from "node:stream";
 import type { Registration } from "@corridor/protocol";
 import { onTestFinished } from "vitest";
 import { WebSocket } from "ws";
@@ -12,6 +13,7 @@ export interface Message {
 export class TestSocket {
   readonly #socket: WebSocket;
   readonly #inbox: Message[] = [];
+  #line: Duplex | null = null;
   #wake: () => void = () => undefined;
   /** the code and the reason with which the socket was closed */
   readonly closed: Promise<{ code: number; reason: string }>;
@@ -28,6 +30,7 @@ export class TestSocket {
         this.#wake();
       });
     });
+    socket.on("upgrade", ({ socket: line }) => (this.#line = line));
     onTestFinished(() => socket.terminate());
   }
 
@@ -74,6 +77,16 @@ export class TestSocket {
 
   sendRaw(data: string | Uint8Array): void {
     this.#socket.send(data);
+  }
+
+  /** Bytes in a frame that says that they are text. */
+  sendText(bytes: Uint8Array): void {
+    this.#socket.send(bytes, { binary: false });
+  }
+
+  /** Says on the bare line, without a word of the WebSocket, that nothing more comes. */
+  halfClose(): void {
+    this.#line?.end();
   }
 
   /** The next message of this type; others before it are dropped. */
