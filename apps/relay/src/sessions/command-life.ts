@@ -34,6 +34,14 @@ import type { RobotLine } from "./robot-line.ts";
 import type { Caller } from "./script.ts";
 import type { Witness } from "./witness.ts";
 
+/** What was marked delivered, to be sent now. */
+interface Due {
+  link: PageLink;
+  commands: TermedRecord[];
+  /** when it was marked */
+  now: number;
+}
+
 export interface CommandLifeParts {
   robot: string;
   store: SessionStore;
@@ -148,22 +156,26 @@ export class CommandLife {
   }
 
   async #started(epoch: number, seq: number): Promise<void> {
-    const record = await this.#store.start(this.#robot, epoch, seq);
+    const started = this.#store.start(this.#robot, epoch, seq);
+    const due = this.#takeDue();
+    const record = await started;
     if (record !== null) {
       this.#witness.started(this.#secondsSince(Date.parse(record.acceptedAt)));
       this.#tellStates([record]);
     }
-    await this.#deliver();
+    this.#send(await due);
   }
 
   async #ended(link: PageLink, epoch: number, ending: Ending): Promise<void> {
-    const { outcome, record } = await this.#store.end(this.#robot, epoch, ending);
+    const ended = this.#store.end(this.#robot, epoch, ending);
+    const due = this.#takeDue();
+    const { outcome, record } = await ended;
     // Not this page's to end at the moment: it keeps the ending, and tells it with its next greeting.
     if (outcome === "over" && record !== null && !hasEnded(record.state)) return;
     const isRepeated = record?.state === ending.state;
     this.#answerEnding(link, ending.seq, isRepeated ? null : record);
     if (outcome === "ended") this.#tellStates([record]);
-    await this.#deliver();
+    this.#send(await due);
   }
 
   /** Either way the page need not tell the ending again. @param other how it had ended before */
@@ -171,24 +183,33 @@ export class CommandLife {
     link.send(other === null ? { type: "stored", seq } : { type: "refused", record: other });
   }
 
-  /** @returns the numbers of what was sent */
-  async #deliver(): Promise<ReadonlySet<number>> {
+  async #deliver(): Promise<void> {
+    this.#send(await this.#takeDue());
+  }
+
+  /**
+   * Marks what the page may have now as delivered. Asked for in the same turn as the step before it, both
+   * are one commit, and the page has a command as soon as its sender has the answer.
+   */
+  async #takeDue(): Promise<Due | null> {
     const { page } = this.#seat;
-    if (page === null) return new Set();
+    if (page === null) return null;
     const { link, epoch } = page;
     const now = this.#clock.now();
-    let due: TermedRecord[];
     try {
-      due = await this.#store.deliver(this.#robot, epoch, limits.deliveredWindow, now);
+      const commands = await this.#store.deliver(this.#robot, epoch, limits.deliveredWindow, now);
+      return { link, commands, now };
     } catch {
       // What is stored stays stored; the page comes back in a moment and gets it then.
       link.close(closeReasons.busy);
-      return new Set();
+      return null;
     }
-    for (const each of due) link.send(commandFrame(each, now));
-    const records = due.map(({ record }) => record);
-    this.#tellStates(records);
-    return new Set(records.map(({ seq }) => seq));
+  }
+
+  #send(due: Due | null): void {
+    if (due === null) return;
+    for (const each of due.commands) due.link.send(commandFrame(each, due.now));
+    this.#tellStates(due.commands.map(({ record }) => record));
   }
 
   // --- time ---
@@ -245,7 +266,7 @@ export class CommandLife {
       this.#newestStop = isStop(added) ? added.record.seq : null;
       // The relay that has stored it may be gone by then.
       this.#deadlines.wake(added.deadline);
-      if (this.#seat.page !== null) await this.#deliverOrShow(added);
+      if (this.#seat.page !== null) this.#sendOrShow(added, await this.#takeDue());
     });
     heard.catch(() => undefined);
   }
@@ -302,13 +323,22 @@ export class CommandLife {
         maxWaiting: limits.waitingCommands,
         keep: limits.keptCommands,
       });
-      added.catch(() => this.#doubt());
-      const result = await added;
+      const due = this.#takeDue();
+      const result = await added.catch(async (error: unknown) => {
+        this.#doubt();
+        this.#send(await due);
+        throw error;
+      });
       if (result.outcome === "duplicate") {
         acknowledge({ ...result.record, duplicate: true });
-        return this.#deliverDuplicate(result.record);
+        // The first answer may have been lost before anything else was done.
+        if (result.record.state === "accepted") this.#deadlines.wake(cameAt);
+        return this.#send(await due);
       }
-      if (result.outcome !== "stored") throw notStored(result, request);
+      if (result.outcome !== "stored") {
+        this.#send(await due);
+        throw notStored(result, request);
+      }
       const { record, ended } = result;
       this.#newestStop = isStop ? record.seq : null;
       this.#witness.stored(this.#secondsSince(cameAt));
@@ -321,28 +351,22 @@ export class CommandLife {
         replace,
         lease,
       };
-      return this.#stored({ record, ...terms }, ended);
+      return this.#stored({ record, ...terms }, ended, await due);
     });
   }
 
-  /** The first answer may have been lost before anything else was done. */
-  async #deliverDuplicate({ state }: CommandRecord): Promise<void> {
-    if (state !== "accepted") return;
-    this.#deadlines.wake(this.#clock.now());
-    await this.#deliver();
-  }
-
-  async #stored(added: TermedRecord, ended: TermedRecord[]): Promise<void> {
+  #stored(added: TermedRecord, ended: TermedRecord[], due: Due | null): void {
     this.#deadlines.wake(added.deadline);
     this.#stepped({ added, ended, changed: ended.map(({ record }) => record) });
     this.#show(ended);
-    await this.#deliverOrShow(added);
+    this.#sendOrShow(added, due);
   }
 
   /** What cannot be delivered yet is shown to the page all the same. */
-  async #deliverOrShow(added: TermedRecord): Promise<void> {
-    const sent = await this.#deliver();
-    if (!sent.has(added.record.seq)) this.#show([added]);
+  #sendOrShow(added: TermedRecord, due: Due | null): void {
+    this.#send(due);
+    const isSent = due?.commands.some(({ record }) => record.seq === added.record.seq) === true;
+    if (!isSent) this.#show([added]);
   }
 
   /** The stop that has not ended and after which nothing came: another would change nothing. */

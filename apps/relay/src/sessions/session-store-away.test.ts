@@ -1,3 +1,4 @@
+import { closeReasons } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { StoreAway } from "../store/store-away.ts";
 import { limits } from "./limits.ts";
@@ -27,23 +28,27 @@ describe("a robot session: while its store does not answer", () => {
     expect(await robot.states()).toEqual(["1 cancelled"]);
   });
 
-  it("delivers what was stored although the answer was lost, at the next try", async () => {
+  it("delivers what was stored although the answer was lost, to the page that it sent away", async () => {
     const robot = await withRobot();
     const host = await page(robot);
     robot.cut.losesAnswers = true;
     await expect(robot.submit(LEFT, "key-0001")).rejects.toBeInstanceOf(StoreAway);
     robot.cut.losesAnswers = false;
+    // It may have been marked as delivered, and nothing was sent: only a greeting of the page clears that up.
+    expect([host.seqs("command"), host.closed]).toEqual([[], [closeReasons.busy.code]]);
+    robot.session.leavePage(host.link);
     expect(await robot.submit(LEFT, "key-0001")).toMatchObject({ seq: 1, duplicate: true });
-    expect(host.seqs("command")).toEqual([1]);
+    const back = await page(robot);
+    expect(back.seqs("command")).toEqual([1]);
   });
 
-  it("delivers it also where nobody tries again", async () => {
+  it("delivers what was stored for a page that was not there, where nobody tries again", async () => {
     const robot = await withRobot();
-    const host = await page(robot);
     robot.cut.losesAnswers = true;
     await expect(robot.submit(LEFT)).rejects.toBeInstanceOf(StoreAway);
     robot.cut.losesAnswers = false;
     await robot.clock.pass(limits.storeRetryMs);
+    const host = await page(robot);
     expect(host.seqs("command")).toEqual([1]);
   });
 });

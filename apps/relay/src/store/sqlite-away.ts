@@ -16,10 +16,6 @@ export function awayIn(statements: Statements, robot: string): StoredScript[] {
   return statements.all(sql, [robot]).map((row) => awayRow.parse(row));
 }
 
-export function isAway(writing: Statements, robot: string, script: string): boolean {
-  return writing.all("SELECT 1 FROM away WHERE robot = ? AND id = ?", [robot, script]).length > 0;
-}
-
 /** Sends a script away, or lets one back. @returns all that are away then */
 export function changeAway(
   writing: Statements,

@@ -20,7 +20,8 @@ const WAITING = `SELECT seq, ${OVERTAKES} AS overtakes FROM ${OPEN_COMMANDS}
 const DELIVERED = "UPDATE commands SET state = 'delivered', epoch = ? WHERE robot = ? AND seq = ?";
 const ONE = `SELECT ${TERMED} FROM commands WHERE robot = ? AND seq = ?`;
 const STARTED = `UPDATE commands SET state = 'started'
-  WHERE robot = ? AND seq = ? AND state = 'delivered'`;
+  WHERE robot = ?1 AND seq = ?3 AND state = 'delivered'
+    AND EXISTS (SELECT 1 FROM sessions WHERE id = ?1 AND epoch = ?2)`;
 
 /** Commands in a state, without those that overtake. */
 export function countIn(
@@ -40,7 +41,7 @@ export function deliver(
   { epoch, window, now }: { epoch: number; window: number; now: number },
 ): TermedRecord[] {
   const waiting = statements.all(WAITING, [now, id]);
-  if (waiting.length === 0) return [];
+  if (waiting.length === 0 || epochOf(statements, id) !== epoch) return [];
   const free = window - countIn(statements, id, "delivered");
   const due = waiting.filter(({ overtakes }, at) => at < free || overtakes === 1);
   return due.flatMap((row) => {
@@ -50,7 +51,17 @@ export function deliver(
   });
 }
 
-/** delivered → started. @returns null when it was not delivered */
-export function begin(statements: Statements, id: string, seq: number): CommandRecord | null {
-  return statements.run(STARTED, [id, seq]) > 0 ? recordOf(statements, id, seq) : null;
+/** delivered → started. @returns null when it was not delivered, or the epoch is not the newest */
+export function begin(
+  statements: Statements,
+  id: string,
+  { epoch, seq }: { epoch: number; seq: number },
+): CommandRecord | null {
+  return statements.run(STARTED, [id, epoch, seq]) > 0 ? recordOf(statements, id, seq) : null;
+}
+
+/** Raised each time a page takes the robot. @returns null when there is no such robot */
+export function epochOf(statements: Statements, id: string): number | null {
+  const sql = "SELECT epoch AS found FROM sessions WHERE id = ?";
+  return numberIn(statements, sql, [id]);
 }

@@ -43,7 +43,3 @@ export function changeKeys(
   addKeys(writing, robot, add);
   return { outcome: "changed", keys: [...kept, ...add], ended };
 }
-
-export function isKeyOf(writing: Statements, robot: string, hash: string): boolean {
-  return writing.all("SELECT 1 FROM keys WHERE robot = ? AND hash = ?", [robot, hash]).length > 0;
-}

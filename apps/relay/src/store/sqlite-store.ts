@@ -21,14 +21,20 @@ import {
   type StoredSession,
   type TermedRecord,
 } from "./session-store.ts";
-import { awayIn, changeAway, isAway } from "./sqlite-away.ts";
+import { awayIn, changeAway } from "./sqlite-away.ts";
 import { SqliteFile } from "./sqlite-file.ts";
-import { begin, countIn, deliver, IS_LATE } from "./sqlite-delivery.ts";
-import { addKeys, changeKeys, isKeyOf, keysIn } from "./sqlite-keys.ts";
+import { begin, countIn, deliver, epochOf, IS_LATE } from "./sqlite-delivery.ts";
+import { addKeys, changeKeys, keysIn } from "./sqlite-keys.ts";
 import { end, meetPage, overtake, recallAllOf, recordOf, STOP } from "./sqlite-overtaking.ts";
 import { numberIn, RECORD, recordsIn, TERMED, termedIn } from "./sqlite-rows.ts";
 import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
 import type { Statements } from "./statements.ts";
+
+const STANDING = `SELECT last_seq AS lastSeq, paused,
+  EXISTS (SELECT 1 FROM keys WHERE robot = ?1 AND hash = ?2) AS isKey,
+  EXISTS (SELECT 1 FROM away WHERE robot = ?1 AND id = ?3) AS isAway
+  FROM sessions WHERE id = ?1`;
+const BY_KEY = `SELECT ${RECORD} FROM commands WHERE robot = ? AND driver = ? AND key = ?`;
 
 const sessionRow = z.object({
   id: z.string(),
@@ -141,23 +147,20 @@ export class SqliteStore implements SessionStore {
     const text = JSON.stringify(command.command);
     const isStop = text === STOP;
     const work = (): AddResult => {
-      const session = sessionIn(this.#writing, id);
-      if (session === null) return { outcome: "no-session" };
       const { driver, script, key, acceptedAt, ttl, deadline, replace, lease } = command;
-      if (!isKeyOf(this.#writing, id, driver)) return { outcome: "revoked" };
-      if (script !== null && isAway(this.#writing, id, script)) return { outcome: "sent-away" };
-      const earlier = recordsIn(
-        this.#writing,
-        `SELECT ${RECORD} FROM commands WHERE robot = ? AND driver = ? AND key = ?`,
-        [id, driver, key],
-      )[0];
+      const standing = standingIn(this.#writing, id, { driver, script });
+      if (standing === null) return { outcome: "no-session" };
+      if (standing.isKey === 0) return { outcome: "revoked" };
+      if (standing.isAway === 1) return { outcome: "sent-away" };
+      const earlier =
+        key === null ? undefined : recordsIn(this.#writing, BY_KEY, [id, driver, key])[0];
       if (earlier !== undefined) {
         const same = JSON.stringify(earlier.command) === text;
         return { outcome: same ? "duplicate" : "conflict", record: earlier };
       }
-      if (session.paused === 1 && !isStop) return { outcome: "paused" };
+      if (standing.paused === 1 && !isStop) return { outcome: "paused" };
       if (deadline <= acceptedAt) return { outcome: "late" };
-      const seq = session.last_seq + 1;
+      const seq = standing.lastSeq + 1;
       const ended = isStop || replace ? overtake(this.#writing, id, { seq, isStop }) : [];
       if (!isStop && countIn(this.#writing, id, "accepted") >= command.maxWaiting)
         return { outcome: "full" };
@@ -170,8 +173,6 @@ export class SqliteStore implements SessionStore {
          VALUES (?, ?, ?, ?, ?, ?, 'accepted', ?, ?, ?, ?, ?)`,
         [id, seq, driver, script, key, text, acceptedAt, ...terms],
       );
-      const record = recordOf(this.#writing, id, seq);
-      if (record === null) throw new Error("SQLite did not keep the command");
       if (seq > command.keep) {
         this.#writing.run(
           `DELETE FROM commands WHERE robot = ? AND seq <= ?
@@ -179,17 +180,14 @@ export class SqliteStore implements SessionStore {
           [id, seq - command.keep],
         );
       }
-      return { outcome: "stored", record, ended };
+      return { outcome: "stored", record: acceptedRecord(seq, command), ended };
     };
     // A robot can be stopped on a full disk, too.
     return isStop ? this.#file.step(work) : this.#file.growingStep(work);
   }
 
   async deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]> {
-    return this.#file.step(() => {
-      if (sessionIn(this.#writing, id)?.epoch !== epoch) return [];
-      return deliver(this.#writing, id, { epoch, window, now });
-    });
+    return this.#file.step(() => deliver(this.#writing, id, { epoch, window, now }));
   }
 
   async expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }> {
@@ -240,15 +238,12 @@ export class SqliteStore implements SessionStore {
   }
 
   async start(id: string, epoch: number, seq: number): Promise<CommandRecord | null> {
-    return this.#file.step(() => {
-      if (sessionIn(this.#writing, id)?.epoch !== epoch) return null;
-      return begin(this.#writing, id, seq);
-    });
+    return this.#file.step(() => begin(this.#writing, id, { epoch, seq }));
   }
 
   async end(id: string, epoch: number, ending: Ending): Promise<EndResult> {
     return this.#file.step((): EndResult => {
-      const isNewest = sessionIn(this.#writing, id)?.epoch === epoch;
+      const isNewest = epochOf(this.#writing, id) === epoch;
       const record = isNewest ? end(this.#writing, id, ending) : null;
       if (record !== null) return { outcome: "ended", record };
       return { outcome: "over", record: recordOf(this.#writing, id, ending.seq) };
@@ -317,6 +312,39 @@ export class SqliteStore implements SessionStore {
   get #writing(): Statements {
     return this.#file.writing;
   }
+}
+
+/** What decides whether a command is taken. */
+interface Standing {
+  lastSeq: number;
+  paused: 0 | 1;
+  /** whether who sends it has a key of the robot, and was sent away */
+  isKey: 0 | 1;
+  isAway: 0 | 1;
+}
+
+function standingIn(
+  statements: Statements,
+  id: string,
+  { driver, script }: Pick<NewCommand, "driver" | "script">,
+): Standing | null {
+  const [row] = statements.all(STANDING, [id, driver, script]);
+  return (row as Standing | undefined) ?? null;
+}
+
+function acceptedRecord(seq: number, { key, command, acceptedAt }: NewCommand): CommandRecord {
+  return {
+    seq,
+    key,
+    action: command.action,
+    command,
+    state: "accepted",
+    reason: null,
+    acceptedAt: new Date(acceptedAt).toISOString(),
+    pose: null,
+    distance: null,
+    duplicate: false,
+  };
 }
 
 function sessionIn(statements: Statements, id: string): z.infer<typeof sessionRow> | null {
