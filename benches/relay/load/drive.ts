@@ -6,6 +6,12 @@ import { pause, type Watch } from "./watch.ts";
 /** Longest that a flood's last messages may take. */
 const DRAIN_MS = 5_000;
 
+/**
+ * Snapshots that a robot of a flood reports before it is waited until they are taken: the product is asked
+ * whether they are, and to ask after each would cost it more than a snapshot does.
+ */
+const AT_A_TIME = 4;
+
 export interface Driven {
   fleet: Fleet;
   watch: Watch;
@@ -44,15 +50,16 @@ export async function driveFlood(driven: Driven, job: FloodJob): Promise<Seen> {
   const isOfCommands = job.of === "commands";
   const count = isOfCommands ? scripts : robots;
   const once = isOfCommands ? commander(driven) : reporter(driven);
+  const each = isOfCommands ? 1 : AT_A_TIME;
   let isOver = false;
   let turn = 0;
   const lane = async (): Promise<void> => {
     while (!isOver) {
       await once(turn++ % count);
-      watch.done();
+      for (let n = 0; n < each; n++) watch.done();
     }
   };
-  const lanes = Array.from({ length: job.inFlight }, lane);
+  const lanes = Array.from({ length: job.inFlight / each }, lane);
   const seen = await watch.during(job.seconds, job.pids);
   isOver = true;
   await Promise.race([Promise.all(lanes), pause(DRAIN_MS)]);
@@ -72,11 +79,12 @@ function commander({ fleet, watch }: Driven): (robot: number) => Promise<void> {
     });
 }
 
-function reporter({ fleet, watch }: Driven): (robot: number) => Promise<void> {
-  const { taken } = fleet;
+function reporter(driven: Driven): (robot: number) => Promise<void> {
+  const { watch } = driven;
+  const { taken } = driven.fleet;
   if (taken !== null) {
-    return (robot) => {
-      fleet.report(robot, watch.reports(robot));
+    return async (robot) => {
+      await reportSome(driven, robot);
       return taken(robot);
     };
   }
@@ -85,12 +93,22 @@ function reporter({ fleet, watch }: Driven): (robot: number) => Promise<void> {
     const ofRobot = waiting.get(robot) ?? [];
     while (ofRobot[0] !== undefined && ofRobot[0].n <= n) ofRobot.shift()?.resolve();
   };
-  return (robot) =>
-    new Promise((resolve) => {
-      const n = watch.reports(robot);
+  return async (robot) => {
+    const n = await reportSome(driven, robot);
+    return new Promise((resolve) => {
       const ofRobot = waiting.get(robot) ?? [];
       waiting.set(robot, ofRobot);
       ofRobot.push({ n, resolve });
-      fleet.report(robot, n);
     });
+  };
+}
+
+/** Each by itself, as a page sends them. @returns the number of the last */
+async function reportSome({ fleet, watch }: Driven, robot: number): Promise<number> {
+  for (let left = AT_A_TIME; ; left--) {
+    const n = watch.reports(robot);
+    fleet.report(robot, n);
+    if (left === 1) return n;
+    await new Promise((resolve) => void setImmediate(resolve));
+  }
 }
