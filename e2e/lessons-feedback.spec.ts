@@ -32,7 +32,7 @@ const wrongAnswers: readonly WrongAnswer[] = [
   {
     mission: 6,
     make: ({ program }) => program.addLine("front >", "50", "right 90"),
-    reads: /^Bump .* Line 1 chose “right 90” .* too early: .*right: 50 cm.*front: 450 cm/,
+    reads: /^Bump .* Line 1 chose “right 90” .* not at an opening: .*right: 50 cm.*front: 450 cm/,
   },
   {
     mission: 7,

@@ -71,8 +71,8 @@ function wallTurnText(words: MissionWords, it: Extract<Blame, { kind: "wall-turn
   };
   if (it.open === "front") {
     return it.line === "default"
-      ? t("missions:blame.tooEarlyOtherwise", numbers)
-      : t("missions:blame.tooEarly", { ...numbers, line: it.line + 1 });
+      ? t("missions:blame.atWallOtherwise", numbers)
+      : t("missions:blame.atWall", { ...numbers, line: it.line + 1 });
   }
   const known = { ...numbers, open: t(`words:program.sensor.${it.open}`) };
   const turned =

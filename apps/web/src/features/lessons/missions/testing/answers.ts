@@ -97,7 +97,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
       why: "takes the wrong sign, as in Figure 24",
       attempt: lines("forward", line(front(">", 50), "right 90")),
       reads:
-        "Bump at 0.8 s. Line 1 chose “right 90” at 0.0 s, too early: a wall was on that side (right: 50 cm), and the way ahead was free (front: 450 cm).",
+        "Bump at 0.8 s. Line 1 chose “right 90” at 0.0 s, not at an opening: a wall was on that side (right: 50 cm), and the way ahead was free (front: 450 cm).",
       feedback: {
         code: "bump",
         maze: 0,
