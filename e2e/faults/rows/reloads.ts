@@ -14,8 +14,6 @@ const PER_SECOND = 4;
 const SHORT_TIMES = 80;
 const LONG_TIMES = 800;
 const PATIENCE_MS = 20_000;
-/** What a page says takes so long to its relay, at most. */
-const ON_THE_WAY_MS = 20;
 
 const timesOf = (isLong: boolean): number => (isLong ? LONG_TIMES : SHORT_TIMES);
 
@@ -66,7 +64,7 @@ export const reloads: Row = {
           if (told === Infinity) findings.losersNotTold += 1;
           await tab?.kill();
           // What it does after the relay has given the robot away, the robot has not done.
-          const end = robot.takenAt - ON_THE_WAY_MS;
+          const end = robot.takenAt;
           robot.history.left(page, (_seq, at) => at < end);
         }
       }

@@ -47,6 +47,7 @@ function host(start: { lastApplied?: number; fresh?: boolean } = {}) {
     },
     onCancel: (seq) => heard.push(`cancel ${seq}`),
     onGiveBack: () => heard.push("give back"),
+    onYield: () => heard.push("yield"),
     onState: ({ seq, state }, ttl) => heard.push(`${seq} ${state} within ${ttl}`),
     onRefused: ({ seq, state }) => heard.push(`${seq} was ${state}`),
     onStatus: (status) => statuses.push(status),
@@ -71,7 +72,14 @@ describe("HostLink", () => {
     welcome();
     expect(platform.socket.sent).toEqual([
       { type: "hello", version: 1, role: "own", key: "own_CCCCCCCCCCCCCCCCCCCCCC" },
-      { type: "resume", lastApplied: 7, fresh: true, endings: [], snapshot: snapshotOf() },
+      {
+        type: "resume",
+        lastApplied: 7,
+        fresh: true,
+        page: expect.stringMatching(/^[0-9a-z]{10}$/),
+        endings: [],
+        snapshot: snapshotOf(),
+      },
     ]);
     expect(link.isConnected).toBe(true);
     expect(statuses.map(({ kind }) => kind)).toEqual(["connecting", "connected"]);
@@ -105,6 +113,7 @@ describe("HostLink", () => {
       type: "resume",
       lastApplied: 2,
       fresh: false,
+      page: expect.any(String),
       endings: [{ seq: 1, ...done }],
       // Who waits for that ending reads fresh sensors.
       snapshot: snapshotOf(),
@@ -112,6 +121,35 @@ describe("HostLink", () => {
     platform.socket.receive({ type: "stored", seq: 1 });
     reconnect(3);
     expect(platform.socket.sent[1]).toMatchObject({ lastApplied: 2, endings: [] });
+  });
+
+  it("says on each line by the same name which page it is", () => {
+    const { platform, welcome, reconnect } = host();
+    welcome();
+    const [, { page: name } = {}] = platform.socket.sent;
+    reconnect(2);
+    expect(platform.socket.sent[1]).toMatchObject({ type: "resume", page: name });
+    expect(name).toBeTypeOf("string");
+  });
+
+  it("gives the robot up when another page comes: nothing begins any more, and all it had begun is told before", () => {
+    const { platform, link, commands, heard, welcome, reconnect } = host();
+    welcome(3);
+    for (const seq of [1, 2]) platform.socket.receive(command(seq));
+    link.started(1);
+    heard.length = 0;
+    platform.socket.receive({ type: "yield" });
+    platform.socket.receive(command(3));
+    expect(heard).toEqual(["give back", "yield"]);
+    expect(commands).toEqual([1, 2]);
+    expect(platform.socket.sent.slice(2)).toEqual([
+      { type: "started", epoch: 3, seq: 1 },
+      { type: "yielded", epoch: 3 },
+    ]);
+    // The other page went before it had the robot: this one has it again.
+    reconnect(4);
+    for (const seq of [2, 3]) platform.socket.receive(command(seq));
+    expect(commands).toEqual([1, 2, 2, 3]);
   });
 
   it("never hands on again what has begun, and answers a repeated one from memory", () => {

@@ -64,6 +64,8 @@ export interface HostLinkOptions {
   onCancel(seq: number, why: RecallCause): void;
   /** Forget all that was handed on and has not begun: what still holds comes again. */
   onGiveBack(): void;
+  /** Another page is about to take the robot: end what runs, by `ended`, before this returns. */
+  onYield(): void;
   /** A command that this robot does not hold: it waits at the relay, or has ended there. */
   onState(record: CommandRecord, ttl: number): void;
   /** The ending that was told came too late: this is how the command has ended. */
@@ -87,6 +89,10 @@ export class HostLink {
   /** endings that the newest greeting carried */
   #resumed = new Set<number>();
   #epoch = 1;
+  /** by which the relay knows this page on each of its lines */
+  readonly #page: string;
+  /** it has left the robot to another page, and begins nothing that may still come on this line */
+  #hasYielded = false;
   #fresh: boolean;
   readonly #clock: Platform["clock"];
   readonly #transit = new TransitClock();
@@ -99,6 +105,9 @@ export class HostLink {
     this.#applied = new AppliedCommands(options.lastApplied);
     const { origin, credentials, platform = globalPlatform() } = options;
     this.#clock = platform.clock;
+    this.#page = Math.floor(platform.random() * 2 ** 48)
+      .toString(36)
+      .padStart(10, "0");
     this.#connection = new Connection({
       urls: doorUrls(origin, credentials.id),
       platform,
@@ -160,6 +169,7 @@ export class HostLink {
   }
 
   #greeting(): string[] {
+    this.#hasYielded = false;
     this.#applied.giveBack();
     this.#options.onGiveBack();
     this.#transit.greeted(this.#clock.now());
@@ -173,6 +183,7 @@ export class HostLink {
         type: "resume",
         lastApplied: this.#applied.last,
         fresh: this.#fresh,
+        page: this.#page,
         endings,
         ...(snapshot !== null && { snapshot }),
       }),
@@ -222,9 +233,23 @@ export class HostLink {
       }
       case "time":
         return this.#transit.answered(message.at, this.#clock.now());
+      case "yield":
+        return this.#yield();
       case "heartbeat":
         return;
     }
+  }
+
+  /**
+   * Gives the robot up before another page gets it. What has not begun is that one's to begin, so from here
+   * on nothing does.
+   */
+  #yield(): void {
+    this.#hasYielded = true;
+    this.#applied.giveBack();
+    this.#options.onGiveBack();
+    this.#options.onYield();
+    this.#send({ type: "yielded", epoch: this.#epoch });
   }
 
   /** Asks for the relay's time where it is not known well, about as often as it tells of scripts. */
@@ -242,6 +267,7 @@ export class HostLink {
 
   /** Whether the command is handed on for the first time; a repeated one is answered from memory. */
   #isNew(seq: number): boolean {
+    if (this.#hasYielded) return false;
     if (this.#applied.take(seq)) return true;
     const ending = this.#endings.get(seq);
     if (ending !== undefined) this.#tellEnding(ending);

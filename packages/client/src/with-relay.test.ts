@@ -87,6 +87,7 @@ describe("a script and a robot at the real relay", () => {
         onStop: () => undefined,
         onCancel: () => undefined,
         onGiveBack: () => undefined,
+        onYield: () => undefined,
         onState: () => undefined,
         onRefused: () => undefined,
         onStatus: () => undefined,

@@ -67,6 +67,11 @@ export const resumeSchema = z.strictObject({
   lastApplied: count,
   /** true when the page was loaded anew and no longer runs what it had started */
   fresh: z.boolean(),
+  /** the same on each new line of one page, and of no other: so it is known when it comes back */
+  page: z
+    .string()
+    .regex(/^[A-Za-z0-9_-]{8,32}$/, { error: "8 to 32 of A-Z a-z 0-9 - _" })
+    .optional(),
   /** endings of which the page does not know that they are stored, oldest first */
   endings: z.array(endingSchema).max(MAX_RESUMED_ENDINGS),
   /** the robot as it is now, so that who hears of these endings reads nothing older */
@@ -84,8 +89,10 @@ export const pageToRelaySchema = z.discriminatedUnion(
     endingSchema.extend({ type: z.literal("ended"), epoch }),
     /** asks for the relay's time: the answer to the greeting took long, which leaves delays in doubt */
     z.strictObject({ type: z.literal("time"), epoch }),
+    /** the answer to `yield`: all that this page has begun was told before, and it begins nothing any more */
+    z.strictObject({ type: z.literal("yielded"), epoch }),
   ],
-  { error: "one of snapshot, started, ended, time" },
+  { error: "one of snapshot, started, ended, time, yielded" },
 );
 export type PageToRelay = z.infer<typeof pageToRelaySchema>;
 
@@ -170,11 +177,13 @@ export const relayToPageSchema = z.discriminatedUnion(
     }),
     /** the answer to `time` */
     z.strictObject({ type: z.literal("time"), at }),
+    /** another page is about to take the robot: end what runs, give back what waits, and say `yielded` */
+    z.strictObject({ type: z.literal("yield") }),
     heartbeat,
   ],
   {
     error:
-      "one of welcome, command, stop, cancel, stored, refused, state, drivers, time, heartbeat",
+      "one of welcome, command, stop, cancel, stored, refused, state, drivers, time, yield, heartbeat",
   },
 );
 export type RelayToPage = z.infer<typeof relayToPageSchema>;

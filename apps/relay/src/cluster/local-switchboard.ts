@@ -6,8 +6,8 @@ import type { Ears, Line, News, Step, Switchboard } from "./switchboard.ts";
 
 interface Place {
   ears: Ears;
-  /** the epoch of the page that it has; null: it has none */
-  page: number | null;
+  /** the page that it has; null: it has none */
+  page: Extract<News, { kind: "page" }> | null;
 }
 
 export class LocalSwitchboard implements Switchboard {
@@ -16,16 +16,16 @@ export class LocalSwitchboard implements Switchboard {
   async join(robot: string, ears: Ears): Promise<Line> {
     const places = this.#lines.get(robot) ?? new Set();
     this.#lines.set(robot, places);
-    for (const { page } of places) if (page !== null) ears.heard({ kind: "page", epoch: page });
+    for (const { page } of places) if (page !== null) ears.heard(page);
     const place: Place = { ears, page: null };
     places.add(place);
     const tell = (news: News): void => {
       for (const other of places) if (other !== place) other.ears.heard(news);
     };
-    const leftPage = (): void => {
-      const epoch = place.page;
+    const leftPage = (saidGoodbye: boolean): void => {
+      const { page: left } = place;
       place.page = null;
-      if (epoch !== null) tell({ kind: "page-left", epoch });
+      if (left !== null) tell({ kind: "page-left", epoch: left.epoch, saidGoodbye });
     };
     return {
       stepped: (step: Step) => {
@@ -33,14 +33,14 @@ export class LocalSwitchboard implements Switchboard {
         for (const other of places) other.ears.stepped(step, other === place);
       },
       tell: (news) => {
-        if (news.kind === "page-left") return leftPage();
-        if (news.kind === "page") place.page = news.epoch;
+        if (news.kind === "page-left") return leftPage(news.saidGoodbye);
+        if (news.kind === "page") place.page = news;
         return tell(news);
       },
       hurry: () => undefined,
       leave: () => {
         places.delete(place);
-        leftPage();
+        leftPage(false);
         if (places.size === 0 && this.#lines.get(robot) === places) this.#lines.delete(robot);
       },
     };

@@ -29,7 +29,9 @@ const ALIVE_MS = 3_000;
 /** While nothing can be heard, keys may be revoked unheard: those that count are asked for this often. */
 const DEAF_LOOK_MS = 400;
 
-const holderSchema = z.object({ relay: z.string(), epoch: z.int() });
+/** of a page; an earlier Corridor kept none */
+const name = z.string().default("");
+const holderSchema = z.object({ relay: z.string(), epoch: z.int(), name });
 const beatSchema = z.object({ lapsed: z.boolean(), holders: z.array(holderSchema.nullable()) });
 const scriptsSchema = driversSchema.extend({
   alive: z.array(aliveDriverSchema),
@@ -45,8 +47,15 @@ const messageSchema = z.discriminatedUnion("kind", [
     added: termedRow.nullable(),
     changed: z.array(termedRow),
   }),
-  z.object({ kind: z.literal("page"), from, epoch }),
-  z.object({ kind: z.literal("page-left"), from, epoch }),
+  z.object({ kind: z.literal("page"), from, epoch, name }),
+  z.object({
+    kind: z.literal("page-left"),
+    from,
+    epoch,
+    saidGoodbye: z.boolean().default(false),
+  }),
+  z.object({ kind: z.literal("yield"), from, epoch }),
+  z.object({ kind: z.literal("yielded"), from, epoch }),
   z.object({ kind: z.literal("here"), from, scripts: scriptsSchema, asks: z.boolean() }),
   z.object({ kind: z.literal("cancel"), from, seq: z.int(), why: z.enum(recallCauses) }),
   z.object({ kind: z.literal("keys"), from }),
@@ -129,7 +138,7 @@ export class RedisSwitchboard implements Switchboard {
     const holder = holderSchema.nullable().parse(await this.#run("holder", robot));
     if (holder !== null && holder.relay !== relay && place.holder === null) {
       place.holder = holder;
-      ears.heard({ kind: "page", epoch: holder.epoch });
+      ears.heard({ kind: "page", epoch: holder.epoch, name: holder.name });
     }
     return {
       // The script that did the step has told it.
@@ -160,7 +169,7 @@ export class RedisSwitchboard implements Switchboard {
     if (news.kind === "snapshot") return this.#tellSnapshot(robot, news.snapshot);
     const told =
       news.kind === "page-left"
-        ? this.#run("left", robot, { epoch: news.epoch })
+        ? this.#run("left", robot, { epoch: news.epoch, saidGoodbye: news.saidGoodbye })
         : redis.publish(lineOf(robot), JSON.stringify({ ...news, from: relay }));
     told.catch((error: unknown) =>
       log.debug({ err: error }, "news did not reach the other relays"),
@@ -180,10 +189,9 @@ export class RedisSwitchboard implements Switchboard {
     if (message.kind === "step") return this.#hearStep(place, message);
     const isOwn = message.from === relay;
     if (message.kind === "page" || message.kind === "page-left") {
-      const isHere = message.kind === "page";
       place.pageNews += 1;
-      place.isOwn = isHere && isOwn;
-      place.holder = isHere && !isOwn ? { relay: message.from, epoch: message.epoch } : null;
+      place.isOwn = message.kind === "page" && isOwn;
+      place.holder = message.kind === "page" && !isOwn ? { ...message, relay: message.from } : null;
     }
     if (isOwn) return;
     if (message.kind === "here") place.others.set(message.from, this.#options.clock.now());
@@ -245,8 +253,11 @@ export class RedisSwitchboard implements Switchboard {
     const isOther = holder?.relay !== this.#options.relay;
     place.holder = isOther ? holder : null;
     if (place.holder?.epoch === before?.epoch) return;
-    if (place.holder !== null) place.ears.heard({ kind: "page", epoch: place.holder.epoch });
-    else if (before !== null) place.ears.heard({ kind: "page-left", epoch: before.epoch });
+    if (place.holder !== null) {
+      place.ears.heard({ kind: "page", epoch: place.holder.epoch, name: place.holder.name });
+    } else if (before !== null) {
+      place.ears.heard({ kind: "page-left", epoch: before.epoch, saidGoodbye: false });
+    }
   }
 
   async #run(step: string, robot: string, values: unknown = {}): Promise<unknown> {

@@ -40,7 +40,8 @@ function steps.left()
   if page and cjson.decode(page).epoch == given.epoch then
     redis.call('HDEL', SESSION, 'page')
     redis.call('PUBLISH', LINE,
-      '{"kind":"page-left","from":"' .. relay .. '","epoch":' .. given.epoch .. '}')
+      '{"kind":"page-left","from":"' .. relay .. '","epoch":' .. given.epoch ..
+      ',"saidGoodbye":' .. tostring(given.saidGoodbye) .. '}')
   end
   return 'null'
 end

@@ -22,13 +22,17 @@ export type News =
   /** the newest, many times a second; for those who said that they are here */
   | { kind: "snapshot"; snapshot: Snapshot }
   /** a page has taken the robot at another relay */
-  | { kind: "page"; epoch: number }
-  /** that page is away, or its relay is */
-  | { kind: "page-left"; epoch: number }
+  | { kind: "page"; epoch: number; name: string }
+  /** that page is away, or its relay is; whether it had said goodbye, so that all it had begun was heard */
+  | { kind: "page-left"; epoch: number; saidGoodbye: boolean }
   /** this relay gave no sign of life for so long that the others took its pages for away */
   | { kind: "lapsed" }
   /** another relay has the robot on its line, and these scripts; `asks` for the newest snapshot at once */
   | { kind: "here"; from: string; scripts: Scripts; asks: boolean }
+  /** a page has come to another relay: the one with this epoch is asked to give the robot up */
+  | { kind: "yield"; epoch: number }
+  /** it has told its relay all that it has begun, and begins nothing any more */
+  | { kind: "yielded"; epoch: number }
   /** the page is asked to end this command */
   | { kind: "cancel"; seq: number; why: RecallCause }
   /** keys or who is away were changed, or may have been: the store has what counts */

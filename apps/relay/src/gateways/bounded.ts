@@ -34,6 +34,6 @@ export function bounded(
       return work.finally(() => (unfinished -= 1));
     },
     heartbeat: () => conversation.heartbeat(),
-    closed: () => conversation.closed(),
+    closed: (saidGoodbye) => conversation.closed(saidGoodbye),
   };
 }

@@ -16,8 +16,11 @@ export interface Conversation {
   received(text: string): Promise<void> | undefined;
   /** Keeps the client sure that the line is alive. */
   heartbeat(): void;
-  /** The socket is closed. */
-  closed(): void;
+  /**
+   * The socket is closed.
+   * @param saidGoodbye the other side closed it, so all that it had to say was heard
+   */
+  closed(saidGoodbye: boolean): void;
 }
 
 /** Passes a message on. @param failed is told why it could not be served, now or later */

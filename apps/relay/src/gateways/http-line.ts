@@ -87,10 +87,14 @@ export class HttpLine implements ReaderLine {
 
   /** The conversation ends now; the other side learns it by its next request. */
   close(code: number, reason: string): void {
+    this.#close(code, reason, false);
+  }
+
+  #close(code: number, reason: string, saidGoodbye: boolean): void {
     if (!this.isOpen) return;
     this.#end = { code, reason };
     // Not now: whoever closes it may be in the midst of a change that the goodbye is part of.
-    queueMicrotask(() => this.#conversation?.closed());
+    queueMicrotask(() => this.#conversation?.closed(saidGoodbye));
     this.#wake();
     if (this.#requests === 0) this.#awaitRequest();
   }
@@ -132,6 +136,12 @@ export class HttpLine implements ReaderLine {
       messages: messages.map((text) => JSON.parse(text) as { type: string }),
       closed: isLast ? this.#end : null,
     };
+  }
+
+  /** The other side ends the line. */
+  leave(): void {
+    this.#close(closeReasons.restart.code, "", true);
+    this.drop();
   }
 
   /** Ends the line at once, unheard. */

@@ -92,7 +92,7 @@ export class HttpLines {
 
   /** The other side leaves. */
   leave(robot: string, key: string | null): void {
-    this.#find(robot, key).drop();
+    this.#find(robot, key).leave();
   }
 
   /** Closes every line because the relay stops. */

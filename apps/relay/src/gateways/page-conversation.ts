@@ -49,8 +49,8 @@ export class PageConversation implements Conversation {
     this.#link.send({ type: "heartbeat" });
   }
 
-  closed(): void {
-    this.#grant.session.leavePage(this.#link);
+  closed(saidGoodbye: boolean): void {
+    this.#grant.session.leavePage(this.#link, saidGoodbye);
   }
 
   #refuse([first]: FieldProblem[]): undefined {

@@ -35,6 +35,12 @@ import { WsPort } from "./ws-port.ts";
 
 const nothing = (): void => undefined;
 
+/**
+ * Close codes of a client that closes by itself: 1001 is a tab that is closed or reloaded, 1005 says nothing
+ * more. With a code of the relay's own it only answers, and what it said last was not heard.
+ */
+const goodbyes: ReadonlySet<number> = new Set([1000, 1001, 1005]);
+
 const PATH = /^\/api\/v1\/robots\/([^/]{1,64})\/socket$/;
 
 interface Guest {
@@ -165,7 +171,7 @@ export class WebSocketGateway {
       guest.cancelTimer();
       this.#guests.delete(guest);
       this.#left(address);
-      guest.conversation?.closed();
+      guest.conversation?.closed(goodbyes.has(code));
     });
     if (ofAddress > limits.socketsPerAddress) closeWith(socket, closeReasons.tooMany);
   }

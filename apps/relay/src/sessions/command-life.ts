@@ -28,6 +28,7 @@ import { DriverAllowance } from "./driver-allowance.ts";
 import { limits } from "./limits.ts";
 import { OrderedWork } from "./ordered-work.ts";
 import { commandFrame } from "./page-frames.ts";
+import { PageHandover } from "./page-handover.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat } from "./page-seat.ts";
 import type { RobotLine } from "./robot-line.ts";
@@ -62,6 +63,10 @@ export class CommandLife {
   readonly #line: RobotLine;
   readonly #allowance: DriverAllowance;
   readonly #work = new OrderedWork();
+  /** pages that come, one after the other */
+  readonly #arrivals = new OrderedWork();
+  /** how a page that has the robot gives it up to the next */
+  readonly handover: PageHandover;
   /** the same commands, as they are read */
   readonly log: CommandLog;
   /** the same commands, as their senders take them back */
@@ -83,6 +88,7 @@ export class CommandLife {
     this.#audience = audience;
     this.#seat = seat;
     this.#line = line;
+    this.handover = new PageHandover({ clock, seat, line });
     this.#allowance = new DriverAllowance(clock);
     this.log = new CommandLog(robot, store, audience, this.#work);
     this.recall = new CommandRecall({
@@ -103,24 +109,45 @@ export class CommandLife {
   // --- the page ---
 
   /**
-   * A page takes the robot; the page before it is sent away.
-   * @param seated is called once it has, before anything is delivered to it
+   * A page takes the robot once the page before it has given it up, and that one is sent away.
+   * @param seated is called then, before anything is delivered to it
    */
   async takePage(link: PageLink, resume: Resume, seated: () => void): Promise<void> {
+    await this.#arrivals.run(async () => {
+      const settled = await this.handover.settle(resume);
+      // It went while the page before gave up the robot, which that one may have back.
+      if (!link.isOpen) return;
+      await this.#seatPage(link, resume, { settled, seated });
+    });
+  }
+
+  async #seatPage(
+    link: PageLink,
+    resume: Resume,
+    { settled, seated }: { settled: number | null; seated: () => void },
+  ): Promise<void> {
+    const { lastApplied, fresh, endings, page: name = "" } = resume;
     await this.#work.run(async () => {
-      const taken = await this.#store.takeOver(this.#robot, resume);
+      const taken = await this.#store.takeOver(this.#robot, {
+        lastApplied,
+        // What a page had started that is another one can never end.
+        fresh: fresh || (this.#seat.name !== "" && !this.handover.isSame(resume)),
+        endings,
+        page: name,
+        settled,
+      });
       if (taken === null || this.#end !== null)
         return link.close(closeReasons[this.#end ?? "over"]);
       // Another relay's page may have come after, and its news before our answer.
       if (this.#seat.isElsewhere && this.#seat.epoch > taken.epoch)
         return link.close(closeReasons.replaced);
       this.#seat.page?.link.close(closeReasons.replaced);
-      this.#seat.take({ link, epoch: taken.epoch });
-      this.#line.pageCame(taken.epoch);
+      this.#seat.take({ link, epoch: taken.epoch, name });
+      this.#line.pageCame(taken.epoch, name);
       const at = this.#clock.now();
       link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch, at });
       const refused = new Map(taken.refused.map((record) => [record.seq, record]));
-      for (const { seq } of resume.endings) this.#answerEnding(link, seq, refused.get(seq) ?? null);
+      for (const { seq } of endings) this.#answerEnding(link, seq, refused.get(seq) ?? null);
       seated();
       this.#tellStates(taken.changed);
       await this.recall.askAgainInTurn();
@@ -132,14 +159,34 @@ export class CommandLife {
   /** The page says what became of a command. */
   async hearPage(
     link: PageLink,
-    message: Extract<PageToRelay, { type: "started" | "ended" }>,
+    message: Extract<PageToRelay, { type: "started" | "ended" | "yielded" }>,
   ): Promise<void> {
     await this.#work.run(async () => {
-      if (!this.#seat.isHeldBy(link)) return;
-      if (message.type === "started") return this.#started(message.epoch, message.seq);
-      const { type: _type, epoch, ...ending } = message;
-      await this.#ended(link, epoch, ending);
+      // Its line may be closed since: what it said before counts as long as no other page has come.
+      if (message.epoch !== this.#seat.epoch) return;
+      try {
+        await this.#heed(link, message);
+      } catch (error) {
+        // Before anything else of it counts: it tells all of this again with its next greeting.
+        link.close(closeReasons.busy);
+        throw error;
+      }
     });
+  }
+
+  async #heed(link: PageLink, message: Parameters<CommandLife["hearPage"]>[1]): Promise<void> {
+    switch (message.type) {
+      case "started":
+        return this.#started(message.epoch, message.seq);
+      case "ended": {
+        const { type: _type, epoch, ...ending } = message;
+        return this.#ended(link, epoch, ending);
+      }
+      case "yielded":
+        // All that it had told before is stored by now.
+        if (link.isOpen) this.handover.yielded(message.epoch, true);
+        return;
+    }
   }
 
   /** Ends what a page has left behind, unless one is there again. */
@@ -193,7 +240,7 @@ export class CommandLife {
    */
   async #takeDue(): Promise<Due | null> {
     const { page } = this.#seat;
-    if (page === null) return null;
+    if (page === null || this.handover.isUnderWay) return null;
     const { link, epoch } = page;
     const now = this.#clock.now();
     try {

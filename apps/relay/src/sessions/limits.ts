@@ -75,6 +75,8 @@ export const limits = {
   lineSilenceMs: 15_000,
   /** a page that connects but does not tick for so long sleeps */
   asleepMs: 4_000,
+  /** how long a page that has the robot may take to give it up to another; it has little to tell */
+  yieldMs: 1_000,
   /** a page away for so long has lost what it ran */
   pageAwayMs: 120_000,
   /** the page hears of its scripts at most so often */

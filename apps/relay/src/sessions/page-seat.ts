@@ -4,6 +4,8 @@ import type { PageLink } from "./page-link.ts";
 export interface SeatedPage {
   link: PageLink;
   epoch: number;
+  /** by which it is known on each of its lines; empty where it says none */
+  name: string;
 }
 
 export class PageSeat {
@@ -12,16 +14,22 @@ export class PageSeat {
   #elsewhere: number | null = null;
   /** the highest that is known */
   #epoch: number;
+  /** of the page with that epoch; empty where it is not known */
+  #name: string;
+  /** the page that left last has not told all that it had begun, as far as anybody knows */
+  #isInDoubt: boolean;
   /** null also once what a page left behind has been seen to */
   #awaySince: number | null;
 
   /**
    * @param now a robot that nobody has taken yet counts as away from here on
-   * @param epoch of the page that took it last
+   * @param last the page that took it last; epoch 0: none has
    */
-  constructor(now: number, epoch: number) {
+  constructor(now: number, last: { epoch: number; page: string }) {
     this.#awaySince = now;
-    this.#epoch = epoch;
+    this.#epoch = last.epoch;
+    this.#name = last.page;
+    this.#isInDoubt = last.epoch > 0;
   }
 
   get page(): SeatedPage | null {
@@ -33,13 +41,28 @@ export class PageSeat {
     return this.#epoch;
   }
 
+  /** Of the same page; empty where it is not known. */
+  get name(): string {
+    return this.#name;
+  }
+
   get isElsewhere(): boolean {
     return this.#elsewhere !== null;
+  }
+
+  /** Whether a page has the robot, here or at another relay. */
+  get isTaken(): boolean {
+    return this.#page !== null || this.isElsewhere;
   }
 
   /** Whether something is due once the page has been away for long enough. */
   get isAwayOpen(): boolean {
     return this.#awaySince !== null;
+  }
+
+  /** Whether nobody has the robot, and the page that had it last may have begun more than it told. */
+  get isInDoubt(): boolean {
+    return this.#isInDoubt;
   }
 
   isHeldBy(link: PageLink): boolean {
@@ -53,7 +76,9 @@ export class PageSeat {
   take(page: SeatedPage): void {
     this.#page = page;
     this.#epoch = page.epoch;
+    this.#name = page.name;
     this.#elsewhere = null;
+    this.#isInDoubt = false;
     this.#awaySince = null;
   }
 
@@ -61,25 +86,29 @@ export class PageSeat {
    * A page has taken the robot at another relay.
    * @returns the page that was here until then
    */
-  takeElsewhere(epoch: number): SeatedPage | null {
+  takeElsewhere(epoch: number, name: string): SeatedPage | null {
     if (epoch < this.#epoch) return null;
     const before = this.#page;
     this.#page = null;
     this.#epoch = epoch;
+    this.#name = name;
     this.#elsewhere = epoch;
+    this.#isInDoubt = false;
     this.#awaySince = null;
     return before;
   }
 
   /** The page at another relay is away. @returns false when it was not the newest */
-  leaveElsewhere(epoch: number, now: number): boolean {
+  leaveElsewhere(epoch: number, now: number, saidGoodbye: boolean): boolean {
     if (this.#elsewhere !== epoch) return false;
+    this.#isInDoubt = !saidGoodbye;
     this.#elsewhere = null;
     this.#awaySince = now;
     return true;
   }
 
-  leave(now: number): void {
+  leave(now: number, saidGoodbye: boolean): void {
+    this.#isInDoubt = !saidGoodbye;
     this.#page = null;
     this.#awaySince = now;
   }

@@ -31,12 +31,23 @@ export class RobotLine {
     this.#line?.stepped({ added: null, changed: [], ended: [], ...step });
   }
 
-  pageCame(epoch: number): void {
-    this.#line?.tell({ kind: "page", epoch });
+  /** @param name by which the page is known */
+  pageCame(epoch: number, name: string): void {
+    this.#line?.tell({ kind: "page", epoch, name });
   }
 
-  pageLeft(epoch: number): void {
-    this.#line?.tell({ kind: "page-left", epoch });
+  pageLeft(epoch: number, saidGoodbye: boolean): void {
+    this.#line?.tell({ kind: "page-left", epoch, saidGoodbye });
+  }
+
+  /** Asks the page with this epoch, wherever it is, to give the robot up. */
+  yield(epoch: number): void {
+    this.#line?.tell({ kind: "yield", epoch });
+  }
+
+  /** The page here with this epoch has given the robot up. */
+  yielded(epoch: number): void {
+    this.#line?.tell({ kind: "yielded", epoch });
   }
 
   /** Asks the page, wherever it is, to end a command. */

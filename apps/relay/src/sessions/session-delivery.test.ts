@@ -32,7 +32,7 @@ describe("a robot session: delivery", () => {
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
     const taken = robot.session.takePage(link, nothing);
     isOpen = false;
-    robot.session.leavePage(link);
+    robot.session.leavePage(link, true);
     await taken;
     expect(robot.session.hasPage).toBe(false);
     expect(told.filter(({ type }) => type === "command")).toEqual([]);
@@ -73,7 +73,7 @@ describe("a robot session: delivery", () => {
     for (let n = 0; n < 3; n++) await robot.submit(LEFT);
     const before = await page(robot);
     await before.started(1);
-    robot.session.leavePage(before.link);
+    robot.session.leavePage(before.link, true);
     const after = await page(robot, { lastApplied: 2, endings: [completed(1)] });
     expect(after.seqs("command")).toEqual([3]);
     expect(after.told).toContainEqual({ type: "stored", seq: 1 });
@@ -88,7 +88,7 @@ describe("a robot session: delivery", () => {
     expect(first.closed).toEqual([closeReasons.replaced.code]);
     expect(second.epoch).toBe(first.epoch + 1);
     await first.started(1);
-    robot.session.leavePage(first.link);
+    robot.session.leavePage(first.link, true);
     expect(await robot.states()).toEqual(["1 delivered"]);
     await robot.session.hearPage(second.link, { type: "started", epoch: first.epoch, seq: 1 });
     expect(second.closed).toEqual([closeReasons.replaced.code]);
@@ -114,7 +114,7 @@ describe("a robot session: delivery", () => {
     await robot.submit(LEFT);
     const host = await page(robot);
     await host.started(1);
-    robot.session.leavePage(host.link);
+    robot.session.leavePage(host.link, true);
     await robot.clock.pass(limits.pageAwayMs - 2_000);
     expect(await robot.states()).toEqual(["1 started"]);
     await robot.clock.pass(5_000);

@@ -35,7 +35,7 @@ async function withRobots(count: number) {
     await session.takePage(link, nothing);
     const command = { key: null, ...termsOf({ action: "left 90" }) };
     await session.submit(key, command, () => undefined);
-    session.leavePage(link);
+    session.leavePage(link, true);
   };
   return { clock, store, instead, sessions, leftAlone };
 }

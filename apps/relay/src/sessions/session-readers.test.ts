@@ -86,7 +86,7 @@ describe("a robot session: what scripts see", () => {
     await robot.submit(LEFT);
     await host.started(1);
     await host.report({ seq: 1, tick: 100 });
-    robot.session.leavePage(host.link);
+    robot.session.leavePage(host.link, true);
     const ended = robot.session.endOf(1, patience(20_000));
     const read = ended.then(({ state }) => `${state} at ${robot.session.newest?.tick}`);
     const snapshot = snapshotOf({ seq: 2, tick: 200 });
@@ -101,7 +101,7 @@ describe("a robot session: what scripts see", () => {
     expect(robot.session.newest?.state).toBe("running");
     await robot.clock.pass(5_000);
     expect(robot.session.newest?.state).toBe("paused");
-    robot.session.leavePage(host.link);
+    robot.session.leavePage(host.link, true);
     expect(robot.session.newest?.state).toBe("gone");
   });
 
@@ -136,7 +136,7 @@ describe("a robot session: what scripts see", () => {
     await host.report({ seq: 8 });
     expect(await none).toMatchObject({ seq: 9 });
     const gone = robot.session.nextSnapshot(9, patience(25_000));
-    robot.session.leavePage(host.link);
+    robot.session.leavePage(host.link, true);
     expect(await gone).toMatchObject({ seq: 9, state: "gone" });
     const quiet = robot.session.nextSnapshot(9, patience(25_000));
     await robot.clock.pass(25_000);

@@ -20,7 +20,7 @@ describe("a robot session: while its store does not answer", () => {
     await robot.submit(LEFT);
     const host = await page(robot);
     await host.started(1);
-    robot.session.leavePage(host.link);
+    robot.session.leavePage(host.link, true);
     robot.cut.isCut = true;
     await robot.clock.pass(limits.pageAwayMs + 5_000);
     robot.cut.isCut = false;
@@ -36,7 +36,7 @@ describe("a robot session: while its store does not answer", () => {
     robot.cut.losesAnswers = false;
     // It may have been marked as delivered, and nothing was sent: only a greeting of the page clears that up.
     expect([host.seqs("command"), host.closed]).toEqual([[], [closeReasons.busy.code]]);
-    robot.session.leavePage(host.link);
+    robot.session.leavePage(host.link, true);
     expect(await robot.submit(LEFT, "key-0001")).toMatchObject({ seq: 1, duplicate: true });
     const back = await page(robot);
     expect(back.seqs("command")).toEqual([1]);

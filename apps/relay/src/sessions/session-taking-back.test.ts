@@ -37,7 +37,7 @@ describe("a robot session: taking back while the page is away", () => {
     const before = await page(robot);
     for (let n = 0; n < 3; n++) await robot.submit(LEFT);
     await before.started(1);
-    robot.session.leavePage(before.link);
+    robot.session.leavePage(before.link, true);
     for (const seq of [1, 2])
       expect(await robot.session.cancel(robot.key, seq)).toHaveProperty("seq");
     const after = await page(robot, { lastApplied: 1 });
@@ -52,7 +52,7 @@ describe("a robot session: taking back while the page is away", () => {
     const robot = await withRobot();
     const before = await page(robot);
     await robot.submit(LEFT);
-    robot.session.leavePage(before.link);
+    robot.session.leavePage(before.link, true);
     await robot.session.keys.make({ kind: "drive", replace: true });
     const after = await page(robot);
     expect(after.seqs("command")).toEqual([]);

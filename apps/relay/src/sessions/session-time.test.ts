@@ -67,7 +67,7 @@ describe("a robot session: time to live", () => {
     const before = await page(robot);
     await robot.submit({ ...LEFT, ttl: 400 });
     await robot.submit(LEFT);
-    robot.session.leavePage(before.link);
+    robot.session.leavePage(before.link, true);
     await robot.clock.pass(500);
     expect(await robot.states()).toEqual(["1 delivered", "2 delivered"]);
     const after = await page(robot);

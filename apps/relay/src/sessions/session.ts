@@ -88,7 +88,7 @@ export class Session {
     this.#clock = clock;
     this.#events = new EventLog(clock);
     const audience = new Audience(clock, this.#events);
-    const seat = new PageSeat(clock.now(), stored.epoch);
+    const seat = new PageSeat(clock.now(), stored);
     const line = new RobotLine(clock);
     this.#audience = audience;
     this.#seat = seat;
@@ -212,17 +212,21 @@ export class Session {
       if (resume.snapshot !== undefined) this.#show(resume.snapshot);
       this.#tellScripts();
       // It went before it was seated, when there was nothing to leave yet.
-      if (!link.isOpen) this.leavePage(link);
+      if (!link.isOpen) this.leavePage(link, false);
     });
   }
 
-  /** The page's connection is gone. Does nothing when another page has taken over. */
-  leavePage(link: PageLink): void {
+  /**
+   * The page's connection is gone. Does nothing when another page has taken over.
+   * @param saidGoodbye the page has closed it, after all that it had to tell
+   */
+  leavePage(link: PageLink, saidGoodbye: boolean): void {
     if (!this.#seat.isHeldBy(link)) return;
-    this.#seat.leave(this.#clock.now());
+    this.#seat.leave(this.#clock.now(), saidGoodbye);
+    this.#life.handover.left(this.#seat.epoch, saidGoodbye);
     this.#view.pageLeft();
     this.#tellSnapshot();
-    this.#line.pageLeft(this.#seat.epoch);
+    this.#line.pageLeft(this.#seat.epoch, saidGoodbye);
   }
 
   /** A message of the page. Frames of a page that was replaced or of an older epoch are refused. */
@@ -244,6 +248,7 @@ export class Session {
         this.#line.hurry();
         return this.#life.hearPage(link, message);
       case "started":
+      case "yielded":
         return this.#life.hearPage(link, message);
     }
   }
@@ -347,7 +352,7 @@ export class Session {
   /** Ends the session for everyone who is connected. */
   close(reason: "over" | "restart"): void {
     this.#isOver = true;
-    if (this.hasPage) this.#line.pageLeft(this.#seat.epoch);
+    if (this.hasPage) this.#line.pageLeft(this.#seat.epoch, false);
     if (reason === "over") this.#line.forgotten();
     this.#life.close(reason);
     this.roster.close();
@@ -388,17 +393,23 @@ export class Session {
     const { page } = this.#seat;
     switch (news.kind) {
       case "page":
-        this.#seat.takeElsewhere(news.epoch)?.link.close(closeReasons.replaced);
+        this.#seat.takeElsewhere(news.epoch, news.name)?.link.close(closeReasons.replaced);
         this.#line.sayHere(this.roster.told());
         return;
       case "page-left":
-        if (!this.#seat.leaveElsewhere(news.epoch, this.#clock.now())) return;
+        if (!this.#seat.leaveElsewhere(news.epoch, this.#clock.now(), news.saidGoodbye)) return;
+        this.#life.handover.left(news.epoch, news.saidGoodbye);
         this.#view.pageLeft();
         return this.#tellReaders();
+      case "yield":
+        this.#life.handover.ask(news.epoch);
+        return;
+      case "yielded":
+        return this.#life.handover.yielded(news.epoch, false);
       case "lapsed":
         if (page === null) return;
         page.link.close(closeReasons.restart);
-        return this.leavePage(page.link);
+        return this.leavePage(page.link, false);
       case "snapshot":
         if (page !== null) return;
         this.#view.hear(news.snapshot);

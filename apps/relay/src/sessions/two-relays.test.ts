@@ -48,18 +48,24 @@ async function withRelays() {
   const scripts = new SessionHub(cut.store, clock, log, { switchboard });
   const robot = await pages.register("10.0.0.1", "http://localhost");
   const atPages = (await pages.authorise(robot.id, robot.ownerKey, "host")).session;
-  const page = async (session = atPages, resume: Partial<Resume> = {}) => {
+  const page = async (session = atPages, resume: Partial<Resume> = {}, isSilent = false) => {
     const told: RelayToPage[] = [];
     const closed: number[] = [];
+    let epoch = 0;
     const link: PageLink = {
       isOpen: true,
-      send: (message) => told.push(message),
+      send: (message) => {
+        told.push(message);
+        if (message.type === "yield" && !isSilent)
+          void session.hearPage(link, { type: "yielded", epoch });
+      },
       close: ({ code }) => closed.push(code),
     };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
     await session.takePage(link, { ...nothing, ...resume });
     const welcome = told.find((message) => message.type === "welcome");
-    return { session, link, told, closed, epoch: welcome?.epoch ?? 0 };
+    epoch = welcome?.epoch ?? 0;
+    return { session, link, told, closed, epoch };
   };
   const host = await page();
   const { session: atScripts, key } = await scripts.authorise(
@@ -171,7 +177,7 @@ describe("page and script at different relays", () => {
     await report(host, { seq: 8, tick: 9 });
     await clock.pass(limits.snapshotIntervalMs);
     expect(await next).toMatchObject({ seq: 8 });
-    host.session.leavePage(host.link);
+    host.session.leavePage(host.link, true);
     await clock.pass(limits.snapshotIntervalMs);
     expect(said.at(-1)).toBe("snapshot 8 gone");
     expect(atScripts.newest).toMatchObject({ state: "gone" });
@@ -247,16 +253,43 @@ describe("page and script at different relays", () => {
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "delivered" }]);
   });
 
+  it("asks the page at the other relay what it has begun before another gets the robot", async () => {
+    const { atPages, atScripts, page, submit } = await withRelays();
+    const first = await page(atPages, { page: "page-one", fresh: true });
+    for (let n = 0; n < 2; n++) await submit(LEFT);
+    const { session, link, epoch } = first;
+    void session.hearPage(link, { type: "started", epoch, seq: 1 });
+    const second = await page(atScripts, { page: "page-two", fresh: true });
+    expect(first.told.at(-1)).toEqual({ type: "yield" });
+    expect(first.closed).toEqual([closeReasons.replaced.code]);
+    expect(seqs(second)).toEqual([2]);
+    // The same page on a new line, at yet another relay, is not asked.
+    const again = await page(atPages, { page: "page-two", lastApplied: 2 });
+    expect(second.told.at(-1)).not.toEqual({ type: "yield" });
+    expect(await atPages.commandsAfter(1)).toMatchObject([{ seq: 2, state: "started" }]);
+    expect(seqs(again)).toEqual([]);
+  });
+
+  it("gives nothing to another page of what a silent one at the other relay may have begun", async () => {
+    const { atPages, atScripts, page, submit, clock } = await withRelays();
+    await page(atPages, { page: "page-one", fresh: true }, true);
+    await submit(LEFT);
+    const coming = page(atScripts, { page: "page-two", fresh: true });
+    await clock.pass(limits.yieldMs);
+    expect(seqs(await coming)).toEqual([]);
+    expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "cancelled" }]);
+  });
+
   it("ends what a page has left behind once, and nothing of one that has come back elsewhere", async () => {
     const { host, atScripts, page, submit, clock, read } = await withRelays();
     await submit(LEFT);
-    host.session.leavePage(host.link);
+    host.session.leavePage(host.link, true);
     await clock.pass(limits.pageAwayMs - 5_000);
     const second = await page(atScripts, { lastApplied: 1 });
     await clock.pass(20_000);
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ state: "started" }]);
     const said = read();
-    atScripts.leavePage(second.link);
+    atScripts.leavePage(second.link, true);
     await clock.pass(limits.pageAwayMs + 5_000);
     expect(said.filter((text) => text.endsWith("cancelled"))).toEqual(["1 cancelled"]);
   });
@@ -275,7 +308,7 @@ describe("page and script at different relays", () => {
   it("expires what waits though the relay that stored it has ended", async () => {
     const { host, atPages, scripts, submit, clock } = await withRelays();
     await clock.pass(1_000);
-    atPages.leavePage(host.link);
+    atPages.leavePage(host.link, true);
     await submit({ ...LEFT, ttl: 400 });
     await scripts.close();
     await clock.pass(500);

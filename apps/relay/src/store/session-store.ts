@@ -32,6 +32,8 @@ export interface StoredSession {
   id: string;
   /** raised each time a page takes the robot; 0 before the first */
   epoch: number;
+  /** by which the page that took it last is known on each of its lines; empty where that said nothing */
+  page: string;
   createdAt: number;
   lastUsedAt: number;
   keys: StoredKey[];
@@ -143,16 +145,31 @@ export type EndResult =
 /** A command from so much later than now shows that the clock was set back. */
 export const CLOCK_TOLERANCE_MS = 2_000;
 
+/** Why commands of the page before end where that one did not say what it has begun. */
+export const doubtReasons = {
+  delivered: "another page took the robot, and the one before may have begun it",
+  started: "another page took the robot",
+} as const;
+
 export interface PageState {
   /** the page has started or ended this command and all before it that it was given */
   lastApplied: number;
   /** the page was loaded anew: what had started can never end by itself */
   fresh: boolean;
   endings: Ending[];
+  /** by which it is known on each of its lines, where it says so */
+  page?: string | undefined;
+  /**
+   * Epoch of the page that had the robot last, where it is known what that one has not begun; null: nobody
+   * knows. Of no effect where another page has taken the robot since.
+   */
+  settled: number | null;
 }
 
 export interface SessionStore {
-  create(session: Omit<StoredSession, "epoch" | "lastUsedAt" | "away" | "isPaused">): Promise<void>;
+  create(
+    session: Omit<StoredSession, "epoch" | "page" | "lastUsedAt" | "away" | "isPaused">,
+  ): Promise<void>;
   find(id: string): Promise<StoredSession | null>;
   /**
    * Makes and revokes keys in one step, and takes back what the revoked ones have sent: see `cancel`. Scripts
@@ -219,9 +236,9 @@ export interface SessionStore {
    */
   abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[] | null>;
   /**
-   * A page takes the robot: raises the epoch, stores what the page has done, and makes what never
-   * reached it wait again, except what was taken back or what a later stop or replacing command has
-   * overtaken meanwhile.
+   * A page takes the robot: raises the epoch, stores what the page has done, and makes what was not begun
+   * wait again, except what was taken back or what a later stop or replacing command has overtaken
+   * meanwhile. Where nobody knows whether it was begun, it ends as cancelled: see `PageState.settled`.
    * @returns what has changed, and the records whose ending the page tells otherwise than it was; null
    *   when there is no such session
    */

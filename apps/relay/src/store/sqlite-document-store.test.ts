@@ -39,6 +39,7 @@ it("brings a file from before there were short links and deadlines to this schem
     ALTER TABLE commands DROP COLUMN script;
     DROP TABLE away;
     ALTER TABLE sessions DROP COLUMN paused;
+    ALTER TABLE sessions DROP COLUMN page;
     DROP TABLE mazes;
     DROP TABLE pairings;
     INSERT INTO commands (robot, seq, driver, command, state, accepted_at)

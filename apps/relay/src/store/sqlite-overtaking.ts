@@ -3,7 +3,7 @@
  * robot's commands when a page takes it. To be called in one step.
  */
 import type { CommandRecord, Ending } from "@corridor/protocol";
-import type { PageState, TermedRecord } from "./session-store.ts";
+import { doubtReasons, type PageState, type TermedRecord } from "./session-store.ts";
 import { numberIn, RECORD, recordsIn, TERMED, termedIn } from "./sqlite-rows.ts";
 import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
 import type { Statements } from "./statements.ts";
@@ -71,7 +71,11 @@ export function recordOf(statements: Statements, id: string, seq: number): Comma
 }
 
 /** Brings the commands of a robot to what the page that takes it says of itself. */
-export function meetPage(statements: Statements, id: string, page: PageState) {
+export function meetPage(
+  statements: Statements,
+  id: string,
+  page: PageState & { isSettled: boolean },
+) {
   const changed: CommandRecord[] = [];
   const refused: CommandRecord[] = [];
   for (const ending of page.endings) {
@@ -87,19 +91,20 @@ export function meetPage(statements: Statements, id: string, page: PageState) {
     ...recordsIn(
       statements,
       `UPDATE ${OPEN_COMMANDS} SET
-         state = CASE WHEN seq <= ?1 THEN 'started' WHEN recalled IS NULL THEN 'accepted' ELSE 'cancelled' END,
-         reason = CASE WHEN seq <= ?1 THEN NULL ELSE recalled END
+         state = CASE WHEN seq <= ?1 THEN 'started'
+           WHEN coalesce(?3, recalled) IS NULL THEN 'accepted' ELSE 'cancelled' END,
+         reason = CASE WHEN seq <= ?1 THEN NULL ELSE coalesce(?3, recalled) END
        WHERE robot = ?2 AND state = 'delivered' AND ${IS_OPEN} RETURNING ${RECORD}`,
-      [page.lastApplied, id],
+      [page.lastApplied, id, page.isSettled ? null : doubtReasons.delivered],
     ),
   );
-  if (page.fresh) {
+  if (page.fresh || !page.isSettled) {
     changed.push(
       ...recordsIn(
         statements,
-        `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = 'the page was reloaded'
+        `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = ?
          WHERE robot = ? AND state = 'started' AND ${IS_OPEN} RETURNING ${RECORD}`,
-        [id],
+        [page.isSettled ? "the page was reloaded" : doubtReasons.started, id],
       ),
     );
   }

@@ -109,6 +109,11 @@ CREATE TABLE pairings (
 CREATE INDEX pairings_by_end ON pairings (ends_at);
 `;
 
+// By which a page is known when it comes back.
+const PAGE_NAME = `
+ALTER TABLE sessions ADD COLUMN page TEXT NOT NULL DEFAULT '';
+`;
+
 /** What each version added to the one before it: the first leads from an empty file to version 1. */
 const STEPS: readonly string[] = [
   SESSIONS,
@@ -119,6 +124,7 @@ const STEPS: readonly string[] = [
   PAUSE,
   MAZES,
   PAIRINGS,
+  PAGE_NAME,
 ];
 
 /** Opens a database, made with its folder when it is missing. @throws as `prepareDatabase` does */

@@ -6,6 +6,7 @@ import { completed } from "../testing/messages.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { SqliteStore } from "./sqlite-store.ts";
 import { storeCases } from "./testing/store.cases.ts";
+import { pageState } from "./testing/robot-in-store.ts";
 
 storeCases("SqliteStore", async () => {
   const folder = testFolder();
@@ -38,14 +39,14 @@ it("finds the commands of a robot by index, however many have ended", async () =
   await store.add(id, { ...command, command: { action: "left 90" } });
   await store.add(id, { ...command, key: null, command: { action: "stop" } });
   await store.cancel(id, 1, { driver: "d", reason: "no" });
-  await store.takeOver(id, { lastApplied: 0, fresh: true, endings: [] });
+  await store.takeOver(id, pageState({ lastApplied: 0, fresh: true, endings: [] }));
   await store.deliver(id, 1, 8, 2);
   await store.start(id, 1, 2);
   await store.end(id, 1, completed(2));
   await store.abandon(id, 1, "gone");
   await store.expire(id, 2);
   await store.add(id, { ...command, key: null, command: { action: "stop" } });
-  await store.takeOver(id, { lastApplied: 2, fresh: true, endings: [] });
+  await store.takeOver(id, pageState({ lastApplied: 2, fresh: true, endings: [] }));
   await store.command(id, 1);
   await store.commandsAfter(id, 0, 10);
 

@@ -39,6 +39,7 @@ const BY_KEY = `SELECT ${RECORD} FROM commands WHERE robot = ? AND driver = ? AN
 const sessionRow = z.object({
   id: z.string(),
   epoch: z.int(),
+  page: z.string(),
   last_seq: z.int(),
   created_at: z.int(),
   last_used_at: z.int(),
@@ -57,7 +58,7 @@ export class SqliteStore implements SessionStore {
     id,
     createdAt,
     keys,
-  }: Omit<StoredSession, "epoch" | "lastUsedAt" | "away" | "isPaused">) {
+  }: Omit<StoredSession, "epoch" | "page" | "lastUsedAt" | "away" | "isPaused">) {
     await this.#file.growingStep(() => {
       this.#writing.run("INSERT INTO sessions (id, created_at, last_used_at) VALUES (?, ?, ?)", [
         id,
@@ -75,6 +76,7 @@ export class SqliteStore implements SessionStore {
     return {
       id,
       epoch: row.epoch,
+      page: row.page,
       createdAt: row.created_at,
       lastUsedAt: row.last_used_at,
       keys: keysIn(reading, id),
@@ -270,12 +272,12 @@ export class SqliteStore implements SessionStore {
       if (session === null) return null;
       const epoch = session.epoch + 1;
       // A page that knows of later commands than this file saw a store that lost its newest rows.
-      this.#writing.run("UPDATE sessions SET epoch = ?, last_seq = max(last_seq, ?) WHERE id = ?", [
-        epoch,
-        page.lastApplied,
-        id,
-      ]);
-      return { epoch, ...meetPage(this.#writing, id, page) };
+      this.#writing.run(
+        "UPDATE sessions SET epoch = ?, page = ?, last_seq = max(last_seq, ?) WHERE id = ?",
+        [epoch, page.page ?? "", page.lastApplied, id],
+      );
+      const isSettled = page.settled !== null && page.settled >= session.epoch;
+      return { epoch, ...meetPage(this.#writing, id, { ...page, isSettled }) };
     });
   }
 

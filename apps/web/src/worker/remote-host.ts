@@ -177,6 +177,7 @@ export class RemoteHost implements RemoteDriverEvents {
       },
       onCancel: (seq, why) => this.#ports.takeBack(seq, recallReasons[why]),
       onGiveBack: () => this.#giveBack(),
+      onYield: () => this.#ports.cancel("addressEnded"),
       onState: (record, ttl) => this.#show({ ...record, ttl, reason: null }),
       onRefused: ({ seq, state }) => this.#change(seq, { state, reason: null }),
       onStatus: (status) => this.#linkChanged(status, trouble.troubleOf),

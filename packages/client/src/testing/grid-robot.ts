@@ -41,6 +41,7 @@ export class GridRobot {
       onStop: () => undefined,
       onCancel: () => undefined,
       onGiveBack: () => undefined,
+      onYield: () => undefined,
       onState: () => undefined,
       onRefused: () => undefined,
       onStatus: ({ kind }) => {

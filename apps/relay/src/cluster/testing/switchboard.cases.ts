@@ -7,7 +7,7 @@ import type { Line, News, Switchboard } from "../switchboard.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";
-const nothingDone = { lastApplied: 0, fresh: false, endings: [] };
+const nothingDone = { lastApplied: 0, fresh: false, endings: [], settled: null };
 const scripts = { connected: 1, client: "Python", silentMs: 5, alive: [], scripts: [] };
 
 export interface TestRelay {
@@ -46,7 +46,7 @@ export async function placeOf({ store, switchboard }: TestRelay, robot = ID) {
       const taken = await store.takeOver(robot, nothingDone);
       if (taken === null) throw new Error("there is no such session");
       line.stepped({ added: null, ended: [], changed: taken.changed });
-      line.tell({ kind: "page", epoch: taken.epoch });
+      line.tell({ kind: "page", epoch: taken.epoch, name: "page-of-test" });
       return taken.epoch;
     },
     deliver: async (epoch: number) => {
@@ -108,7 +108,7 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
       b.line.leave();
       const later = await placeOf(relays[1]);
       expect(later.heard).toMatchObject([{ kind: "page", epoch }]);
-      a.line.tell({ kind: "page-left", epoch });
+      a.line.tell({ kind: "page-left", epoch, saidGoodbye: true });
       await vi.waitFor(() =>
         expect(later.heard.at(-1)).toMatchObject({ kind: "page-left", epoch }),
       );

@@ -55,20 +55,40 @@ export async function withRobot() {
   };
   const states = async () =>
     (await session.commandsAfter(0)).map(({ seq, state }) => `${seq} ${state}`);
-  return { clock, cut, hub, robot, session, key, submit, states };
+  /** The same robot at a relay that has just been started. */
+  const restarted = async () => {
+    const anew = new SessionHub(cut.store, clock, pino({ level: "silent" }));
+    const { session: again } = await anew.authorise(robot.id, robot.ownerKey, "host");
+    return { clock, cut, hub: anew, robot, session: again, key, submit, states, restarted };
+  };
+  return { clock, cut, hub, robot, session, key, submit, states, restarted };
 }
 
 export type Robot = Awaited<ReturnType<typeof withRobot>>;
 
-/** A page that takes the robot, and all that it is told. */
-export async function page({ session }: Robot, resume: Partial<Resume> = {}) {
+/**
+ * A page that takes the robot, and all that it is told.
+ * @param isSilent it does not answer when it is asked to give the robot up
+ */
+export async function page({ session }: Robot, resume: Partial<Resume> = {}, isSilent = false) {
   const told: RelayToPage[] = [];
   const closed: number[] = [];
+  let epoch = 0;
+  let isOpen = true;
   const link: PageLink = {
-    isOpen: true,
-    send: (message) => told.push(message),
-    close: ({ code }) => closed.push(code),
+    get isOpen() {
+      return isOpen;
+    },
+    send: (message) => {
+      told.push(message);
+      if (message.type === "yield" && !isSilent) void yielded();
+    },
+    close: ({ code }) => {
+      isOpen = false;
+      closed.push(code);
+    },
   };
+  const yielded = async () => session.hearPage(link, { type: "yielded", epoch });
   await session.takePage(link, {
     type: "resume",
     lastApplied: 0,
@@ -77,7 +97,7 @@ export async function page({ session }: Robot, resume: Partial<Resume> = {}) {
     ...resume,
   });
   const welcome = told.find((message) => message.type === "welcome");
-  const epoch = welcome?.type === "welcome" ? welcome.epoch : 0;
+  epoch = welcome?.type === "welcome" ? welcome.epoch : 0;
   const seqs = (type: "command" | "stop") =>
     told.flatMap((message) => (message.type === type && "seq" in message ? [message.seq] : []));
   return {
@@ -86,6 +106,7 @@ export async function page({ session }: Robot, resume: Partial<Resume> = {}) {
     link,
     epoch,
     seqs,
+    yielded,
     started: (seq: number) => session.hearPage(link, { type: "started", epoch, seq }),
     ended: (ending: Ending) => session.hearPage(link, { type: "ended", epoch, ...ending }),
     report: (change = {}) =>

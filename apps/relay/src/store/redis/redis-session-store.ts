@@ -7,6 +7,7 @@ import { z } from "zod";
 import { StoreFull } from "../disk-full.ts";
 import {
   CLOCK_TOLERANCE_MS,
+  doubtReasons,
   keyKinds,
   type AddResult,
   type AwayResult,
@@ -50,6 +51,7 @@ const awayText = z
 const sessionAnswer = z
   .object({
     epoch: z.int(),
+    page: z.string(),
     createdAt: z.number(),
     lastUsedAt: z.number(),
     keys: keysText,
@@ -104,7 +106,7 @@ export class RedisSessionStore implements SessionStore {
     id,
     createdAt,
     keys,
-  }: Omit<StoredSession, "epoch" | "lastUsedAt" | "away" | "isPaused">) {
+  }: Omit<StoredSession, "epoch" | "page" | "lastUsedAt" | "away" | "isPaused">) {
     await this.#step("create", id, { id, createdAt, keys: JSON.stringify(keys) });
   }
 
@@ -207,8 +209,10 @@ export class RedisSessionStore implements SessionStore {
       .parse(await this.#step("abandon", id, { epoch, reason }));
   }
 
-  async takeOver(id: string, { lastApplied, fresh, endings }: PageState) {
-    const values = { lastApplied, fresh, endings: endings.map(endingOf) };
+  async takeOver(id: string, { endings, page = "", ...state }: PageState) {
+    const { lastApplied, fresh, settled } = state;
+    const told = { lastApplied, fresh, settled, page, endings: endings.map(endingOf) };
+    const values = { ...told, doubt: doubtReasons };
     return takeAnswer.parse(await this.#step("takeOver", id, values));
   }
 

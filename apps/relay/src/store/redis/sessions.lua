@@ -144,11 +144,11 @@ function steps.create()
 end
 
 function steps.find()
-  local epoch, createdAt, keys, away, paused =
-    unpack(redis.call('HMGET', SESSION, 'epoch', 'createdAt', 'keys', 'away', 'paused'))
+  local epoch, createdAt, keys, away, paused, name =
+    unpack(redis.call('HMGET', SESSION, 'epoch', 'createdAt', 'keys', 'away', 'paused', 'name'))
   if not epoch then return 'null' end
   return cjson.encode({ epoch = tonumber(epoch), createdAt = tonumber(createdAt), keys = keys,
-    away = away or '[]', isPaused = paused == '1', lastUsedAt = tonumber(redis.call('ZSCORE', USES, given.id)) })
+    away = away or '[]', isPaused = paused == '1', page = name or '', lastUsedAt = tonumber(redis.call('ZSCORE', USES, given.id)) })
 end
 
 function steps.changeKeys()
@@ -342,10 +342,14 @@ function steps.abandon()
 end
 
 function steps.takeOver()
-  if epoch() < 0 then return 'null' end
+  local before = epoch()
+  if before < 0 then return 'null' end
+  local isSettled = given.settled ~= cjson.null and given.settled >= before
   local now = redis.call('HINCRBY', SESSION, 'epoch', 1)
-  redis.call('HSET', SESSION, 'page', '{"relay":"' .. relay .. '","epoch":' .. now .. '}')
-  redis.call('PUBLISH', LINE, '{"kind":"page","from":"' .. relay .. '","epoch":' .. now .. '}')
+  local holder = '"epoch":' .. now .. ',"name":"' .. given.page .. '"}'
+  redis.call('HSET', SESSION, 'page', '{"relay":"' .. relay .. '",' .. holder)
+  redis.call('HSET', SESSION, 'name', given.page)
+  redis.call('PUBLISH', LINE, '{"kind":"page","from":"' .. relay .. '",' .. holder)
   -- A page that knows of later commands than this Redis saw one that lost its newest.
   if given.lastApplied > tonumber(redis.call('HGET', SESSION, 'seq')) then
     redis.call('HSET', SESSION, 'seq', given.lastApplied)
@@ -357,12 +361,13 @@ function steps.takeOver()
   end
   for _, row in ipairs(open(function(row) return row.state == HELD end)) do
     if row.seq <= given.lastApplied then change(row, RUNS)
+    elseif not isSettled then change(row, 'cancelled', given.doubt.delivered)
     elseif row.recalled then change(row, 'cancelled', row.recalled)
     else change(row, WAITS) end
   end
-  if given.fresh then
+  if given.fresh or not isSettled then
     for _, row in ipairs(open(function(row) return row.state == RUNS end)) do
-      change(row, 'cancelled', 'the page was reloaded')
+      change(row, 'cancelled', isSettled and 'the page was reloaded' or given.doubt.started)
     end
   end
   -- What was delivered when something overtook it may wait again now; it was overtaken all the same.

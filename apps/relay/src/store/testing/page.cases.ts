@@ -1,7 +1,16 @@
 /** What every store must do: what a page does that takes the robot. */
 import { describe, expect, it } from "vitest";
 import { completed } from "../../testing/messages.ts";
-import { ID, LEFT, STOP, EPOCH, nothingDone, type OpenStore, robotIn } from "./robot-in-store.ts";
+import {
+  ID,
+  LEFT,
+  STOP,
+  EPOCH,
+  nothingDone,
+  type OpenStore,
+  pageState,
+  robotIn,
+} from "./robot-in-store.ts";
 
 export function pageCases(name: string, open: () => Promise<OpenStore>): void {
   const withRobot = () => robotIn(open);
@@ -11,11 +20,14 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       const { add, store, states, deliver } = await withRobot();
       for (let n = 0; n < 4; n++) await add(LEFT);
       await deliver(8);
-      const taken = await store.takeOver(ID, {
-        lastApplied: 2,
-        fresh: false,
-        endings: [completed(1)],
-      });
+      const taken = await store.takeOver(
+        ID,
+        pageState({
+          lastApplied: 2,
+          fresh: false,
+          endings: [completed(1)],
+        }),
+      );
       expect(taken?.epoch).toBe(EPOCH + 1);
       expect(await states()).toEqual(["1 completed", "2 started", "3 accepted", "4 accepted"]);
       expect((await store.takeOver(ID, nothingDone))?.epoch).toBe(EPOCH + 2);
@@ -25,7 +37,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       const { add, store, deliver, states } = await withRobot();
       await add(LEFT);
       await deliver(8);
-      await store.takeOver(ID, { lastApplied: 1, fresh: false, endings: [] });
+      await store.takeOver(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
       expect(await store.start(ID, EPOCH, 1)).toBeNull();
       expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({ outcome: "over" });
       expect(await deliver(8, EPOCH)).toEqual([]);
@@ -40,7 +52,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       await store.end(ID, EPOCH, completed(1));
       await store.abandon(ID, EPOCH, "gone");
       const endings = [completed(1), completed(2)];
-      const taken = await store.takeOver(ID, { lastApplied: 2, fresh: false, endings });
+      const taken = await store.takeOver(ID, pageState({ lastApplied: 2, fresh: false, endings }));
       expect(taken).toMatchObject({ changed: [], refused: [{ seq: 2, state: "cancelled" }] });
     });
 
@@ -49,9 +61,25 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       for (let n = 0; n < 3; n++) await add(LEFT);
       await deliver(8);
       await add(STOP);
-      await store.takeOver(ID, { lastApplied: 1, fresh: true, endings: [] });
+      await store.takeOver(ID, pageState({ lastApplied: 1, fresh: true, endings: [] }));
       expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled", "4 accepted"]);
       expect(await store.command(ID, 1)).toMatchObject({ reason: "the page was reloaded" });
+    });
+
+    it("ends what the page before may have begun, where nobody knows, and puts nothing back", async () => {
+      for (const settled of [null, EPOCH - 1]) {
+        const { add, store, states, deliver } = await withRobot();
+        for (let n = 0; n < 4; n++) await add(LEFT);
+        await deliver(3);
+        await store.start(ID, EPOCH, 1);
+        const taken = await store.takeOver(ID, pageState({ lastApplied: 1, settled }));
+        expect(taken?.changed.map(({ seq, reason }) => [seq, reason])).toEqual([
+          [1, "another page took the robot"],
+          [2, "another page took the robot, and the one before may have begun it"],
+          [3, "another page took the robot, and the one before may have begun it"],
+        ]);
+        expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled", "4 accepted"]);
+      }
     });
 
     it("lists the commands that have not ended, in order", async () => {
@@ -77,7 +105,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
 
     it("never gives a number again that the page has seen", async () => {
       const { add, store } = await withRobot();
-      await store.takeOver(ID, { lastApplied: 41, fresh: false, endings: [] });
+      await store.takeOver(ID, pageState({ lastApplied: 41, fresh: false, endings: [] }));
       expect(await add(LEFT)).toMatchObject({ record: { seq: 42 } });
     });
   });

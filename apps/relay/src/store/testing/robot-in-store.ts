@@ -29,7 +29,15 @@ export const keyChange = (change: Partial<KeyChange>): KeyChange => ({
   reason: "revoked",
   ...change,
 });
-export const nothingDone: PageState = { lastApplied: 0, fresh: false, endings: [] };
+/** What a page says that comes; the one before has told all that it had begun, whichever that was. */
+export const pageState = (state: Partial<PageState> = {}): PageState => ({
+  lastApplied: 0,
+  fresh: false,
+  endings: [],
+  settled: Number.MAX_SAFE_INTEGER,
+  ...state,
+});
+export const nothingDone = pageState();
 
 export interface OpenStore {
   store: SessionStore;

@@ -1,7 +1,17 @@
 /** What every store must do: commands that replace others or are taken back. */
 import { describe, expect, it } from "vitest";
 import { completed } from "../../testing/messages.ts";
-import { ID, LEFT, STOP, NOW, EPOCH, sent, type OpenStore, robotIn } from "./robot-in-store.ts";
+import {
+  ID,
+  LEFT,
+  STOP,
+  NOW,
+  EPOCH,
+  sent,
+  type OpenStore,
+  pageState,
+  robotIn,
+} from "./robot-in-store.ts";
 
 export function takingBackCases(name: string, open: () => Promise<OpenStore>): void {
   const withRobot = () => robotIn(open);
@@ -27,7 +37,7 @@ export function takingBackCases(name: string, open: () => Promise<OpenStore>): v
       await deliver(8);
       await add(LEFT, null, { replace: true });
       await add(LEFT);
-      await store.takeOver(ID, { lastApplied: 1, fresh: false, endings: [] });
+      await store.takeOver(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
       expect(await states()).toEqual([
         "1 started",
         "2 superseded",
@@ -38,7 +48,7 @@ export function takingBackCases(name: string, open: () => Promise<OpenStore>): v
       await deliver(8, EPOCH + 1);
       await add(STOP);
       await store.expire(ID, NOW + 60_000);
-      await store.takeOver(ID, { lastApplied: 1, fresh: false, endings: [] });
+      await store.takeOver(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
       expect((await states()).slice(3)).toEqual(["4 cancelled", "5 cancelled", "6 expired"]);
     });
 
@@ -73,7 +83,7 @@ export function takingBackCases(name: string, open: () => Promise<OpenStore>): v
         { seq: 1, reason: by.reason },
         { seq: 2, reason: by.reason },
       ]);
-      await store.takeOver(ID, { lastApplied: 1, fresh: false, endings: [] });
+      await store.takeOver(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
       expect(await states()).toEqual(["1 started", "2 cancelled", "3 accepted", "4 cancelled"]);
       expect(await store.command(ID, 1)).toMatchObject({ reason: null });
       expect(await store.command(ID, 2)).toMatchObject({ reason: by.reason });

@@ -38,7 +38,8 @@ export class FaultyNet {
     this.#heldUntil = this.#time.now() + ms;
   }
 
-  connect(events: SocketEvents): SocketPort {
+  /** @param told is told what the relay says, in the moment in which it does */
+  connect(events: SocketEvents, told: (text: string) => void = () => undefined): SocketPort {
     const time = this.#time;
     const relay = this.#relay();
     let isClientOpen = true;
@@ -53,31 +54,33 @@ export class FaultyNet {
       isClientOpen = false;
       events.closed(code);
     };
-    const tellRelay = (): void => {
+    const tellRelay = (saidGoodbye: boolean): void => {
       if (end.relay || !isRelayOpen) return;
       end.relay = true;
       isRelayOpen = false;
-      gate.closed();
+      gate.closed(saidGoodbye);
     };
     const breakLine = (): void => {
       if (isBroken) return;
       isBroken = true;
       this.#breaks.delete(breakLine);
       time.after(this.#dice.between(0, 150), () => tellClient(1006));
-      time.after(this.#dice.between(0, 400), tellRelay);
+      time.after(this.#dice.between(0, 400), () => tellRelay(false));
     };
     const gate = relay.accept(this.#robot, {
-      send: (text) =>
+      send: (text) => {
+        told(text);
         down(() => {
           if (isBroken || end.client) return;
           this.#tap("down", text);
           events.received(text);
-        }),
+        });
+      },
       close: (code) =>
         down(() => {
           if (isBroken) return;
           tellClient(code);
-          tellRelay();
+          tellRelay(false);
         }),
       get isOpen() {
         return isRelayOpen;
@@ -106,7 +109,10 @@ export class FaultyNet {
       close: () => {
         isClientOpen = false;
         end.client = true;
-        up(tellRelay);
+        // Where it is broken, the relay finds that out by itself.
+        up(() => {
+          if (!isBroken) tellRelay(true);
+        });
       },
       get isOpen() {
         return isClientOpen;

@@ -35,6 +35,7 @@ export class FaultyPage {
   readonly opening: Promise<void>;
   #opened: () => void = () => undefined;
   #isAlive = true;
+  #socket: SocketPort | null = null;
   #shownAt = 0;
   #thawsAt = 0;
   /** what came while it was frozen */
@@ -80,9 +81,13 @@ export class FaultyPage {
     this.#turn();
   }
 
-  /** The tab goes, in the midst of whatever it does. */
-  leave(): void {
+  /**
+   * The tab goes, in the midst of whatever it does.
+   * @param saysGoodbye its browser closes the line
+   */
+  leave(saysGoodbye = false): void {
     this.#isAlive = false;
+    if (saysGoodbye) this.#socket?.close(1001, "");
   }
 
   /** Stands still for so long; what comes meanwhile waits, and is heard first. */
@@ -102,11 +107,12 @@ export class FaultyPage {
       if (this.#options.time.now() < this.#thawsAt) this.#unheard.push(() => ifAlive(tell));
       else if (this.#isAlive) tell();
     };
-    return this.#options.platform.connect(url, {
+    this.#socket = this.#options.platform.connect(url, {
       opened: () => ifAlive(() => events.opened()),
       received: (text) => ifAlive(() => events.received(text)),
       closed: (code) => ifAlive(() => events.closed(code)),
     });
+    return this.#socket;
   }
 
   #turn(): void {

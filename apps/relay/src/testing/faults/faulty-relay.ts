@@ -120,11 +120,11 @@ export class FaultyRelay {
           if (this.#isAlive) throw error;
         });
       },
-      closed: (): void => {
+      closed: (saidGoodbye: boolean): void => {
         isClosed = true;
         if (!this.#isAlive) return;
         this.#time.touch();
-        conversation?.closed();
+        conversation?.closed(saidGoodbye);
       },
     };
 

@@ -1,6 +1,6 @@
 /**
  * A script, a relay and a page, linked by lines that break, in a time of their own. What happens is
- * chance, and the same for the same seed: commands, cuts, kills of the relay, reloads of the page.
+ * chance, and the same for the same seed: commands, cuts, kills of the relay, reloads of the page, second pages.
  */
 import { join } from "node:path";
 import { setImmediate as turn } from "node:timers/promises";
@@ -33,13 +33,18 @@ export class FaultyWorld {
   readonly #backing: Backing;
   readonly #history = new History(TOLERANCE_MS);
   readonly #registration: Registration;
-  readonly #tab: Tab;
+  /** of the newest page */
+  #tab: Tab;
   readonly #pageNet: FaultyNet;
   readonly #scriptNet: FaultyNet;
   /** one, or two that share the store */
   readonly #relays: FaultyRelay[] = [];
   #page: FaultyPage | null = null;
   #pages = 0;
+  /** the page that a relay has given the robot last: only what that one does the robot has done */
+  #robot = 0;
+  /** earlier pages, which have not left */
+  readonly #others: FaultyPage[] = [];
   #script: RobotClient | null = null;
   #keys = 0;
 
@@ -87,7 +92,7 @@ export class FaultyWorld {
     await this.#heal();
     const stored = await this.#backing.store.commandsAfter(this.#registration.id, 0, 10_000);
     this.#script.close();
-    this.#page?.leave();
+    for (const page of [this.#page, ...this.#others]) page?.leave();
     for (const relay of this.#relays) relay.kill();
     await turn();
     await this.#backing.store.close();
@@ -108,6 +113,7 @@ export class FaultyWorld {
     else if (chance < 0.58) this.#page?.freeze(dice.between(100, 6_000));
     else if (chance < 0.59) this.#pageNet.holdUp(dice.between(100, 4_000));
     else if (chance < 0.592) this.#breakFor(this.#pageNet, 125_000);
+    else if (chance < 0.61) this.#openSecondPage();
     await this.#time.pass(dice.isLucky(0.9) ? dice.between(0, 150) : dice.between(150, 2_000));
   }
 
@@ -179,17 +185,33 @@ export class FaultyWorld {
 
   #loadPage(): void {
     if (this.#page !== null) {
-      this.#page.leave();
+      const saysGoodbye = this.#pages % 2 === 0;
+      this.#page.leave(saysGoodbye);
       this.#history.left(this.#pages);
-      this.#pageNet.cut();
+      if (!saysGoodbye) this.#pageNet.cut();
     }
+    this.#openPage();
+  }
+
+  /** The tab is doubled, with all that it keeps. */
+  #openSecondPage(): void {
+    if (this.#page !== null) this.#others.push(this.#page);
+    this.#tab = { session: { ...this.#tab.session } };
+    this.#openPage();
+  }
+
+  #openPage(): void {
     const number = ++this.#pages;
+    const net = this.#pageNet;
+    const told = (text: string): void => {
+      if (text.startsWith('{"type":"welcome"')) this.#robot = number;
+    };
     const page: FaultyPage = new FaultyPage({
       tab: this.#tab,
       time: this.#time,
-      platform: this.#platform(this.#pageNet),
+      platform: { ...this.#platform(net), connect: (_url, events) => net.connect(events, told) },
       did: (seq, what) => {
-        if (number === this.#pages) {
+        if (number === this.#robot && page.isAlive) {
           this.#history.did({ seq, what, page: number, at: this.#time.now() });
         }
       },

@@ -136,7 +136,7 @@ export class History {
     // The relay writes these for what no robot has.
     const byRelay = /^(stopped|replaced) by command|^cancelled by its sender/.test(reason ?? "");
     if (byRelay && start !== undefined) endedTwice(`was started and ${state}: ${reason}`);
-    const isLost = /page is gone|page was reloaded/.test(reason ?? "");
+    const isLost = /page is gone|page was reloaded|another page took/.test(reason ?? "");
     if (end !== undefined && end.what !== state && !isLost) {
       endedTwice(`is ${state} (${reason}), the robot ended it as ${end.what}`);
     }

@@ -1,0 +1,91 @@
+/**
+ * From one page to the next. The page that has the robot may have begun what its relay has not heard of yet,
+ * so before another one gets the robot it is asked to begin nothing any more and to say so after all that it
+ * has to tell. Where it does not in time, nobody knows what it has begun.
+ */
+import { closeReasons, type Resume } from "@corridor/protocol";
+import type { Clock } from "../clock.ts";
+import { limits } from "./limits.ts";
+import type { PageLink } from "./page-link.ts";
+import type { PageSeat } from "./page-seat.ts";
+import type { RobotLine } from "./robot-line.ts";
+
+export interface PageHandoverParts {
+  clock: Clock;
+  seat: PageSeat;
+  line: RobotLine;
+}
+
+export class PageHandover {
+  readonly #clock: Clock;
+  readonly #seat: PageSeat;
+  readonly #line: RobotLine;
+  /** the page here that was asked last */
+  #asked: PageLink | null = null;
+  /** tells who waits whether the page with this epoch has told all that it had begun */
+  #answer: (epoch: number, hasToldAll: boolean) => void = () => undefined;
+
+  constructor({ clock, seat, line }: PageHandoverParts) {
+    this.#clock = clock;
+    this.#seat = seat;
+    this.#line = line;
+  }
+
+  /** Whether the page that is here gives the robot up, and is not to get anything to begin. */
+  get isUnderWay(): boolean {
+    return this.#asked !== null && this.#asked === this.#seat.page?.link;
+  }
+
+  /**
+   * Whether it is the page that had the robot last, on a new line. An earlier Corridor says no name: then
+   * only one that is loaded anew is known to be another.
+   */
+  isSame({ page: name, fresh }: Pick<Resume, "page" | "fresh">): boolean {
+    return name === undefined ? !fresh : name === this.#seat.name;
+  }
+
+  /**
+   * Has the page that has the robot, here or at another relay, give it up.
+   * @param resume of the page that comes; where it is the same one on a new line it says itself what it has begun
+   * @returns epoch of the page of which it is known now what it has not begun; null: it is not known
+   */
+  async settle(resume: Resume): Promise<number | null> {
+    const { epoch, isTaken, isInDoubt } = this.#seat;
+    if (this.isSame(resume)) return epoch;
+    if (!isTaken) return isInDoubt ? null : epoch;
+    const { promise, resolve } = Promise.withResolvers<boolean>();
+    this.#answer = (of, hasToldAll) => {
+      if (of === epoch) resolve(hasToldAll);
+    };
+    const cancelTimer = this.#clock.after(limits.yieldMs, () => resolve(false));
+    if (!this.ask(epoch)) this.#line.yield(epoch);
+    const hasToldAll = await promise;
+    cancelTimer();
+    return hasToldAll ? epoch : null;
+  }
+
+  /** Asks the page with this epoch to give the robot up. @returns false where it is not here */
+  ask(epoch: number): boolean {
+    const { page } = this.#seat;
+    if (page?.epoch !== epoch) return false;
+    const { link } = page;
+    this.#asked = link;
+    link.send({ type: "yield" });
+    // Nobody came for the robot after all: this page may have it again, on a new line.
+    this.#clock.after(2 * limits.yieldMs, () => {
+      if (this.#seat.isHeldBy(link)) link.close(closeReasons.busy);
+    });
+    return true;
+  }
+
+  /** The page that is here has told all that it has begun; or the one at another relay has. */
+  yielded(epoch: number, isHere: boolean): void {
+    if (isHere) this.#line.yielded(epoch);
+    this.#answer(epoch, true);
+  }
+
+  /** The page with this epoch is gone: there will be no other answer. */
+  left(epoch: number, saidGoodbye: boolean): void {
+    this.#answer(epoch, saidGoodbye);
+  }
+}
