@@ -39,6 +39,7 @@ class Host:
         said = self._hear()
         self.address: str = said["address"]
         self.origin: str = said["origin"]
+        self.owner_key: str = said["ownerKey"]
         self.open_cells: int = said["openCells"]
 
     def tell(self, word: str) -> Any:

@@ -21,6 +21,14 @@ export type ClientErrorCode =
   | "timeout"
   /** the robot's page is away and has not come back in time */
   | "robot-gone"
+  /** no page shows this pairing code, or another script has asked by it */
+  | "wrong-code"
+  /** the robot's owner said no to this script */
+  | "pairing-refused"
+  /** nobody has answered, or the code was taken back */
+  | "pairing-over"
+  /** too many wrong pairing codes were typed */
+  | "too-many-tries"
   /** this client was closed */
   | "closed";
 

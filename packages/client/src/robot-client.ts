@@ -25,6 +25,7 @@ import {
 } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
+import { pairRobot } from "./pairing.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
 import { parseRobotAddress, doorUrls } from "./robot-address.ts";
 import { SnapshotInbox } from "./snapshot-inbox.ts";
@@ -75,6 +76,8 @@ const MAX_SENT_NAME = 200;
 const BUSY_PAUSE_MS = 500;
 
 export class RobotClient {
+  /** the whole address, with its key, for the next time: keep it private */
+  readonly address: string;
   readonly #platform: Platform;
   readonly #answerMs: number;
   readonly #finishMs: number;
@@ -96,6 +99,7 @@ export class RobotClient {
 
   private constructor(address: string, options: RobotClientOptions) {
     const { origin, id, key } = parseRobotAddress(address);
+    this.address = `${origin}/r/${id}#${key}`;
     this.#platform = options.platform ?? globalPlatform();
     this.#answerMs = options.answerTimeout ?? DEFAULT_ANSWER_MS;
     this.#finishMs = options.finishTimeout ?? DEFAULT_FINISH_MS;
@@ -121,6 +125,23 @@ export class RobotClient {
     const robot = new RobotClient(address, options);
     await robot.#open();
     return robot;
+  }
+
+  /**
+   * Connects to the robot whose page shows a code, typed by hand in place of the address. Waits until whoever
+   * has the page says yes; `address` can be kept for the next time.
+   * @param service where that page is, such as `http://HOST`
+   * @throws ClientError wrong-code, pairing-refused, pairing-over, too-many-tries, or as `connect`
+   */
+  static async pair(
+    service: string,
+    code: string,
+    options: RobotClientOptions = {},
+  ): Promise<RobotClient> {
+    const { platform = globalPlatform(), answerTimeout = DEFAULT_ANSWER_MS, name } = options;
+    const wish = { service, code, name: name?.slice(0, MAX_SENT_NAME) ?? null };
+    const address = await pairRobot(platform, wish, answerTimeout);
+    return RobotClient.connect(address, { ...options, platform });
   }
 
   /** Drives until something else is chosen; resolves when the robot has begun. */

@@ -19,6 +19,7 @@ const MODULES = [
   "requests",
   "problems",
   "talk",
+  "pairing",
   "line",
   "async_line",
   "robot",

@@ -8,6 +8,7 @@ from .errors import (
     CommandError,
     NoAnswerError,
     NotAuthorisedError,
+    PairingError,
     RobotError,
     RobotGoneError,
 )
@@ -23,6 +24,7 @@ __all__ = [
     "CommandError",
     "NoAnswerError",
     "NotAuthorisedError",
+    "PairingError",
     "Pose",
     "Robot",
     "RobotError",

@@ -27,6 +27,11 @@ class Address:
         """Where the robot's calls begin."""
         return f"{self.origin}/api/v1/robots/{self.id}"
 
+    @property
+    def whole(self) -> str:
+        """The address as it is copied, with its key."""
+        return f"{self.origin}/r/{self.id}#{self.key}"
+
 
 def parse_address(text: str, key: Optional[str] = None) -> Address:
     """Takes a robot's address apart; the key may be given by itself.

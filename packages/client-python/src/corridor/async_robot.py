@@ -20,6 +20,7 @@ from .address import parse_address
 from .async_line import run_async
 from .errors import RobotError
 from .line import Line
+from .pairing import pair
 from .reports import Command, Sensors, Snapshot
 from .requests import T, Talk
 from .talk import RobotTalk
@@ -68,6 +69,35 @@ class AsyncRobot:
         )
         await robot._run(robot._talk.greet())
         return robot
+
+    @classmethod
+    async def pair(
+        cls,
+        service: str,
+        code: str,
+        *,
+        answer_timeout: float = 30.0,
+        finish_timeout: float = 600.0,
+        ttl: Optional[float] = None,
+        name: Optional[str] = None,
+    ) -> AsyncRobot:
+        """The robot whose page at `service`, such as `http://HOST`, shows this code.
+
+        Waits until whoever has the page says yes. `address` of the robot can be kept for the next time.
+        """
+        address = await run_async(pair(service, code, name, answer_timeout), Line())
+        return await cls.connect(
+            address,
+            answer_timeout=answer_timeout,
+            finish_timeout=finish_timeout,
+            ttl=ttl,
+            name=name,
+        )
+
+    @property
+    def address(self) -> str:
+        """The whole address, with its key: keep it private."""
+        return self._talk.address.whole
 
     # --- measured: they end by themselves, or at a wall ---
 

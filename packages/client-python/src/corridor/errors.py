@@ -24,6 +24,10 @@ class NotAuthorisedError(RobotError):
     """The key is wrong, or does not allow this (`not-authorised`)."""
 
 
+class PairingError(RobotError):
+    """No robot by this code: `wrong-code`, `pairing-refused`, `pairing-over` or `too-many-tries`."""
+
+
 class RobotGoneError(RobotError):
     """The robot was forgotten (`no-robot`), or its page is away (`robot-gone`)."""
 

@@ -53,7 +53,7 @@ def error_of(answer: Answer) -> RobotError:
             "Where the network has a certificate of its own, set SSL_CERT_FILE to its file.",
         )
     reason = reason_of(answer)
-    status, kind = answer.status, _kind_of(answer)
+    status, kind = answer.status, kind_of(answer)
     if 200 <= status < 400:
         return AddressError(
             "bad-address",
@@ -75,7 +75,8 @@ def error_of(answer: Answer) -> RobotError:
     return CommandError("refused", "The robot's host did not take this", reason)
 
 
-def _kind_of(answer: Answer) -> str:
+def kind_of(answer: Answer) -> str:
+    """The last part of a problem's type; nothing where there is none."""
     try:
         return str(json.loads(answer.body)["type"]).rsplit("/", 1)[-1]
     except (ValueError, KeyError, TypeError):

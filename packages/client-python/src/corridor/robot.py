@@ -19,6 +19,7 @@ from .actions import (
 from .address import parse_address
 from .errors import RobotError
 from .line import Line, run
+from .pairing import pair
 from .reports import Command, Sensors, Snapshot
 from .requests import T, Talk
 from .talk import RobotTalk
@@ -47,6 +48,35 @@ class Robot:
         self._talk = RobotTalk(where, answer_timeout, finish_timeout, check_ttl(ttl), name=name)
         self._line = Line()
         self._run(self._talk.greet())
+
+    @classmethod
+    def pair(
+        cls,
+        service: str,
+        code: str,
+        *,
+        answer_timeout: float = 30.0,
+        finish_timeout: float = 600.0,
+        ttl: Optional[float] = None,
+        name: Optional[str] = None,
+    ) -> Robot:
+        """The robot whose page at `service`, such as `http://HOST`, shows this code.
+
+        Waits until whoever has the page says yes. `address` of the robot can be kept for the next time.
+        """
+        address = run(pair(service, code, name, answer_timeout), Line())
+        return cls(
+            address,
+            answer_timeout=answer_timeout,
+            finish_timeout=finish_timeout,
+            ttl=ttl,
+            name=name,
+        )
+
+    @property
+    def address(self) -> str:
+        """The whole address, with its key: keep it private."""
+        return self._talk.address.whole
 
     # --- measured: they end by themselves, or at a wall ---
 

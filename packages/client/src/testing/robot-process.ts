@@ -4,7 +4,7 @@
  *     node robot-process.ts ROWS
  *
  * ROWS is the maze as JSON, a list of strings. The first line on standard output is
- * `{"address","origin","openCells"}`. Each line on standard input is a word, answered by one line:
+ * `{"address","origin","openCells","ownerKey"}`. Each line on standard input is a word, answered by one line:
  * `kill` (the relay, without a goodbye), `start` (it again), `leave` and `come` (the robot's page),
  * `state` (what the robot has done). It ends with its standard input.
  */
@@ -57,7 +57,8 @@ function say(answer: unknown): void {
   process.stdout.write(`${JSON.stringify(answer)}\n`);
 }
 
-say({ address: registration.address, origin, openCells: robot.openCells });
+const { address, ownerKey } = registration;
+say({ address, origin, openCells: robot.openCells, ownerKey });
 for await (const word of createInterface({ input: process.stdin })) {
   say((await words[word]?.()) ?? null);
 }

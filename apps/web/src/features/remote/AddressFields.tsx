@@ -6,6 +6,7 @@ import { IconButton } from "../../ui/Button.tsx";
 import { CopyButton } from "../share/CopyButton.tsx";
 import type { RemoteSession } from "../../worker/worker-messages.ts";
 import { NewKey } from "./NewKey.tsx";
+import { PairingField } from "./PairingField.tsx";
 import { WatchField } from "./WatchField.tsx";
 import { useMinutesLeft } from "./use-minutes-left.ts";
 import { maskKey, type RobotAddress } from "./robot-address.ts";
@@ -75,6 +76,7 @@ export function AddressFields({ address, session }: AddressFieldsProps) {
           }}
         />
       </dd>
+      <PairingField session={session} />
       <WatchField session={session} />
     </dl>
   );

@@ -69,9 +69,10 @@ export async function pauseDriving(
   return isDone(ask, session, "/pause", { method: isPaused ? "PUT" : "DELETE" });
 }
 
-async function isDone(
+/** @returns whether the service did what was asked of it */
+export async function isDone(
   ask: Ask,
-  { id, ownerKey }: RemoteSession,
+  { id, ownerKey }: Pick<RemoteSession, "id" | "ownerKey">,
   path: string,
   request: { method: string; body?: string },
 ): Promise<boolean> {
@@ -101,6 +102,6 @@ async function makeKey(
   }
 }
 
-function bearer(key: string): Record<string, string> {
+export function bearer(key: string): Record<string, string> {
   return { Authorization: `Bearer ${key}` };
 }

@@ -1,0 +1,100 @@
+/** A code to type where the script runs, in place of the long address; and the question when one asks by it. */
+import type { TFunction } from "i18next";
+import { useEffect, useRef } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { Button } from "../../ui/Button.tsx";
+import { classNames } from "../../ui/class-names.ts";
+import type { RemoteSession } from "../../worker/worker-messages.ts";
+import { groupedCode, timeText } from "./pairing-text.ts";
+import { pairingOf, type PairingQuestion, type PairingView } from "./robot-pairing.ts";
+import { useTimeLeft } from "./use-time-left.ts";
+import styles from "./remote.module.css";
+
+export function PairingField({ session }: { session: RemoteSession }) {
+  const { t } = useTranslation();
+  const pairing = pairingOf(session);
+  const view = useStore(pairing.store, (state) => state.view);
+  const field = useRef<HTMLElement>(null);
+  useEffect(() => void pairing.resume(), [pairing]);
+  const isShown = view.kind === "open" || view.kind === "asked";
+  /** The button that was pressed is gone: the one in its place takes the focus over. */
+  const press = async (work: Promise<void>): Promise<void> => {
+    await work;
+    if (document.activeElement === document.body) field.current?.querySelector("button")?.focus();
+  };
+  return (
+    <>
+      <dt className={styles["label"]}>{t("remote.pair.title")}</dt>
+      <dd ref={field} className={classNames(isShown && styles["pairing"])}>
+        {view.kind === "open" && <Code code={view.code} />}
+        <output className={classNames(view.kind === "asked" && styles["question"])}>
+          {view.kind === "asked" && t("remote.pair.asks", { script: scriptText(t, view.question) })}
+        </output>
+        {isShown ? (
+          <div className={styles["answers"]}>
+            {view.kind === "asked" && (
+              <Button kind="primary" size="large" onClick={() => void press(pairing.accept())}>
+                {t("remote.pair.yes")}
+              </Button>
+            )}
+            <Button
+              size={view.kind === "asked" ? "large" : "small"}
+              onClick={() => void press(pairing.decline())}
+            >
+              {view.kind === "asked" ? t("remote.pair.no") : t("remote.pair.takeBack")}
+            </Button>
+          </div>
+        ) : (
+          <Button size="small" className={styles["long"]} onClick={() => void pairing.open()}>
+            {t("remote.pair.make")}
+          </Button>
+        )}
+      </dd>
+      <dd className={styles["fieldNote"]}>
+        <p>
+          <output>{useNews(view)}</output>
+          {view.kind === "open" && view.trouble === null && <TimeLeft endsAt={view.endsAt} />}
+          {(view.kind === "none" || view.kind === "over") &&
+            view.trouble === null &&
+            t("remote.pair.note")}
+        </p>
+      </dd>
+    </>
+  );
+}
+
+/** Read letter by letter by those who listen. */
+function Code({ code }: { code: string }) {
+  return (
+    <p dir="ltr" className={styles["pairingCode"]}>
+      <span aria-hidden="true">{groupedCode(code)}</span>
+      <span className="visually-hidden">{code.split("").join(" ")}</span>
+    </p>
+  );
+}
+
+function TimeLeft({ endsAt }: { endsAt: number }) {
+  const { t } = useTranslation();
+  const seconds = useTimeLeft(endsAt);
+  return t("remote.pair.left", { time: timeText(seconds) });
+}
+
+/** What came of it, in a sentence. */
+function useNews(view: PairingView): string {
+  const { t } = useTranslation();
+  if (view.trouble === "tooManyKeys") return t("remote.pair.tooManyKeys");
+  if (view.trouble === "failed") return t("remote.watchFailed");
+  if (view.kind === "over") return t("remote.pair.over");
+  if (view.kind !== "accepted" && view.kind !== "refused") return "";
+  return t(`remote.pair.${view.kind}`, { script: scriptText(t, view.question) });
+}
+
+/** "Right wall (Python script)", or "A script". */
+function scriptText(t: TFunction, { name, client }: PairingQuestion): string {
+  const language =
+    client === "" || client === "Script"
+      ? t("remote.someScript")
+      : t("remote.scriptIn", { language: client });
+  return name === null ? language : t("remote.pair.named", { name, language });
+}
