@@ -34,7 +34,15 @@ export type MadeKey = z.infer<typeof madeKeySchema>;
 
 export const keyListSchema = z.strictObject({
   keys: z
-    .array(z.strictObject({ id: keyIdSchema, kind: z.enum(["own", ...madeKinds]) }))
+    .array(
+      z.strictObject({
+        id: keyIdSchema,
+        kind: z.enum(["own", ...madeKinds]),
+        madeAt: z.iso.datetime(),
+        /** to about a minute; null: never */
+        lastUsedAt: z.iso.datetime().nullable(),
+      }),
+    )
     .max(MAX_KEYS),
 });
 export type KeyList = z.infer<typeof keyListSchema>;

@@ -1,6 +1,7 @@
-import { madeKeySchema, type MadeKey, type Registration } from "@corridor/protocol";
+import { keyListSchema, madeKeySchema, type MadeKey, type Registration } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
+import { FakeClock } from "../testing/fake-clock.ts";
 import { startTestRelay, testFolder, type TestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 
@@ -34,6 +35,45 @@ describe("keys of a robot", () => {
     expect(keys.map(({ kind }) => kind).toSorted()).toEqual(["drive", "drive", "own", "watch"]);
     expect(keys.map(({ id }) => id)).toContain(watch.id);
     expect(JSON.stringify(list)).not.toContain(watch.key.slice(4));
+  });
+
+  it("tell when they were made and used last, without a write for each message", async () => {
+    const clock = new FakeClock();
+    const dataDir = testFolder();
+    const relay = await startTestRelay({ clock, dataDir });
+    const robot = await relay.register();
+    const began = clock.now();
+    const list = async (from = relay) => {
+      const answer = await from.ask(robot, "/keys", { key: robot.ownerKey });
+      const { keys } = keyListSchema.parse(await answer.json());
+      return keys
+        .filter(({ kind }) => kind !== "own")
+        .map(({ id, madeAt, lastUsedAt }) => ({
+          id,
+          madeAt: (Date.parse(madeAt) - began) / 1_000,
+          lastUsedAt: lastUsedAt && (Date.parse(lastUsedAt) - began) / 1_000,
+        }));
+    };
+    await clock.pass(10_000);
+    const made = await make(relay, robot, { kind: "watch" });
+    const [drive] = (await list()).filter(({ id }) => id !== made.id);
+    expect(drive).toMatchObject({ madeAt: 0, lastUsedAt: null });
+    expect(await list()).toContainEqual({ id: made.id, madeAt: 10, lastUsedAt: null });
+    await clock.pass(10_000);
+    await relay.ask(robot, "/sensors", { key: made.key });
+    await clock.pass(1_000);
+    await relay.ask(robot, "/sensors", { key: made.key });
+    expect(await list()).toContainEqual({ id: made.id, madeAt: 10, lastUsedAt: 21 });
+    await relay.close();
+    // The first use was written down within a second; the next one would have been after a minute.
+    const again = await startTestRelay({ clock, dataDir });
+    expect(await list(again)).toContainEqual({ id: made.id, madeAt: 10, lastUsedAt: 20 });
+    await clock.pass(60_000);
+    await again.ask(robot, "/sensors", { key: made.key });
+    await clock.pass(1_000);
+    await again.close();
+    const last = await startTestRelay({ clock, dataDir });
+    expect(await list(last)).toContainEqual({ id: made.id, madeAt: 10, lastUsedAt: 81 });
   });
 
   it("still count after the relay was restarted, and a revoked one does not", async () => {

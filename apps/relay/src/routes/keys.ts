@@ -40,7 +40,7 @@ export function keyRoutes(hub: SessionHub, entrance: Entrance): Router {
     )
     .get(async (request, response) => {
       const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-      const list: KeyList = { keys: session.keys.list() };
+      const list: KeyList = { keys: await session.keys.list() };
       response.json(list);
     })
     .all(methodNotAllowed("POST, GET"));

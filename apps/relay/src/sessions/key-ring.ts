@@ -6,6 +6,7 @@ import type { Clock } from "../clock.ts";
 import type {
   KeyChange,
   KeysResult,
+  KeyUse,
   SessionStore,
   StoredKey,
   StoredSession,
@@ -17,7 +18,7 @@ import { checkRight, type Verb } from "./rights.ts";
 export interface KeyRingParts {
   robot: string;
   keys: readonly StoredKey[];
-  store: Pick<SessionStore, "find">;
+  store: Pick<SessionStore, "find" | "keyTimes">;
   clock: Clock;
   /** changes the stored keys, with all that follows for commands */
   change: (change: Omit<KeyChange, "reason">) => Promise<KeysResult>;
@@ -36,6 +37,8 @@ export class KeyRing {
   #keys: readonly StoredKey[];
   /** how often it was said that the keys may have changed */
   #news = 0;
+  /** when each was in use last, and of which time that was noted */
+  readonly #uses = new Map<string, { at: number; notedAt: number | null }>();
   #isLooking = false;
   /** false: they may have changed some time ago, and the store did not say how */
   #isSure = true;
@@ -52,7 +55,10 @@ export class KeyRing {
    */
   match(key: string): StoredKey | null {
     const held = matchKey(key, this.#keys);
-    if (held !== null) this.#requireSure(held);
+    if (held !== null) {
+      this.#requireSure(held);
+      this.#used(held);
+    }
     return held;
   }
 
@@ -65,10 +71,38 @@ export class KeyRing {
     if (held === undefined) throw keyRevoked();
     this.#requireSure(held);
     checkRight(held.kind, verb);
+    this.#used(held);
   }
 
-  list(): KeyList["keys"] {
-    return this.#keys.map(({ hash, kind }) => ({ id: keyId(hash), kind }));
+  /** All that count, with their times as the store and this relay know them. */
+  async list(): Promise<KeyList["keys"]> {
+    const stored = await this.#parts.store.keyTimes(this.#parts.robot);
+    const times = new Map(stored.map((each) => [each.hash, each]));
+    return this.#keys.map(({ hash, kind }) => {
+      const { madeAt, lastUsedAt } = times.get(hash) ?? { madeAt: 0, lastUsedAt: null };
+      const usedAt = Math.max(lastUsedAt ?? 0, this.#uses.get(hash)?.at ?? 0);
+      return {
+        id: keyId(hash),
+        kind,
+        madeAt: new Date(madeAt).toISOString(),
+        lastUsedAt: usedAt === 0 ? null : new Date(usedAt).toISOString(),
+      };
+    });
+  }
+
+  /** What is to be written down of their use: the first at once, further ones once a minute. */
+  dueUses(): KeyUse[] {
+    return [...this.#uses].flatMap(([hash, { at, notedAt }]) =>
+      notedAt === null || at - notedAt >= limits.touchMs ? [{ hash, at }] : [],
+    );
+  }
+
+  /** It was written down. */
+  usesNoted(uses: readonly KeyUse[]): void {
+    for (const { hash, at } of uses) {
+      const use = this.#uses.get(hash);
+      if (use !== undefined) use.notedAt = at;
+    }
   }
 
   /**
@@ -157,11 +191,25 @@ export class KeyRing {
   #learn(keys: readonly StoredKey[]): void {
     const gone = this.#keys.filter(({ hash }) => !keys.some((key) => key.hash === hash));
     this.#keys = keys;
-    for (const key of gone) this.#parts.revoked(key);
+    for (const key of gone) {
+      this.#uses.delete(key.hash);
+      this.#parts.revoked(key);
+    }
+  }
+
+  #used({ hash }: StoredKey): void {
+    const at = this.#parts.clock.now();
+    const use = this.#uses.get(hash);
+    if (use === undefined) this.#uses.set(hash, { at, notedAt: null });
+    else use.at = at;
   }
 
   async #change(change: Pick<KeyChange, "add" | "remove" | "removeKind">): Promise<void> {
-    const result = await this.#parts.change({ ...change, most: MAX_KEYS });
+    const result = await this.#parts.change({
+      ...change,
+      most: MAX_KEYS,
+      now: this.#parts.clock.now(),
+    });
     if (result.outcome === "no-session") throw noRobot();
     if (result.outcome === "full") {
       throw new Refusal("too-many-keys", `A robot has ${MAX_KEYS} at most. Revoke one first.`);
@@ -174,7 +222,8 @@ export class KeyRing {
   #mint(kind: KeyWish["kind"]): string {
     for (;;) {
       const key = mintKey(kind);
-      if (!this.list().some(({ id }) => id === keyId(hashKey(key)))) return key;
+      const id = keyId(hashKey(key));
+      if (!this.#keys.some(({ hash }) => keyId(hash) === id)) return key;
     }
   }
 }

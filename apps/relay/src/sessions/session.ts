@@ -341,12 +341,14 @@ export class Session {
     if (this.#seat.awayMs(now) >= limits.pageAwayMs) await this.#life.pageIsGone();
   }
 
-  /** Writes down that the session is in use, at most once a minute. */
+  /** Writes down that the session and its keys are in use, at most once a minute. */
   async noteUse(): Promise<void> {
-    if (this.#lastUsedAt - this.#touchedAt < limits.touchMs) return;
+    const uses = this.keys.dueUses();
+    if (this.#lastUsedAt - this.#touchedAt < limits.touchMs && uses.length === 0) return;
     const usedAt = this.#lastUsedAt;
-    await this.#store.touch(this.id, usedAt);
+    await this.#store.touch(this.id, usedAt, uses);
     this.#touchedAt = usedAt;
+    this.keys.usesNoted(uses);
   }
 
   /** Ends the session for everyone who is connected. */

@@ -17,6 +17,19 @@ export interface StoredKey {
   hash: string;
 }
 
+/** When a key was made, and when it was in use last as far as that was noted; null: never. */
+export interface KeyTimes {
+  hash: string;
+  madeAt: number;
+  lastUsedAt: number | null;
+}
+
+/** A key was in use at this time. */
+export interface KeyUse {
+  hash: string;
+  at: number;
+}
+
 /** A script that its robot's owner has sent away. */
 export interface StoredScript {
   id: string;
@@ -52,6 +65,7 @@ export interface KeyChange {
   reason: string;
   /** refuse to add when there would be more */
   most: number;
+  now: number;
 }
 
 export type KeysResult =
@@ -195,8 +209,10 @@ export interface SessionStore {
   keepMaze(id: string, text: string): Promise<boolean>;
   /** The maze that the robot is in; null where none was kept. */
   maze(id: string): Promise<string | null>;
-  /** Notes that the session is in use. */
-  touch(id: string, now: number): Promise<void>;
+  /** The times of its keys, in no order. */
+  keyTimes(id: string): Promise<KeyTimes[]>;
+  /** Notes that the session is in use, and its keys were; never sets a time back. */
+  touch(id: string, now: number, keys: readonly KeyUse[]): Promise<void>;
   /** Deletes the session and everything of it. @returns false when there was none */
   remove(id: string): Promise<boolean>;
   /** Deletes sessions last used or created before these times. @returns their ids */

@@ -42,6 +42,8 @@ it("brings a file from before there were short links and deadlines to this schem
     ALTER TABLE sessions DROP COLUMN page;
     DROP TABLE mazes;
     DROP TABLE pairings;
+    ALTER TABLE keys DROP COLUMN made_at;
+    ALTER TABLE keys DROP COLUMN last_used_at;
     INSERT INTO commands (robot, seq, driver, command, state, accepted_at)
       VALUES ('${id}', 1, 'd', '{"action":"left 90"}', 'accepted', 5000);
     DROP TABLE document_keys;

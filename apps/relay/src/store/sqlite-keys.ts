@@ -4,6 +4,8 @@ import {
   keyKinds,
   type KeyChange,
   type KeysResult,
+  type KeyTimes,
+  type KeyUse,
   type StoredKey,
   type TermedRecord,
 } from "./session-store.ts";
@@ -11,23 +13,46 @@ import { recallAllOf } from "./sqlite-overtaking.ts";
 import type { Statements } from "./statements.ts";
 
 const keyRow = z.object({ hash: z.string(), kind: z.enum(keyKinds) });
+const timesRow = z.object({
+  hash: z.string(),
+  made_at: z.int(),
+  last_used_at: z.int().nullable(),
+});
 
 export function keysIn(statements: Statements, robot: string): StoredKey[] {
   const rows = statements.all("SELECT hash, kind FROM keys WHERE robot = ?", [robot]);
   return rows.map((row) => keyRow.parse(row));
 }
 
-export function addKeys(writing: Statements, robot: string, keys: readonly StoredKey[]): void {
-  for (const { hash, kind } of keys) {
-    writing.run("INSERT INTO keys (robot, hash, kind) VALUES (?, ?, ?)", [robot, hash, kind]);
-  }
+export function addKeys(
+  writing: Statements,
+  robot: string,
+  keys: readonly StoredKey[],
+  now: number,
+): void {
+  const sql = "INSERT INTO keys (robot, hash, kind, made_at) VALUES (?, ?, ?, ?)";
+  for (const { hash, kind } of keys) writing.run(sql, [robot, hash, kind, now]);
+}
+
+export function keyTimesIn(statements: Statements, robot: string): KeyTimes[] {
+  const sql = "SELECT hash, made_at, last_used_at FROM keys WHERE robot = ?";
+  return statements.all(sql, [robot]).map((row) => {
+    const { made_at: madeAt, last_used_at: lastUsedAt, hash } = timesRow.parse(row);
+    return { hash, madeAt, lastUsedAt };
+  });
+}
+
+export function noteKeyUses(writing: Statements, robot: string, uses: readonly KeyUse[]): void {
+  const sql = `UPDATE keys SET last_used_at = max(coalesce(last_used_at, 0), ?)
+    WHERE robot = ? AND hash = ?`;
+  for (const { hash, at } of uses) writing.run(sql, [at, robot, hash]);
 }
 
 /** Makes and revokes keys. @returns all that there are then */
 export function changeKeys(
   writing: Statements,
   robot: string,
-  { add, remove, removeKind, most, reason }: KeyChange,
+  { add, remove, removeKind, most, reason, now }: KeyChange,
 ): KeysResult {
   const isGone = ({ hash, kind }: StoredKey): boolean =>
     remove.includes(hash) || kind === removeKind;
@@ -40,6 +65,6 @@ export function changeKeys(
     writing.run("DELETE FROM away WHERE robot = ? AND driver = ?", [robot, hash]);
     ended.push(...recallAllOf(writing, robot, { driver: hash }, reason));
   }
-  addKeys(writing, robot, add);
+  addKeys(writing, robot, add, now);
   return { outcome: "changed", keys: [...kept, ...add], ended };
 }

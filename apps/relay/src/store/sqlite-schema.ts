@@ -114,6 +114,13 @@ const PAGE_NAME = `
 ALTER TABLE sessions ADD COLUMN page TEXT NOT NULL DEFAULT '';
 `;
 
+// A key from before there were times is as old as its robot, for all that is known.
+const KEY_TIMES = `
+ALTER TABLE keys ADD COLUMN made_at INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE keys ADD COLUMN last_used_at INTEGER;
+UPDATE keys SET made_at = (SELECT created_at FROM sessions WHERE id = robot);
+`;
+
 /** What each version added to the one before it: the first leads from an empty file to version 1. */
 const STEPS: readonly string[] = [
   SESSIONS,
@@ -125,6 +132,7 @@ const STEPS: readonly string[] = [
   MAZES,
   PAIRINGS,
   PAGE_NAME,
+  KEY_TIMES,
 ];
 
 /** Opens a database, made with its folder when it is missing. @throws as `prepareDatabase` does */

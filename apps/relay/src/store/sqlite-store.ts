@@ -14,6 +14,8 @@ import {
   type EndResult,
   type KeyChange,
   type KeysResult,
+  type KeyTimes,
+  type KeyUse,
   type NewCommand,
   type PageState,
   type ScriptChange,
@@ -24,7 +26,7 @@ import {
 import { awayIn, changeAway } from "./sqlite-away.ts";
 import { SqliteFile } from "./sqlite-file.ts";
 import { begin, countIn, deliver, epochOf, IS_LATE } from "./sqlite-delivery.ts";
-import { addKeys, changeKeys, keysIn } from "./sqlite-keys.ts";
+import { addKeys, changeKeys, keysIn, keyTimesIn, noteKeyUses } from "./sqlite-keys.ts";
 import { end, meetPage, overtake, recallAllOf, recordOf, STOP } from "./sqlite-overtaking.ts";
 import { numberIn, RECORD, recordsIn, TERMED, termedIn } from "./sqlite-rows.ts";
 import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
@@ -65,7 +67,7 @@ export class SqliteStore implements SessionStore {
         createdAt,
         createdAt,
       ]);
-      addKeys(this.#writing, id, keys);
+      addKeys(this.#writing, id, keys, createdAt);
     });
   }
 
@@ -124,9 +126,16 @@ export class SqliteStore implements SessionStore {
     return row === undefined ? null : String(row["text"]);
   }
 
-  async touch(id: string, now: number): Promise<void> {
+  async keyTimes(id: string): Promise<KeyTimes[]> {
+    return keyTimesIn(this.#file.reading, id);
+  }
+
+  async touch(id: string, now: number, keys: readonly KeyUse[]): Promise<void> {
     const sql = "UPDATE sessions SET last_used_at = max(last_used_at, ?) WHERE id = ?";
-    await this.#file.step(() => this.#writing.run(sql, [now, id]));
+    await this.#file.step(() => {
+      this.#writing.run(sql, [now, id]);
+      noteKeyUses(this.#writing, id, keys);
+    });
   }
 
   async remove(id: string): Promise<boolean> {

@@ -15,6 +15,8 @@ import {
   type EndResult,
   type KeyChange,
   type KeysResult,
+  type KeyTimes,
+  type KeyUse,
   type NewCommand,
   type PageState,
   type ScriptChange,
@@ -48,6 +50,11 @@ const awayText = z
       }),
     ),
   );
+const keyTimes = z.object({
+  hash: z.string(),
+  madeAt: z.number(),
+  lastUsedAt: z.number().nullable(),
+});
 const sessionAnswer = z
   .object({
     epoch: z.int(),
@@ -141,8 +148,12 @@ export class RedisSessionStore implements SessionStore {
     return (await asked(this.#redis.hGet(sessionOf(id), "maze"))) ?? null;
   }
 
-  async touch(id: string, now: number): Promise<void> {
-    await this.#step("touch", id, { id, now });
+  async keyTimes(id: string): Promise<KeyTimes[]> {
+    return z.array(keyTimes).parse(await this.#step("keyTimes", id, {}));
+  }
+
+  async touch(id: string, now: number, keys: readonly KeyUse[]): Promise<void> {
+    await this.#step("touch", id, { id, now, keys });
   }
 
   async remove(id: string): Promise<boolean> {

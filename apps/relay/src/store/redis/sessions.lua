@@ -140,6 +140,7 @@ function steps.create()
   redis.call('HSET', SESSION, 'epoch', 0, 'seq', 0, 'createdAt', at, 'keys', given.keys)
   redis.call('ZADD', USES, at, given.id)
   redis.call('ZADD', BIRTHS, at, given.id)
+  for _, key in ipairs(cjson.decode(given.keys)) do redis.call('HSET', SESSION, 'made:' .. key.hash, at) end
   return 'null'
 end
 
@@ -164,6 +165,8 @@ function steps.changeKeys()
   if #given.add > 0 and #keys > given.most then return '{"outcome":"full"}' end
   local now = cjson.encode(keys)
   redis.call('HSET', SESSION, 'keys', now)
+  for hash in pairs(removed) do redis.call('HDEL', SESSION, 'made:' .. hash, 'used:' .. hash) end
+  for _, key in ipairs(given.add) do redis.call('HSET', SESSION, 'made:' .. key.hash, given.now) end
   keepAway(function(script) return not removed[script.driver] end)
   redis.call('PUBLISH', LINE, '{"kind":"keys","from":"' .. relay .. '"}')
   local gone = {}
@@ -217,8 +220,27 @@ function steps.keepMaze()
   return 'true'
 end
 
+function steps.keyTimes()
+  local texts = {}
+  for i, key in ipairs(cjson.decode(redis.call('HGET', SESSION, 'keys') or '[]')) do
+    local made, used = unpack(redis.call('HMGET', SESSION, 'made:' .. key.hash, 'used:' .. key.hash))
+    -- One from before there were times is as old as its robot, for all that is known.
+    made = made or redis.call('HGET', SESSION, 'createdAt')
+    texts[i] = cjson.encode({ hash = key.hash, madeAt = tonumber(made), lastUsedAt = used and tonumber(used) or cjson.null })
+  end
+  return '[' .. table.concat(texts, ',') .. ']'
+end
+
 function steps.touch()
   redis.call('ZADD', USES, 'XX', 'GT', given.now, given.id)
+  local keys = redis.call('HGET', SESSION, 'keys') or ''
+  for _, use in ipairs(given.keys) do
+    local field = 'used:' .. use.hash
+    local isKey = string.find(keys, '"' .. use.hash .. '"', 1, true)
+    if isKey and use.at > tonumber(redis.call('HGET', SESSION, field) or 0) then
+      redis.call('HSET', SESSION, field, use.at)
+    end
+  end
   return 'null'
 end
 

@@ -57,6 +57,31 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await states()).toEqual(["1 delivered", "2 accepted", "3 cancelled", "4 accepted"]);
     });
 
+    it("says when each was made and used last, for those that count, after a restart too", async () => {
+      const { store, reopen, holds } = await withRobot();
+      await store.changeKeys(ID, keyChange({ add: [watch], now: 7_000 }));
+      const made = { hash: first.hash, madeAt: 1_000, lastUsedAt: null };
+      const times = async (from = store) =>
+        (await from.keyTimes(ID)).toSorted((a, b) => a.madeAt - b.madeAt);
+      expect(await times()).toEqual([made, { hash: watch.hash, madeAt: 7_000, lastUsedAt: null }]);
+      await store.touch(ID, 9_000, [
+        { hash: watch.hash, at: 8_000 },
+        { hash: "no key of this robot", at: 8_000 },
+      ]);
+      await store.touch(ID, 9_000, [{ hash: watch.hash, at: 7_500 }]);
+      expect(await times(await reopen())).toEqual([
+        made,
+        { hash: watch.hash, madeAt: 7_000, lastUsedAt: 8_000 },
+      ]);
+      await store.changeKeys(ID, keyChange({ remove: [watch.hash] }));
+      expect(await times()).toEqual([made]);
+      expect(await store.keyTimes("B".repeat(22))).toEqual([]);
+      await store.remove(ID);
+      await store.touch(ID, 9_500, [{ hash: first.hash, at: 9_500 }]);
+      expect(await store.find(ID)).toBeNull();
+      expect(await holds(first.hash)).toBe(false);
+    });
+
     it("has no keys where there is no robot", async () => {
       const { store } = await withRobot();
       const change = keyChange({ add: [watch] });

@@ -26,6 +26,7 @@ export const keyChange = (change: Partial<KeyChange>): KeyChange => ({
   remove: [],
   removeKind: null,
   most: 12,
+  now: NOW,
   reason: "revoked",
   ...change,
 });

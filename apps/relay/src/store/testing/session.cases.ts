@@ -153,7 +153,7 @@ export function sessionCases(name: string, open: () => Promise<OpenStore>): void
     it("forgets sessions that nobody uses or that are too old, and no others", async () => {
       const { store } = await withRobot();
       await store.create({ id: "BBBBBBBBBBBBBBBBBBBBBB", createdAt: 9_000, keys: [] });
-      await store.touch(ID, 8_000);
+      await store.touch(ID, 8_000, []);
       expect(await store.removeExpired({ lastUsedAt: 7_000, createdAt: 0 })).toEqual([]);
       expect(await store.removeExpired({ lastUsedAt: 8_500, createdAt: 0 })).toEqual([ID]);
       expect(await store.removeExpired({ lastUsedAt: 0, createdAt: 9_001 })).toEqual([
