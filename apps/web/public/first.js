@@ -3,6 +3,14 @@
 // the house that index.html draws. A file of its own, since the page's Content-Security-Policy forbids
 // inline scripts. src/app/theme.ts, language.ts and simulator-start.ts take over.
 (() => {
+  // Asked by the browser wherever a script is started by its address: ours alone are (Trusted Types).
+  window.trustedTypes?.createPolicy("default", {
+    createScriptURL: (address) => {
+      const { origin, pathname } = new URL(address, location);
+      const isOurs = /^\/(sw|assets\/[\w.-]+)\.js$/.test(pathname);
+      return origin === location.origin && isOurs ? address : null;
+    },
+  });
   const root = document.documentElement;
   const { simulator, page, words } = document.currentScript.dataset;
   /** Storage may be forbidden: then nothing is kept. */

@@ -4,6 +4,11 @@ const WAIT_S = 20;
 const IDLE_MS = 25_000;
 const QUICK_MS = 8_000;
 
+// Asked by the browser wherever a script is started by its address (Trusted Types).
+globalThis.trustedTypes?.createPolicy("default", {
+  createScriptURL: (address) => (address === "/check/check.worker.js" ? address : null),
+});
+
 /** A text that filters which meddle with bodies would change. */
 const BODY = JSON.stringify({ text: '<script> {"move": 100} äé漢🤖 '.repeat(40) });
 

@@ -1,6 +1,6 @@
 /**
  * `/docs`: how to write a script, the whole protocol, and a console to try the calls in. All of it comes
- * from here, so that it works without any other network; the policy is that of every page.
+ * from here, so that it works without any other network.
  */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -9,6 +9,7 @@ import { Router } from "express";
 import { htmlOf } from "../docs/markdown.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 import { ownFiles } from "./own-files.ts";
+import { allowPolicy } from "./security-headers.ts";
 
 const FOLDER = join(import.meta.dirname, "../docs");
 const PROTOCOL = join(import.meta.dirname, "../../../../docs/protocol.md");
@@ -30,6 +31,8 @@ export function docsRoutes(): Router {
   router
     .route("/docs")
     .get((_request, response) => {
+      // Swagger UI cleans its markup with DOMPurify, which makes a policy of this name.
+      allowPolicy(response, "dompurify");
       response.set("Cache-Control", "no-cache").type("html").send(page);
     })
     .all(methodNotAllowed("GET"));

@@ -235,6 +235,8 @@ describe("the page", () => {
       expect(policy).toContain("default-src 'self'");
       expect(policy).toContain("frame-ancestors 'none'");
       expect(policy).not.toMatch(/unsafe/);
+      expect(policy).toContain("require-trusted-types-for 'script'");
+      expect(policy).toMatch(/trusted-types default(?:;|$)/);
       expect(answer.headers.get("referrer-policy")).toBe("no-referrer");
     }
   });

@@ -1,5 +1,5 @@
 /** What every answer tells the browser about its rights, and who may read the API. */
-import type { RequestHandler } from "express";
+import type { RequestHandler, Response } from "express";
 import helmet from "helmet";
 
 const SELF = "'self'";
@@ -27,6 +27,11 @@ export function securityHeaders(isDevelopment: boolean): RequestHandler {
         objectSrc: ["'none'"],
         baseUri: ["'none'"],
         frameAncestors: ["'none'"],
+        // No text becomes markup or script; the page's one policy names the workers that may be started.
+        ...(!isDevelopment && {
+          requireTrustedTypesFor: ["'script'"],
+          trustedTypes: ["default"],
+        }),
       },
     },
     referrerPolicy: { policy: "no-referrer" },
@@ -34,6 +39,13 @@ export function securityHeaders(isDevelopment: boolean): RequestHandler {
     strictTransportSecurity: false,
     xFrameOptions: { action: "deny" },
   });
+}
+
+/** Lets a page have one more policy of Trusted Types, which a library of its makes. */
+export function allowPolicy(response: Response, name: string): void {
+  const header = "Content-Security-Policy";
+  const policy = String(response.getHeader(header));
+  response.set(header, policy.replace("trusted-types default", `trusted-types default ${name}`));
 }
 
 /** Scripts on any site may call the API: rights come from the key alone, never from a cookie. */

@@ -12,9 +12,12 @@ interface LaterProps {
 
 export function Later({ until, children }: LaterProps) {
   // Read while the document's own house is still there: React is about to take its place.
-  const [early] = useState(() => until && document.getElementById(until)?.innerHTML);
+  const [early] = useState(
+    () => until && document.getElementById(until)?.cloneNode(true).childNodes,
+  );
   if (useDeferredValue(true, false)) return children;
+  // Nodes and no markup: the page turns no text into elements. The key keeps React from using their place again.
   return early ? (
-    <div style={{ display: "contents" }} dangerouslySetInnerHTML={{ __html: early }} />
+    <div key="early" style={{ display: "contents" }} ref={(place) => place?.append(...early)} />
   ) : null;
 }
