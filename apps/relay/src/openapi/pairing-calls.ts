@@ -6,15 +6,10 @@ import {
   pairingReplySchema,
   pairingSchema,
   pairingWishSchema,
-  robotIdSchema,
 } from "@corridor/protocol";
-import { z } from "zod";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { nameHeader, waitQuery } from "../routes/reading.ts";
-import { answer, keyed, location, parameters, refusals } from "./parts.ts";
-
-const robot = parameters("path", z.object({ id: robotIdSchema }));
-const owner = [{ ownerKey: [] }];
+import { answer, keyed, location, owner, parameters, refusals, robot } from "./parts.ts";
 
 export const pairingCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots/{id}/pairing": {

@@ -1,6 +1,6 @@
 /** Parts that the described calls share: parameters, answers and refusals. */
-import { problemSchema } from "@corridor/protocol";
-import type { z } from "zod";
+import { problemSchema, robotIdSchema } from "@corridor/protocol";
+import { z } from "zod";
 import {
   createSchema,
   type oas31,
@@ -20,6 +20,10 @@ const retryAfter: oas31.HeadersObject = {
 
 /** What every call with a key may meet. */
 export const keyed = ["bad-request", "not-authorised", "forbidden", "no-robot"] as const;
+/** The same for a call that scripts make. */
+export const asScript = [...keyed, "sent-away"] as const;
+/** The key of a call that only the robot's owner makes. */
+export const owner = [{ ownerKey: [] }];
 
 const headersByStatus: Partial<Record<number, oas31.HeadersObject>> = {
   401: { "WWW-Authenticate": { required: true, schema: { type: "string", const: "Bearer" } } },
@@ -66,6 +70,9 @@ export function parameters(
     };
   });
 }
+
+/** Which robot is meant. */
+export const robot = parameters("path", z.object({ id: robotIdSchema }));
 
 /** An answer in JSON. */
 export function answer(

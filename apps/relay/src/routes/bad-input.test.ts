@@ -176,6 +176,31 @@ testDoors({
     },
   },
 
+  "a pairing code": {
+    knocks: {
+      ...bodies('{"code":40}', KIB, () => ({ path: "/pairing" })),
+      "wrong order": asking(() => ({ path: "/pairing", headers: keyOf("par_nobody_has_asked") })),
+      "a key of another robot": asking(({ robot, other }) => ({
+        method: "POST",
+        path: `/robots/${robot.id}/pairing`,
+        headers: keyOf(other.ownerKey),
+      })),
+    },
+    answers: {
+      "too large": "413 too-large | 1 KiB",
+      deep: "400 bad-request | an object",
+      "prototype keys": "400 bad-request | no field of this name",
+      NaN: "400 bad-request | a JSON document",
+      Infinity: "400 bad-request | code",
+      "2^53 + 1": "400 bad-request | code",
+      "1e308": "400 bad-request | code",
+      "wrong UTF-8": "400 bad-request | JSON document in UTF-8",
+      "wrong order": "404 no-pairing | Make a new code",
+      "half-closed": "400 bad-request | cut off",
+      "a key of another robot": "401 not-authorised | after the #",
+    },
+  },
+
   "a new key": {
     knocks: {
       ...bodies('{"kind":40}', KIB, ({ robot }) => ({
