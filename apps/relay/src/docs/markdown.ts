@@ -10,7 +10,7 @@ export function htmlOf(text: string, top = 2): string {
     .join("\n");
 }
 
-/** Lines that belong together: what blank lines divide, and each heading alone. */
+/** Lines that belong together: what blank lines divide, code too, and each heading alone. */
 function blocksOf(lines: readonly string[]): string[][] {
   const blocks: string[][] = [[]];
   for (const line of lines) {
@@ -29,9 +29,14 @@ function htmlOfBlock(block: readonly string[], top: number): string {
     const level = Math.min(6, marks.length + top - 1);
     return `<h${level} id="${slugOf(words)}">${inline(words)}</h${level}>`;
   }
+  if (first.startsWith("```")) return code(block.slice(1, -1));
   if (first.startsWith("|")) return table(block);
   if (first.startsWith("- ")) return list(block);
   return `<p>${inline(block.join(" "))}</p>`;
+}
+
+function code(lines: readonly string[]): string {
+  return `<pre tabindex="0"><code>${escaped(lines.join("\n"))}</code></pre>`;
 }
 
 function table([head = "", _rule, ...rows]: readonly string[]): string {

@@ -41,7 +41,8 @@ function withSlowStore() {
   const turn = (): Promise<void> => new Promise((resolve) => void setImmediate(resolve));
   const problems = (): string[] =>
     told.flatMap((message) => (message.type === "problem" ? [message.problem.type] : []));
-  return { send, waiting, problems, closed, turn };
+  const say = (text: string): void => void conversation.received(text);
+  return { say, send, told, waiting, problems, closed, turn };
 }
 
 it("lets a script send 64 commands ahead, and twice that", async () => {
@@ -75,4 +76,13 @@ it("sends a script away that goes on without waiting", async () => {
   await turn();
   expect(waiting).toHaveLength(limits.unfinishedCommands + limits.unfinishedStops);
   expect(closed[0]).toBe(4400);
+});
+
+it("names the command that was wrong, where its key can be read", () => {
+  const { say, told } = withSlowStore();
+  const wrong = (key: unknown) =>
+    JSON.stringify({ type: "command", key, command: { action: "move", dist: 5 } });
+  for (const text of [wrong("wrong-field-1"), wrong("short"), wrong(7), "{", "null"]) say(text);
+  const keys = told.flatMap((message) => (message.type === "problem" ? [message.key] : []));
+  expect(keys).toEqual(["wrong-field-1", null, null, null, null]);
 });

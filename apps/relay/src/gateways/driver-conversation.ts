@@ -3,6 +3,7 @@ import {
   closeReasons,
   decodeDriverFrame,
   encodeFrame,
+  idempotencyKeySchema,
   PROTOCOL_VERSION,
   termsOf,
   type DriverToRelay,
@@ -11,6 +12,7 @@ import {
   type Snapshot,
   type StateEvent,
 } from "@corridor/protocol";
+import { z } from "zod";
 import { asRefusal, badRequest, Refusal, retryAfter, type ProblemKind } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import type { OverReason, ReaderSink, ReaderStart } from "../sessions/reader-feed.ts";
@@ -18,6 +20,8 @@ import type { Grant } from "../sessions/session-hub.ts";
 import type { JoinedReader } from "../sessions/session.ts";
 import { closeWith, sayGoodbye, type Conversation } from "./conversation.ts";
 import type { ReaderLine } from "./reader-line.ts";
+
+const keyedSchema = z.object({ key: idempotencyKeySchema });
 
 type CommandMessage = Extract<DriverToRelay, { type: "command" }>;
 
@@ -84,7 +88,9 @@ export class DriverConversation implements Conversation, ReaderSink {
   received(text: string): Promise<void> | undefined {
     const { session, key: grant } = this.#options.grant;
     const message = decodeDriverFrame(text);
-    if (!message.ok) return this.#refuse(badRequest("The message is wrong.", message.problems));
+    if (!message.ok) {
+      return this.#refuse(badRequest("The message is wrong.", message.problems), keyIn(text));
+    }
     const { value } = message;
     session.check(grant, value.type === "command" ? "command" : "read");
     session.heard(grant)();
@@ -126,10 +132,10 @@ export class DriverConversation implements Conversation, ReaderSink {
     this.#reader.leave();
   }
 
-  #refuse(refusal: ReturnType<typeof badRequest>): undefined {
+  #refuse(refusal: ReturnType<typeof badRequest>, key: string | null): undefined {
     this.#badFrames += 1;
     this.#options.refused(refusal.kind);
-    this.#send({ type: "problem", problem: refusal.problem, key: null });
+    this.#send({ type: "problem", problem: refusal.problem, key });
     if (this.#badFrames >= limits.badFrames) closeWith(this.#options.line, closeReasons.badFrame);
   }
 
@@ -145,6 +151,15 @@ export class DriverConversation implements Conversation, ReaderSink {
 
   #send(message: RelayToDriver): void {
     this.#options.line.send(encodeFrame(message));
+  }
+}
+
+/** The idempotency key in a message that is wrong otherwise, so that its sender knows which one it was. */
+function keyIn(text: string): string | null {
+  try {
+    return keyedSchema.parse(JSON.parse(text)).key;
+  } catch {
+    return null;
   }
 }
 

@@ -26,7 +26,7 @@ describe("the description of the API", () => {
   it("is OpenAPI 3.1 with a title and a version", () => {
     expect(document.openapi).toMatch(/^3\.1\.\d$/);
     expect(document.info).toMatchObject({ title: "Corridor", version: "1" });
-    expect(document.info.description).toContain("docs/protocol.md");
+    expect(document.info.description).toContain("/docs");
     // Plain JSON: nothing is lost on the way.
     expect(JSON.parse(JSON.stringify(document))).toEqual(document);
   });

@@ -23,6 +23,7 @@ import {
 } from "../routes/answers.ts";
 import { calls } from "./calls.ts";
 import { describeByExpectation } from "./describe-by-expectation.ts";
+import { withReadingAids } from "./reading-aids.ts";
 
 const DESCRIPTION = `A robot lives in a page. The page registers it, and gets an address
 \`https://HOST/r/ID#KEY\`, which is all that a script needs: send the key after the # as a bearer key.
@@ -30,11 +31,11 @@ const DESCRIPTION = `A robot lives in a page. The page registers it, and gets an
 Lengths are in cm, angles in degrees clockwise from north, x to the right and y downward. A tick is 1/60 s.
 
 The same events and commands go over a WebSocket at \`/api/v1/robots/{id}/socket\`: \`/asyncapi.json\` describes its
-messages. \`/docs\` shows both, with the life of a command (docs/protocol.md).`;
+messages. \`/docs\` shows these calls, with the life of a command and the WebSocket in words.`;
 
 /** The whole document, as plain data. */
 export function describeApi(): oas31.OpenAPIObject {
-  return createDocument(
+  const document = createDocument(
     {
       openapi: "3.1.0",
       info: {
@@ -62,15 +63,15 @@ export function describeApi(): oas31.OpenAPIObject {
           Snapshot: snapshotSchema,
         },
         securitySchemes: {
-          deleteKey: {
-            type: "http",
-            scheme: "bearer",
-            description: "The key that came with a short link: deletes what it leads to.",
-          },
           driverKey: {
             type: "http",
             scheme: "bearer",
             description: "The key in the robot's address, after the #: commands and reads.",
+          },
+          deleteKey: {
+            type: "http",
+            scheme: "bearer",
+            description: "The key that came with a short link: deletes what it leads to.",
           },
           lineKey: {
             type: "http",
@@ -98,4 +99,5 @@ export function describeApi(): oas31.OpenAPIObject {
     },
     { override: describeByExpectation },
   );
+  return withReadingAids(document);
 }

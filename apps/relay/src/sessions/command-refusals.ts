@@ -20,7 +20,7 @@ export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusa
     case "paused":
       return new Refusal(
         "driving-paused",
-        "The owner has paused remote driving. Send this again, with the same key, once scripts may drive.",
+        "The owner has paused remote driving. Try again in a second, as a new command once its time to live is over.",
       );
     case "full":
       return new Refusal(

@@ -29,7 +29,7 @@ export class DriverAllowance {
     const { perSecond, burst } = isStop ? limits.stopRate : limits.commandRate;
     return new Refusal(
       "too-fast",
-      `One script may send ${perSecond} ${isStop ? "stops" : "commands"} a second, ${burst} at once. Wait a moment, then send this one again.`,
+      `One key sends at most ${perSecond} ${isStop ? "stops" : "commands"} a second, ${burst} at once. Wait a moment, then send this one again.`,
       { headers: retryAfter(waitMs) },
     );
   }

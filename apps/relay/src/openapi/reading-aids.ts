@@ -1,0 +1,116 @@
+/**
+ * What helps people to read the description and to try the calls: groups, in the order in which somebody who
+ * writes a script needs them, and examples that work as they stand.
+ */
+import type { CommandRecord, Order, Snapshot } from "@corridor/protocol";
+import type { oas31 } from "zod-openapi";
+
+interface Group {
+  name: string;
+  description: string;
+  /** the group's calls are at these paths and below them */
+  paths: readonly string[];
+}
+
+/** A call belongs to the first group that knows its path. */
+export const groups: readonly Group[] = [
+  {
+    name: "Driving",
+    description: "What a script needs: commands, readings and what became of the commands.",
+    paths: ["commands", "sensors", "events", "maze"].map((part) => `/api/v1/robots/{id}/${part}`),
+  },
+  {
+    name: "Pairing",
+    description: "An address by a code that is typed by hand.",
+    paths: ["/api/v1/pairing"],
+  },
+  {
+    name: "Plain HTTPS",
+    description: "The WebSocket's messages for networks that let no WebSocket through.",
+    paths: ["/api/v1/robots/{id}/line"],
+  },
+  {
+    name: "Owning",
+    description: "What a robot's own page does: keys, scripts by name, pause, and the end.",
+    paths: ["/api/v1/robots"],
+  },
+  {
+    name: "Short links",
+    description: "Links to mazes, programs and challenges.",
+    paths: ["/api/v1/mazes"],
+  },
+  {
+    name: "Service",
+    description: "For whoever runs the service.",
+    paths: ["/healthz", "/readyz"],
+  },
+];
+
+export const orderExample: Order = { action: "move", distance: 100 };
+
+export const snapshotExample: Snapshot = {
+  seq: 1234,
+  tick: 5678,
+  state: "running",
+  driver: "remote",
+  sensors: { front: 250.5, right: 50, back: 49.5, left: 50 },
+  pose: { x: 150, y: 150, heading: 90 },
+  motion: "forward",
+  bumps: 0,
+  bumping: false,
+  goalReached: false,
+  line: null,
+  command: 12,
+};
+
+export const recordExample: CommandRecord = {
+  seq: 12,
+  key: "b1946ac92492d234",
+  action: "move",
+  command: { action: "move", distance: 100 },
+  state: "accepted",
+  reason: null,
+  acceptedAt: "2026-01-01T12:00:00.000Z",
+  pose: null,
+  distance: null,
+  duplicate: false,
+};
+
+/** By the schema that a body refers to. */
+const examples: Readonly<Record<string, unknown>> = {
+  "#/components/schemas/Order": orderExample,
+  "#/components/schemas/Snapshot": snapshotExample,
+  "#/components/schemas/CommandRecord": recordExample,
+};
+
+/** The same document with groups and examples. */
+export function withReadingAids(document: oas31.OpenAPIObject): oas31.OpenAPIObject {
+  for (const [path, item] of Object.entries(document.paths ?? {})) {
+    const group = groups.find(({ paths }) =>
+      paths.some((known) => path === known || path.startsWith(`${known}/`)),
+    );
+    for (const method of ["get", "post", "put", "delete"] as const) {
+      const operation = item[method];
+      if (operation === undefined) continue;
+      if (group !== undefined) operation.tags = [group.name];
+      for (const body of bodiesOf(operation)) addExample(body);
+    }
+  }
+  const tags = groups.map(({ name, description }) => ({ name, description }));
+  return { ...document, tags };
+}
+
+function bodiesOf({ requestBody, responses }: oas31.OperationObject): oas31.MediaTypeObject[] {
+  const holders = [requestBody, ...Object.values(responses ?? {})] as (
+    | oas31.ResponseObject
+    | undefined
+  )[];
+  return holders.flatMap((holder) => Object.values(holder?.content ?? {}));
+}
+
+function addExample(body: oas31.MediaTypeObject): void {
+  const { schema } = body;
+  if (schema === undefined || !("$ref" in schema) || typeof schema.$ref !== "string") return;
+  const example = examples[schema.$ref];
+  if (example !== undefined) body.example = example;
+}
