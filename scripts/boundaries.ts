@@ -76,6 +76,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/challenge/document",
     "@corridor/client",
     "@corridor/client/host",
+    "@corridor/client/watch",
     "@corridor/coach",
     "@corridor/geometry",
     "@corridor/link",

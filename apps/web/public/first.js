@@ -75,7 +75,9 @@
     );
   // A name needs no message, which would wait for the page: the worker begins by itself.
   const name = isFirst ? JSON.stringify([text.maze, text.program]) : "";
-  const worker = new Worker(simulator, { type: "module", name });
+  // Whoever looks on at another page's robot needs none here.
+  const isWatch = location.pathname.startsWith("/r/");
+  const worker = isWatch ? {} : new Worker(simulator, { type: "module", name });
   const early = { worker, heard: [], failure: null };
   window.corridorSimulator = early;
   let isPressed = false;

@@ -46,6 +46,13 @@ async function start(): Promise<void> {
   const language = browserLanguage(words, screen, device);
   // All that is shown and told is in the reader's language.
   await language.start();
+  // Another page's robot is looked at: this one has none then.
+  if (location.pathname.startsWith("/r/")) {
+    return import("./features/watch/open-watch.tsx").then(
+      ({ openWatch }) => openWatch({ root, words, language, screen, device }),
+      () => window.corridorFailed(),
+    );
+  }
   // What this visit needs before anything is shown: most first visits need nothing.
   try {
     if (!new WorkShelf(device, () => null).isEmpty) await reader.load();
@@ -99,7 +106,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   flushWhenHidden({ flush }, life);
   guardLeaving(screen, window);
 
-  const isAsked = () => location.hash.length > 1 || /^\/[rm]\//.test(location.pathname);
+  const isAsked = () => location.hash.length > 1 || location.pathname.startsWith("/m/");
   const follow = async (): Promise<void> => {
     if (!isAsked()) return;
     const { followPageAddress } = await import("./app/follow-page-address.ts");

@@ -346,16 +346,6 @@ describe("opening a short link", () => {
   });
 });
 
-describe("opening a robot's address", () => {
-  it("takes the key out of the address bar and says what the address is for", async () => {
-    const page = openPage(new MemoryStorage());
-    await page.go("/r/abc", `#${mazeLink}`);
-    expect(page.addresses).toEqual(["/"]);
-    expect(page.shown()).toBe(firstMaze.name);
-    expect(page.message()?.text).toContain("Give it to a script");
-  });
-});
-
 describe("deleting a work", () => {
   it("can be taken back", async () => {
     const page = openPage(new MemoryStorage());

@@ -1,6 +1,6 @@
 /**
  * What the address bar asks for: a shared link, long or short, a recorded run or a challenge opens as
- * a new work beside the reader's own, and a robot's address is taken out of sight, since it ends in a key.
+ * a new work beside the reader's own. A robot's address opens another page: `features/watch`.
  */
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { decodeLink, LinkContent } from "@corridor/link";
@@ -44,13 +44,7 @@ export interface UrlPorts {
  * Called when the page opens and whenever the fragment changes.
  */
 export async function followAddress(ports: UrlPorts): Promise<void> {
-  const { location, replaceAddress, screen, words } = ports;
-  if (location.pathname.startsWith("/r/")) {
-    // First of all: from here on nobody reads the key over the reader's shoulder.
-    replaceAddress("/");
-    tell(screen, { tone: "info", text: words.t("share.robotAddress") });
-    return;
-  }
+  const { location, replaceAddress, words } = ports;
   if (location.pathname.startsWith("/m/")) return followShortLink(ports);
   const { hash } = location;
   if (hash === "" || hash === "#") return;

@@ -5,11 +5,14 @@
  */
 import type { en } from "./en/index.ts";
 import type missions from "./en/missions.json";
+import type watch from "./en/watch.json";
 
 export interface Namespaces {
   words: typeof en;
   /** the lessons */
   missions: typeof missions;
+  /** the page of whoever looks on */
+  watch: typeof watch;
 }
 
 export type Namespace = keyof Namespaces;

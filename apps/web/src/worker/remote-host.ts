@@ -3,7 +3,8 @@
  * command for the Remote panel. The client library comes with the first connection; who never drives
  * by script never loads it.
  */
-import type { HostLink, HostLinkOptions, HostStatus, registerRobot } from "@corridor/client/host";
+import type { HostLink, HostLinkOptions, HostStatus } from "@corridor/client/host";
+import type { MazeDocument } from "@corridor/maze";
 import type {
   AliveDriver,
   CommandRecord,
@@ -15,6 +16,7 @@ import type {
 } from "@corridor/protocol";
 import { cancelReasons, takenByPage, type CancelReason } from "../drivers/cancel-reason.ts";
 import type { Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
+import { MazeTeller } from "./maze-teller.ts";
 import type { troubleOf } from "./remote-trouble.ts";
 import type {
   ListedCommand,
@@ -53,7 +55,10 @@ export interface RemoteHostPorts {
   giveBack(): void;
   /** scripts were heard, and may go on with the motions that they wished */
   hear(alive: readonly AliveDriver[]): void;
-  fetch: Parameters<typeof registerRobot>[1];
+  fetch: (
+    url: string,
+    request: { method: string; headers?: Record<string, string>; body?: string },
+  ) => Promise<{ status: number; text(): Promise<string> }>;
   /** default: what the worker offers */
   platform?: NonNullable<HostLinkOptions["platform"]>;
 }
@@ -65,6 +70,7 @@ export class RemoteHost implements RemoteDriverEvents {
   #session: RemoteSession | null = null;
   /** of `#session`; kept while it is closed, since it knows what was handed on and how it ended */
   #link: HostLink | null = null;
+  readonly #mazes: MazeTeller;
   #status: RemoteStatus = { kind: "off" };
   #drivers = noDrivers;
   #scripts: ListedScript[] = [];
@@ -76,6 +82,10 @@ export class RemoteHost implements RemoteDriverEvents {
 
   constructor(ports: RemoteHostPorts) {
     this.#ports = ports;
+    this.#mazes = new MazeTeller({
+      now: () => performance.now(),
+      give: (text) => this.#giveMaze(text),
+    });
   }
 
   /** Whether there is a link that wants snapshots. */
@@ -128,8 +138,10 @@ export class RemoteHost implements RemoteDriverEvents {
     this.#tell(this.#status);
   }
 
-  sendSnapshot(snapshot: Snapshot): void {
+  /** @param maze that the robot is in; null where that is told to nobody */
+  sendSnapshot(snapshot: Snapshot, maze: MazeDocument | null = null): void {
     this.#link?.sendSnapshot(snapshot);
+    if (this.isOpen) this.#mazes.offer(maze);
   }
 
   started(seq: number): void {
@@ -163,6 +175,7 @@ export class RemoteHost implements RemoteDriverEvents {
     }
     if (attempt !== this.#attempt) return;
     this.#session = session;
+    this.#mazes.begin();
     this.#link = new client.HostLink({
       origin,
       credentials: session,
@@ -190,6 +203,15 @@ export class RemoteHost implements RemoteDriverEvents {
       },
       ...(platform === undefined ? {} : { platform }),
     });
+  }
+
+  /** For those who look on: the robot's snapshots do not say among which walls it is. */
+  async #giveMaze(text: string): Promise<number> {
+    const { origin, fetch } = this.#ports;
+    const { id = "", ownerKey = "" } = this.#session ?? {};
+    const headers = { Authorization: `Bearer ${ownerKey}`, "Content-Type": "application/json" };
+    const request = { method: "PUT", headers, body: text };
+    return (await fetch(`${origin}/api/v1/robots/${id}/maze`, request)).status;
   }
 
   /** Parts with a session: nothing of it may run on, or be told under the next one's numbers. */

@@ -247,6 +247,11 @@ export class RunLoop {
     return this.#recording.timeline.take();
   }
 
+  /** The newest maze, whichever moment is shown. */
+  get maze(): MazeDocument {
+    return this.#live.maze;
+  }
+
   /** The maze of the shown moment where it is not the newest one. */
   get shownMaze(): MazeDocument | null {
     return this.#screen.maze;

@@ -311,7 +311,7 @@ function tellNews(): void {
   if (remote?.isOpen === true && now() - sentToRelayAt >= wait) {
     sentToRelayAt = now();
     hasUnsentNews = false;
-    remote.sendSnapshot(loop.snapshot());
+    remote.sendSnapshot(loop.snapshot(), loop.maze);
   }
 }
 

@@ -6,15 +6,14 @@ import interFont from "../../ui/fonts/inter-latin.woff2?url";
 import type { LayerCanvases } from "../../canvas/brush.ts";
 import { sceneChanges, type Scene } from "../../canvas/scene.ts";
 import type { Scroll } from "../../canvas/viewport.ts";
-import type { SimulatorClient } from "../../worker/simulator-client.ts";
-import type { StageScreen } from "./stage-screen.ts";
+import type { StageLink, StageScreen } from "./stage-screen.ts";
 
 /**
  * @param holder what the canvases are put into: new ones each time, since a canvas is handed over once
  * @param follow scrolls the stage so that the robot stays in sight
  */
 export function openStageScreen(
-  simulator: SimulatorClient,
+  simulator: StageLink,
   holder: HTMLElement,
   follow: (scroll: Scroll) => void,
 ): StageScreen {
@@ -39,7 +38,7 @@ export function openStageScreen(
 }
 
 function openInWorker(
-  simulator: SimulatorClient,
+  simulator: StageLink,
   canvases: LayerCanvases<HTMLCanvasElement>,
   follow: (scroll: Scroll) => void,
 ): StageScreen {
@@ -71,7 +70,7 @@ function openInWorker(
 }
 
 function openOnPage(
-  simulator: SimulatorClient,
+  simulator: StageLink,
   canvases: LayerCanvases<HTMLCanvasElement>,
   follow: (scroll: Scroll) => void,
 ): StageScreen {

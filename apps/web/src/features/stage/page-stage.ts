@@ -3,12 +3,11 @@ import type { LayerCanvases } from "../../canvas/brush.ts";
 import { StageRenderer } from "../../canvas/renderer.ts";
 import type { Scroll } from "../../canvas/viewport.ts";
 import { FrameBuffer } from "../../worker/frame-buffer.ts";
-import type { SimulatorClient } from "../../worker/simulator-client.ts";
-import type { StageScreen } from "./stage-screen.ts";
+import type { StageLink, StageScreen } from "./stage-screen.ts";
 
 /** @param follow scrolls the stage so that the robot stays in sight */
 export function openPageStage(
-  simulator: SimulatorClient,
+  simulator: StageLink,
   canvases: LayerCanvases<HTMLCanvasElement>,
   follow: (scroll: Scroll) => void,
 ): StageScreen {

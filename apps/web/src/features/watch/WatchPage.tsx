@@ -1,0 +1,67 @@
+/** The page of an onlooker: the robot in its maze, how it is and what it sees; nothing to drive it with. */
+import { Eye } from "lucide-react";
+import { useEffect } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { Brand } from "../../app/Brand.tsx";
+import { ErrorBoundary } from "../../app/ErrorBoundary.tsx";
+import { classNames } from "../../ui/class-names.ts";
+import buttons from "../../ui/button.module.css";
+import { LanguageButton } from "../language/LanguageButton.tsx";
+import type { WatchClient } from "./watch-client.ts";
+import { endingOf, type WatchStore } from "./watch-store.ts";
+import { WatchEnding } from "./WatchEnding.tsx";
+import { WatchPanel } from "./WatchPanel.tsx";
+import { WatchStage } from "./WatchStage.tsx";
+import styles from "./watch.module.css";
+
+interface WatchPageProps {
+  store: WatchStore;
+  /** null while there is nothing to look at */
+  client: () => WatchClient | null;
+}
+
+export function WatchPage({ store, client }: WatchPageProps) {
+  const { t } = useTranslation(["words", "watch"], { useSuspense: false });
+  const ending = useStore(store, endingOf);
+  const title = t("watch:title");
+  useEffect(() => {
+    document.title = title;
+  }, [title]);
+  const isWatching = ending === null;
+  const drawer = client();
+  return (
+    <ErrorBoundary onError={() => undefined}>
+      <div className={styles["page"]} data-ends={!isWatching}>
+        <header className={styles["bar"]}>
+          <Brand />
+          {isWatching && (
+            <p className={styles["banner"]}>
+              <Eye aria-hidden="true" />
+              {t("watch:watching")}
+            </p>
+          )}
+          <div className={styles["end"]}>
+            <LanguageButton />
+            {isWatching && (
+              <a
+                className={classNames(buttons["button"], buttons["outline"], buttons["medium"])}
+                href="/"
+              >
+                {t("watch:open")}
+              </a>
+            )}
+          </div>
+        </header>
+        {ending === null && drawer !== null ? (
+          <>
+            <WatchStage store={store} client={drawer} />
+            <WatchPanel store={store} />
+          </>
+        ) : (
+          <WatchEnding ending={ending ?? "failed"} />
+        )}
+      </div>
+    </ErrorBoundary>
+  );
+}

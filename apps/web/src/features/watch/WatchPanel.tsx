@@ -1,0 +1,75 @@
+/** Beside the stage: how the robot is, who drives it and what it sees. */
+import { List, RadioTower, User } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { facingOf } from "../stage/robot-place.ts";
+import { WatchReadings } from "./WatchReadings.tsx";
+import { robotState, type WatchStore } from "./watch-store.ts";
+import styles from "./watch.module.css";
+
+const icons = {
+  me: <User aria-hidden="true" />,
+  program: <List aria-hidden="true" />,
+  remote: <RadioTower aria-hidden="true" />,
+};
+
+export function WatchPanel({ store }: { store: WatchStore }) {
+  const { t } = useTranslation(["words", "watch"], { useSuspense: false });
+  const name = useStore(store, ({ maze }) => maze?.name ?? "");
+  const bumps = useStore(store, ({ snapshot }) => snapshot?.bumps ?? 0);
+  const state = useStore(store, robotState);
+  const isSeen = state === "running" || state === "paused";
+  return (
+    <aside className={styles["panel"]} aria-label={t("watch:robot")}>
+      <h2>
+        <bdi>{name === "" ? t("watch:robot") : name}</bdi>
+      </h2>
+      <RobotNews store={store} />
+      <section className={styles["readings"]} aria-label={t("drive.sensors")} data-seen={isSeen}>
+        <h3>
+          {t("drive.sensors")} <span>{t("drive.cm")}</span>
+        </h3>
+        <WatchReadings store={store} />
+        <RobotPlace store={store} />
+      </section>
+      <dl className={styles["facts"]}>
+        <dt>{t("watch:bumps")}</dt>
+        <dd>{bumps}</dd>
+      </dl>
+      <p className={styles["note"]}>{t("watch:note")}</p>
+    </aside>
+  );
+}
+
+/** Read when one comes to it, not said each time it changes. */
+function RobotPlace({ store }: { store: WatchStore }) {
+  const { t } = useTranslation();
+  const pose = useStore(store, ({ snapshot }) => snapshot?.pose ?? null);
+  if (pose === null) return null;
+  const facing = t(`stage.facing.${facingOf(pose.heading)}`);
+  const { x, y } = { x: Math.round(pose.x), y: Math.round(pose.y) };
+  return <p className={styles["place"]}>{t("stage.robotAt", { x, y, facing })}</p>;
+}
+
+/** What has changed is said as well: another driver, the goal, a page that falls asleep or goes. */
+function RobotNews({ store }: { store: WatchStore }) {
+  const { t } = useTranslation(["words", "watch"], { useSuspense: false });
+  const state = useStore(store, robotState);
+  const driver = useStore(store, ({ snapshot }) => snapshot?.driver ?? null);
+  const isAtGoal = useStore(store, ({ snapshot }) => snapshot?.goalReached === true);
+  const isSeen = state === "running" || state === "paused";
+  return (
+    <output className={styles["news"]}>
+      <span className={styles["state"]} data-state={state}>
+        {t(`watch:states.${state}`)}
+      </span>
+      {isSeen && driver !== null && (
+        <span className={styles["driver"]}>
+          {icons[driver]}
+          {t(`watch:drivers.${driver}`)}
+        </span>
+      )}
+      {isSeen && isAtGoal && <span className={styles["goal"]}>{t("watch:atGoal")}</span>}
+    </output>
+  );
+}

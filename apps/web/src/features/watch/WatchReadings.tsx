@@ -1,0 +1,46 @@
+/** The four readings around the robot, in cm, where the sensors are. */
+import { sensorNames } from "@corridor/protocol";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { decimalSign, formatReading } from "../../text/numbers.ts";
+import { classNames } from "../../ui/class-names.ts";
+import { RobotFace } from "../../ui/RobotFace.tsx";
+import styles from "../drive/sensor-cross.module.css";
+import { touchingSensor } from "../drive/sensor-roles.ts";
+import type { WatchStore } from "./watch-store.ts";
+
+export function WatchReadings({ store }: { store: WatchStore }) {
+  const { t, i18n } = useTranslation();
+  const snapshot = useStore(store, (state) => state.snapshot);
+  const touching = touchingSensor(snapshot);
+  const sign = decimalSign(i18n.language);
+  return (
+    <dl className={styles["cross"]} aria-label={t("drive.sensorsIn")} data-reads="">
+      {sensorNames.map((sensor) => {
+        const text =
+          snapshot === null ? "–" : formatReading(snapshot.sensors[sensor], i18n.language);
+        const [whole = "", tenths] = text.split(sign);
+        return (
+          <div
+            key={sensor}
+            className={classNames(
+              styles["sensor"],
+              styles[sensor],
+              touching === sensor && styles["touching"],
+            )}
+          >
+            <dt>{t(`drive.sensor.${sensor}`)}</dt>
+            {/* A reading on its decimal sign, which stays in its place while digits come and go. */}
+            <dd>
+              <span>{whole}</span>
+              <span>{tenths === undefined ? "" : sign + tenths}</span>
+            </dd>
+          </div>
+        );
+      })}
+      <div className={styles["robot"]} aria-hidden="true">
+        <RobotFace size={42} mood={touching === null ? "driving" : "bumped"} />
+      </div>
+    </dl>
+  );
+}

@@ -1,0 +1,75 @@
+/**
+ * The page of whoever opens a robot's address: instead of a robot of its own it shows that one, live and
+ * read-only. Comes in files of its own; nothing of the simulator is started.
+ */
+import "../../ui/base.css";
+import "../../ui/fonts/inter.css";
+import type { i18n } from "i18next";
+import type { Root } from "react-dom/client";
+import { I18nextProvider } from "react-i18next";
+import { LanguageProvider } from "../../app/language-context.ts";
+import type { LanguageChoice } from "../../app/language.ts";
+import { startTheme } from "../../app/theme.ts";
+import { storageOrNone, type KeyValueStorage } from "../../app/works.ts";
+import type { ScreenStore } from "../../stores/screen-store.ts";
+import { takeVisit, type Visit } from "./watch-address.ts";
+import { WatchClient } from "./watch-client.ts";
+import { createWatchStore, nothingYet } from "./watch-store.ts";
+import { WatchPage } from "./WatchPage.tsx";
+
+export interface WatchParts {
+  root: Pick<Root, "render">;
+  /** in the reader's language */
+  words: i18n;
+  language: LanguageChoice;
+  /** theme and contrast */
+  screen: ScreenStore;
+  /** localStorage: the theme that was chosen on this device */
+  device: KeyValueStorage;
+}
+
+export async function openWatch(parts: WatchParts): Promise<void> {
+  const { root, words, language, screen, device } = parts;
+  const tab = storageOrNone(() => sessionStorage);
+  const read = (): Visit =>
+    takeVisit({
+      location,
+      tab,
+      replaceAddress: (address) => history.replaceState(history.state, "", address),
+    });
+  // Before anything else: the key is out of sight.
+  const visit = read();
+  await words.loadNamespaces("watch");
+  startTheme({
+    screen,
+    storage: device,
+    systemDark: matchMedia("(prefers-color-scheme: dark)"),
+    systemContrast: matchMedia("(prefers-contrast: more)"),
+    apply: (shown) => Object.assign(document.documentElement.dataset, shown),
+  });
+  const store = createWatchStore(visit);
+  let client: WatchClient | null = null;
+  const begin = (next: Visit): void => {
+    store.setState({ ...nothingYet, visit: next });
+    if (next.kind !== "watch") return client?.stop();
+    client ??= new WatchClient(startWatcher(), store);
+    client.watch(next.robot);
+  };
+  begin(visit);
+  // Another link to the same robot, pasted into the address, is no other page.
+  window.addEventListener("hashchange", () => {
+    if (location.hash.length > 1) begin(read());
+  });
+  window.addEventListener("online", () => client?.tryAgain());
+  root.render(
+    <I18nextProvider i18n={words}>
+      <LanguageProvider value={language}>
+        <WatchPage store={store} client={() => client} />
+      </LanguageProvider>
+    </I18nextProvider>,
+  );
+}
+
+function startWatcher(): Worker {
+  return new Worker(new URL("../../worker/watch.worker.ts", import.meta.url), { type: "module" });
+}

@@ -1,0 +1,63 @@
+/** The page's end of an onlooker's worker. */
+import type { StageLink } from "../stage/stage-screen.ts";
+import type { StageToWorker } from "../../worker/stage-messages.ts";
+import type { FromWatcher, ToWatcher, WatchedRobot } from "../../worker/watch-messages.ts";
+import type { WatchStore } from "./watch-store.ts";
+
+/** As much of a Worker as is needed here. */
+interface WatchPort {
+  postMessage(message: ToWatcher, transfer: Transferable[]): void;
+  onmessage: ((event: MessageEvent<FromWatcher>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+export class WatchClient implements StageLink {
+  readonly #port: WatchPort;
+  readonly #listeners = new Set<Parameters<StageLink["listen"]>[0]>();
+
+  /** @param store is told all that is seen of the robot */
+  constructor(port: WatchPort, store: WatchStore) {
+    this.#port = port;
+    port.onmessage = ({ data }) => {
+      switch (data.type) {
+        case "watch-status":
+          return store.setState(({ line: { isAgain } }) => {
+            const { status } = data;
+            const isLine = status.kind === "connected" || status.kind === "lost";
+            return { line: { ...status, isAgain: isAgain || isLine } };
+          });
+        case "watch-snapshot":
+          return store.setState({ snapshot: data.snapshot });
+        case "watch-maze":
+          return store.setState({ maze: data.maze });
+        case "picture":
+        case "stage-scroll-to":
+          for (const listener of this.#listeners) listener(data);
+      }
+    };
+    port.onerror = () => store.setState({ isBroken: true });
+  }
+
+  watch(robot: WatchedRobot): void {
+    this.#port.postMessage({ type: "watch", robot }, []);
+  }
+
+  /** Looks at nothing any more. */
+  stop(): void {
+    this.#port.postMessage({ type: "watch", robot: null }, []);
+  }
+
+  /** The device has a network again. */
+  tryAgain(): void {
+    this.#port.postMessage({ type: "watch-again" }, []);
+  }
+
+  send(message: StageToWorker, transfer: Transferable[] = []): void {
+    this.#port.postMessage(message, transfer);
+  }
+
+  listen(listener: Parameters<StageLink["listen"]>[0]): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+}

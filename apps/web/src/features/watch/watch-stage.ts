@@ -1,0 +1,98 @@
+/** Everything of an onlooker's stage that is not React: what it draws, and how large. */
+import { sizeOf } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
+import type { i18n } from "i18next";
+import { readPalette, type Palette } from "../../canvas/palette.ts";
+import type { Layout } from "../../canvas/viewport.ts";
+import { openStageScreen } from "../stage/open-stage-screen.ts";
+import { hasRulers, stageLayout } from "../stage/stage-layout.ts";
+import { shownProperties, watchPixelRatio, watchTheme } from "../stage/theme-watch.ts";
+import type { WatchClient } from "./watch-client.ts";
+import type { WatchStore } from "./watch-store.ts";
+
+/** The lines of the robot's program stay with its owner. */
+const noProgram: ProgramDocument = {
+  format: "corridor/program",
+  version: 1,
+  name: "",
+  default: "forward",
+  rules: [],
+};
+
+export interface WatchStagePorts {
+  client: WatchClient;
+  store: WatchStore;
+  words: Pick<i18n, "t">;
+  /** scrolls where the maze is larger than the view */
+  scroller: HTMLElement;
+  /** what the canvases are put into */
+  layers: HTMLElement;
+  /** is told how the stage is divided */
+  divided: (layout: Layout) => void;
+}
+
+/** Begins to draw. @returns a function that ends it */
+export function openWatchStage(ports: WatchStagePorts): () => void {
+  const { client, store, words, scroller, layers, divided } = ports;
+  const screen = openStageScreen(client, layers, ({ x, y }) =>
+    scroller.scrollTo({ left: x, top: y, behavior: "instant" }),
+  );
+  const calm = matchMedia("(prefers-reduced-motion: reduce)");
+  let palette: Palette = readPalette(shownProperties());
+  let pixelRatio = window.devicePixelRatio;
+  let layout: Layout | null = null;
+
+  function show(): void {
+    const { maze } = store.getState();
+    const view = { width: scroller.clientWidth, height: scroller.clientHeight };
+    if (maze === null || maze === undefined || view.width === 0 || view.height === 0) return;
+    const next = stageLayout(sizeOf(maze), view, true);
+    if (layout === null || JSON.stringify(next) !== JSON.stringify(layout)) {
+      layout = next;
+      divided(next);
+    }
+    screen.show({
+      layout,
+      pixelRatio,
+      palette,
+      maze,
+      program: noProgram,
+      startWord: words.t("stage.startWord"),
+      goalWord: words.t("stage.goalWord"),
+      showBeams: true,
+      showTrail: true,
+      showRulers: hasRulers(view.width, true),
+      ghost: null,
+      measured: null,
+      isCalm: calm.matches,
+    });
+  }
+
+  const recolour = (): void => {
+    palette = readPalette(shownProperties());
+    show();
+  };
+  const onScroll = (): void => screen.scrollTo({ x: scroller.scrollLeft, y: scroller.scrollTop });
+  const measure = new ResizeObserver(show);
+  measure.observe(scroller);
+  scroller.addEventListener("scroll", onScroll, { passive: true });
+  calm.addEventListener("change", show);
+  const stops = [
+    watchTheme(recolour),
+    watchPixelRatio((next) => {
+      pixelRatio = next;
+      show();
+    }),
+    store.subscribe(({ maze }, before) => {
+      if (maze !== before.maze) show();
+    }),
+    () => measure.disconnect(),
+    () => scroller.removeEventListener("scroll", onScroll),
+    () => calm.removeEventListener("change", show),
+    () => screen.end(),
+  ];
+  show();
+  return () => {
+    for (const stop of stops) stop();
+  };
+}

@@ -1,0 +1,95 @@
+import { closeReasons } from "@corridor/protocol";
+import { snapshotOf } from "@corridor/protocol/testing";
+import { describe, expect, it } from "vitest";
+import type { FromWatcher, ToWatcher } from "../../worker/watch-messages.ts";
+import { firstMaze } from "../../worker/first-work.ts";
+import { WatchClient } from "./watch-client.ts";
+import { createWatchStore, endingOf, robotState } from "./watch-store.ts";
+
+const robot = { id: "A".repeat(22), key: `wch_${"B".repeat(22)}` };
+const lost = { kind: "lost", reason: closeReasons.restart } as const;
+
+/** A page that looks on, and a worker that tells what it is told to. */
+function looking() {
+  const store = createWatchStore({ kind: "watch", robot });
+  const sent: ToWatcher[] = [];
+  const port: ConstructorParameters<typeof WatchClient>[0] = {
+    postMessage: (message) => sent.push(message),
+    onmessage: null,
+    onerror: null,
+  };
+  const client = new WatchClient(port, store);
+  const say = (data: FromWatcher): void => port.onmessage?.({ data } as MessageEvent<FromWatcher>);
+  const state = (): string => endingOf(store.getState()) ?? robotState(store.getState());
+  return { store, client, sent, say, state, port };
+}
+
+describe("an onlooker's page", () => {
+  it("says how the robot is, from the first try on", () => {
+    const { say, state } = looking();
+    expect(state()).toBe("connecting");
+    say({ type: "watch-status", status: { kind: "connecting" } });
+    expect(state()).toBe("connecting");
+    say({ type: "watch-status", status: { kind: "connected" } });
+    expect(state()).toBe("waiting");
+    for (const each of ["running", "paused", "gone", "running"] as const) {
+      say({ type: "watch-snapshot", snapshot: snapshotOf({ state: each }) });
+      expect(state()).toBe(each);
+    }
+  });
+
+  it("says that a lost line is tried again, until there is one", () => {
+    const { say, state } = looking();
+    say({ type: "watch-status", status: lost });
+    say({ type: "watch-status", status: { kind: "connecting" } });
+    expect(state()).toBe("lost");
+    say({ type: "watch-snapshot", snapshot: snapshotOf() });
+    say({ type: "watch-status", status: { kind: "connected" } });
+    expect(state()).toBe("running");
+    say({ type: "watch-status", status: { kind: "connecting" } });
+    expect(state()).toBe("lost");
+  });
+
+  it.each([
+    { reason: closeReasons.notAuthorised, ending: "revoked" },
+    { reason: closeReasons.forbidden, ending: "revoked" },
+    { reason: closeReasons.noRobot, ending: "forgotten" },
+    { reason: closeReasons.over, ending: "forgotten" },
+  ])("says why it is over: $reason.cause", ({ reason, ending }) => {
+    const { say, state } = looking();
+    say({ type: "watch-status", status: { kind: "over", reason } });
+    expect(state()).toBe(ending);
+  });
+
+  it("says so where its worker does not come", () => {
+    const { port, state } = looking();
+    port.onerror?.({} as ErrorEvent);
+    expect(state()).toBe("failed");
+  });
+
+  it("knows the maze, or that nobody knows it", () => {
+    const { store, say } = looking();
+    expect(store.getState().maze).toBeUndefined();
+    say({ type: "watch-maze", maze: firstMaze });
+    expect(store.getState().maze).toBe(firstMaze);
+    say({ type: "watch-maze", maze: null });
+    expect(store.getState().maze).toBeNull();
+  });
+
+  it("looks where it is told to, and at nothing any more", () => {
+    const { client, sent } = looking();
+    client.watch(robot);
+    client.tryAgain();
+    client.stop();
+    expect(sent).toEqual([
+      { type: "watch", robot },
+      { type: "watch-again" },
+      { type: "watch", robot: null },
+    ]);
+  });
+
+  it("is no place for scripts, nor for half a link", () => {
+    expect(endingOf(createWatchStore({ kind: "script" }).getState())).toBe("script");
+    expect(endingOf(createWatchStore({ kind: "broken" }).getState())).toBe("broken");
+  });
+});
