@@ -57,6 +57,17 @@ test("a script that types the code drives once the page says yes", async ({ page
   await expect(page.getByRole("row", { name: /right 90/ })).toContainText("completed");
   const scripts = page.getByRole("region", { name: "Scripts" }).getByRole("listitem");
   await expect(scripts).toHaveText([/Right wall/]);
+  // Its key is listed, and can be taken back without harm to the one in the address.
+  const keys = page.getByRole("region", { name: "Keys" });
+  await expect(keys.getByRole("listitem")).toHaveText([
+    /Key of the address above.*made .*never used/,
+    /Right wall.*Key to drive.*made this minute.*Revoke/,
+  ]);
+  await expectNoBarriers(page, "keys are listed");
+  await keys.getByRole("button", { name: "Revoke" }).click();
+  await expect(keys.getByRole("status")).toHaveText("The key was revoked.");
+  await expect(keys.getByRole("listitem")).toHaveText([/Key of the address above/]);
+  await expect(keys.getByRole("heading")).toBeFocused();
 });
 
 test("a script that the page says no to is told so, also after a reload of the page", async ({

@@ -4,6 +4,7 @@ import { useServices } from "../../app/services.ts";
 import { AddressFields } from "./AddressFields.tsx";
 import { CommandList } from "./CommandList.tsx";
 import { ConnectionCard } from "./ConnectionCard.tsx";
+import { KeyList } from "./KeyList.tsx";
 import { robotAddress } from "./robot-address.ts";
 import { ScriptList } from "./ScriptList.tsx";
 import { Snippets } from "./Snippets.tsx";
@@ -23,6 +24,7 @@ export function RemotePanel() {
       </div>
       {isShown && <Snippets address={address} />}
       {isShown && <ScriptList session={session} />}
+      {isShown && <KeyList session={session} />}
       <CommandList />
     </div>
   );

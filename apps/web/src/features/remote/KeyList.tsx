@@ -1,0 +1,111 @@
+/** The keys that were given away, when each was made and used last, and the button that takes one back. */
+import { useEffect, useId, useRef, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { joinList } from "../../text/joined.ts";
+import { Button } from "../../ui/Button.tsx";
+import type { RemoteSession } from "../../worker/worker-messages.ts";
+import { agoText } from "./ago-text.ts";
+import { listKeys, revokeKey, type ListedKey } from "./key-calls.ts";
+import { pairingOf } from "./robot-pairing.ts";
+import styles from "./remote.module.css";
+
+const LOOK_EVERY_MS = 20_000;
+
+export function KeyList({ session }: { session: RemoteSession }) {
+  const { t } = useTranslation();
+  const { keys, lookAgain } = useKeys(session);
+  const heading = useRef<HTMLHeadingElement>(null);
+  const [outcome, setOutcome] = useState<"done" | "failed" | null>(null);
+  const revoke = async ({ id }: ListedKey): Promise<void> => {
+    const isDone = await revokeKey(fetch, session, id);
+    setOutcome(isDone ? "done" : "failed");
+    lookAgain();
+    // The button that was pressed goes.
+    if (isDone) heading.current?.focus();
+  };
+  if (keys === null) return null;
+  return (
+    <section className={styles["section"]} aria-labelledby="keys-heading">
+      <h2 id="keys-heading" ref={heading} tabIndex={-1} className={styles["heading"]}>
+        {t("remote.keys.title")}
+      </h2>
+      <ul className={styles["scripts"]}>
+        {keys.map((key) => (
+          <KeyRow key={key.id} listed={key} onRevoke={() => void revoke(key)} />
+        ))}
+      </ul>
+      <p className={styles["note"]}>
+        <output>
+          {outcome === "done" && t("remote.keys.revoked")}
+          {outcome === "failed" && t("remote.watchFailed")}
+        </output>
+        {outcome === null && keys.length > 1 && t("remote.keys.note")}
+      </p>
+    </section>
+  );
+}
+
+function KeyRow({ listed, onRevoke }: { listed: ListedKey; onRevoke: () => void }) {
+  const { t, i18n } = useTranslation();
+  const id = useId();
+  const names = useScriptsOf(listed.id);
+  const { kind, isShown, madeAgo, usedAgo } = listed;
+  const what = isShown ? t("remote.keys.shown") : t(`remote.keys.${kind}`);
+  const made = t("remote.keys.made", { when: agoText(madeAgo, i18n.language) });
+  const used =
+    usedAgo === null
+      ? t("remote.keys.unused")
+      : t("remote.keys.used", { when: agoText(usedAgo, i18n.language) });
+  return (
+    <li className={styles["script"]}>
+      <div className={styles["cardWords"]}>
+        <p id={id} className={styles["scriptName"]}>
+          <bdi>{names.length === 0 ? what : joinList(t, names)}</bdi>
+        </p>
+        <p className={styles["note"]}>
+          {joinList(t, [...(names.length === 0 ? [] : [what]), made, used])}
+        </p>
+      </div>
+      {/* The one in the address is replaced by "New key". */}
+      {!isShown && (
+        <Button size="small" aria-describedby={id} onClick={onRevoke}>
+          {t("remote.keys.revoke")}
+        </Button>
+      )}
+    </li>
+  );
+}
+
+/** What the scripts are called that were heard lately by this key. */
+function useScriptsOf(key: string): string[] {
+  const { remote } = useServices();
+  const scripts = useStore(remote, (state) => state.scripts);
+  return scripts.flatMap(({ driver, name }) => (driver === key && name !== null ? [name] : []));
+}
+
+/**
+ * Asked of the service now and then, whenever a script was paired or the address has a new key, and by
+ * `lookAgain`.
+ */
+function useKeys(session: RemoteSession) {
+  const [keys, setKeys] = useState<ListedKey[] | null>(null);
+  const [looks, setLooks] = useState(0);
+  const { id, ownerKey, driverKey } = session;
+  const pairing = useStore(pairingOf(session).store, ({ view }) => view.kind);
+  useEffect(() => {
+    let isOver = false;
+    const look = async (): Promise<void> => {
+      const found = await listKeys(fetch, { id, ownerKey });
+      if (!isOver && found !== null) setKeys(found);
+    };
+    void look();
+    const timer = setInterval(() => void look(), LOOK_EVERY_MS);
+    return () => {
+      isOver = true;
+      clearInterval(timer);
+    };
+  }, [id, ownerKey, driverKey, pairing, looks]);
+  return { keys, lookAgain: () => setLooks(looks + 1) };
+}

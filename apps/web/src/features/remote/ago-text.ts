@@ -1,0 +1,11 @@
+/** "5 minutes ago", in the reader's language. */
+const MINUTE_MS = 60_000;
+const HOUR_MS = 60 * MINUTE_MS;
+
+export function agoText(milliseconds: number, language: string): string {
+  const format = new Intl.RelativeTimeFormat(`${language}-u-nu-latn`, { numeric: "auto" });
+  // A robot lives for a day.
+  return milliseconds < HOUR_MS
+    ? format.format(-Math.floor(milliseconds / MINUTE_MS), "minute")
+    : format.format(-Math.floor(milliseconds / HOUR_MS), "hour");
+}

@@ -1,0 +1,53 @@
+import { expect, it } from "vitest";
+import { agoText } from "./ago-text.ts";
+import { listed, listKeys, revokeKey } from "./key-calls.ts";
+
+const at = (minute: number): string => new Date(Date.UTC(2026, 0, 1, 12, minute)).toISOString();
+const keys = [
+  { id: "watch1", kind: "watch" as const, madeAt: at(20), lastUsedAt: null },
+  { id: "owner1", kind: "own" as const, madeAt: at(0), lastUsedAt: at(29) },
+  { id: "paired", kind: "drive" as const, madeAt: at(10), lastUsedAt: at(31) },
+  { id: "first1", kind: "drive" as const, madeAt: at(0), lastUsedAt: at(25) },
+];
+const owner = { id: "A".repeat(22), ownerKey: "own_secret" };
+const MINUTE = 60_000;
+
+it("lists the keys that were given away, the address's own first, with their ages", () => {
+  expect(listed({ keys }, Date.parse(at(30)))).toEqual([
+    { id: "first1", kind: "drive", madeAgo: 30 * MINUTE, usedAgo: 5 * MINUTE, isShown: true },
+    // The clocks of two relays may differ a little.
+    { id: "paired", kind: "drive", madeAgo: 20 * MINUTE, usedAgo: 0, isShown: false },
+    { id: "watch1", kind: "watch", madeAgo: 10 * MINUTE, usedAgo: null, isShown: false },
+  ]);
+});
+
+it("counts by the clock of the service, and keeps quiet where that does not answer", async () => {
+  const headers = { date: new Date(Date.parse(at(30))).toUTCString() };
+  const found = await listKeys(async () => Response.json({ keys }, { headers }), owner);
+  expect(found?.[0]).toMatchObject({ madeAgo: 30 * MINUTE });
+  expect(await listKeys(async () => Response.json({}, { status: 401 }), owner)).toBeNull();
+  expect(await listKeys(() => Promise.reject(new TypeError("offline")), owner)).toBeNull();
+});
+
+it("revokes by the id", async () => {
+  const asked: string[] = [];
+  const ask = async (url: string, { method = "GET" }: { method?: string }) => {
+    asked.push(`${method} ${url}`);
+    return new Response(null, { status: 204 });
+  };
+  expect(await revokeKey(ask, owner, "paired")).toBe(true);
+  expect(asked).toEqual([`DELETE /api/v1/robots/${owner.id}/keys/paired`]);
+});
+
+it.each([
+  { ms: 10_000, language: "en", text: "this minute" },
+  { ms: 5.5 * MINUTE, language: "en", text: "5 minutes ago" },
+  { ms: 130 * MINUTE, language: "de", text: "vor 2 Stunden" },
+  { ms: 5 * MINUTE, language: "zh-Hans", text: "5分钟前" },
+])("says $text", ({ ms, language, text }) => {
+  expect(agoText(ms, language)).toBe(text);
+});
+
+it("keeps figures Latin in Arabic", () => {
+  expect(agoText(15 * MINUTE, "ar")).toContain("15");
+});
