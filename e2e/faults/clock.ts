@@ -5,6 +5,11 @@ export function machineNow(): number {
   return Number(process.hrtime.bigint()) / 1e6;
 }
 
+/** The same moment as `Date.now` has it, in this process and in others. */
+export function wallClock(at: number): number {
+  return at + Date.now() - machineNow();
+}
+
 export function sleep(ms: number): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve, Math.max(0, ms)));
 }

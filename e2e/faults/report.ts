@@ -32,8 +32,10 @@ export function reportOf(rows: readonly Judged[], about: Circumstances): string 
 
 Written by \`npm run test:faults${about.isLong ? " -- --long" : ""}\`: real processes and sockets, with faults.
 Histories of scripts, relay and robots are compared: "lost", "doubled", "reordered", "ended twice" and "late" count
-commands for which they differ, or that a robot began more than 100 ms after their time to live. A load above the
-number of processors means that others were at work on the machine, which makes every time longer. How to add a row:
+commands for which they differ, or that a robot began more than 100 ms after their time to live. That is counted from
+the first try; what the try that was taken waited unread before its relay, as on a machine with too much to do, comes
+on top: a message says how old its command is, and nobody can say how long it was on its way. A load above the number of
+processors means that others were at work on the machine, which makes every time longer. How to add a row:
 [CONTRIBUTING.md](../CONTRIBUTING.md).
 
 ${about.date}, ${about.machine}; ${about.versions}; seed ${about.seed}; ${about.isLong ? "long" : "short"} run.

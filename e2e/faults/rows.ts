@@ -2,6 +2,7 @@
 import type { Row } from "./row.ts";
 import { cleanNet } from "./rows/clean-net.ts";
 import { cuts } from "./rows/cuts.ts";
+import { fullDisk } from "./rows/full-disk.ts";
 import { hiddenPage } from "./rows/hidden-page.ts";
 import { slowReaders } from "./rows/slow-readers.ts";
 import { hostileLinks } from "./rows/hostile-links.ts";
@@ -22,6 +23,7 @@ export const rows: readonly Row[] = [
   hiddenPage,
   slowReaders,
   malformedFrames,
+  fullDisk,
   openApiFuzz,
   hostileLinks,
 ];

@@ -94,6 +94,10 @@ export class Scene {
       logs.set(robot, compared.log);
       faults.push(...compared.faults);
     }
+    const ways = this.robots.map(({ history }) => history.longestWay);
+    this.#terms.say(
+      `a command was on its way to the relay for ${Math.round(Math.max(...ways))} ms at most`,
+    );
     for (const { kind, words } of faults.slice(0, SHOWN_FAULTS)) {
       this.#terms.say(`${kind}: ${words}`);
     }

@@ -2,6 +2,7 @@
 import type { CommandRecord, Registration } from "@corridor/protocol";
 import { History, type Fault } from "../../../apps/relay/src/testing/faults/history.ts";
 import type { RemoteSession, RemoteStatus } from "../../../apps/web/src/worker/worker-messages.ts";
+import { wallClock } from "../clock.ts";
 import type { FromPages } from "./page-messages.ts";
 
 /** ms after its time to live within which a command may start */
@@ -9,7 +10,7 @@ const TOLERANCE_MS = 100;
 
 export class Robot {
   readonly registration: Registration;
-  readonly history = new History(TOLERANCE_MS);
+  readonly history = new History(TOLERANCE_MS, wallClock);
   /** what the tab keeps */
   session: RemoteSession;
   /** of the newest page */

@@ -21,7 +21,7 @@ class Story {
     this.history.acknowledged(record);
     this.did(seq, "started");
     this.did(seq, "completed");
-    const ended = this.record(seq, "completed");
+    const ended = { ...this.record(seq, "completed"), acceptedAt: record.acceptedAt };
     this.history.told(ended);
     this.stored.push(ended);
   }
@@ -33,7 +33,7 @@ class Story {
   record(seq: number, state: CommandState, key = `key-${seq}`): CommandRecord {
     const command = { action: "left 90" } as const;
     const nothing = { reason: null, pose: null, distance: null, duplicate: false };
-    const acceptedAt = "2026-01-01T00:00:00.000Z";
+    const acceptedAt = new Date(this.#now).toISOString();
     return { seq, key, action: command.action, command, state, acceptedAt, ...nothing };
   }
 
@@ -62,6 +62,15 @@ describe("histories that agree", () => {
     story.history.tried("key-1", { sender: "script", at: -TTL - TOLERANCE + 10, ttl: TTL });
     story.command(1);
     expect(story.faults()).toEqual([]);
+  });
+
+  it("may have a start that is late by what the try that was taken was on its way", () => {
+    const story = new Story(0);
+    story.history.tried("key-1", { sender: "script", at: -800, ttl: TTL });
+    story.stored.push(story.record(1, "completed"));
+    for (const what of ["started", "completed"] as const) story.did(1, what);
+    expect(story.faults()).toEqual([]);
+    expect(story.history.longestWay).toBe(800);
   });
 
   it("may lack the end of what a page had begun when it was reloaded", () => {
@@ -167,8 +176,23 @@ describe("a fault is seen:", () => {
       is: ["late"],
       happens: (story) => {
         story.history.tried("key-4", { sender: "script", at: 60, ttl: TTL });
+        story.stored.push(story.record(4, "completed"));
         story.pass(TTL + TOLERANCE);
-        story.command(4);
+        story.did(4, "started");
+        story.did(4, "completed");
+      },
+    },
+    {
+      name: "a retry starts after the time of the first try",
+      is: ["late"],
+      happens: (story) => {
+        story.history.tried("key-4", { sender: "script", at: 60, ttl: TTL });
+        story.pass(TTL - 50);
+        story.history.tried("key-4", { sender: "script", at: 60 + TTL - 50, ttl: TTL });
+        story.stored.push(story.record(4, "completed"));
+        story.pass(TTL - 50);
+        story.did(4, "started");
+        story.did(4, "completed");
       },
     },
   ])("$name", ({ is, happens }) => {

@@ -29,9 +29,14 @@ export interface Fault {
   words: string;
 }
 
+const CLOCKS_MS = 2;
+
 export class History {
   /** ms after its time to live within which a command may start */
   readonly #tolerance: number;
+  /** a time of this history as the relay's clock has it */
+  readonly #wallClock: (at: number) => number;
+  #longestWay = 0;
   #deeds: Deed[] = [];
   /** by idempotency key: first try, and what was wished */
   readonly #tries = new Map<string, Tries>();
@@ -40,8 +45,14 @@ export class History {
   readonly #endings = new Map<number, CommandState>();
   readonly #faults: Fault[] = [];
 
-  constructor(tolerance: number) {
+  constructor(tolerance: number, wallClock: (at: number) => number = (at) => at) {
     this.#tolerance = tolerance;
+    this.#wallClock = wallClock;
+  }
+
+  /** ms that a try needed to reach the relay, at most: the net, and processes that waited for a processor. */
+  get longestWay(): number {
+    return this.#longestWay;
   }
 
   tried(key: string, wish: Try): void {
@@ -115,7 +126,7 @@ export class History {
     return key === null ? null : (this.#tries.get(key) ?? null);
   }
 
-  #checkOne({ seq, key, state, reason, action }: CommandRecord): void {
+  #checkOne({ seq, key, state, reason, action, acceptedAt }: CommandRecord): void {
     const deeds = this.#deeds.filter((deed) => deed.seq === seq);
     const starts = deeds.filter(({ what }) => what === "started");
     const ends = deeds.filter(({ what }) => hasEnded(what));
@@ -142,13 +153,28 @@ export class History {
     }
     const wish = this.#tryOf(key);
     if (start !== undefined && wish !== null) {
-      const late = start.at - wish.at - wish.ttl;
+      const way = this.#wayOf(wish, Date.parse(acceptedAt));
+      const late = start.at - wish.at - wish.ttl - way;
       if (late > this.#tolerance) {
         const { sender, ttl, again } = wish;
         const terms = `of ${sender}, ttl ${ttl} ms, tried again after ${again.join(", ") || "nothing"} ms`;
         this.#say("late", `${seq} (${action} ${terms}) started ${Math.round(late)} ms late`);
       }
     }
+  }
+
+  /**
+   * How long the try that the relay took was on its way. A message tells how old its command is, but not how
+   * long it waits unread, so no relay can take that off.
+   */
+  #wayOf({ at, again, ttl }: Tries, arrivedAt: number): number {
+    // A try that is older than its time to live is refused: an earlier one was taken, which came after it.
+    const tries = [0, ...again.filter((ms) => ms < ttl)].map((ms) => this.#wallClock(at + ms));
+    // Clocks of two processes agree to a millisecond or so.
+    const taken = tries.findLast((tried) => tried <= arrivedAt + CLOCKS_MS) ?? arrivedAt;
+    const way = Math.max(0, arrivedAt - taken);
+    this.#longestWay = Math.max(this.#longestWay, way);
+    return way;
   }
 
   /** One row for each key, and for each sender the order in which it sent. */
