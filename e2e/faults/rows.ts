@@ -2,6 +2,7 @@
 import type { Row } from "./row.ts";
 import { cleanNet } from "./rows/clean-net.ts";
 import { cuts } from "./rows/cuts.ts";
+import { filtered } from "./rows/filters.ts";
 import { fullDisk } from "./rows/full-disk.ts";
 import { hiddenPage } from "./rows/hidden-page.ts";
 import { slowReaders } from "./rows/slow-readers.ts";
@@ -24,6 +25,7 @@ export const rows: readonly Row[] = [
   slowReaders,
   malformedFrames,
   fullDisk,
+  filtered,
   openApiFuzz,
   hostileLinks,
 ];

@@ -3,7 +3,8 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import { globalPlatform, type Platform } from "./platform.ts";
 import { registerRobot } from "./register-robot.ts";
 import { RobotClient } from "./robot-client.ts";
-import { startFilterProxy, type Harm } from "./testing/filter-proxy.ts";
+import type { Harm } from "./testing/filter-proxy.ts";
+import { startFilterProxy } from "./testing/start-filter-proxy.ts";
 import { GridRobot } from "./testing/grid-robot.ts";
 import { startRelayProcess } from "./testing/relay-process.ts";
 

@@ -2,7 +2,6 @@
 import { createServer, request, type IncomingMessage } from "node:http";
 import { connect, type AddressInfo, type Socket } from "node:net";
 import type { Duplex } from "node:stream";
-import { onTestFinished } from "vitest";
 
 export type Harm =
   /** none: everything passes */
@@ -20,8 +19,6 @@ export type Harm =
   /** answers are kept back until they have ended; upgrades are answered with a page of words */
   | "buffering";
 
-const MOMENT_MS = 1_200;
-
 export interface FilterProxy {
   origin: string;
   harm: Harm;
@@ -29,12 +26,25 @@ export interface FilterProxy {
   upgrades: number;
   /** requests that were made through it */
   requests: number;
+  close(): void;
 }
 
-/** Starts a proxy in front of a relay; it ends with the test. */
-export async function startFilterProxy(relay: string, harm: Harm): Promise<FilterProxy> {
+/**
+ * Starts a proxy in front of a relay.
+ * @param momentMs after which it cuts what is early or silent
+ */
+export async function openFilterProxy(
+  relay: string,
+  harm: Harm,
+  momentMs: number,
+): Promise<FilterProxy> {
   const target = new URL(relay);
-  const proxy: FilterProxy = { origin: "", harm, upgrades: 0, requests: 0 };
+  const close = (): void => {
+    for (const socket of sockets) socket.destroy();
+    server.closeAllConnections();
+    server.close();
+  };
+  const proxy: FilterProxy = { origin: "", harm, upgrades: 0, requests: 0, close };
   const sockets = new Set<Duplex>();
 
   const server = createServer((incoming, answer) => {
@@ -60,7 +70,7 @@ export async function startFilterProxy(relay: string, harm: Harm): Promise<Filte
     );
     const cut = (): void => void incoming.socket.destroy();
     outgoing.on("error", cut);
-    if (proxy.harm === "impatient") outgoing.setTimeout(MOMENT_MS, cut);
+    if (proxy.harm === "impatient") outgoing.setTimeout(momentMs, cut);
     answer.on("close", () => outgoing.destroy());
     incoming.pipe(outgoing);
   });
@@ -86,18 +96,13 @@ export async function startFilterProxy(relay: string, harm: Harm): Promise<Filte
       return undefined;
     }
     if (proxy.harm !== "stripped") proxy.upgrades += 1;
-    if (proxy.harm === "cut early") setTimeout(() => socket.destroy(), MOMENT_MS).unref();
-    if (proxy.harm === "impatient") socket.setTimeout(MOMENT_MS, () => socket.destroy());
+    if (proxy.harm === "cut early") setTimeout(() => socket.destroy(), momentMs).unref();
+    if (proxy.harm === "impatient") socket.setTimeout(momentMs, () => socket.destroy());
     socket.pipe(upstream);
     return void upstream.pipe(socket);
   });
 
   await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
-  onTestFinished(() => {
-    for (const socket of sockets) socket.destroy();
-    server.closeAllConnections();
-    server.close();
-  });
   proxy.origin = `http://127.0.0.1:${(server.address() as AddressInfo).port}`;
   return proxy;
 }

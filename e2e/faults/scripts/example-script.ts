@@ -1,0 +1,53 @@
+/** Scripts of other languages, as processes: the Python library and the example in Java. */
+import { spawn, type ChildProcess } from "node:child_process";
+import { fileURLToPath } from "node:url";
+import { inPath } from "../../../scripts/programs.ts";
+import { exampleOf } from "../../support/script.ts";
+
+const library = fileURLToPath(new URL("../../../packages/client-python/src", import.meta.url));
+/** A command, and another one when it is told to. */
+const PYTHON = `
+import sys
+from corridor import Robot
+robot = Robot(sys.argv[1])
+robot.left(5)
+sys.stdin.readline()
+robot.right(5)
+`;
+
+/** What is on this machine of them. */
+export const hasProgram = (name: "python3" | "java"): boolean => inPath(name).length > 0;
+
+export class ExampleScript {
+  readonly #process: ChildProcess;
+  /** what it has said, to be shown where it fails */
+  output = "";
+
+  private constructor([command = "", ...words]: string[]) {
+    this.#process = spawn(command, words, {
+      stdio: ["pipe", "pipe", "pipe"],
+      env: { ...process.env, PYTHONPATH: library },
+    });
+    for (const stream of [this.#process.stdout, this.#process.stderr]) {
+      stream?.on("data", (data: Buffer) => (this.output += data.toString()));
+    }
+  }
+
+  static python(address: string): ExampleScript {
+    return new ExampleScript([inPath("python3")[0] ?? "python3", "-c", PYTHON, address]);
+  }
+
+  /** It makes two moves along the wall to its right. */
+  static java(address: string): ExampleScript {
+    return new ExampleScript([...exampleOf("Java"), address, "--moves", "2"]);
+  }
+
+  /** Has it send the next command. */
+  goOn(): void {
+    this.#process.stdin?.write("\n");
+  }
+
+  kill(): void {
+    this.#process.kill("SIGKILL");
+  }
+}
