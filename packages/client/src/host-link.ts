@@ -130,7 +130,7 @@ export class HostLink {
 
   /**
    * Reports the robot. Call it up to 20 times a second while it moves, and at least once a second
-   * while it stands or is paused: silence of 4 s counts as a page that sleeps.
+   * while it stands or is paused: silence of 3.5 s counts as a page that sleeps.
    */
   sendSnapshot(snapshot: Snapshot): void {
     if (this.#connection.waitingBytes > CROWDED_BYTES) return;

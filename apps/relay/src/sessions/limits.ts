@@ -73,8 +73,8 @@ export const limits = {
   silenceMs: 45_000,
   /** a line by HTTPS on which no request waits, and none comes for so long, is closed */
   lineSilenceMs: 15_000,
-  /** a page that connects but does not tick for so long sleeps */
-  asleepMs: 4_000,
+  /** a page that connects but does not tick for so long sleeps; looked for once a second, and told within 5 s */
+  asleepMs: 3_500,
   /** how long a page that has the robot may take to give it up to another; it has little to tell */
   yieldMs: 1_000,
   /** a page away for so long has lost what it ran */
