@@ -37,6 +37,7 @@ export const hiddenPage: Row = {
       starts.push(script.startedMs(record.seq));
     }
     const state = await page.evaluate("document.visibilityState");
+    terms.say(`half of the commands began within ${percentile(starts, 50).toFixed(1)} ms`);
 
     const frozenAt = machineNow();
     await page.setFrozen(true);
@@ -64,14 +65,8 @@ export const hiddenPage: Row = {
         unit: "commands",
       },
       {
-        words: "post to start while hidden, p50",
-        measured: percentile(starts, 50),
-        bound: { atMost: 250 },
-        unit: "ms",
-      },
-      {
-        words: "post to start while hidden, p99",
-        measured: percentile(starts, 99),
+        words: "post to start while hidden, longest",
+        measured: Math.max(...starts),
         bound: { atMost: 250 },
         unit: "ms",
       },
