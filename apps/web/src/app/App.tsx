@@ -20,7 +20,7 @@ import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./app.module.css";
 import { EmptyHouse } from "./EmptyHouse.tsx";
 import { ErrorBoundary } from "./ErrorBoundary.tsx";
-import { keepFocus } from "./keep-focus.ts";
+import { keepFocusLater } from "./keep-focus-later.ts";
 import { PhoneSheet } from "./PhoneSheet.tsx";
 import { useServices } from "./services.ts";
 import { SidePanel } from "./SidePanel.tsx";
@@ -51,7 +51,7 @@ function Page() {
   const isNow = useStore(run, ({ view }) => view === "now");
   const hold = useKeyboard(() => setOpened("keys"));
   const close = () => setOpened(null);
-  useEffect(() => keepFocus(document), []);
+  useEffect(keepFocusLater, []);
   return (
     <div className={styles["page"]}>
       <TopBar

@@ -2,6 +2,7 @@
  * Never loses the focus: where the focused control goes or is switched off (a card that is closed, Back to
  * now, the last hint), the browser leaves the focus nowhere, and who has no mouse begins again at the top
  * of the page. Here it goes to the nearest control that is left, else to where it was before, else to Run.
+ * Comes with the first key that is pressed (`keep-focus-later.ts`): who presses none needs no focus.
  */
 
 const FOCUSABLE =
@@ -20,17 +21,16 @@ export function keepFocus(page: Document): () => void {
   /** the reader has taken the focus away, by a press on nothing or out of the window */
   let isGivenUp = true;
 
-  page.addEventListener(
-    "focusin",
-    ({ target }) => {
-      if (!(target instanceof HTMLElement)) return;
-      // Who presses with a pointer needs no focus, and holds a drive key next: none is put in their way.
-      isGivenUp = !target.matches(":focus-visible");
-      const others = places.filter(({ element }) => element !== target);
-      places = [...others, { element: target, around: containersOf(target) }].slice(-MOST);
-    },
-    { signal },
-  );
+  function note(target: EventTarget | null): void {
+    if (!(target instanceof HTMLElement)) return;
+    // Who presses with a pointer needs no focus, and holds a drive key next: none is put in their way.
+    isGivenUp = !target.matches(":focus-visible");
+    const others = places.filter(({ element }) => element !== target);
+    places = [...others, { element: target, around: containersOf(target) }].slice(-MOST);
+  }
+  // The key with which this came has moved the focus already.
+  if (page.activeElement !== page.body) note(page.activeElement);
+  page.addEventListener("focusin", ({ target }) => note(target), { signal });
   page.addEventListener(
     "focusout",
     ({ target, relatedTarget }) => {
