@@ -28,33 +28,40 @@ MAZE = {
     "start": {"column": 1, "row": 1, "heading": "east"},
     "goals": [{"column": 3, "row": 1}],
 }
+CODE = r"[ -]*(?:[BCDFGHJKLMNPQRSTVWXZbcdfghjklmnpqrstvwxz][ -]*){8}"
+MAX_TYPED = 32
 KEY = r"[A-Za-z0-9_-]{8,64}"
-# Calls after which a robot is gone, or has as many keys or lines as it may have.
-USES_UP = "deleteRobot makeKey revokeKey openLine leaveLine sendMessages fetchMessages".split()
+# Calls after which a robot is gone, has as many keys or lines as it may have, or hears these hooks no more.
+USES_UP = "deleteRobot makeKey revokeKey openLine leaveLine sendMessages fetchMessages sendScriptAway".split()
 STOP = {"action": "stop"}
 INTERNALS = re.compile(
     r"node:|node_modules|file://|/src/|\.ts\b|\.js\b|\bat [\w.<>]+ \(|\bSQLITE_|/tmp/|/home/|/root/|Error:|ECONN|ENOENT"
 )
 
 
-def ask(path, body=None, key=None):
+def ask(path, body=None, key=None, method=None):
     headers = {"Content-Type": "application/json", "X-Forwarded-For": next(ADDRESSES)}
     if key is not None:
         headers["Authorization"] = f"Bearer {key}"
     data = None if body is None else json.dumps(body).encode()
-    method = "POST" if data is not None or path.endswith("/robots") else "GET"
+    method = method or ("GET" if data is None else "POST")
     request = urllib.request.Request(SERVICE + path, data, headers, method=method)
     with urllib.request.urlopen(request, timeout=20) as answer:
         return json.load(answer)
 
 
 def fresh_robot():
-    return ask("/api/v1/robots")
+    return ask("/api/v1/robots", method="POST")
 
 
 def line_of(robot):
     hello = {"type": "hello", "version": 1, "role": "drive", "key": robot["driverKey"]}
     return ask(f"/api/v1/robots/{robot['id']}/line", hello)["line"]
+
+
+def pairing_code():
+    robot = CHANCE.choice(ROBOTS)
+    return ask(f"/api/v1/robots/{robot['id']}/pairing", key=robot["ownerKey"], method="POST")["code"]
 
 
 def is_right(text, pattern):
@@ -77,6 +84,12 @@ class Keys:
             self.document(case, operation)
         elif is_right(path.get("id"), r"[A-Za-z0-9_-]{22}") and CHANCE.random() > MISSES:
             self.robot(case, operation, schemes)
+        elif operation == "askToPair" and isinstance(case.body, dict) and CHANCE.random() > MISSES:
+            if is_right(case.body.get("code"), CODE) and len(case.body["code"]) <= MAX_TYPED:
+                case.body["code"] = pairing_code()
+        elif operation == "awaitPairing" and schemes and CHANCE.random() > MISSES:
+            asked = ask("/api/v1/pairing", {"code": pairing_code()})
+            case.headers["Authorization"] = f"Bearer {asked['key']}"
         if is_right(str(case.query.get("wait")), r"\d{1,2}(\.\d{1,3})?"):
             case.query["wait"] = WAIT
         # From the name of the header schemathesis takes it for a number, and its pattern for fulfilled.

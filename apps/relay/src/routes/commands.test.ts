@@ -47,3 +47,11 @@ it("a command whose request took longer than it may wait is refused as too late"
   await clock.pass(TTL);
   expect(await finish()).toBe(422);
 });
+
+it("terms that are no whole milliseconds are taken like any others", async () => {
+  const relay = await startTestRelay();
+  const robot = await relay.register();
+  const body = { action: "drive", left: 0.1, right: 0.1, ttl: 500.5, age: 0.25, lease: 501.109 };
+  const answer = await relay.ask(robot, "/commands", { method: "POST", body });
+  expect(answer.status).toBe(202);
+});

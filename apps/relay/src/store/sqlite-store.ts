@@ -176,7 +176,8 @@ export class SqliteStore implements SessionStore {
       if (!isStop && countIn(this.#writing, id, "accepted") >= command.maxWaiting)
         return { outcome: "full" };
       this.#writing.run("UPDATE sessions SET last_seq = ? WHERE id = ?", [seq, id]);
-      const terms = [Math.round(ttl), Math.round(deadline), replace ? 1 : 0, lease];
+      const ms = lease === null ? null : Math.round(lease);
+      const terms = [Math.round(ttl), Math.round(deadline), replace ? 1 : 0, ms];
       this.#writing.run(
         `INSERT INTO commands
            (robot, seq, driver, script, key, command, state, accepted_at,
