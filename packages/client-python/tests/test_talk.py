@@ -161,6 +161,7 @@ def test_a_script_that_was_sent_away_reads_so_and_does_not_try_again() -> None:
     with pytest.raises(NotAuthorisedError) as caught:
         scene.run(scene.talk.do(go_forward(100)))
     assert "owner has sent this script away" in str(caught.value)
+    assert caught.value.code == "sent-away"
     assert len(scene.requests) == 1
 
 

@@ -7,6 +7,8 @@ export type ClientErrorCode =
   | "bad-command"
   /** the key is wrong, or does not allow this */
   | "not-authorised"
+  /** the robot's owner has sent this script away */
+  | "sent-away"
   /** there is no robot with this address any more */
   | "no-robot"
   /** the relay refused the command for another reason */

@@ -47,6 +47,25 @@ class OnlyHttps extends FakePlatform {
   }
 }
 
+it("a script that was sent away is told so by HTTPS as well, and does not come again", async () => {
+  const platform = new OnlyHttps();
+  let asked = 0;
+  const refusing = Object.assign(platform, {
+    ask: () => {
+      asked += 1;
+      const body = '{"type":"/problems/sent-away"}';
+      return { answer: Promise.resolve({ status: 403, body }), cancel: () => undefined };
+    },
+  });
+  const connecting = RobotClient.connect(ADDRESS, { platform: refusing });
+  const refused = connecting.catch((error: unknown) => error);
+  platform.socket.cut(1006);
+  await platform.passInTurns(500);
+  expect(await refused).toMatchObject({ code: "sent-away" });
+  await platform.passInTurns(500);
+  expect(asked).toBe(1);
+});
+
 it("a command that is posted again by HTTPS tells how old it is by then", async () => {
   const platform = new OnlyHttps();
   const connecting = RobotClient.connect(ADDRESS, { platform });

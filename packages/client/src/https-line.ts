@@ -245,7 +245,8 @@ interface Answer {
 /** The close code that a WebSocket would have had. */
 function codeOf(status: number, body: string): number {
   if (status === 401) return closeReasons.notAuthorised.code;
-  if (status === 403 && body.includes("/problems/forbidden")) return closeReasons.forbidden.code;
+  // Any other 403 comes from something on the way, not from a relay that forbids this or sends away.
+  if (status === 403 && body.includes("/problems/")) return closeReasons.forbidden.code;
   // Any other 404 comes from something on the way, or from a service without lines.
   if (status === 404 && body.includes("/problems/no-robot")) return closeReasons.noRobot.code;
   if (status === 429) return closeReasons.tooMany.code;

@@ -67,7 +67,7 @@ describe("RobotClient", () => {
     const move = robot.move(10);
     platform.socket.cut(4403);
     await expect(move).rejects.toMatchObject({
-      code: "not-authorised",
+      code: "sent-away",
       message: expect.stringContaining("sent this script away"),
     });
     const { socket } = platform;

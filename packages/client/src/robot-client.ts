@@ -15,7 +15,6 @@ import {
   readValue,
   relayToDriverSchema,
   sinceOf,
-  type CloseReason,
   type CommandRecord,
   type Order,
   type ProblemDocument,
@@ -24,6 +23,7 @@ import {
   type Snapshot,
 } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
+import { closeError } from "./close-error.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
 import { pairRobot } from "./pairing.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
@@ -78,6 +78,7 @@ const BUSY_PAUSE_MS = 500;
 export class RobotClient {
   /** the whole address, with its key, for the next time: keep it private */
   readonly address: string;
+  readonly #key: string;
   readonly #platform: Platform;
   readonly #answerMs: number;
   readonly #finishMs: number;
@@ -99,6 +100,7 @@ export class RobotClient {
 
   private constructor(address: string, options: RobotClientOptions) {
     const { origin, id, key } = parseRobotAddress(address);
+    this.#key = key;
     this.address = `${origin}/r/${id}#${key}`;
     this.#platform = options.platform ?? globalPlatform();
     this.#answerMs = options.answerTimeout ?? DEFAULT_ANSWER_MS;
@@ -109,7 +111,7 @@ export class RobotClient {
     this.#connection = new Connection({
       urls: doorUrls(origin, id),
       platform: this.#platform,
-      greeting: () => [this.#hello(key)],
+      greeting: () => [this.#hello()],
       decode: (text) => decodeFrame(relayToDriverSchema, text),
       received: (message) => this.#received(message),
       changed: (status) => this.#changed(status),
@@ -119,7 +121,7 @@ export class RobotClient {
   /**
    * Connects to a robot.
    * @param address `http://HOST/r/ID#KEY`, as the page shows it under Remote
-   * @throws ClientError bad-address, not-authorised, no-robot or timeout
+   * @throws ClientError bad-address, not-authorised, sent-away, no-robot or timeout
    */
   static async connect(address: string, options: RobotClientOptions = {}): Promise<RobotClient> {
     const robot = new RobotClient(address, options);
@@ -287,7 +289,8 @@ export class RobotClient {
     });
   }
 
-  #hello(key: string): string {
+  #hello(): string {
+    const key = this.#key;
     const since = this.#since === null ? {} : { since: this.#since };
     // A watch key reads all there is; commands are refused by the service.
     const role = key.startsWith("wch_") ? "watch" : "drive";
@@ -430,7 +433,7 @@ export class RobotClient {
   }
 
   #changed(status: ConnectionStatus): void {
-    if (status.kind === "over") return this.#finish(errorOf(status.reason));
+    if (status.kind === "over") return this.#finish(closeError(status.reason, this.#key));
     if (status.kind !== "connected") return;
     this.#welcomed();
     // The answer to what was on its way may be lost. What was acknowledged is told from `since` on.
@@ -456,9 +459,4 @@ export class RobotClient {
 /** Of which only the newest value counts: a drive without a time. */
 function isVelocity(order: Order): boolean {
   return order.action === "drive" && order.milliseconds === undefined;
-}
-
-function errorOf({ code, cause, remedy }: CloseReason): ClientError {
-  const isKey = code === 4401 || code === 4403;
-  return new ClientError(isKey ? "not-authorised" : "no-robot", `Not connected: ${cause}`, remedy);
 }

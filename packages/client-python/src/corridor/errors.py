@@ -21,7 +21,7 @@ class CommandError(RobotError, ValueError):
 
 
 class NotAuthorisedError(RobotError):
-    """The key is wrong, or does not allow this (`not-authorised`)."""
+    """The key is wrong (`not-authorised`), or the robot's owner has sent this script away (`sent-away`)."""
 
 
 class PairingError(RobotError):
