@@ -4,6 +4,7 @@ import { systemClock, type Clock } from "../clock.ts";
 import { connectRedis } from "../store/redis/connection.ts";
 import { ForgottenBytes } from "../store/redis/forgotten-bytes.ts";
 import { RedisSessionStore } from "../store/redis/redis-session-store.ts";
+import { swallowingNet } from "../testing/swallowing-net.ts";
 import { hasRedis, startTestRedis } from "../testing/test-redis.ts";
 import { RedisSwitchboard } from "./redis-switchboard.ts";
 import { placeOf, switchboardCases } from "./testing/switchboard.cases.ts";
@@ -33,13 +34,18 @@ function stallingClock() {
   };
 }
 
-async function relayAt(url: string, relay: string, clock: Clock = systemClock) {
-  const connect = async () => {
-    const connection = await connectRedis(url, () => undefined);
+async function relayAt(
+  url: string,
+  relay: string,
+  clock: Clock = systemClock,
+  hearsAt: string = url,
+) {
+  const connect = async (to: string) => {
+    const connection = await connectRedis(to, () => undefined);
     onTestFinished(() => connection.destroy());
     return connection;
   };
-  const [redis, hearing] = [await connect(), await connect()];
+  const [redis, hearing] = [await connect(url), await connect(hearsAt)];
   const log = pino({ level: "silent" });
   const options = { redis, hearing, relay, clock, log };
   const switchboard = await RedisSwitchboard.open(options);
@@ -49,7 +55,7 @@ async function relayAt(url: string, relay: string, clock: Clock = systemClock) {
     hearing.destroy();
   };
   onTestFinished(() => switchboard.close());
-  return { switchboard, store, redis, die };
+  return { switchboard, store, redis, hearing, die };
 }
 
 async function twoRelays() {
@@ -117,6 +123,37 @@ describe.skipIf(!hasRedis)("with Redis", () => {
       () => expect(heard.slice(0, 2)).toEqual([{ kind: "keys" }, { kind: "keys" }]),
       5_000,
     );
+  });
+
+  it("has keys looked up long before it is sure that the line it hears by is dead", async () => {
+    const { url, port } = await startTestRedis();
+    const net = await swallowingNet(port);
+    const relay = await relayAt(url, "relay-a", systemClock, net.url);
+    await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
+    const { heard } = await placeOf(relay);
+    net.swallow();
+    await vi.waitFor(() => expect(heard).toContainEqual({ kind: "keys" }), 5_000);
+    // It still takes the line for a good one.
+    expect(relay.hearing.isReady).toBe(true);
+  });
+
+  it("has nothing looked up while all is well, or while Redis stands still", async () => {
+    const { url, port } = await startTestRedis();
+    const net = await swallowingNet(port);
+    const relay = await relayAt(net.url, "relay-a");
+    const watcher = await relayAt(url, "relay-b");
+    await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
+    const { heard } = await placeOf(relay);
+    const beats = async (): Promise<void> => {
+      for (let n = 0; n < 4; n++) {
+        await new Promise((resolve) => void setTimeout(resolve, 300));
+        await watcher.redis.ping();
+      }
+    };
+    await beats();
+    net.swallow();
+    await beats();
+    expect(heard).toEqual([]);
   });
 
   it("says that something was missed when the line was broken, and hears again", async () => {

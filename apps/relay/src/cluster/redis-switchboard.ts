@@ -27,7 +27,7 @@ const BEAT_MS = 1_000;
 /** A relay that was silent for so long counts as dead. */
 const ALIVE_MS = 3_000;
 /** While nothing can be heard, keys may be revoked unheard: those that count are asked for this often. */
-const DEAF_LOOK_MS = 400;
+const DEAF_LOOK_MS = 300;
 
 /** of a page; an earlier Corridor kept none */
 const name = z.string().default("");
@@ -95,6 +95,8 @@ export class RedisSwitchboard implements Switchboard {
   #cancelTimer: () => void = () => undefined;
   #cancelLook: () => void = () => undefined;
   #isClosed = false;
+  /** no sign of life was asked for on the line to hear by that has not come */
+  #isAnswered = true;
 
   private constructor(options: RedisSwitchboardOptions) {
     this.#options = options;
@@ -117,7 +119,10 @@ export class RedisSwitchboard implements Switchboard {
     );
     await switchboard.#beat();
     // The client listens again by itself, but nobody keeps for it what was said meanwhile.
-    options.hearing.on("ready", () => switchboard.#missed());
+    options.hearing.on("ready", () => {
+      switchboard.#isAnswered = true;
+      switchboard.#missed();
+    });
     switchboard.#lookWhileDeaf();
     return switchboard;
   }
@@ -215,11 +220,28 @@ export class RedisSwitchboard implements Switchboard {
   }
 
   #lookWhileDeaf(): void {
-    const { clock, hearing } = this.#options;
-    if (!hearing.isReady) {
-      for (const { ears } of this.#places.values()) ears.heard({ kind: "keys" });
+    const { clock, hearing, redis } = this.#options;
+    if (!hearing.isReady) this.#keysMayHaveChanged();
+    else if (this.#isAnswered) this.#askForLife();
+    else {
+      // Cut without a word, or Redis stands still: then nobody revokes a key either, and nobody is sent away.
+      redis.ping().then(
+        () => this.#isAnswered || this.#keysMayHaveChanged(),
+        () => undefined,
+      );
     }
     this.#cancelLook = clock.after(DEAF_LOOK_MS, () => this.#lookWhileDeaf());
+  }
+
+  #askForLife(): void {
+    this.#isAnswered = false;
+    const heard = (): void => void (this.#isAnswered = true);
+    // An error is an answer, or the line is known to be broken.
+    this.#options.hearing.ping().then(heard, heard);
+  }
+
+  #keysMayHaveChanged(): void {
+    for (const { ears } of this.#places.values()) ears.heard({ kind: "keys" });
   }
 
   async #beat(): Promise<void> {

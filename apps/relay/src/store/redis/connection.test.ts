@@ -1,37 +1,11 @@
 /** The line to Redis, through a network that swallows everything without a word. */
-import { connect, createServer, type AddressInfo, type Socket } from "node:net";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { hasRedis, startTestRedis } from "../../testing/test-redis.ts";
+import { swallowingNet } from "../../testing/swallowing-net.ts";
 import { asked, connectRedis } from "./connection.ts";
 import { StoreAway } from "../store-away.ts";
 
 const SOON = { timeout: 15_000, interval: 100 };
-
-/** A way to a port of this machine; what is open when it is swallowed stays open, and nothing arrives. */
-async function swallowingNet(port: number) {
-  const pairs = new Set<[Socket, Socket]>();
-  const server = createServer((client) => {
-    const target = connect(port, "127.0.0.1");
-    pairs.add([client, target]);
-    for (const socket of [client, target]) socket.on("error", () => undefined);
-    client.pipe(target).pipe(client);
-  });
-  await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
-  onTestFinished(() => {
-    for (const pair of pairs) for (const socket of pair) socket.destroy();
-    server.close();
-  });
-  return {
-    url: `redis://127.0.0.1:${(server.address() as AddressInfo).port}`,
-    swallow: () => {
-      for (const [client, target] of pairs) {
-        client.unpipe(target);
-        target.unpipe(client);
-        for (const socket of [client, target]) socket.on("data", () => undefined);
-      }
-    },
-  };
-}
 
 describe.skipIf(!hasRedis)("with Redis", () => {
   it("finds out within seconds that its line is dead, however much is written to it, and makes a new one", async () => {
