@@ -23,6 +23,8 @@ export type FromPages =
   | { tells: "ready" }
   | { tells: "deed"; page: number; seq: number; what: CommandState; at: number }
   | { tells: "status"; page: number; status: RemoteStatus; at: number }
+  /** Its relay has given it a command, to be begun by then, by the relay's clock. */
+  | { tells: "given"; page: number; seq: number; deadline: number }
   /** Its relay has given it the robot. */
   | { tells: "taken"; page: number; at: number }
   /** what the tab keeps over a reload */

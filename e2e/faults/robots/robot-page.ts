@@ -79,10 +79,15 @@ export class RobotPage {
     this.#host.close();
   }
 
-  /** When the relay, by the clock of the same machine, has given it the robot. */
+  /** When the relay, by the clock of the same machine, has given it the robot, and until when each command holds. */
   #hears(text: string): void {
     const read = decodeFrame(relayToPageSchema, text);
-    if (!read.ok || read.value.type !== "welcome") return;
+    if (!read.ok) return;
+    if (read.value.type === "command" || read.value.type === "stop") {
+      const { seq, at: sentAt, remaining } = read.value;
+      this.#tell({ tells: "given", page: this.#number, seq, deadline: sentAt + remaining });
+    }
+    if (read.value.type !== "welcome") return;
     const at = machineNow() - Math.max(0, Date.now() - read.value.at);
     this.#tell({ tells: "taken", page: this.#number, at });
   }

@@ -46,6 +46,7 @@ export class Robot {
       if (what === "started") this.starts.push({ seq, at });
       return;
     }
+    if (message.tells === "given") return this.history.given(message.seq, message.deadline);
     if (message.tells === "status" && message.status.kind === "over") {
       if (message.status.reason === "replaced") this.losers.add(page);
     }

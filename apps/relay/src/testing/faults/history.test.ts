@@ -73,6 +73,20 @@ describe("histories that agree", () => {
     expect(story.history.longestWay).toBe(800);
   });
 
+  it("may have a first try that was taken late, though it was tried again meanwhile", () => {
+    const story = new Story(0);
+    for (const at of [-800, -500]) {
+      story.history.tried("key-1", { sender: "script", at, ttl: TTL });
+    }
+    const record = story.record(1, "completed");
+    story.stored.push(record);
+    story.history.given(1, Date.parse(record.acceptedAt) + TTL);
+    story.pass(TTL);
+    for (const what of ["started", "completed"] as const) story.did(1, what);
+    expect(story.faults()).toEqual([]);
+    expect(story.history.longestWay).toBe(800);
+  });
+
   it("may lack the end of what a page had begun when it was reloaded", () => {
     const story = new Story();
     story.history.tried("key-4", { sender: "script", at: 60, ttl: TTL });
@@ -178,6 +192,21 @@ describe("a fault is seen:", () => {
         story.history.tried("key-4", { sender: "script", at: 60, ttl: TTL });
         story.stored.push(story.record(4, "completed"));
         story.pass(TTL + TOLERANCE);
+        story.did(4, "started");
+        story.did(4, "completed");
+      },
+    },
+    {
+      name: "a retry tells an age that is none of its tries",
+      is: ["late"],
+      happens: (story) => {
+        const at = 60;
+        story.history.tried("key-4", { sender: "script", at, ttl: TTL });
+        story.pass(300);
+        story.history.tried("key-4", { sender: "script", at: at + 300, ttl: TTL });
+        story.stored.push(story.record(4, "completed"));
+        story.history.given(4, at + 300 + TTL - 100);
+        story.pass(TTL - 110);
         story.did(4, "started");
         story.did(4, "completed");
       },

@@ -30,6 +30,8 @@ export interface Fault {
 }
 
 const CLOCKS_MS = 2;
+/** A try and the age in it are of the same moment, or nearly. */
+const AGE_MS = 25;
 
 export class History {
   /** ms after its time to live within which a command may start */
@@ -37,6 +39,8 @@ export class History {
   /** a time of this history as the relay's clock has it */
   readonly #wallClock: (at: number) => number;
   #longestWay = 0;
+  /** by number, until when the relay lets it begin, by its clock */
+  readonly #deadlines = new Map<number, number>();
   #deeds: Deed[] = [];
   /** by idempotency key: first try, and what was wished */
   readonly #tries = new Map<string, Tries>();
@@ -68,6 +72,11 @@ export class History {
     }
     this.#acknowledged.set(record.seq, record);
     this.told(record);
+  }
+
+  /** The relay has given a command to the robot. @param deadline by the relay's clock */
+  given(seq: number, deadline: number): void {
+    if (!this.#deadlines.has(seq)) this.#deadlines.set(seq, deadline);
   }
 
   told({ seq, state }: CommandRecord): void {
@@ -153,7 +162,7 @@ export class History {
     }
     const wish = this.#tryOf(key);
     if (start !== undefined && wish !== null) {
-      const way = this.#wayOf(wish, Date.parse(acceptedAt));
+      const way = this.#wayOf(wish, Date.parse(acceptedAt), this.#deadlines.get(seq));
       const late = start.at - wish.at - wish.ttl - way;
       if (late > this.#tolerance) {
         const { sender, ttl, again } = wish;
@@ -165,11 +174,15 @@ export class History {
 
   /**
    * How long the try that the relay took was on its way. A message tells how old its command is, but not how
-   * long it waits unread, so no relay can take that off.
+   * long it waits unread, so no relay can take that off. Which try it was shows the age that the relay has
+   * counted from; where that is the age of none, or not known, it was the newest that it can have been.
    */
-  #wayOf({ at, again, ttl }: Tries, arrivedAt: number): number {
+  #wayOf({ at, again, ttl }: Tries, arrivedAt: number, deadline: number | undefined): number {
+    const age = deadline === undefined ? NaN : arrivedAt + ttl - deadline;
+    const told = [0, ...again].filter((ms) => Math.abs(ms - age) <= AGE_MS);
     // A try that is older than its time to live is refused: an earlier one was taken, which came after it.
-    const tries = [0, ...again.filter((ms) => ms < ttl)].map((ms) => this.#wallClock(at + ms));
+    const possible = told.length > 0 ? told : [0, ...again.filter((ms) => ms < ttl)];
+    const tries = possible.map((ms) => this.#wallClock(at + ms));
     // Clocks of two processes agree to a millisecond or so.
     const taken = tries.findLast((tried) => tried <= arrivedAt + CLOCKS_MS) ?? arrivedAt;
     const way = Math.max(0, arrivedAt - taken);
