@@ -178,7 +178,14 @@ def test_the_pauses_double_from_a_quarter_second_to_ten_and_are_drawn_by_lot() -
     assert scene.pauses == [0.25, 0.5, 1, 2, 4, 8, 10]
     lucky = Scene(LOST, LOST, LOST, record("completed"), chance=0.5)
     lucky.move()
-    assert lucky.pauses == [0.125, 0.25, 0.5]
+    assert lucky.pauses == [0.125, 0.125, 0.25]
+
+
+def test_many_short_pauses_after_a_short_cut_lead_to_no_long_one() -> None:
+    scene = Scene(LOST, LOST, LOST, LOST, LOST, LOST, record("completed"), chance=0.1)
+    scene.move()
+    assert sum(scene.pauses) < 0.25
+    assert max(scene.pauses) < 0.05
 
 
 def test_a_host_that_says_when_to_come_back_is_taken_at_its_word() -> None:

@@ -2,8 +2,9 @@
  * One line to the relay that mends itself: greeting, welcome, silence, reconnect.
  *
  * The pause before a new try is drawn from 0 to a limit that doubles from 0.25 s to 10 s (full
- * jitter), so that a whole class does not come back in the same moment. Close codes that forbid a
- * retry end the connection for good.
+ * jitter), so that a whole class does not come back in the same moment. It is never more than twice the
+ * time for which the line has been lost: after a short cut a few short pauses lead to no long one. Close
+ * codes that forbid a retry end the connection for good.
  *
  * Where the network lets no WebSocket through, the line goes on by plain HTTPS, and comes back to a
  * WebSocket when one can be opened.
@@ -57,6 +58,8 @@ export class Connection<In extends { type: string }> {
   #isConnected = false;
   #isOver = false;
   #lostInARow = 0;
+  /** when the first of these was lost */
+  #lostAt = 0;
   readonly #choice = new DoorChoice();
   #connectedAt: number | null = null;
   #cancelProbe: () => void = () => undefined;
@@ -202,7 +205,13 @@ export class Connection<In extends { type: string }> {
       if (livedMs !== null) changed({ kind: "lost", reason, retryMs: 0 });
       return this.open();
     }
-    const limit = Math.min(LONGEST_PAUSE_MS, FIRST_PAUSE_MS * 2 ** this.#lostInARow);
+    const now = platform.clock.now();
+    if (this.#lostInARow === 0) this.#lostAt = now;
+    const limit = Math.min(
+      LONGEST_PAUSE_MS,
+      FIRST_PAUSE_MS * 2 ** this.#lostInARow,
+      Math.max(FIRST_PAUSE_MS, 2 * (now - this.#lostAt)),
+    );
     this.#lostInARow += 1;
     const retryMs = platform.random() * limit;
     this.#cancelTimer = platform.clock.after(retryMs, () => this.open());

@@ -373,6 +373,22 @@ describe("HostLink", () => {
     expect(pauses.map((pause) => Math.round(pause / 0.999))).toEqual(limits);
   });
 
+  it("does not pause for long after a short cut, however many short pauses came before", () => {
+    const { platform, statuses } = host();
+    const pauses: number[] = [];
+    for (const luck of [0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.999]) {
+      platform.luck = luck;
+      platform.socket.cut(1006);
+      const status = statuses.at(-1);
+      if (status?.kind !== "lost") throw new Error("the line is not lost");
+      pauses.push(status.retryMs);
+      platform.pass(status.retryMs);
+    }
+    const lostMs = pauses.slice(0, -1).reduce((sum, pause) => sum + pause, 0);
+    expect(lostMs).toBeLessThan(250);
+    expect(pauses.at(-1)).toBeLessThan(500);
+  });
+
   it("takes silence and a missing welcome for a lost line", () => {
     const { platform, statuses, welcome } = host();
     platform.pass(10_000);

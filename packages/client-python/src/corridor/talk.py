@@ -184,6 +184,7 @@ class RobotTalk:
         began = self._clock()
         limit = self._answer_timeout if limit is None else limit
         tries = 0
+        failed_at = began
         while True:
             if self.is_closed:
                 raise ClosedError("closed", "This robot was closed", "Make a new Robot to go on.")
@@ -200,7 +201,11 @@ class RobotTalk:
                 return _parse(answer)
             if not may_pass(answer):
                 raise error_of(answer)
-            pause = self._chance() * min(_LONGEST_PAUSE, _FIRST_PAUSE * 2**tries)
+            if tries == 0:
+                failed_at = self._clock()
+            # After a short cut a few short pauses lead to no long one.
+            lost = max(_FIRST_PAUSE, 2 * (self._clock() - failed_at))
+            pause = self._chance() * min(_LONGEST_PAUSE, _FIRST_PAUSE * 2**tries, lost)
             pause = max(pause, answer.retry_after or 0.0)
             tries += 1
             if self._clock() - began + pause > limit:
