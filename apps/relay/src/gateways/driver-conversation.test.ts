@@ -14,7 +14,7 @@ function withSlowStore() {
   const session = {
     check: () => undefined,
     heard: () => () => undefined,
-    join: () => ({ seen: () => undefined, leave: () => undefined }),
+    readers: { join: () => ({ seen: () => undefined, leave: () => undefined }) },
     submit: async () => new Promise<void>((resolve) => void waiting.push(resolve)),
   };
   const conversation = new DriverConversation({

@@ -17,7 +17,7 @@ import { asRefusal, badRequest, Refusal, retryAfter, type ProblemKind } from "..
 import { limits } from "../sessions/limits.ts";
 import type { OverReason, ReaderSink, ReaderStart } from "../sessions/reader-feed.ts";
 import type { Grant } from "../sessions/session-hub.ts";
-import type { JoinedReader } from "../sessions/session.ts";
+import type { JoinedReader } from "../sessions/readers.ts";
 import { closeWith, sayGoodbye, type Conversation } from "./conversation.ts";
 import type { ReaderLine } from "./reader-line.ts";
 
@@ -53,7 +53,7 @@ export class DriverConversation implements Conversation, ReaderSink {
     const { grant, line, since } = options;
     this.door = line.door;
     this.flow = line.flow;
-    this.#reader = grant.session.join(grant.key, this, since);
+    this.#reader = grant.session.readers.join(grant.key, this, since);
     grant.session.heard(grant.key)();
   }
 

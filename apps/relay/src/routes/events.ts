@@ -8,7 +8,7 @@ import type { Clock } from "../clock.ts";
 import { limits } from "../sessions/limits.ts";
 import type { OverReason, ReaderSink } from "../sessions/reader-feed.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
-import type { JoinedReader } from "../sessions/session.ts";
+import type { JoinedReader } from "../sessions/readers.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 import { hearScript } from "./hear-script.ts";
 import { patienceOf, readEvents } from "./reading.ts";
@@ -28,12 +28,15 @@ export function eventRoutes(hub: SessionHub, clock: Clock): Router {
       const { session, key, answered } = await hearScript(hub, request, response, "read");
       const { since, after, wait } = readEvents(request);
       if (wait !== undefined) {
-        const page = await session.nextEvents({ since, after }, patienceOf(response, wait, key));
+        const page = await session.readers.nextEvents(
+          { since, after },
+          patienceOf(response, wait, key),
+        );
         return void response.json(page);
       }
       // Who only listens holds no motion, for as long as the stream may be open.
       answered();
-      streamTo(response, clock, (sink) => session.join(key, sink, since ?? null));
+      streamTo(response, clock, (sink) => session.readers.join(key, sink, since ?? null));
     })
     .all(methodNotAllowed("GET"));
   return router;

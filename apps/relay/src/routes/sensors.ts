@@ -13,7 +13,7 @@ export function sensorRoutes(hub: SessionHub): Router {
     .get(async (request, response) => {
       const { session, key } = await hearScript(hub, request, response, "read");
       const { after = -1, wait } = readNewer(request);
-      const snapshot = await session.nextSnapshot(after, patienceOf(response, wait, key));
+      const snapshot = await session.readers.nextSnapshot(after, patienceOf(response, wait, key));
       if (snapshot === null) {
         throw new Refusal(
           "no-snapshot",

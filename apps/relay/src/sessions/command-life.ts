@@ -20,6 +20,7 @@ import type { Step } from "../cluster/switchboard.ts";
 import { noRobot, restarting } from "../problems.ts";
 import type { SessionStore, TermedRecord } from "../store/session-store.ts";
 import type { Audience } from "./audience.ts";
+import { CommandDelivery, type Due } from "./command-delivery.ts";
 import { CommandLog } from "./command-log.ts";
 import { CommandRecall } from "./command-recall.ts";
 import { notStored } from "./command-refusals.ts";
@@ -27,21 +28,12 @@ import { DeadlineTimer } from "./deadline-timer.ts";
 import { DriverAllowance } from "./driver-allowance.ts";
 import { limits } from "./limits.ts";
 import { OrderedWork } from "./ordered-work.ts";
-import { commandFrame } from "./page-frames.ts";
 import { PageHandover } from "./page-handover.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat } from "./page-seat.ts";
 import type { RobotLine } from "./robot-line.ts";
 import type { Caller } from "./script.ts";
 import type { Witness } from "./witness.ts";
-
-/** What was marked delivered, to be sent now. */
-interface Due {
-  link: PageLink;
-  commands: TermedRecord[];
-  /** when it was marked */
-  now: number;
-}
 
 export interface CommandLifeParts {
   robot: string;
@@ -61,6 +53,7 @@ export class CommandLife {
   readonly #audience: Audience;
   readonly #seat: PageSeat;
   readonly #line: RobotLine;
+  readonly #delivery: CommandDelivery;
   readonly #allowance: DriverAllowance;
   readonly #work = new OrderedWork();
   /** pages that come, one after the other */
@@ -89,6 +82,9 @@ export class CommandLife {
     this.#seat = seat;
     this.#line = line;
     this.handover = new PageHandover({ clock, seat, line });
+    const sent = (records: readonly CommandRecord[]): void => this.#tellStates(records);
+    const { handover } = this;
+    this.#delivery = new CommandDelivery({ robot, store, clock, seat, handover, sent });
     this.#allowance = new DriverAllowance(clock);
     this.log = new CommandLog(robot, store, audience, this.#work);
     this.recall = new CommandRecall({
@@ -152,7 +148,7 @@ export class CommandLife {
       this.#tellStates(taken.changed);
       await this.recall.askAgainInTurn();
       await this.#expireNow();
-      await this.#deliver();
+      await this.#delivery.run();
     });
   }
 
@@ -204,59 +200,32 @@ export class CommandLife {
 
   async #started(epoch: number, seq: number): Promise<void> {
     const started = this.#store.start(this.#robot, epoch, seq);
-    const due = this.#takeDue();
+    const due = this.#delivery.take();
     const record = await started;
     if (record !== null) {
       this.#witness.started(this.#secondsSince(Date.parse(record.acceptedAt)));
       this.#tellStates([record]);
     }
-    this.#send(await due);
+    this.#delivery.send(await due);
   }
 
   async #ended(link: PageLink, epoch: number, ending: Ending): Promise<void> {
     const ended = this.#store.end(this.#robot, epoch, ending);
-    const due = this.#takeDue();
+    const due = this.#delivery.take();
     const { outcome, record } = await ended;
     // Not this page's to end at the moment: it keeps the ending, and tells it with its next greeting.
-    if (outcome === "over" && record !== null && !hasEnded(record.state)) return;
-    const isRepeated = record?.state === ending.state;
-    this.#answerEnding(link, ending.seq, isRepeated ? null : record);
+    const isKept = outcome === "over" && record !== null && !hasEnded(record.state);
+    if (!isKept) {
+      const isRepeated = record?.state === ending.state;
+      this.#answerEnding(link, ending.seq, isRepeated ? null : record);
+    }
     if (outcome === "ended") this.#tellStates([record]);
-    this.#send(await due);
+    this.#delivery.send(await due);
   }
 
   /** Either way the page need not tell the ending again. @param other how it had ended before */
   #answerEnding(link: PageLink, seq: number, other: CommandRecord | null): void {
     link.send(other === null ? { type: "stored", seq } : { type: "refused", record: other });
-  }
-
-  async #deliver(): Promise<void> {
-    this.#send(await this.#takeDue());
-  }
-
-  /**
-   * Marks what the page may have now as delivered. Asked for in the same turn as the step before it, both
-   * are one commit, and the page has a command as soon as its sender has the answer.
-   */
-  async #takeDue(): Promise<Due | null> {
-    const { page } = this.#seat;
-    if (page === null || this.handover.isUnderWay) return null;
-    const { link, epoch } = page;
-    const now = this.#clock.now();
-    try {
-      const commands = await this.#store.deliver(this.#robot, epoch, limits.deliveredWindow, now);
-      return { link, commands, now };
-    } catch {
-      // What is stored stays stored; the page comes back in a moment and gets it then.
-      link.close(closeReasons.busy);
-      return null;
-    }
-  }
-
-  #send(due: Due | null): void {
-    if (due === null) return;
-    for (const each of due.commands) due.link.send(commandFrame(each, due.now));
-    this.#tellStates(due.commands.map(({ record }) => record));
   }
 
   // --- time ---
@@ -267,7 +236,7 @@ export class CommandLife {
       await this.#expireNow();
       if (!this.#isInDoubt) return;
       this.#isInDoubt = false;
-      await this.#deliver();
+      await this.#delivery.run();
     });
   }
 
@@ -291,12 +260,7 @@ export class CommandLife {
   #endedHere(ended: readonly TermedRecord[]): void {
     const changed = ended.map(({ record }) => record);
     this.#stepped({ changed, ended: [...ended] });
-    this.#show(ended);
-  }
-
-  #show(commands: readonly TermedRecord[]): void {
-    for (const { record, ttl } of commands)
-      this.#seat.page?.link.send({ type: "state", record, ttl });
+    this.#delivery.show(ended);
   }
 
   // --- other relays ---
@@ -307,13 +271,13 @@ export class CommandLife {
     const heard = this.#work.run(async () => {
       this.#audience.tellStates(step.changed);
       if (isOwn || this.#end !== null) return;
-      this.#show(step.ended);
+      this.#delivery.show(step.ended);
       const { added } = step;
       if (added === null) return;
       this.#newestStop = isStop(added) ? added.record.seq : null;
       // The relay that has stored it may be gone by then.
       this.#deadlines.wake(added.deadline);
-      if (this.#seat.page !== null) this.#sendOrShow(added, await this.#takeDue());
+      if (this.#seat.page !== null) this.#delivery.sendOrShow(added, await this.#delivery.take());
     });
     heard.catch(() => undefined);
   }
@@ -324,7 +288,7 @@ export class CommandLife {
       this.#audience.tellMissed();
       this.#deadlines.wake(this.#clock.now());
       if (this.#seat.page !== null) await this.recall.askAgainInTurn();
-      await this.#deliver();
+      await this.#delivery.run();
     });
     made.catch(() => undefined);
   }
@@ -370,20 +334,20 @@ export class CommandLife {
         maxWaiting: limits.waitingCommands,
         keep: limits.keptCommands,
       });
-      const due = this.#takeDue();
+      const due = this.#delivery.take();
       const result = await added.catch(async (error: unknown) => {
         this.#doubt();
-        this.#send(await due);
+        this.#delivery.send(await due);
         throw error;
       });
       if (result.outcome === "duplicate") {
         acknowledge({ ...result.record, duplicate: true });
         // The first answer may have been lost before anything else was done.
         if (result.record.state === "accepted") this.#deadlines.wake(cameAt);
-        return this.#send(await due);
+        return this.#delivery.send(await due);
       }
       if (result.outcome !== "stored") {
-        this.#send(await due);
+        this.#delivery.send(await due);
         throw notStored(result, request);
       }
       const { record, ended } = result;
@@ -405,15 +369,8 @@ export class CommandLife {
   #stored(added: TermedRecord, ended: TermedRecord[], due: Due | null): void {
     this.#deadlines.wake(added.deadline);
     this.#stepped({ added, ended, changed: ended.map(({ record }) => record) });
-    this.#show(ended);
-    this.#sendOrShow(added, due);
-  }
-
-  /** What cannot be delivered yet is shown to the page all the same. */
-  #sendOrShow(added: TermedRecord, due: Due | null): void {
-    this.#send(due);
-    const isSent = due?.commands.some(({ record }) => record.seq === added.record.seq) === true;
-    if (!isSent) this.#show([added]);
+    this.#delivery.show(ended);
+    this.#delivery.sendOrShow(added, due);
   }
 
   /** The stop that has not ended and after which nothing came: another would change nothing. */

@@ -53,7 +53,7 @@ describe("a robot session: delivery", () => {
     const robot = await withRobot();
     await page(robot);
     const said: string[] = [];
-    robot.session.join(
+    robot.session.readers.join(
       robot.key,
       {
         snapshot: () => undefined,

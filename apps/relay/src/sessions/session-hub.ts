@@ -130,7 +130,7 @@ export class SessionHub {
       const session = await found.catch(() => null);
       if (session === null) continue;
       if (session.hasPage) census.pages += 1;
-      const { websocket, line, events, "long-poll": waiting } = session.readers;
+      const { websocket, line, events, "long-poll": waiting } = session.readers.count;
       census.readers.websocket += websocket;
       census.readers.line += line;
       census.readers.events += events;

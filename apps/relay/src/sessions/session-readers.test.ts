@@ -10,7 +10,7 @@ describe("a robot session: what scripts see", () => {
     const robot = await withRobot();
     const host = await page(robot);
     const seen: number[] = [];
-    robot.session.join(
+    robot.session.readers.join(
       robot.key,
       { snapshot: ({ seq }) => seen.push(seq), state: () => undefined, ...deafReader },
       null,
@@ -35,7 +35,7 @@ describe("a robot session: what scripts see", () => {
       seen.push(seq);
       flow.sentBytes += 400;
     };
-    robot.session.join(
+    robot.session.readers.join(
       robot.key,
       {
         ...deafReader,
@@ -65,7 +65,7 @@ describe("a robot session: what scripts see", () => {
     const host = await page(robot);
     await robot.submit(LEFT);
     const said: string[] = [];
-    robot.session.join(
+    robot.session.readers.join(
       robot.key,
       {
         snapshot: ({ seq }) => said.push(`snapshot ${seq}`),
@@ -128,17 +128,17 @@ describe("a robot session: what scripts see", () => {
     const robot = await withRobot();
     const host = await page(robot);
     await host.report({ seq: 7 });
-    const newer = robot.session.nextSnapshot(7, patience(25_000));
+    const newer = robot.session.readers.nextSnapshot(7, patience(25_000));
     await host.report({ seq: 8 });
     expect(await newer).toMatchObject({ seq: 8 });
-    const none = robot.session.nextSnapshot(8, patience(25_000));
+    const none = robot.session.readers.nextSnapshot(8, patience(25_000));
     await robot.clock.pass(3_000);
     await host.report({ seq: 8 });
     expect(await none).toMatchObject({ seq: 9 });
-    const gone = robot.session.nextSnapshot(9, patience(25_000));
+    const gone = robot.session.readers.nextSnapshot(9, patience(25_000));
     robot.session.leavePage(host.link, true);
     expect(await gone).toMatchObject({ seq: 9, state: "gone" });
-    const quiet = robot.session.nextSnapshot(9, patience(25_000));
+    const quiet = robot.session.readers.nextSnapshot(9, patience(25_000));
     await robot.clock.pass(25_000);
     expect(await quiet).toMatchObject({ seq: 9, state: "gone" });
   });

@@ -38,7 +38,7 @@ describe("a robot session: the life of its scripts", () => {
     const robot = await withRobot();
     const host = await page(robot);
     robot.session.heard(robot.key)();
-    robot.session.join(
+    robot.session.readers.join(
       robot.key,
       { snapshot: () => undefined, state: () => undefined, ...deafReader },
       null,

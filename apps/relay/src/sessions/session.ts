@@ -5,7 +5,6 @@
 import {
   closeReasons,
   type CommandRecord,
-  type EventPage,
   type CommandTerms,
   type PageToRelay,
   type Resume,
@@ -13,37 +12,31 @@ import {
   type Snapshot,
 } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
-import type { News, Switchboard } from "../cluster/switchboard.ts";
+import type { Switchboard } from "../cluster/switchboard.ts";
 import type {
   SessionStore,
   StoredKey,
   StoredScript,
   StoredSession,
 } from "../store/session-store.ts";
-import { Audience, type Patience, type ReaderDoor } from "./audience.ts";
+import { Audience, type Patience } from "./audience.ts";
 import { CommandLife } from "./command-life.ts";
 import { DriverRoster } from "./driver-roster.ts";
 import { EventLog } from "./event-log.ts";
-import { nextEvents, type WantedEvents } from "./next-events.ts";
 import { KeyRing } from "./key-ring.ts";
 import { limits } from "./limits.ts";
 import { MazeBoard } from "./maze-board.ts";
+import { OtherRelays } from "./other-relays.ts";
 import type { PageLink } from "./page-link.ts";
 import { PageSeat } from "./page-seat.ts";
-import { ReaderFeed, type ReaderSink, type ReaderSource } from "./reader-feed.ts";
+import type { ReaderSource } from "./reader-feed.ts";
+import { Readers } from "./readers.ts";
 import { RobotLine } from "./robot-line.ts";
 import { RobotView } from "./robot-view.ts";
 import type { Verb } from "./rights.ts";
 import type { Caller } from "./script.ts";
 import { ScriptGate } from "./script-gate.ts";
 import type { Witness } from "./witness.ts";
-
-/** A reader's hold on the session. */
-export interface JoinedReader {
-  /** It has read all that came up to this snapshot. */
-  seen(seq: number): void;
-  leave(): void;
-}
 
 export interface SessionParts {
   store: SessionStore;
@@ -61,6 +54,7 @@ export class Session {
   readonly keys: KeyRing;
   readonly gate: ScriptGate;
   readonly mazes: MazeBoard;
+  readonly readers: Readers;
   readonly #store: SessionStore;
   readonly #clock: Clock;
   readonly #view = new RobotView();
@@ -69,11 +63,7 @@ export class Session {
   readonly #seat: PageSeat;
   readonly #life: CommandLife;
   readonly #line: RobotLine;
-  /** what its readers read: one for all of them */
-  readonly #source: ReaderSource;
-  readonly #forgotten: () => void;
-  /** ends the wait for the page's relay */
-  #met: () => void = () => undefined;
+  readonly #others: OtherRelays;
   #lastUsedAt: number;
   #touchedAt: number;
   #isOver = false;
@@ -93,13 +83,7 @@ export class Session {
     this.#audience = audience;
     this.#seat = seat;
     this.#line = line;
-    this.#forgotten = parts.forgotten;
     this.#life = new CommandLife({ robot: this.id, store, clock, witness, audience, seat, line });
-    this.#source = {
-      events: this.#events,
-      newest: () => this.newest,
-      tellOpen: (tell) => this.#life.log.tellOpen(tell),
-    };
     this.keys = new KeyRing({
       robot: this.id,
       keys: stored.keys,
@@ -136,6 +120,33 @@ export class Session {
     });
     const tell = (): void => this.#tellScripts();
     this.roster = new DriverRoster(clock, tell, () => this.gate.away);
+    const source: ReaderSource = {
+      events: this.#events,
+      newest: () => this.newest,
+      tellOpen: (toReader) => this.#life.log.tellOpen(toReader),
+    };
+    this.readers = new Readers({ clock, audience, source, roster: this.roster });
+    this.#others = new OtherRelays({
+      clock,
+      seat,
+      view: this.#view,
+      line,
+      life: this.#life,
+      keys: this.keys,
+      mazes: this.mazes,
+      roster: this.roster,
+      lapsed: (link) => {
+        link.close(closeReasons.restart);
+        this.leavePage(link, false);
+      },
+      tellReaders: () => this.#tellReaders(),
+      tellScripts: tell,
+      over: () => {
+        if (this.isOver) return;
+        parts.forgotten();
+        this.close("over");
+      },
+    });
   }
 
   /** Takes a session into memory, and onto the line of the relays that hold it. */
@@ -144,9 +155,9 @@ export class Session {
     await session.#line.open(parts.switchboard, stored.id, {
       stepped: (step, isOwn) => session.#life.heardStep(step, isOwn),
       missed: () => session.missedNews(),
-      heard: (news) => session.#heard(news),
+      heard: (news) => session.#others.heard(news),
     });
-    await session.#meet();
+    await session.#others.meet();
     return session;
   }
 
@@ -178,11 +189,6 @@ export class Session {
   /** The scripts by name: those that are here or were lately, at any relay that this one knows of. */
   get scripts(): ScriptView[] {
     return this.#line.withOthers(this.roster.told()).scripts;
-  }
-
-  /** How many follow the robot, by the way in which they do. */
-  get readers(): Record<ReaderDoor, number> {
-    return this.#audience.count();
   }
 
   get newest(): Snapshot | null {
@@ -293,43 +299,6 @@ export class Session {
     return script === null ? () => undefined : this.roster.heard(script);
   }
 
-  /**
-   * Joins a reader of snapshots and states, and welcomes it.
-   * @param since the last state that it was told before; null for a new reader
-   * @throws Refusal when too many read already
-   */
-  join(caller: Caller, sink: ReaderSink, since: string | null): JoinedReader {
-    const feed = new ReaderFeed(sink, this.#source, this.#clock);
-    const leave = this.#audience.join(feed, caller, sink.door);
-    const { script } = caller;
-    const disconnected = script === null ? () => undefined : this.roster.connected(script);
-    feed.begin(since);
-    return {
-      seen: (seq) => feed.seen(seq),
-      leave: () => {
-        feed.close();
-        if (leave()) disconnected();
-      },
-    };
-  }
-
-  /** The states after `since`, and the newest snapshot: see `nextEvents`. */
-  async nextEvents(wanted: WantedEvents, patience: Patience): Promise<EventPage> {
-    return nextEvents({ ...this.#source, audience: this.#audience }, wanted, patience);
-  }
-
-  /** Waits for a snapshot newer than `after`, or for the robot to go. @returns the newest then */
-  async nextSnapshot(after: number, patience: Patience): Promise<Snapshot | null> {
-    const before = this.newest;
-    if ((before?.seq ?? -1) > after) return before;
-    await this.#audience.until(patience, (done) => ({
-      snapshot: ({ seq, state }) => {
-        if (seq > after || state !== before?.state) done();
-      },
-    }));
-    return this.newest;
-  }
-
   // --- time and end ---
 
   /** Called about once a second: finds pages that sleep or that are away for good. */
@@ -372,73 +341,9 @@ export class Session {
 
   // --- other relays ---
 
-  /** What other relays said may not have come: readers are told so, and the page gets what waits. */
+  /** What other relays said may not have come. */
   missedNews(): void {
-    this.#life.missedSteps();
-    this.keys.refresh();
-    // Where the store is away, the next maze is told all the same.
-    this.mazes.lookAgain().catch(() => undefined);
-  }
-
-  /** Where the page is at another relay, waits for that one's answer: the newest snapshot, if there is one. */
-  async #meet(): Promise<void> {
-    if (!this.#seat.isElsewhere) return;
-    const { promise, resolve } = Promise.withResolvers<void>();
-    this.#met = resolve;
-    this.#line.sayHere(this.roster.told(), true);
-    const cancelTimer = this.#clock.after(limits.relayMeetMs, resolve);
-    await promise;
-    cancelTimer();
-  }
-
-  #heard(news: News): void {
-    const { page } = this.#seat;
-    switch (news.kind) {
-      case "page":
-        this.#seat.takeElsewhere(news.epoch, news.name)?.link.close(closeReasons.replaced);
-        this.#line.sayHere(this.roster.told());
-        return;
-      case "page-left":
-        if (!this.#seat.leaveElsewhere(news.epoch, this.#clock.now(), news.saidGoodbye)) return;
-        this.#life.handover.left(news.epoch, news.saidGoodbye);
-        this.#view.pageLeft();
-        return this.#tellReaders();
-      case "yield":
-        this.#life.handover.ask(news.epoch);
-        return;
-      case "yielded":
-        return this.#life.handover.yielded(news.epoch, false);
-      case "lapsed":
-        if (page === null) return;
-        page.link.close(closeReasons.restart);
-        return this.leavePage(page.link, false);
-      case "snapshot":
-        if (page !== null) return;
-        this.#view.hear(news.snapshot);
-        this.#met();
-        return this.#tellReaders();
-      case "here": {
-        this.#line.heardHere(news.from, news.scripts);
-        if (page === null) return this.#met();
-        if (news.asks) this.#answer();
-        return this.#tellScripts();
-      }
-      case "cancel":
-        return page?.link.send({ type: "cancel", seq: news.seq, why: news.why });
-      case "keys":
-        return this.keys.refresh();
-      case "maze":
-        return this.mazes.heard(news.version);
-      case "over":
-        if (this.isOver) return;
-        this.#forgotten();
-        return this.close("over");
-    }
-  }
-
-  #answer(): void {
-    if (this.newest === null) this.#line.sayHere(this.roster.told());
-    else this.#line.snapshot(this.newest);
+    this.#others.missed();
   }
 
   /** Tells the page, here or at another relay, of its scripts. */

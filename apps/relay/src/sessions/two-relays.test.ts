@@ -87,7 +87,7 @@ async function withRelays() {
   /** What a reader at the second relay hears. */
   const read = (): string[] => {
     const said: string[] = [];
-    atScripts.join(
+    atScripts.readers.join(
       key,
       {
         door: "websocket",
@@ -172,7 +172,7 @@ describe("page and script at different relays", () => {
     const said = read();
     await report(host, { seq: 7 });
     expect(atScripts.newest).toMatchObject({ seq: 7, state: "running" });
-    const next = atScripts.nextSnapshot(7, patience(25_000));
+    const next = atScripts.readers.nextSnapshot(7, patience(25_000));
     await clock.pass(limits.snapshotIntervalMs);
     await report(host, { seq: 8, tick: 9 });
     await clock.pass(limits.snapshotIntervalMs);

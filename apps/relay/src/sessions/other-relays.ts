@@ -1,0 +1,110 @@
+/** What a robot's session makes of the news that other relays tell on the robot's line. */
+import { closeReasons, type Snapshot } from "@corridor/protocol";
+import type { Clock } from "../clock.ts";
+import type { News } from "../cluster/switchboard.ts";
+import type { CommandLife } from "./command-life.ts";
+import type { DriverRoster } from "./driver-roster.ts";
+import type { KeyRing } from "./key-ring.ts";
+import { limits } from "./limits.ts";
+import type { MazeBoard } from "./maze-board.ts";
+import type { PageLink } from "./page-link.ts";
+import type { PageSeat } from "./page-seat.ts";
+import type { RobotLine } from "./robot-line.ts";
+import type { RobotView } from "./robot-view.ts";
+
+export interface OtherRelaysParts {
+  clock: Clock;
+  seat: PageSeat;
+  view: RobotView;
+  line: RobotLine;
+  life: CommandLife;
+  keys: KeyRing;
+  mazes: MazeBoard;
+  roster: DriverRoster;
+  /** the page that is here is away, as far as others believe */
+  lapsed(link: PageLink): void;
+  /** there is another snapshot to be told */
+  tellReaders(): void;
+  /** there is something new of the scripts to be told */
+  tellScripts(): void;
+  /** the robot was forgotten there */
+  over(): void;
+}
+
+export class OtherRelays {
+  readonly #parts: OtherRelaysParts;
+  /** ends the wait for the page's relay */
+  #met: () => void = () => undefined;
+
+  constructor(parts: OtherRelaysParts) {
+    this.#parts = parts;
+  }
+
+  /** Where the page is at another relay, waits for that one's answer: the newest snapshot, if there is one. */
+  async meet(): Promise<void> {
+    const { seat, line, roster, clock } = this.#parts;
+    if (!seat.isElsewhere) return;
+    const { promise, resolve } = Promise.withResolvers<void>();
+    this.#met = resolve;
+    line.sayHere(roster.told(), true);
+    const cancelTimer = clock.after(limits.relayMeetMs, resolve);
+    await promise;
+    cancelTimer();
+  }
+
+  /** What others said may not have come: readers are told so, and the page gets what waits. */
+  missed(): void {
+    const { life, keys, mazes } = this.#parts;
+    life.missedSteps();
+    keys.refresh();
+    // Where the store is away, the next maze is told all the same.
+    mazes.lookAgain().catch(() => undefined);
+  }
+
+  heard(news: News): void {
+    const { seat, view, line, life, keys, mazes, roster, clock } = this.#parts;
+    const { page } = seat;
+    switch (news.kind) {
+      case "page":
+        seat.takeElsewhere(news.epoch, news.name)?.link.close(closeReasons.replaced);
+        return line.sayHere(roster.told());
+      case "page-left":
+        if (!seat.leaveElsewhere(news.epoch, clock.now(), news.saidGoodbye)) return;
+        life.handover.left(news.epoch, news.saidGoodbye);
+        view.pageLeft();
+        return this.#parts.tellReaders();
+      case "yield":
+        life.handover.ask(news.epoch);
+        return;
+      case "yielded":
+        return life.handover.yielded(news.epoch, false);
+      case "lapsed":
+        if (page !== null) this.#parts.lapsed(page.link);
+        return;
+      case "snapshot":
+        if (page !== null) return;
+        view.hear(news.snapshot);
+        this.#met();
+        return this.#parts.tellReaders();
+      case "here":
+        line.heardHere(news.from, news.scripts);
+        if (page === null) return this.#met();
+        if (news.asks) this.#answer(view.newest);
+        return this.#parts.tellScripts();
+      case "cancel":
+        return page?.link.send({ type: "cancel", seq: news.seq, why: news.why });
+      case "keys":
+        return keys.refresh();
+      case "maze":
+        return mazes.heard(news.version);
+      case "over":
+        return this.#parts.over();
+    }
+  }
+
+  #answer(newest: Snapshot | null): void {
+    const { line, roster } = this.#parts;
+    if (newest === null) line.sayHere(roster.told());
+    else line.snapshot(newest);
+  }
+}
