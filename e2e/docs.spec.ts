@@ -7,7 +7,7 @@ test("says how to write a script, and makes the calls that it shows", async ({ p
   page.on("request", (request) => hosts.add(new URL(request.url()).host));
   await page.goto("/docs");
   await expect(page.getByRole("heading", { name: "The life of a command" })).toBeVisible();
-  const health = page.locator("#operations-default-checkHealth");
+  const health = page.locator("#operations-Service-checkHealth");
   await health
     .getByRole("button", { name: /healthz/ })
     .first()
