@@ -26,6 +26,12 @@ function toldTick(page: Page): Promise<number> {
   });
 }
 
+/** A reader sees what was painted: before that the styles may not have come, by which one of two places is hidden. */
+async function isPainted(page: Page): Promise<void> {
+  await page.waitForFunction(() => performance.getEntriesByType("paint").length > 0);
+  await page.evaluate(() => document.fonts.ready);
+}
+
 async function box(locator: Locator): Promise<string> {
   const place = await locator.boundingBox();
   if (place === null) return "not there";
@@ -173,7 +179,7 @@ test("sees the invitation all the time from the first paint on, in one place, wh
   const letCome = await holdScript(page);
   await page.goto("/", { waitUntil: "commit" });
   await expect(page.locator("[data-does=run]")).toBeVisible();
-  await page.evaluate(() => document.fonts.ready);
+  await isPainted(page);
   const text = await (await invitation(page)).textContent();
   await page.evaluate((words) => {
     const places = new Set<string>();
@@ -227,7 +233,7 @@ for (const [width, height] of [
       await page.goto(`/?lang=${lang}`, { waitUntil: "commit" });
       const run = page.locator("[data-does=run]");
       await expect(run).toBeVisible();
-      await page.evaluate(() => document.fonts.ready);
+      await isPainted(page);
       const parts = [run, page.locator("h1"), page.locator("header").first(), page.locator("main")];
       parts.push(await invitation(page));
       const before = await Promise.all(parts.map(box));
