@@ -2,7 +2,9 @@
 import type { Page } from "playwright/test";
 import { fileURLToPath } from "node:url";
 import { expect, test } from "./fixtures.ts";
+import { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoBarriers } from "./support/axe.ts";
+import { boxOf, phone, tab } from "./support/phone.ts";
 import { exampleOf, runScript } from "./support/script.ts";
 
 const library = fileURLToPath(new URL("../packages/client-python/src/", import.meta.url));
@@ -23,11 +25,13 @@ print(robot.right().state)
   return runScript([python, "-"], script);
 }
 
+const codeText = /^[BCDFGHJKLMNPQRSTVWXZ]{4} [BCDFGHJKLMNPQRSTVWXZ]{4}$/;
+
 async function showCode(page: Page): Promise<string> {
   await page.goto("/");
   await page.getByRole("radio", { name: "Remote" }).click();
   await page.getByRole("button", { name: "Show a code to type" }).click();
-  const code = page.getByText(/^[BCDFGHJKLMNPQRSTVWXZ]{4} [BCDFGHJKLMNPQRSTVWXZ]{4}$/);
+  const code = page.getByText(codeText);
   await expect(code).toBeVisible();
   await expect(page.getByText(/Counts for 9:\d\d|Counts for 10:00/)).toBeVisible();
   return (await code.textContent()) ?? "";
@@ -82,6 +86,94 @@ test("a script that the page says no to is told so, also after a reload of the p
   const { code: exit, output } = await running;
   expect([exit, output.trim()]).toEqual([1, "pairing-refused"]);
   await expect(page.getByText("Right wall (Python script) was told no.")).toBeVisible();
+});
+
+test.describe("asks its owner wherever they are on the page:", () => {
+  const yes = { name: "Yes, let it drive" };
+  const no = { name: "No", exact: true };
+
+  async function expectLargeEnough(page: Page): Promise<void> {
+    for (const name of [yes, no]) {
+      const { height, width } = await boxOf(page.getByRole("button", name).first());
+      expect(Math.min(height, width)).toBeGreaterThanOrEqual(44);
+    }
+  }
+
+  test("another driver is chosen", async ({ page }) => {
+    const corridor = new CorridorPage(page);
+    const code = await showCode(page);
+    await corridor.letDrive("Program");
+    await expect(page.getByRole("button", { name: "Take back" })).toBeHidden();
+    await corridor.speed.focus();
+    const running = runPaired(new URL(page.url()).origin, code);
+    await expect(corridor.messages.getByRole("status").filter({ hasText: question })).toBeVisible();
+    await expect(corridor.speed).toBeFocused();
+    await expectNoBarriers(page, "a script asks while the program drives");
+    await expectLargeEnough(page);
+    await page.getByRole("button", yes).focus();
+    await page.keyboard.press("Enter");
+    await expect(page.getByRole("button", yes)).toBeHidden();
+    await expect(page.getByText(question)).toHaveCount(0);
+    await expect(corridor.messages).toContainText(
+      "Right wall (Python script) may drive now, with a key of its own. Remote does not drive: choose Remote first.",
+    );
+    const { output } = await running;
+    expect(output).toContain("cancelled");
+  });
+
+  test("a dialog is open, which lets nothing else be pressed", async ({ page }) => {
+    const corridor = new CorridorPage(page);
+    const code = await showCode(page);
+    await corridor.share.click();
+    const dialog = page.getByRole("dialog", { name: "Share" });
+    const running = runPaired(new URL(page.url()).origin, code);
+    await expect(dialog.getByRole("status").filter({ hasText: question })).toBeVisible();
+    await expectNoBarriers(page, "a script asks while a dialog is open");
+    await expectLargeEnough(page);
+    await dialog.getByRole("button", no).click();
+    await expect(dialog.getByText(question)).toHaveCount(0);
+    const { output } = await running;
+    expect(output.trim()).toBe("pairing-refused");
+  });
+
+  test("the panel that asks lies below the screen", async ({ page }) => {
+    await page.setViewportSize({ width: 760, height: 800 });
+    const code = await showCode(page);
+    await page.evaluate(() => scrollTo(0, 0));
+    const running = runPaired(new URL(page.url()).origin, code);
+    const { messages } = new CorridorPage(page);
+    await expect(messages.getByText(question)).toBeVisible();
+    // Once it is in sight, it is asked in one place.
+    await page.getByRole("button", { name: "Yes" }).last().scrollIntoViewIfNeeded();
+    await expect(messages.getByText(question)).toHaveCount(0);
+    await page.getByRole("button", no).click();
+    await running;
+  });
+});
+
+test.describe("on a phone", () => {
+  test.use(phone);
+
+  test("a script asks on another tab, also after a reload of the page", async ({ page }) => {
+    await page.goto("/");
+    await page.getByRole("button", { name: "More" }).tap();
+    await page.getByRole("button", { name: "Remote" }).tap();
+    const dialog = page.getByRole("dialog", { name: "Remote" });
+    await dialog.getByRole("radio", { name: "Remote" }).check({ force: true });
+    await dialog.getByRole("button", { name: "Show a code to type" }).tap();
+    const code = await dialog.getByText(codeText).textContent();
+    await dialog.getByRole("button", { name: "Close" }).tap();
+    await tab(page, "Presets").tap();
+    await page.reload();
+    const running = runPaired(new URL(page.url()).origin, code ?? "");
+    const messages = page.getByRole("region", { name: "Messages" });
+    await expect(messages.getByText(question)).toBeVisible();
+    await expectNoBarriers(page, "a script asks on a phone");
+    await messages.getByRole("button", { name: "Yes, let it drive" }).tap();
+    await expect(messages.getByText(question)).toHaveCount(0);
+    const { code: exit, output } = await running;
+    expect([exit, output.trim()]).toEqual([0, "completed"]);
+  });
 });
 
 test("a code that was taken back counts no more", async ({ page }) => {

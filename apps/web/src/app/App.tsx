@@ -9,6 +9,7 @@ import { LessonsDialog } from "../features/lessons/lazy-lessons-dialog.ts";
 import { FileDoor } from "../features/files/FileDoor.tsx";
 import { Messages } from "../features/messages/Messages.tsx";
 import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
+import { PairingPlace } from "../features/remote/PairingPlace.tsx";
 import { SpokenRun } from "../features/speech/SpokenRun.tsx";
 import { Stage } from "../features/stage/Stage.tsx";
 import { Transport } from "../features/transport/Transport.tsx";
@@ -66,7 +67,9 @@ function Page() {
         </Later>
         <FaultNotice />
         <Later>
-          <Messages />
+          <Messages>
+            <PairingPlace />
+          </Messages>
         </Later>
       </main>
       {isPhone ? (

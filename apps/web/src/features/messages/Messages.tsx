@@ -1,6 +1,6 @@
 /** Messages that can be dismissed. Information leaves after 6 s; what went wrong stays, and what is told to. */
 import { CircleAlert, X } from "lucide-react";
-import { useEffect, useState } from "react";
+import { useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -14,7 +14,8 @@ import styles from "./messages.module.css";
 /** How long information stays, in ms; it waits while it has the focus or the pointer. */
 const STAYS_MS = 6000;
 
-export function Messages() {
+/** @param children what asks for an answer, below the messages */
+export function Messages({ children }: { children?: ReactNode }) {
   const { t } = useTranslation();
   const { screen, run } = useServices();
   const messages = useStore(screen, (state) => state.messages);
@@ -41,6 +42,7 @@ export function Messages() {
             <MessageCard key={message.id} message={message} />
           ))}
       </div>
+      {children}
     </section>
   );
 }

@@ -1,5 +1,4 @@
 /** A code to type where the script runs, in place of the long address; and the question when one asks by it. */
-import type { TFunction } from "i18next";
 import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -7,7 +6,8 @@ import { Button } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import type { RemoteSession } from "../../worker/worker-messages.ts";
 import { groupedCode, timeText } from "./pairing-text.ts";
-import { pairingOf, type PairingQuestion, type PairingView } from "./robot-pairing.ts";
+import { newsText, questionText } from "./pairing-words.ts";
+import { pairingOf } from "./robot-pairing.ts";
 import { useTimeLeft } from "./use-time-left.ts";
 import styles from "./remote.module.css";
 
@@ -17,6 +17,21 @@ export function PairingField({ session }: { session: RemoteSession }) {
   const view = useStore(pairing.store, (state) => state.view);
   const field = useRef<HTMLElement>(null);
   useEffect(() => void pairing.resume(), [pairing]);
+  useEffect(() => {
+    const element = field.current;
+    if (element === null) return;
+    pairing.store.setState({ field: element });
+    const watch = new IntersectionObserver(
+      (entries) => pairing.store.setState({ isInSight: entries.at(-1)?.isIntersecting === true }),
+      // Not the whole of it: a fraction of a pixel may always be cut off.
+      { threshold: 0.95 },
+    );
+    watch.observe(element);
+    return () => {
+      watch.disconnect();
+      pairing.store.setState({ field: null, isInSight: false });
+    };
+  }, [pairing]);
   const isShown = view.kind === "open" || view.kind === "asked";
   /** The button that was pressed is gone: the one in its place takes the focus over. */
   const press = async (work: Promise<void>): Promise<void> => {
@@ -29,7 +44,7 @@ export function PairingField({ session }: { session: RemoteSession }) {
       <dd ref={field} className={classNames(isShown && styles["pairing"])}>
         {view.kind === "open" && <Code code={view.code} />}
         <output className={classNames(view.kind === "asked" && styles["question"])}>
-          {view.kind === "asked" && t("remote.pair.asks", { script: scriptText(t, view.question) })}
+          {view.kind === "asked" && questionText(t, view.question)}
         </output>
         {isShown ? (
           <div className={styles["answers"]}>
@@ -53,7 +68,7 @@ export function PairingField({ session }: { session: RemoteSession }) {
       </dd>
       <dd className={styles["fieldNote"]}>
         <p>
-          <output>{useNews(view)}</output>
+          <output>{newsText(t, view)}</output>
           {view.kind === "open" && view.trouble === null && <TimeLeft endsAt={view.endsAt} />}
           {(view.kind === "none" || view.kind === "over") &&
             view.trouble === null &&
@@ -78,23 +93,4 @@ function TimeLeft({ endsAt }: { endsAt: number }) {
   const { t } = useTranslation();
   const seconds = useTimeLeft(endsAt);
   return t("remote.pair.left", { time: timeText(seconds) });
-}
-
-/** What came of it, in a sentence. */
-function useNews(view: PairingView): string {
-  const { t } = useTranslation();
-  if (view.trouble === "tooManyKeys") return t("remote.pair.tooManyKeys");
-  if (view.trouble === "failed") return t("remote.watchFailed");
-  if (view.kind === "over") return t("remote.pair.over");
-  if (view.kind !== "accepted" && view.kind !== "refused") return "";
-  return t(`remote.pair.${view.kind}`, { script: scriptText(t, view.question) });
-}
-
-/** "Right wall (Python script)", or "A script". */
-function scriptText(t: TFunction, { name, client }: PairingQuestion): string {
-  const language =
-    client === "" || client === "Script"
-      ? t("remote.someScript")
-      : t("remote.scriptIn", { language: client });
-  return name === null ? language : t("remote.pair.named", { name, language });
 }

@@ -107,6 +107,25 @@ it("finds the question again after a reload, and lets it go when its time is ove
   expect(view()).toMatchObject({ kind: "over" });
 });
 
+it("still waits after a reload for the script to which the code was told before", async () => {
+  const { asked, pairing, view, answer } = withService();
+  void pairing.resume();
+  await answer(shown("open"));
+  expect(view()).toMatchObject({ kind: "none" });
+  await answer(shown("asked", question));
+  expect(view()).toMatchObject({ kind: "asked", question });
+  expect(asked).toEqual(["GET ?wait=0", "GET ?wait=20"]);
+});
+
+it("shows the code that is being made, also where another part of the page comes up meanwhile", async () => {
+  const { asked, pairing, view, answer } = withService();
+  void pairing.open();
+  void pairing.resume();
+  await answer(Response.json(made, { status: 201 }));
+  expect(view()).toMatchObject({ kind: "open", code: "BCDFGHJK" });
+  expect(asked).toEqual(["POST", "GET ?wait=20"]);
+});
+
 it("says so when there is no code, or nobody asks any more", async () => {
   const { pairing, view, answer } = withService();
   void pairing.open();

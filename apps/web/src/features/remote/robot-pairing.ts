@@ -26,6 +26,14 @@ export type PairingView = { trouble: "failed" | "tooManyKeys" | null } & (
   | { kind: "accepted" | "refused"; question: PairingQuestion }
 );
 
+export interface PairingState {
+  view: PairingView;
+  /** where the Remote panel asks, while it is open */
+  field: Element | null;
+  /** whether all of that is on the screen: a panel scrolls, or lies below the stage */
+  isInSight: boolean;
+}
+
 export interface PairingParts {
   owner: Owner;
   ask: Ask;
@@ -35,14 +43,20 @@ export interface PairingParts {
 }
 
 export class RobotPairing {
-  readonly store: StoreApi<{ view: PairingView }>;
+  readonly store: StoreApi<PairingState>;
   readonly #parts: PairingParts;
   /** what was begun last: answers to anything earlier say nothing any more */
   #turn = 0;
+  /** nothing is being asked of the service */
+  #isIdle = true;
 
   constructor(parts: PairingParts) {
     this.#parts = parts;
-    this.store = createStore(() => ({ view: { kind: "none", trouble: null } }));
+    this.store = createStore(() => ({
+      view: { kind: "none", trouble: null },
+      field: null,
+      isInSight: false,
+    }));
   }
 
   /** Shows a new code, and waits for a script that asks by it. */
@@ -52,16 +66,23 @@ export class RobotPairing {
     if (turn !== this.#turn) return;
     if (made === null) return this.#trouble("failed");
     this.#show({ kind: "open", code: made.code, endsAt: this.#endOf(made) });
-    await this.#follow(turn);
+    await this.#follow(turn, this.#endOf(made));
   }
 
-  /** Finds a question that came before this page was loaded anew. */
+  /**
+   * Finds a question that came before this page was loaded anew, or waits for it: the code that was shown
+   * then still counts, though the page knows it no more.
+   */
   async resume(): Promise<void> {
-    if (this.store.getState().view.kind !== "none") return;
+    // What its owner has begun meanwhile goes on.
+    if (!this.#isIdle || this.store.getState().view.kind !== "none") return;
     const turn = this.#begin();
     const found = await lookAtPairing(this.#parts.ask, this.#parts.owner, 0);
-    if (turn !== this.#turn || found === null || found === "gone") return;
+    if (turn !== this.#turn) return;
+    this.#isIdle = true;
+    if (found === null || found === "gone") return;
     if (found.state === "asked") this.#take(found);
+    if (found.state === "open") await this.#follow(this.#begin(), this.#endOf(found));
   }
 
   /** Takes an open code back, or says no to the script that asks. */
@@ -96,14 +117,12 @@ export class RobotPairing {
     else this.#trouble(outcome);
   }
 
-  async #follow(turn: number): Promise<void> {
+  async #follow(turn: number, endsAt: number): Promise<void> {
     const { ask, owner, now, later } = this.#parts;
-    const { view } = this.store.getState();
     while (turn === this.#turn) {
       const found = await lookAtPairing(ask, owner, WAIT_SECONDS);
       if (turn !== this.#turn) return;
-      const isOver = view.kind !== "open" || now() >= view.endsAt;
-      if (found === "gone" || isOver) return this.#show({ kind: "over" });
+      if (found === "gone" || now() >= endsAt) return this.#show({ kind: "over" });
       if (found === null) await new Promise<void>((resolve) => later(resolve, RETRY_MS));
       else if (found.state !== "open") return this.#take(found);
     }
@@ -127,17 +146,20 @@ export class RobotPairing {
 
   #begin(): number {
     this.#turn += 1;
+    this.#isIdle = false;
     return this.#turn;
   }
 
   #trouble(trouble: "failed" | "tooManyKeys"): void {
     const { view } = this.store.getState();
+    this.#isIdle = true;
     this.store.setState({ view: { ...view, trouble } });
     // What was cut short by the try goes on.
-    if (view.kind === "open") void this.#follow(this.#turn);
+    if (view.kind === "open") void this.#follow(this.#turn, view.endsAt);
   }
 
   #show(view: PairingShown): void {
+    this.#isIdle = true;
     this.store.setState({ view: { ...view, trouble: null } });
   }
 }
