@@ -1,8 +1,9 @@
 /**
  * A fleet at the product: robots are registered, pages and readers say hello with their keys, readers say
- * what they have seen, pages begin and end each command at once.
+ * what they have seen as those of the client do, pages begin and end each command at once.
  */
 import type { Registration } from "@corridor/protocol";
+import { SeenPace } from "../../../packages/client/src/seen-pace.ts";
 import { openAll, type Fleet, type FleetOptions } from "./fleet.ts";
 import { commandText, numberIn, snapshotText } from "./messages.ts";
 import { TextWire } from "./text-wire.ts";
@@ -89,11 +90,12 @@ async function openRobot(robot: number, options: FleetOptions): Promise<Robot> {
     await joined.promise;
     return wire;
   };
+  const seen = new SeenPace();
   const hear = (text: string): void => {
     if (text.startsWith('{"type":"snapshot"')) {
       const n = numberIn(text);
       ears.snapshot(robot, n);
-      reader.send(`{"type":"seen","seq":${n}}`);
+      if (seen.read(performance.now())) reader.send(`{"type":"seen","seq":${n}}`);
     } else if (text.startsWith('{"type":"ack"')) ears.answered(robot);
     else if (text.startsWith('{"type":"state"')) {
       if (text.includes('"state":"started"')) ears.began(robot);

@@ -1,5 +1,5 @@
 import { snapshotOf } from "@corridor/protocol/testing";
-import { termsOf, type CommandRecord, type Order } from "@corridor/protocol";
+import { termsOf, type CommandRecord, type Order, type Snapshot } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { RobotClient } from "./robot-client.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
@@ -10,9 +10,9 @@ async function connected() {
   /** of the newest state */
   let n = 0;
   const opening = RobotClient.connect(ADDRESS, { platform });
-  const welcome = (stream = "k3J9x2aB"): void => {
+  const welcome = (stream = "k3J9x2aB", snapshot: Snapshot | null = null): void => {
     platform.socket.open();
-    platform.socket.receive({ type: "welcome", version: 1, stream, n, snapshot: null });
+    platform.socket.receive({ type: "welcome", version: 1, stream, n, snapshot });
   };
   welcome();
   const robot = await opening;
@@ -169,6 +169,23 @@ describe("RobotClient", () => {
     const { platform } = await connected();
     platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 41 }) });
     expect(platform.socket.sent.at(-1)).toEqual({ type: "seen", seq: 41 });
+    for (const seq of [43, 44]) {
+      platform.pass(50);
+      platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq }) });
+    }
+    expect(platform.socket.sent.slice(1)).toEqual([
+      { type: "seen", seq: 41 },
+      { type: "seen", seq: 44 },
+    ]);
+  });
+
+  it("says on each new line that it has read what came with the welcome", async () => {
+    const { platform, welcome } = await connected();
+    platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 41 }) });
+    platform.socket.cut(1006);
+    platform.pass(10_000);
+    welcome("k3J9x2aB", snapshotOf({ seq: 90 }));
+    expect(platform.socket.sent.at(-1)).toEqual({ type: "seen", seq: 90 });
   });
 
   it("asks again with the same keys, in order, when the relay was restarted", async () => {

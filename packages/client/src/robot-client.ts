@@ -28,6 +28,7 @@ import { Connection, type ConnectionStatus } from "./connection.ts";
 import { pairRobot } from "./pairing.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
 import { parseRobotAddress, doorUrls } from "./robot-address.ts";
+import { SeenPace } from "./seen-pace.ts";
 import { SnapshotInbox } from "./snapshot-inbox.ts";
 
 /** What may be said beside a command. */
@@ -86,6 +87,7 @@ export class RobotClient {
   readonly #name: { name?: string };
   readonly #connection: Connection<RelayToDriver>;
   readonly #inbox: SnapshotInbox;
+  readonly #seen = new SeenPace();
   #welcomed: () => void = () => undefined;
   #notWelcomed: (reason: ClientError) => void = () => undefined;
   /** not yet acknowledged on this line, in order; only the first is on its way */
@@ -358,13 +360,11 @@ export class RobotClient {
         if (message.stream !== this.#stream) this.#askAgain();
         this.#stream = message.stream;
         if (message.n !== null) this.#told(message.n);
-        if (message.snapshot !== null) this.#inbox.put(message.snapshot);
+        this.#seen.begin();
+        if (message.snapshot !== null) this.#read(message.snapshot);
         return;
       case "snapshot":
-        this.#inbox.put(message.snapshot);
-        // By HTTPS the next request says it already.
-        if (this.#connection.door === "https") return;
-        return this.#connection.send(encodeFrame({ type: "seen", seq: message.snapshot.seq }));
+        return this.#read(message.snapshot);
       case "ack":
         return this.#acknowledged(message.record);
       case "state":
@@ -380,6 +380,14 @@ export class RobotClient {
       case "heartbeat":
         return;
     }
+  }
+
+  #read(snapshot: Snapshot): void {
+    this.#inbox.put(snapshot);
+    // By HTTPS the next request says it already.
+    if (this.#connection.door === "https") return;
+    if (!this.#seen.read(this.#platform.clock.now())) return;
+    this.#connection.send(encodeFrame({ type: "seen", seq: snapshot.seq }));
   }
 
   #told(n: number): void {

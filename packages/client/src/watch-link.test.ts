@@ -46,18 +46,27 @@ describe("who looks on", () => {
   it("says so, is told where the robot is, and asks for its maze with the key in the header", () => {
     const { platform, told, asked, welcome } = watching();
     welcome();
-    expect(platform.socket.sent).toEqual([{ type: "hello", version: 1, role: "watch", key: KEY }]);
+    expect(platform.socket.sent).toEqual([
+      { type: "hello", version: 1, role: "watch", key: KEY },
+      { type: "seen", seq: 7 },
+    ]);
     expect(told).toEqual(["connecting", "snapshot 7", "connected"]);
     const url = `https://host/api/v1/robots/${ID}/maze`;
     expect(asked).toEqual([{ method: "GET", url, key: KEY, body: null }]);
   });
 
-  it("gets every snapshot, and says that it was read", () => {
+  it("gets every snapshot, and says of every second one that all were read", () => {
     const { platform, told, welcome } = watching();
     welcome();
-    platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 8 }) });
-    expect(told.at(-1)).toBe("snapshot 8");
-    expect(platform.socket.sent.at(-1)).toEqual({ type: "seen", seq: 8 });
+    for (const seq of [8, 9]) {
+      platform.pass(50);
+      platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq }) });
+      expect(told.at(-1)).toBe(`snapshot ${seq}`);
+    }
+    expect(platform.socket.sent.slice(1)).toEqual([
+      { type: "seen", seq: 7 },
+      { type: "seen", seq: 9 },
+    ]);
   });
 
   it("gets the maze, and another one when the robot is in it", async () => {

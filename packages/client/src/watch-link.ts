@@ -14,6 +14,7 @@ import {
 import { Connection } from "./connection.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
 import { doorUrls } from "./robot-address.ts";
+import { SeenPace } from "./seen-pace.ts";
 
 /** Pause before the maze is asked for again that the relay could not tell. */
 const AGAIN_MS = 2_000;
@@ -44,6 +45,7 @@ export class WatchLink {
   readonly #options: WatchLinkOptions;
   readonly #platform: Omit<Platform, "uniqueText">;
   readonly #connection: Connection<RelayToDriver>;
+  readonly #seen = new SeenPace();
   /** calls off what is asked of the maze now, or is to be asked later */
   #forgetAsking: () => void = () => undefined;
 
@@ -82,13 +84,11 @@ export class WatchLink {
   #received(message: RelayToDriver): void {
     switch (message.type) {
       case "welcome":
-        if (message.snapshot !== null) this.#options.onSnapshot(message.snapshot);
+        this.#seen.begin();
+        if (message.snapshot !== null) this.#read(message.snapshot);
         return;
       case "snapshot":
-        this.#options.onSnapshot(message.snapshot);
-        // By HTTPS the next request says it already.
-        if (this.#connection.door === "https") return;
-        return this.#connection.send(encodeFrame({ type: "seen", seq: message.snapshot.seq }));
+        return this.#read(message.snapshot);
       case "maze":
         return this.#askForMaze();
       case "ack":
@@ -98,6 +98,14 @@ export class WatchLink {
       case "heartbeat":
         return;
     }
+  }
+
+  #read(snapshot: Snapshot): void {
+    this.#options.onSnapshot(snapshot);
+    // By HTTPS the next request says it already.
+    if (this.#connection.door === "https") return;
+    if (!this.#seen.read(this.#platform.clock.now())) return;
+    this.#connection.send(encodeFrame({ type: "seen", seq: snapshot.seq }));
   }
 
   #askForMaze(): void {

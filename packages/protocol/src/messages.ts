@@ -197,7 +197,7 @@ export const driverToRelaySchema = z.discriminatedUnion(
       key: idempotencyKeySchema.optional(),
       command: orderSchema,
     }),
-    /** all that came up to this snapshot was read; at most 2 are on their way at a time */
+    /** all that came up to this snapshot was read, said for each or for every second: 2 at most are on their way */
     z.strictObject({ type: z.literal("seen"), seq: count }),
   ],
   { error: "one of command, seen" },
