@@ -71,13 +71,14 @@ test("shows the robot where it is, whoever drives it, and its maze as it changes
   const { banner, maze, news } = seen(page);
   await expect(banner).toBeVisible();
   await expect(maze).toHaveText("Long way round");
-  await expect(news).toContainText("A script drives.");
+  await expect(news).toContainText("The robot waits for a script.");
   await expectSamePlace(corridor, page);
 
   // A script.
   const moved = await call(drive, "/commands", { body: { action: "move", distance: 150 } });
   const { seq } = (await moved.json()) as { seq: number };
   await call(drive, `/commands/${seq}?wait=25`);
+  await expect(news).toContainText("A script drives.");
   await expectSamePlace(corridor, page);
 
   // The hand: the picture moves with it.
@@ -122,6 +123,19 @@ test("takes the key out of the address and goes on after a reload", async ({
   await expect(page).toHaveURL(/\/$/);
 });
 
+test("is looked at in the colours that the onlooker likes", async ({ corridor, openWindow }) => {
+  const { watch } = await takeAddresses(corridor);
+  const { page } = await openWindow({ colorScheme: "light" });
+  await page.goto(watch);
+  await expect(seen(page).place).toBeVisible();
+  await page.getByRole("button", { name: "Theme" }).click();
+  await page.getByRole("radio", { name: "Dark" }).check({ force: true });
+  await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
+  await page.reload();
+  await expect(seen(page).place).toBeVisible();
+  await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
+});
+
 test("is told when the robot's page leaves and when it comes back", async ({
   corridor,
   openWindow,
@@ -135,7 +149,7 @@ test("is told when the robot's page leaves and when it comes back", async ({
   await expect(news).toContainText("The robot's page is closed or has no network.");
   await expectNoBarriers(page, "an onlooker whose robot is gone");
   await corridor.page.goBack();
-  await expect(news).toContainText("A script drives.", { timeout: 15_000 });
+  await expect(news).toContainText("The robot waits for a script.", { timeout: 15_000 });
 });
 
 test("is told at once when the link was taken back, and can open the new one in the same tab", async ({

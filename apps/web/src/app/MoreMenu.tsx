@@ -5,6 +5,7 @@ import { FileMenuItems } from "../features/files/FileMenuItems.tsx";
 import { LanguageSelect } from "../features/language/LanguageSelect.tsx";
 import { ThemeChoice } from "../features/theme/ThemeChoice.tsx";
 import { MenuItem } from "../ui/Popover.tsx";
+import { useServices } from "./services.ts";
 import styles from "./more-menu.module.css";
 
 export interface TopBarProps {
@@ -16,6 +17,7 @@ export interface TopBarProps {
 
 export function MoreMenu({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
+  const { screen } = useServices();
   return (
     <>
       {isPhone && (
@@ -33,7 +35,7 @@ export function MoreMenu({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) 
       </MenuItem>
       <FileMenuItems />
       <div className={styles["choice"]}>
-        <ThemeChoice />
+        <ThemeChoice screen={screen} />
       </div>
       <div className={styles["choice"]}>
         <LanguageSelect />

@@ -15,11 +15,13 @@ import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./top-bar.module.css";
 import { Brand } from "./Brand.tsx";
 import type { TopBarProps } from "./MoreMenu.tsx";
+import { useServices } from "./services.ts";
 
 const MoreMenu = lazyPart(async () => (await import("./MoreMenu.tsx")).MoreMenu);
 
 export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
+  const { screen } = useServices();
   // The maze's name needs the room first.
   const isNarrow = useMediaQuery("(max-width: 56.24em)");
   return (
@@ -38,7 +40,7 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
               <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
                 <Keyboard aria-hidden="true" />
               </IconButton>
-              <ThemeButton />
+              <ThemeButton screen={screen} />
               <LanguageButton />
             </div>
           )}

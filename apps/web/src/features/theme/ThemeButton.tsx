@@ -2,7 +2,7 @@
 import { Monitor, Moon, Sun } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import type { ScreenStore } from "../../stores/screen-store.ts";
 import { IconButton } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
@@ -15,9 +15,8 @@ const themeIcons = {
   dark: <Moon aria-hidden="true" />,
 };
 
-export function ThemeButton() {
+export function ThemeButton({ screen }: { screen: ScreenStore }) {
   const { t } = useTranslation();
-  const { screen } = useServices();
   const theme = useStore(screen, (state) => state.theme);
   const menu = usePopover();
   return (
@@ -26,7 +25,7 @@ export function ThemeButton() {
         {themeIcons[theme]}
       </IconButton>
       <Popover {...menu.panel} label={t("works.theme")} align="end">
-        <ThemeChoice />
+        <ThemeChoice screen={screen} />
       </Popover>
     </>
   );

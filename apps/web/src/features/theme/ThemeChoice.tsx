@@ -1,15 +1,14 @@
 /** Light, dark, or as the system; high contrast on top of each. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import type { ScreenStore } from "../../stores/screen-store.ts";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import styles from "./theme.module.css";
 
-export function ThemeChoice() {
+export function ThemeChoice({ screen }: { screen: ScreenStore }) {
   const { t } = useTranslation();
-  const { screen } = useServices();
   const theme = useStore(screen, (state) => state.theme);
   const contrast = useStore(screen, (state) => state.contrast);
   const isAsked = useMediaQuery("(prefers-contrast: more)");

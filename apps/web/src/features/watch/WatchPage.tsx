@@ -7,7 +7,9 @@ import { Brand } from "../../app/Brand.tsx";
 import { ErrorBoundary } from "../../app/ErrorBoundary.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import buttons from "../../ui/button.module.css";
+import type { ScreenStore } from "../../stores/screen-store.ts";
 import { LanguageButton } from "../language/LanguageButton.tsx";
+import { ThemeButton } from "../theme/ThemeButton.tsx";
 import type { WatchClient } from "./watch-client.ts";
 import { endingOf, type WatchStore } from "./watch-store.ts";
 import { WatchEnding } from "./WatchEnding.tsx";
@@ -17,11 +19,12 @@ import styles from "./watch.module.css";
 
 interface WatchPageProps {
   store: WatchStore;
+  screen: ScreenStore;
   /** null while there is nothing to look at */
   client: () => WatchClient | null;
 }
 
-export function WatchPage({ store, client }: WatchPageProps) {
+export function WatchPage({ store, screen, client }: WatchPageProps) {
   const { t } = useTranslation(["words", "watch"], { useSuspense: false });
   const ending = useStore(store, endingOf);
   const title = t("watch:title");
@@ -42,6 +45,7 @@ export function WatchPage({ store, client }: WatchPageProps) {
             </p>
           )}
           <div className={styles["end"]}>
+            <ThemeButton screen={screen} />
             <LanguageButton />
             {isWatching && (
               <a

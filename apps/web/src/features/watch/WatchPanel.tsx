@@ -4,13 +4,14 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { facingOf } from "../stage/robot-place.ts";
 import { WatchReadings } from "./WatchReadings.tsx";
-import { robotState, type WatchStore } from "./watch-store.ts";
+import { drivenBy, robotState, type WatchStore } from "./watch-store.ts";
 import styles from "./watch.module.css";
 
 const icons = {
   me: <User aria-hidden="true" />,
   program: <List aria-hidden="true" />,
   remote: <RadioTower aria-hidden="true" />,
+  waiting: <RadioTower aria-hidden="true" />,
 };
 
 export function WatchPanel({ store }: { store: WatchStore }) {
@@ -55,7 +56,7 @@ function RobotPlace({ store }: { store: WatchStore }) {
 function RobotNews({ store }: { store: WatchStore }) {
   const { t } = useTranslation(["words", "watch"], { useSuspense: false });
   const state = useStore(store, robotState);
-  const driver = useStore(store, ({ snapshot }) => snapshot?.driver ?? null);
+  const driver = useStore(store, drivenBy);
   const isAtGoal = useStore(store, ({ snapshot }) => snapshot?.goalReached === true);
   const isSeen = state === "running" || state === "paused";
   return (

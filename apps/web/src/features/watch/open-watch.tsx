@@ -64,7 +64,7 @@ export async function openWatch(parts: WatchParts): Promise<void> {
   root.render(
     <I18nextProvider i18n={words}>
       <LanguageProvider value={language}>
-        <WatchPage store={store} client={() => client} />
+        <WatchPage store={store} screen={screen} client={() => client} />
       </LanguageProvider>
     </I18nextProvider>,
   );

@@ -2,7 +2,7 @@
 import type { StageLink } from "../stage/stage-screen.ts";
 import type { StageToWorker } from "../../worker/stage-messages.ts";
 import type { FromWatcher, ToWatcher, WatchedRobot } from "../../worker/watch-messages.ts";
-import type { WatchStore } from "./watch-store.ts";
+import { seeSnapshot, type WatchStore } from "./watch-store.ts";
 
 /** As much of a Worker as is needed here. */
 interface WatchPort {
@@ -27,7 +27,7 @@ export class WatchClient implements StageLink {
             return { line: { ...status, isAgain: isAgain || isLine } };
           });
         case "watch-snapshot":
-          return store.setState({ snapshot: data.snapshot });
+          return store.setState((state) => seeSnapshot(state, data.snapshot));
         case "watch-maze":
           return store.setState({ maze: data.maze });
         case "picture":

@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 import type { FromWatcher, ToWatcher } from "../../worker/watch-messages.ts";
 import { firstMaze } from "../../worker/first-work.ts";
 import { WatchClient } from "./watch-client.ts";
-import { createWatchStore, endingOf, robotState } from "./watch-store.ts";
+import { createWatchStore, drivenBy, endingOf, robotState } from "./watch-store.ts";
 
 const robot = { id: "A".repeat(22), key: `wch_${"B".repeat(22)}` };
 const lost = { kind: "lost", reason: closeReasons.restart } as const;
@@ -36,6 +36,21 @@ describe("an onlooker's page", () => {
       say({ type: "watch-snapshot", snapshot: snapshotOf({ state: each }) });
       expect(state()).toBe(each);
     }
+  });
+
+  it("says that a script drives once a command of one was seen, and not long after the last", () => {
+    const { say, store } = looking();
+    const driver = (change: Parameters<typeof snapshotOf>[0]) => {
+      say({ type: "watch-snapshot", snapshot: snapshotOf(change) });
+      return drivenBy(store.getState());
+    };
+    expect(driver({ driver: "remote", tick: 10, command: null })).toBe("waiting");
+    expect(driver({ driver: "remote", tick: 20, command: 1 })).toBe("remote");
+    expect(driver({ driver: "remote", tick: 1_800, command: null })).toBe("remote");
+    expect(driver({ driver: "remote", tick: 1_820, command: null })).toBe("waiting");
+    expect(driver({ driver: "remote", tick: 1_830, command: 2 })).toBe("remote");
+    expect(driver({ driver: "me", tick: 1_840 })).toBe("me");
+    expect(driver({ driver: "remote", tick: 1_850, command: null })).toBe("waiting");
   });
 
   it("says that a lost line is tried again, until there is one", () => {

@@ -1,7 +1,7 @@
 /** What an onlooker's page knows of the robot, and the sentence that says how it is. */
 import type { WatchStatus } from "@corridor/client/watch";
 import type { MazeDocument } from "@corridor/maze";
-import { closeReasons, type Snapshot } from "@corridor/protocol";
+import { closeReasons, type DriverName, type Snapshot } from "@corridor/protocol";
 import { createStore } from "zustand/vanilla";
 import type { Visit } from "./watch-address.ts";
 
@@ -12,6 +12,8 @@ export interface WatchState {
     isAgain: boolean;
   };
   snapshot: Snapshot | null;
+  /** the tick at which a script's command was last seen to run; null while none was since Remote drives */
+  scriptTick: number | null;
   /** null: nobody knows it; undefined: nobody has said so yet */
   maze: MazeDocument | null | undefined;
   /** the worker did not load, or broke */
@@ -27,6 +29,7 @@ export type WatchStore = ReturnType<typeof createWatchStore>;
 export const nothingYet: Omit<WatchState, "visit"> = {
   line: { kind: "connecting", isAgain: false },
   snapshot: null,
+  scriptTick: null,
   maze: undefined,
   isBroken: false,
 };
@@ -37,6 +40,27 @@ export type RobotState = "connecting" | "waiting" | "running" | "paused" | "gone
 export function robotState({ line, snapshot }: WatchState): RobotState {
   if (line.kind !== "connected") return line.isAgain ? "lost" : "connecting";
   return snapshot === null ? "waiting" : snapshot.state;
+}
+
+/** After so many ticks without a command, half a minute at the usual speed, nobody counts on the script. */
+const SCRIPT_STAYS = 1800;
+
+/** What a snapshot changes: it tells of the command that runs, not of the scripts that there are. */
+export function seeSnapshot(
+  { scriptTick }: Pick<WatchState, "scriptTick">,
+  snapshot: Snapshot,
+): Pick<WatchState, "snapshot" | "scriptTick"> {
+  const { driver, command, tick } = snapshot;
+  if (driver !== "remote") return { snapshot, scriptTick: null };
+  if (command !== null) return { snapshot, scriptTick: tick };
+  const isStill = scriptTick !== null && tick - scriptTick < SCRIPT_STAYS;
+  return { snapshot, scriptTick: isStill ? scriptTick : null };
+}
+
+/** Who drives, by the name of its sentence. */
+export function drivenBy({ snapshot, scriptTick }: WatchState): DriverName | "waiting" | null {
+  const driver = snapshot?.driver ?? null;
+  return driver === "remote" && scriptTick === null ? "waiting" : driver;
 }
 
 /** Why there is nothing to look at, by the name of its sentences. */
