@@ -7,9 +7,21 @@ import { startTestRelay } from "../testing/test-relay.ts";
 import { describeMessages, messageName } from "./document.ts";
 
 interface Described {
-  channels: { robot: { messages: Record<string, unknown> } };
-  operations: Record<string, { action: string; messages: { $ref: string }[] }>;
-  components: { messages: Record<string, { payload: object }>; schemas: Record<string, object> };
+  servers: Record<string, { host: string; protocol: string; description: string }>;
+  channels: {
+    robot: { description: string; servers: unknown[]; messages: Record<string, unknown> };
+  };
+  operations: Record<
+    string,
+    { action: string; summary: string; description: string; messages: { $ref: string }[] }
+  >;
+  components: {
+    messages: Record<
+      string,
+      { name: string; description: string; payload: object; examples: { payload: object }[] }
+    >;
+    schemas: Record<string, object>;
+  };
 }
 
 const document = describeMessages() as unknown as Described;
@@ -85,6 +97,40 @@ describe("/asyncapi.json", () => {
       expect(validate(message) ? [] : validate.errors).toEqual([]);
       expect(validate({ ...message, extra: 1 })).toBe(false);
       expect(validate({ ...message, type: "another" })).toBe(false);
+    }
+  });
+
+  it.each(Object.entries(document.components.messages))(
+    "says in words what %s is, and shows one that its schema accepts",
+    (name, { name: type, description, examples }) => {
+      expect(description).toMatch(/^[A-Z].{20,}\.$/);
+      expect(examples.length).toBeGreaterThan(0);
+      const validate = validatorOf(name);
+      for (const { payload } of examples) {
+        expect(validate(payload) ? [] : validate.errors).toEqual([]);
+        expect(payload).toMatchObject({ type });
+      }
+    },
+  );
+
+  it("says where the service is, by both ways that a robot's address may begin", () => {
+    const { servers, channels } = document;
+    expect(Object.values(servers).map(({ protocol }) => protocol)).toEqual(["wss", "ws"]);
+    for (const { description } of Object.values(servers)) expect(description).not.toBe("");
+    expect(channels.robot.servers).toHaveLength(2);
+  });
+
+  it("says of each side in which order it speaks, and names there no message that is none", () => {
+    const types = new Set(Object.values(document.components.messages).map(({ name }) => name));
+    const fields = new Set(["key", "n"]);
+    for (const { summary, description } of Object.values(document.operations)) {
+      expect(summary).toMatch(/\.$/);
+      const named = [...description.matchAll(/`(\w+)`/g)].map(([, word]) => word ?? "");
+      expect(named[0]).toBe("hello");
+      expect(named.indexOf("welcome")).toBeGreaterThan(0);
+      expect(named.indexOf("welcome")).toBeLessThan(named.indexOf("command"));
+      expect(named.filter((word) => !types.has(word) && !fields.has(word))).toEqual([]);
+      expect(document.channels.robot.description).toContain(description);
     }
   });
 });

@@ -3,7 +3,6 @@
  * messages. What a field must be is said by its schema alone; here is only who says what to whom.
  */
 import {
-  closeReasons,
   commandRecordSchema,
   driverToRelaySchema,
   helloSchema,
@@ -16,38 +15,32 @@ import {
   snapshotSchema,
 } from "@corridor/protocol";
 import { z } from "zod";
-
-const DESCRIPTION = `One WebSocket for each page and each script of a robot. Its first message, within 5 s, is
-\`hello\`: a page goes on with \`resume\`. The relay answers with \`welcome\`. Each message is one JSON text of at most
-16 KiB. Where no WebSocket passes, the same messages go by plain HTTPS: see \`/line\` in \`/openapi.json\`.`;
+import { messageExamples, type MessageKinds } from "./examples.ts";
+import { CHANNEL, DESCRIPTION, MESSAGE_WORDS, OPERATIONS } from "./words.ts";
 
 type Message = z.ZodType & { shape: { type: z.ZodLiteral<string> } };
 
 /** Who says what to whom. A message's name is the side's, then its type. */
 const sides = {
   script: {
-    summary: "A script says hello, sends commands, and says which snapshots it has read.",
     action: "receive",
     messages: [helloSchema, ...driverToRelaySchema.options],
   },
   page: {
-    summary: "A page says hello, what it has done so far, and then what the robot does.",
     action: "receive",
     messages: [helloSchema, resumeSchema, ...pageToRelaySchema.options],
   },
   toScript: {
-    summary: "A script hears records, states and snapshots, and of another maze.",
     action: "send",
     messages: relayToDriverSchema.options,
   },
   toPage: {
-    summary: "A page hears what the robot is to do.",
     action: "send",
     messages: relayToPageSchema.options,
   },
 } as const satisfies Record<
-  string,
-  { summary: string; action: "send" | "receive"; messages: readonly Message[] }
+  keyof MessageKinds,
+  { action: "send" | "receive"; messages: readonly Message[] }
 >;
 
 const shared = {
@@ -55,6 +48,27 @@ const shared = {
   Problem: problemSchema,
   Snapshot: snapshotSchema,
 };
+
+/** The document knows no address of its own: the service that it comes from is the one. */
+const servers = {
+  service: {
+    host: "{host}",
+    protocol: "wss",
+    description: "The service that this document comes from, where its pages are at https.",
+    variables: {
+      host: {
+        default: "robots.example.org",
+        description: "as in the robot's address, https://HOST/r/ID#KEY",
+      },
+    },
+  },
+  local: {
+    host: "{host}",
+    protocol: "ws",
+    description: "The same where the robot's address begins with http, as on one's own computer.",
+    variables: { host: { default: "localhost:8080", description: "as in the robot's address" } },
+  },
+} as const;
 
 /** The name of a message in the document, such as `toScriptState`. */
 export function messageName(side: string, type: string): string {
@@ -80,10 +94,12 @@ export function describeMessages(): Record<string, unknown> {
       license: { name: "MIT" },
     },
     defaultContentType: "application/json",
+    servers,
     channels: {
       robot: {
         address: "/api/v1/robots/{id}/socket",
-        description: closeCodes(),
+        ...CHANNEL,
+        servers: Object.keys(servers).map((name) => ({ $ref: `#/servers/${name}` })),
         parameters: { id: { description: "the 22 characters of the robot's id" } },
         messages: Object.fromEntries(
           named.map(({ name }) => [name, reference("components/messages", name)]),
@@ -91,11 +107,11 @@ export function describeMessages(): Record<string, unknown> {
       },
     },
     operations: Object.fromEntries(
-      Object.entries(sides).map(([side, { action, summary }]) => [
+      Object.entries(sides).map(([side, { action }]) => [
         side,
         {
           action,
-          summary,
+          ...OPERATIONS[side as keyof MessageKinds],
           channel: { $ref: "#/channels/robot" },
           messages: named
             .filter((message) => message.side === side)
@@ -105,11 +121,21 @@ export function describeMessages(): Record<string, unknown> {
     ),
     components: {
       messages: Object.fromEntries(
-        named.map(({ name, type }) => [name, { name: type, payload: payloads[name] }]),
+        named.map(({ side, name, type }) => [
+          name,
+          { name: type, ...aidsOf(side, type), payload: payloads[name] },
+        ]),
       ),
       schemas: Object.fromEntries(Object.keys(shared).map((name) => [name, payloads[name]])),
     },
   };
+}
+
+/** What a message is for, and one as it is. */
+function aidsOf(side: string, type: string): object {
+  const words = (MESSAGE_WORDS as Record<string, Record<string, string>>)[side]?.[type];
+  const example = (messageExamples as Record<string, Record<string, object>>)[side]?.[type];
+  return { description: words, examples: [{ payload: example }] };
 }
 
 /** Every message and every shared part as JSON Schema; the shared ones are referred to. */
@@ -126,11 +152,4 @@ function schemasOf(named: readonly { name: string; schema: z.ZodType }[]): Recor
   return Object.fromEntries(
     Object.entries(schemas).map(([id, { $id: _id, $schema: _schema, ...schema }]) => [id, schema]),
   );
-}
-
-function closeCodes(): string {
-  const lines = Object.values(closeReasons).map(
-    ({ code, cause, retry }) => `- ${code}: ${cause}${retry ? "" : " (do not try again)"}`,
-  );
-  return ["Close codes:", ...lines].join("\n");
 }
