@@ -1,6 +1,7 @@
 /** What is wanted has its room: nothing lies over it, nothing pushes it out of its row, nothing moves it. */
 import type { Locator } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
+import { CorridorPage } from "./pages/corridor-page.ts";
 import { Words } from "./support/words.ts";
 
 async function boxOf(part: Locator): Promise<DOMRect> {
@@ -95,6 +96,35 @@ test("sees the whole advice below the line that is edited, where the lines scrol
   await expect(program.action(2)).toBeInViewport({ ratio: 1 });
   await expect(program.action(2)).toBeFocused();
 });
+
+for (const [width, height] of [
+  [1440, 900],
+  [1024, 768],
+  [760, 900],
+  [390, 844],
+  [320, 640],
+] as const) {
+  test(`keeps Step under the pointer at ${width} px: it can be pressed again and again`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height });
+    const corridor = new CorridorPage(page);
+    await corridor.open();
+    const place = async () => {
+      const box = await corridor.step.boundingBox();
+      return [box?.x, box?.width];
+    };
+    const before = await place();
+    const { x = 0, y = 0 } = (await corridor.step.boundingBox()) ?? {};
+    await page.mouse.click(x + 4, y + 12);
+    await expect(corridor.timeline.oneBack).toBeVisible();
+    await page.mouse.move(0, 0);
+    expect(await place()).toEqual(before);
+    await corridor.run.click();
+    await expect(corridor.timeline.oneBack).toBeHidden();
+    expect(await place()).toEqual(before);
+  });
+}
 
 for (const lang of ["de", "ar"]) {
   for (const width of [390, 320]) {

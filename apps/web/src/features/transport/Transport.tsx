@@ -36,8 +36,9 @@ export function Transport() {
     >
       <div className={styles["buttons"]}>
         <RunButton />
+        <Step />
         {canStepBack && <StepBack />}
-        <StepAndReset />
+        <Reset />
         <SpeedMenu />
         {view !== "now" && <PastBar />}
       </div>
@@ -57,6 +58,7 @@ function StepBack() {
     <IconButton
       kind="outline"
       size="large"
+      className={styles["back"]}
       label={t("timeline.stepBack")}
       onClick={() => simulator.send({ type: "seek-step", by: -1 })}
     >
@@ -65,32 +67,37 @@ function StepBack() {
   );
 }
 
-function StepAndReset() {
+function Step() {
   const { t } = useTranslation();
   const { simulator, run } = useServices();
   const isNow = useStore(run, ({ view }) => view === "now");
   return (
-    <>
-      <Button
-        size="large"
-        className={styles["step"]}
-        icon={<SkipForward aria-hidden="true" fill="currentColor" />}
-        title={t(isNow ? "shell.run.stepNote" : "timeline.stepOnNote")}
-        aria-keyshortcuts="Control+Shift+Enter"
-        onClick={() => simulator.send(stepOn(run.getState()))}
-      >
-        {t("shell.run.step")}
-      </Button>
-      <Button
-        size="large"
-        className={styles["reset"]}
-        icon={<RotateCcw aria-hidden="true" />}
-        title={t("shell.run.resetNote")}
-        onClick={() => simulator.send({ type: "reset" })}
-      >
-        <span className={styles["resetWord"]}>{t("shell.run.reset")}</span>
-      </Button>
-    </>
+    <Button
+      size="large"
+      className={styles["step"]}
+      icon={<SkipForward aria-hidden="true" fill="currentColor" />}
+      title={t(isNow ? "shell.run.stepNote" : "timeline.stepOnNote")}
+      aria-keyshortcuts="Control+Shift+Enter"
+      onClick={() => simulator.send(stepOn(run.getState()))}
+    >
+      {t("shell.run.step")}
+    </Button>
+  );
+}
+
+function Reset() {
+  const { t } = useTranslation();
+  const { simulator } = useServices();
+  return (
+    <Button
+      size="large"
+      className={styles["reset"]}
+      icon={<RotateCcw aria-hidden="true" />}
+      title={t("shell.run.resetNote")}
+      onClick={() => simulator.send({ type: "reset" })}
+    >
+      <span className={styles["resetWord"]}>{t("shell.run.reset")}</span>
+    </Button>
   );
 }
 
