@@ -29,11 +29,12 @@ test("is told why line 2 bumped, takes the mend and gets past the place", async 
   await expect(card).toBeHidden();
   await expect(corridor.program.action(2)).toHaveValue("left 90");
 
-  await corridor.reset.click();
+  await expect(corridor.messages).toContainText("Mended. Run drives on from here.");
   await corridor.speed.selectOption("max");
-  await corridor.run.click();
+  await corridor.messages.getByRole("button", { name: "Run from the start" }).click();
   await expect(corridor.page.getByRole("region", { name: "Solved!" })).toBeVisible();
   await expect(corridor.bumps).toHaveText("0 bumps");
+  await expect(corridor.messages).not.toContainText("Mended");
 });
 
 test("is told that a turn came too early, though another line met the wall", async ({
@@ -75,6 +76,17 @@ test("mends it in another way: the card no longer offers what was meant for the 
   await expect(change).toBeHidden();
   await corridor.program.button("Undo").click();
   await expect(change).toBeVisible();
+});
+
+test("mends a line by hand, and runs from the start by the card", async ({ corridor }) => {
+  const card = await bump(corridor);
+  const again = card.getByRole("button", { name: "Run from the start" });
+  await expect(again).toHaveCount(0);
+  await corridor.program.action(2).selectOption("left 90");
+  await corridor.speed.selectOption("max");
+  await again.click();
+  await expect(corridor.page.getByRole("region", { name: "Solved!" })).toBeVisible();
+  await expect(corridor.bumps).toHaveText("0 bumps");
 });
 
 test("watches the bump again, and finds its card where it happened", async ({ corridor }) => {

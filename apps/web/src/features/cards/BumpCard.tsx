@@ -3,13 +3,12 @@ import { applyMend, storyOfBump, type Mend } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
 import { DELAY_DISTANCE } from "@corridor/simulation";
-import { History } from "lucide-react";
+import { History, Play } from "lucide-react";
 import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import type { Explanation } from "../../stores/card-store.ts";
-import { tell } from "../../stores/screen-store.ts";
 import { Badge } from "../../ui/Badge.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { useRights } from "../lessons/use-rights.ts";
@@ -24,6 +23,7 @@ import { FloatingCard } from "./FloatingCard.tsx";
 import { hitBlock } from "./hit-block.ts";
 import { mendText } from "./mend-text.ts";
 import { RoomBars } from "./RoomBars.tsx";
+import { runFromStart, tellMended } from "./run-from-start.ts";
 import { watchAgain } from "./watch-again.ts";
 
 /** Four seconds, or what led to the bump where that began earlier. */
@@ -36,8 +36,8 @@ interface BumpCardProps {
 }
 
 export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
-  const { t } = useTranslation();
-  const { workspace, simulator, screen } = useServices();
+  const { t, i18n } = useTranslation();
+  const { workspace, simulator, screen, run } = useServices();
   const rights = useRights();
   const { moment, program, mends } = explanation;
   // A program that was edited since needs other mends, or none.
@@ -58,7 +58,7 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
 
   function mend(chosen: Mend) {
     takeMend(workspace, chosen, applyMend(program, chosen));
-    tell(screen, { tone: "info", text: t("cards.mend.done") });
+    tellMended({ screen, run, simulator, words: i18n });
     onClose();
   }
 
@@ -97,6 +97,15 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
             {mendText(t, program, each)}
           </Button>
         ))}
+        {!isSame && (
+          <Button
+            kind="primary"
+            icon={<Play aria-hidden="true" fill="currentColor" />}
+            onClick={() => runFromStart(simulator)}
+          >
+            {t("cards.fromStart")}
+          </Button>
+        )}
         <Button
           icon={<History aria-hidden="true" />}
           onClick={() => watchAgain(simulator, Math.min(cause.decidedAt, tick - WATCHED_TICKS))}
