@@ -1,6 +1,7 @@
 // Follow the right-hand wall through a maze.
 //
-// Run it with the robot's address, as the page shows it under Remote (keep the quotes):
+// Run it with the robot's address, as the page shows it under Remote (keep the quotes; where it cannot
+// be copied, a code gets one: see the README of the examples):
 //
 //	go run robot.go "http://localhost:8080/r/ID#KEY"
 //

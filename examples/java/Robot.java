@@ -17,7 +17,8 @@ import java.util.regex.Pattern;
 /**
  * Follow the right-hand wall through a maze.
  *
- * <p>Run it with the robot's address, as the page shows it under Remote (keep the quotes):
+ * <p>Run it with the robot's address, as the page shows it under Remote (keep the quotes; where it cannot
+ * be copied, a code gets one: see the README of the examples):
  *
  * <pre>java Robot.java "http://localhost:8080/r/ID#KEY"</pre>
  *

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Follow the right-hand wall through a maze.
 
-Run it with the robot's address, as the page shows it under Remote (keep the quotes):
+Run it with the robot's address, as the page shows it under Remote (keep the quotes; where it cannot
+be copied, a code gets one: see the README of the examples):
 
     python3 right_wall.py "http://localhost:8080/r/ID#KEY"
 

@@ -1,13 +1,10 @@
 /** A code in place of an address: by itself, and at the real relay. */
-import { pairingMadeSchema, pairingSchema, type Registration } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { pairRobot } from "./pairing.ts";
 import type { HttpRequest } from "./platform.ts";
-import { registerRobot } from "./register-robot.ts";
 import { RobotClient } from "./robot-client.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
-import { GridRobot } from "./testing/grid-robot.ts";
-import { startRelayProcess } from "./testing/relay-process.ts";
+import { robotWithCode } from "./testing/robot-with-code.ts";
 
 const ADDRESS = `https://host/r/${"A".repeat(22)}#drv_AAAAAAAAAAAAAAAAAAAAAA`;
 const answer = (status: number, body: unknown) => ({ status, body: JSON.stringify(body) });
@@ -80,32 +77,8 @@ describe("pairing by a code", () => {
 });
 
 describe("at the real relay", () => {
-  async function withOwner() {
-    const relay = await startRelayProcess();
-    const registration: Registration = await registerRobot(relay.origin, fetch);
-    const robot = new GridRobot(relay.origin, registration, ["####", "#..#", "####"]);
-    onTestFinished(() => robot.link.close());
-    const own = async (method: string, query = "", body?: unknown): Promise<unknown> => {
-      const got = await fetch(`${relay.origin}/api/v1/robots/${registration.id}/pairing${query}`, {
-        method,
-        headers: {
-          Authorization: `Bearer ${registration.ownerKey}`,
-          "Content-Type": "application/json",
-        },
-        ...(body !== undefined && { body: JSON.stringify(body) }),
-      });
-      return got.status === 204 ? null : got.json();
-    };
-    const { code } = pairingMadeSchema.parse(await own("POST"));
-    const say = async (accept: boolean): Promise<void> => {
-      const { question } = pairingSchema.parse(await own("GET", "?wait=20"));
-      await own("PUT", "", { id: question?.id, accept });
-    };
-    return { origin: relay.origin, code, say, registration };
-  }
-
   it("drives after a yes, by a key of its own", async () => {
-    const { origin, code, say, registration } = await withOwner();
+    const { origin, code, say, registration } = await robotWithCode(["####", "#..#", "####"]);
     const pairing = RobotClient.pair(origin, code, { name: "Paired" });
     await say(true);
     const robot = await pairing;
@@ -116,7 +89,7 @@ describe("at the real relay", () => {
   });
 
   it("is told of a no", async () => {
-    const { origin, code, say } = await withOwner();
+    const { origin, code, say } = await robotWithCode(["####", "#..#", "####"]);
     const pairing = RobotClient.pair(origin, code);
     await Promise.all([
       expect(pairing).rejects.toMatchObject({ code: "pairing-refused" }),

@@ -1,0 +1,80 @@
+/** What the READMEs of the libraries and of the examples show, run as it stands there, at the real relay. */
+import { execFile, spawnSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { promisify } from "node:util";
+import { describe, expect, it } from "vitest";
+import { RobotClient } from "./robot-client.ts";
+import { robotWithCode, type RobotWithCode } from "./testing/robot-with-code.ts";
+
+const ROOT = join(import.meta.dirname, "../../..");
+const LIBRARY = join(ROOT, "packages/client-python/src");
+
+const node = [process.execPath, "--input-type=module", "-e"];
+const python = ["python3", "-c"];
+const bash = ["bash", "-c"];
+
+/** The one block of a README in which this stands. */
+function shown(readme: string, words: string): string {
+  const text = readFileSync(join(ROOT, readme), "utf8");
+  const blocks = [...text.matchAll(/^( *)```(?:ts|python|sh|bash)\n([^]*?)^ *```$/gm)];
+  const found = blocks.filter(([, , block]) => block?.includes(words));
+  expect(found).toHaveLength(1);
+  const [[, indent = "", block = ""] = []] = found;
+  return block.replaceAll(new RegExp(`^${indent}`, "gm"), "");
+}
+
+/** The same with this robot in place of the one in the README. */
+function withRobot(program: string, { origin, registration, code }: RobotWithCode): string {
+  return program
+    .replaceAll(/http:\/\/(?:HOST|localhost:8080)\/r\/ID#KEY/g, registration.address)
+    .replaceAll(/http:\/\/(?:HOST|localhost:8080)/g, origin)
+    .replaceAll(/BCDF ?GHJK/g, code);
+}
+
+/** @returns what it wrote on its standard output */
+async function run([program = "", ...words]: readonly string[], text: string): Promise<string> {
+  const env = { ...process.env, PYTHONPATH: LIBRARY };
+  const { stdout } = await promisify(execFile)(program, [...words, text], { cwd: ROOT, env });
+  return stdout;
+}
+
+/** Whether it is on this machine. */
+const hasCurl = spawnSync("curl", ["--version"]).status === 0;
+
+describe("what a README shows", () => {
+  it.each([
+    { readme: "packages/client/README.md", words: "RobotClient.connect(", by: node },
+    { readme: "packages/client-python/README.md", words: "while robot.sensor.front", by: python },
+    { readme: "packages/client-python/README.md", words: "asyncio.run", by: python },
+  ])("$readme drives by an address: $words", async ({ readme, words, by }) => {
+    const scene = await robotWithCode(["#####", "#...#", "#####"]);
+    const script = await RobotClient.connect(scene.registration.address);
+    await script.right90();
+    script.close();
+    await run(by, withRobot(shown(readme, words), scene));
+    expect(scene.robot.done[1]).toMatchObject({ action: "move", distance: 100 });
+  });
+
+  it.for([
+    { readme: "packages/client/README.md", words: "RobotClient.pair(", by: node, turns: 1 },
+    { readme: "packages/client-python/README.md", words: "Robot.pair(", by: python, turns: 1 },
+    { readme: "examples/README.md", words: "python3 -c", by: bash, turns: 0 },
+    { readme: "examples/README.md", words: "curl -s", by: bash, turns: 0 },
+  ])(
+    "$readme gets an address by a code: $words",
+    async ({ readme, words, by, turns }, { skip }) => {
+      skip(words.startsWith("curl") && !hasCurl, "curl is not on this machine");
+      const scene = await robotWithCode(["####", "#..#", "####"]);
+      const [said] = await Promise.all([
+        run(by, withRobot(shown(readme, words), scene)),
+        scene.say(true),
+      ]);
+      const { origin, registration, robot } = scene;
+      const address = /http:[^"\s]+/.exec(said)?.[0];
+      expect(address).toContain(`${origin}/r/${registration.id}#drv_`);
+      expect(address).not.toBe(registration.address);
+      expect(robot.done).toHaveLength(turns);
+    },
+  );
+});
