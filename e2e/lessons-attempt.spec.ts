@@ -150,3 +150,40 @@ test("menus offer only what the mission allows", async ({ corridor, page }) => {
   await expect(corridor.message(/The maze of this mission stays as it is/)).toBeVisible();
   await corridor.maze.expectSquare({ column: 3, row: 1 }, "open");
 });
+
+test("begins a mission again, and is told of a program only where one was taken away", async ({
+  corridor,
+  page,
+}) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(6);
+  await lessons.button("Begin again").click();
+  await expect(corridor.messages).toContainText("The mission begins again.");
+  await expect(corridor.messages).not.toContainText("program");
+  await corridor.messages.getByRole("button", { name: "Dismiss" }).click();
+
+  await corridor.program.button("Add line").click();
+  await lessons.button("Begin again").click();
+  await expect(corridor.program.lines).toHaveCount(0);
+  await expect(corridor.messages).toContainText("Your program was taken away.");
+  await corridor.messages.getByRole("button", { name: "Undo" }).click();
+  await expect(corridor.program.lines).toHaveCount(1);
+
+  // What can be taken back in one mission is not offered in another.
+  await lessons.button("Begin again").click();
+  await expect(corridor.messages).toContainText("Your program was taken away.");
+  await lessons.openMission(7);
+  await expect(corridor.messages).not.toContainText("taken away");
+});
+
+test("hears nothing of a mission that is no longer open", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(12);
+  await lessons.button(/^Check in all/).click();
+  await expect(lessons.outcome).not.toBeEmpty();
+  const told = (await lessons.outcome.textContent()) ?? "";
+  await expect(corridor.spoken).toHaveText(told);
+  await lessons.button("Back to my maze").click();
+  await expect(lessons.card).toBeHidden();
+  await expect(corridor.spoken).not.toContainText(told);
+});

@@ -1,5 +1,6 @@
 /** How the attempt at a mission stands: met, or what went wrong, where, and what to try. Spoken as it changes. */
 import type { ChallengeDocument, Verdict } from "@corridor/challenge";
+import { useEffect } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -10,7 +11,7 @@ import styles from "./lessons.module.css";
 
 export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) {
   const words = useTranslation(["missions", "words"], { useSuspense: false });
-  const { challenge: store, run } = useServices();
+  const { challenge: store, run, speech } = useServices();
   const result = useStore(store, (state) => state.result);
   const verdict = useStore(store, (state) => state.verdict);
   const blames = useStore(store, (state) => state.blames);
@@ -28,6 +29,13 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
         ? handText(words, challenge, standing)
         : liveFailureText(words, challenge, result);
   useSay(text, "mission");
+  useEffect(
+    () => () => {
+      // Another one is open, or none: on a phone the card goes with its tab as well.
+      if (store.getState().challenge !== challenge) speech.tellState("mission", null);
+    },
+    [store, speech, challenge],
+  );
   return (
     <p
       role="note"

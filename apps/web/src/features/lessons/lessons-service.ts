@@ -135,8 +135,14 @@ export class LessonsService {
     const { challenge } = store.getState();
     if (challenge === null) return;
     const start = startingProgram(challenge);
-    setProgram(workspace, start, newLineIds(start.rules.length));
+    const { program } = workspace.getState();
     simulator.send({ type: "reset" });
+    if (doesTheSame(program, start)) {
+      store.setState({ verdict: null, blames: [], result: { state: "open" } });
+      tell(screen, { tone: "info", text: words.t("missions:card.begunAsItWas") });
+      return;
+    }
+    setProgram(workspace, start, newLineIds(start.rules.length));
     const begun = workspace.getState().program;
     const id = tell(screen, {
       tone: "info",
@@ -148,6 +154,12 @@ export class LessonsService {
           if (workspace.getState().program === begun) undo(workspace);
         },
       },
+    });
+    // It is about this mission alone.
+    const end = store.subscribe((next) => {
+      if (next.challenge === challenge) return;
+      end();
+      dismiss(screen, id);
     });
   }
 
@@ -339,4 +351,10 @@ export class LessonsService {
     const { screen, words } = this.#ports;
     if (!isKept) tell(screen, { tone: "bad", text: words.t("missions:card.blocked") });
   }
+}
+
+/** Whatever the two are called. */
+function doesTheSame(one: ProgramDocument, other: ProgramDocument): boolean {
+  const work = ({ default: action, rules }: ProgramDocument) => JSON.stringify([action, rules]);
+  return work(one) === work(other);
 }
