@@ -139,6 +139,7 @@ test("is told what is wrong with a broken file and keeps the work", async ({ cor
   await choose(corridor, [
     { name: "broken.maze.json", text: JSON.stringify(broken) },
     { name: "drawn.txt", text: "####\n#S?#\n####" },
+    { name: "words.txt", text: "if right > 60 then right 90\notherwise forward" },
     leftWallFile,
   ]);
   const dialog = corridor.dialog("These files cannot be opened");
@@ -147,6 +148,10 @@ test("is told what is wrong with a broken file and keeps the work", async ({ cor
   await expect(first.getByRole("listitem")).toHaveCount(2);
   await expect(first).toContainText('start.headingFound: "up"Expected: one of north, east');
   const second = dialog.getByRole("region", { name: "drawn.txt" });
+  const third = dialog.getByRole("region", { name: "words.txt" });
+  await expect(third).toContainText("The whole file");
+  await expect(third).toContainText('Found: "if right > 60 then right 90"');
+  await expect(third).toContainText("Expected: a program as Corridor saves it");
   await expect(second).toContainText('line 2, column 3Found: "?"Expected: # for a block');
   await expectNoBarriers(page, "broken files");
   await page.keyboard.press("Escape");

@@ -29,6 +29,10 @@ describe("a document that is opened", () => {
     { text: '{"format":"toString"}', path: "format", expected: 'one of "corridor/maze"' },
     { text: '{"format":"corridor/program"}', path: "version", expected: "version 1" },
     { text: "", path: "", expected: "a maze, line by line" },
+    { text: "if right > 60 then right 90\notherwise forward", path: "", expected: "a program as" },
+    { text: "wenn rechts > 60, dann rechts 90", path: "", expected: "a program as" },
+    { text: '```json\n{"format":"corridor/program"}\n```', path: "", expected: "a program as" },
+    { text: "####\n#S>60\n####", path: "line 2, column 4", expected: "" },
     { text: "#####\n#S.", path: "line 2", expected: "5 squares" },
   ])("is refused by place: $text", ({ text, path, expected }) => {
     const read = readDocument(text, "");

@@ -3,6 +3,9 @@ import { readMaze, readTextMaze, type MazeDocument } from "@corridor/maze";
 import { readProgram, type ProgramDocument } from "@corridor/program";
 import type { FieldProblem, ReadResult } from "@corridor/protocol";
 import { readRun, type RunDocument } from "@corridor/recording";
+import { looksLikeProgram } from "./looks-like-file.ts";
+
+const SAVED_PROGRAM = 'a program as Corridor saves it: {"format":"corridor/program", ...}';
 
 export type OpenedDocument =
   | { kind: "maze"; maze: MazeDocument }
@@ -41,6 +44,10 @@ const readers = new Map<string, (text: string) => ReadResult<OpenedDocument>>([
 export function readDocument(text: string, name: string): ReadResult<OpenedDocument> {
   const content = text.replace(/^\uFEFF/, "");
   if (!/^\s*[{[]/.test(content)) {
+    if (looksLikeProgram(content)) {
+      const [line = ""] = content.trim().split("\n", 1);
+      return refuse("", JSON.stringify(line.slice(0, 80).trim()), SAVED_PROGRAM);
+    }
     const read = readTextMaze(content, name);
     return read.ok ? { ok: true, value: { kind: "maze", maze: read.value } } : read;
   }
