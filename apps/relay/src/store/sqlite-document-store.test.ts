@@ -1,9 +1,9 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { DatabaseSync } from "node:sqlite";
 import { expect, it, onTestFinished } from "vitest";
 import { testFolder } from "../testing/test-relay.ts";
 import { SqliteDocumentStore } from "./sqlite-document-store.ts";
+import { openDatabase } from "./sqlite-schema.ts";
 import { SqliteStore } from "./sqlite-store.ts";
 import { documentStoreCases } from "./testing/document-store.cases.ts";
 
@@ -25,30 +25,12 @@ documentStoreCases("SqliteDocumentStore", async () => {
 
 it("brings a file from before there were short links and deadlines to this schema, with its sessions", async () => {
   const file = join(testFolder(), "corridor.sqlite");
-  const before = new SqliteStore(file);
   const id = "AAAAAAAAAAAAAAAAAAAAAA";
-  await before.create({ id, createdAt: 1, keys: [] });
-  await before.close();
-  const db = new DatabaseSync(file);
+  const db = openDatabase(file, 1);
   db.exec(`
-    ALTER TABLE commands DROP COLUMN ttl;
-    ALTER TABLE commands DROP COLUMN deadline;
-    ALTER TABLE commands DROP COLUMN replaces;
-    ALTER TABLE commands DROP COLUMN lease;
-    ALTER TABLE commands DROP COLUMN recalled;
-    ALTER TABLE commands DROP COLUMN script;
-    DROP TABLE away;
-    ALTER TABLE sessions DROP COLUMN paused;
-    ALTER TABLE sessions DROP COLUMN page;
-    DROP TABLE mazes;
-    DROP TABLE pairings;
-    ALTER TABLE keys DROP COLUMN made_at;
-    ALTER TABLE keys DROP COLUMN last_used_at;
+    INSERT INTO sessions (id, created_at, last_used_at) VALUES ('${id}', 1, 1);
     INSERT INTO commands (robot, seq, driver, command, state, accepted_at)
       VALUES ('${id}', 1, 'd', '{"action":"left 90"}', 'accepted', 5000);
-    DROP TABLE document_keys;
-    DROP TABLE documents;
-    PRAGMA user_version = 1;
   `);
   db.close();
 

@@ -21,7 +21,7 @@ export function overtake(
   const [state, words] = isStop ? ["cancelled", "stopped"] : ["superseded", "replaced"];
   return termedIn(
     statements,
-    `UPDATE ${OPEN_COMMANDS} SET state = ?, reason = ?
+    `UPDATE ${OPEN_COMMANDS} SET state = ?, is_open = 0, reason = ?
      WHERE robot = ? AND state = 'accepted' AND ${IS_OPEN} AND seq < ? RETURNING ${TERMED}`,
     [state ?? "", `${words ?? ""} by command ${seq}`, id, seq],
   );
@@ -43,7 +43,7 @@ export function recallAllOf(
   );
   return termedIn(
     statements,
-    `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = ?
+    `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', is_open = 0, reason = ?
      WHERE ${mine} AND state = 'accepted' RETURNING ${TERMED}`,
     [reason, id, mark],
   );
@@ -58,7 +58,7 @@ function conditionOf(whose: Parameters<typeof recallAllOf>[2]): [condition: stri
 export function end(statements: Statements, id: string, ending: Ending): CommandRecord | null {
   const { seq, state, reason, pose, distance } = ending;
   const changes = statements.run(
-    `UPDATE commands SET state = ?, reason = ?, pose = ?, distance = ?
+    `UPDATE commands SET state = ?, is_open = 0, reason = ?, pose = ?, distance = ?
      WHERE robot = ? AND seq = ? AND state IN ('delivered', 'started')`,
     [state, reason, pose === null ? null : JSON.stringify(pose), distance, id, seq],
   );
@@ -93,6 +93,7 @@ export function meetPage(
       `UPDATE ${OPEN_COMMANDS} SET
          state = CASE WHEN seq <= ?1 THEN 'started'
            WHEN coalesce(?3, recalled) IS NULL THEN 'accepted' ELSE 'cancelled' END,
+         is_open = (seq <= ?1 OR coalesce(?3, recalled) IS NULL),
          reason = CASE WHEN seq <= ?1 THEN NULL ELSE coalesce(?3, recalled) END
        WHERE robot = ?2 AND state = 'delivered' AND ${IS_OPEN} RETURNING ${RECORD}`,
       [page.lastApplied, id, page.isSettled ? null : doubtReasons.delivered],
@@ -102,7 +103,7 @@ export function meetPage(
     changed.push(
       ...recordsIn(
         statements,
-        `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = ?
+        `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', is_open = 0, reason = ?
          WHERE robot = ? AND state = 'started' AND ${IS_OPEN} RETURNING ${RECORD}`,
         [page.isSettled ? "the page was reloaded" : doubtReasons.started, id],
       ),

@@ -8,7 +8,7 @@ import { DatabaseSync } from "node:sqlite";
  * needs both, word for word; otherwise SQLite reads through all commands that a robot ever had.
  */
 export const OPEN_COMMANDS = "commands INDEXED BY commands_open";
-export const IS_OPEN = "state IN ('accepted', 'delivered', 'started')";
+export const IS_OPEN = "is_open = 1";
 
 const SESSIONS = `
 CREATE TABLE sessions (
@@ -41,7 +41,7 @@ CREATE TABLE commands (
 ) STRICT, WITHOUT ROWID;
 CREATE UNIQUE INDEX commands_by_key ON commands (robot, driver, key) WHERE key IS NOT NULL;
 CREATE INDEX commands_open ON commands (robot, state, seq)
-  WHERE ${IS_OPEN};
+  WHERE state IN ('accepted', 'delivered', 'started');
 `;
 
 const DOCUMENTS = `
@@ -121,6 +121,48 @@ ALTER TABLE keys ADD COLUMN last_used_at INTEGER;
 UPDATE keys SET made_at = (SELECT created_at FROM sessions WHERE id = robot);
 `;
 
+// Rows in the order of time: what changes together, of whatever robots, stands together, and a commit
+// writes few pages. `is_open` is there for its index, which a change of state would write as well otherwise,
+// and which would make a table of its own for the list of states, each time.
+const COMMANDS_BY_TIME = `
+ALTER TABLE commands RENAME TO commands_before;
+DROP INDEX commands_by_key;
+DROP INDEX commands_open;
+CREATE TABLE commands (
+  n INTEGER PRIMARY KEY,
+  robot TEXT NOT NULL REFERENCES sessions (id) ON DELETE CASCADE,
+  seq INTEGER NOT NULL,
+  driver TEXT NOT NULL,
+  script TEXT,
+  key TEXT,
+  command TEXT NOT NULL,
+  state TEXT NOT NULL,
+  is_open INTEGER NOT NULL
+    CHECK (is_open = (state = 'accepted' OR state = 'delivered' OR state = 'started')),
+  reason TEXT,
+  recalled TEXT,
+  accepted_at INTEGER NOT NULL,
+  ttl INTEGER NOT NULL,
+  deadline INTEGER NOT NULL,
+  replaces INTEGER NOT NULL,
+  lease INTEGER,
+  pose TEXT,
+  distance REAL,
+  epoch INTEGER
+) STRICT;
+INSERT INTO commands
+    (robot, seq, driver, script, key, command, state, is_open, reason, recalled,
+     accepted_at, ttl, deadline, replaces, lease, pose, distance, epoch)
+  SELECT robot, seq, driver, script, key, command, state,
+     state IN ('accepted', 'delivered', 'started'), reason, recalled,
+     accepted_at, ttl, deadline, replaces, lease, pose, distance, epoch
+  FROM commands_before ORDER BY accepted_at, robot, seq;
+DROP TABLE commands_before;
+CREATE UNIQUE INDEX commands_by_seq ON commands (robot, seq);
+CREATE UNIQUE INDEX commands_by_key ON commands (robot, driver, key) WHERE key IS NOT NULL;
+CREATE INDEX commands_open ON commands (robot, seq) WHERE is_open = 1;
+`;
+
 /** What each version added to the one before it: the first leads from an empty file to version 1. */
 const STEPS: readonly string[] = [
   SESSIONS,
@@ -133,13 +175,18 @@ const STEPS: readonly string[] = [
   PAIRINGS,
   PAGE_NAME,
   KEY_TIMES,
+  COMMANDS_BY_TIME,
 ];
 
-/** Opens a database, made with its folder when it is missing. @throws as `prepareDatabase` does */
-export function openDatabase(file: string): DatabaseSync {
+/**
+ * Opens a database, made with its folder when it is missing.
+ * @param newest version that it is brought to, for tests: as an earlier Corridor left it
+ * @throws as `prepareDatabase` does
+ */
+export function openDatabase(file: string, newest = STEPS.length): DatabaseSync {
   mkdirSync(dirname(file), { recursive: true });
   const db = new DatabaseSync(file);
-  prepareDatabase(db);
+  prepareDatabase(db, newest);
   return db;
 }
 
@@ -152,7 +199,7 @@ export function openForReading(file: string): DatabaseSync {
  * Brings an open database to the schema of this version.
  * @throws Error when the file was written by a newer version
  */
-function prepareDatabase(db: DatabaseSync): void {
+function prepareDatabase(db: DatabaseSync, newest: number): void {
   // FULL: an acknowledged command survives a power cut. secure_delete: deleted means gone from the file.
   db.exec(`
     PRAGMA journal_mode = WAL;
@@ -162,13 +209,13 @@ function prepareDatabase(db: DatabaseSync): void {
     PRAGMA busy_timeout = 2000;
   `);
   const version = Number(db.prepare("PRAGMA user_version").get()?.["user_version"] ?? 0);
-  if (version > STEPS.length) {
+  if (version > newest) {
     throw new Error(
-      `The database was written by a newer Corridor (schema ${version}, this one knows ${STEPS.length}). ` +
+      `The database was written by a newer Corridor (schema ${version}, this one knows ${newest}). ` +
         "Update Corridor, or set DATA_DIR to another folder.",
     );
   }
-  for (let next = version; next < STEPS.length; next++) {
+  for (let next = version; next < newest; next++) {
     db.exec(`BEGIN IMMEDIATE; ${STEPS[next] ?? ""} PRAGMA user_version = ${next + 1}; COMMIT;`);
   }
 }

@@ -180,15 +180,15 @@ export class SqliteStore implements SessionStore {
       const terms = [Math.round(ttl), Math.round(deadline), replace ? 1 : 0, ms];
       this.#writing.run(
         `INSERT INTO commands
-           (robot, seq, driver, script, key, command, state, accepted_at,
+           (robot, seq, driver, script, key, command, state, is_open, accepted_at,
             ttl, deadline, replaces, lease)
-         VALUES (?, ?, ?, ?, ?, ?, 'accepted', ?, ?, ?, ?, ?)`,
+         VALUES (?, ?, ?, ?, ?, ?, 'accepted', 1, ?, ?, ?, ?, ?)`,
         [id, seq, driver, script, key, text, acceptedAt, ...terms],
       );
       if (seq > command.keep) {
         this.#writing.run(
           `DELETE FROM commands WHERE robot = ? AND seq <= ?
-           AND NOT (${IS_OPEN})`,
+           AND is_open = 0`,
           [id, seq - command.keep],
         );
       }
@@ -207,7 +207,7 @@ export class SqliteStore implements SessionStore {
     return this.#file.step(() => ({
       ended: termedIn(
         this.#writing,
-        `UPDATE ${OPEN_COMMANDS} SET state = 'expired', reason = printf('older than %g s', ttl / 1000.0)
+        `UPDATE ${OPEN_COMMANDS} SET state = 'expired', is_open = 0, reason = printf('older than %g s', ttl / 1000.0)
          WHERE ${waits} AND ${IS_LATE} RETURNING ${TERMED}`,
         [now, id],
       ),
@@ -240,7 +240,7 @@ export class SqliteStore implements SessionStore {
       }
       const [termed] = termedIn(
         this.#writing,
-        `UPDATE commands SET state = 'cancelled', reason = ?
+        `UPDATE commands SET state = 'cancelled', is_open = 0, reason = ?
          WHERE robot = ? AND seq = ? RETURNING ${TERMED}`,
         [by.reason, id, seq],
       );
@@ -268,7 +268,7 @@ export class SqliteStore implements SessionStore {
       if (this.#writing.run(raised, [id, epoch]) === 0) return [];
       return recordsIn(
         this.#writing,
-        `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', reason = ?
+        `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', is_open = 0, reason = ?
          WHERE robot = ? AND state IN ('delivered', 'started') AND ${IS_OPEN}
          RETURNING ${RECORD}`,
         [reason, id],

@@ -1,0 +1,109 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { testFolder } from "../testing/test-relay.ts";
+import { openDatabase } from "./sqlite-schema.ts";
+import { SqliteStore } from "./sqlite-store.ts";
+import { LEFT, ID, sent } from "./testing/robot-in-store.ts";
+
+/** The last version that kept the commands of a robot together. */
+const BY_ROBOT = 10;
+
+/** A file of that version: what ended and what did not, of two robots. */
+function fileOfBefore(): string {
+  const file = join(testFolder(), "corridor.sqlite");
+  const db = openDatabase(file, BY_ROBOT);
+  const other = "B".repeat(22);
+  for (const id of [ID, other]) {
+    db.prepare(
+      "INSERT INTO sessions (id, epoch, last_seq, created_at, last_used_at) VALUES (?, 1, 5, 1, 1)",
+    ).run(id);
+    db.prepare("INSERT INTO keys (robot, hash, kind) VALUES (?, ?, 'drive')").run(id, sent.driver);
+  }
+  const add = db.prepare(`INSERT INTO commands
+      (robot, seq, driver, script, key, command, state, reason, recalled, accepted_at, ttl, deadline, lease, pose, distance, epoch)
+    VALUES (?, ?, ?, 's', ?, ?, ?, ?, ?, ?, 9000, ?, 500, ?, ?, 1)`);
+  const states = ["completed", "cancelled", "started", "delivered", "accepted"];
+  for (const [at, state] of states.entries()) {
+    const seq = at + 1;
+    for (const id of [other, ID]) {
+      const pose = state === "completed" ? '{"x":1,"y":2,"heading":90}' : null;
+      const recalled = state === "delivered" ? "its key was revoked" : null;
+      const reason = state === "cancelled" ? "a reason to be forgotten" : null;
+      const terms = [reason, recalled, 1_000 * seq, 1_000 * seq + 9_000, pose, pose && 100];
+      add.run(id, seq, sent.driver, `a-key-${seq}`, JSON.stringify(LEFT), state, ...terms);
+    }
+  }
+  db.close();
+  return file;
+}
+
+describe("a file of an earlier Corridor", () => {
+  it("keeps every command as it was, and each goes on", async () => {
+    const store = new SqliteStore(fileOfBefore());
+    onTestFinished(() => store.close());
+    const all = await store.commandsAfter(ID, 0, 10);
+    expect(all.map(({ seq, state }) => [seq, state])).toEqual([
+      [1, "completed"],
+      [2, "cancelled"],
+      [3, "started"],
+      [4, "delivered"],
+      [5, "accepted"],
+    ]);
+    expect(all[0]).toEqual({
+      seq: 1,
+      key: "a-key-1",
+      action: LEFT.action,
+      command: LEFT,
+      state: "completed",
+      reason: null,
+      acceptedAt: "1970-01-01T00:00:01.000Z",
+      pose: { x: 1, y: 2, heading: 90 },
+      distance: 100,
+      duplicate: false,
+    });
+    expect((await store.openCommands(ID)).map(({ seq }) => seq)).toEqual([3, 4, 5]);
+    expect(await store.recalled(ID)).toEqual([{ seq: 4, reason: "its key was revoked" }]);
+    const again = { ...sent, key: "a-key-5", command: LEFT };
+    expect(await store.add(ID, again)).toMatchObject({ outcome: "duplicate", record: { seq: 5 } });
+    expect(await store.deliver(ID, 1, 8, 6_000)).toMatchObject([
+      {
+        record: { seq: 5 },
+        driver: sent.driver,
+        script: "s",
+        ttl: 9_000,
+        deadline: 14_000,
+        lease: 500,
+      },
+    ]);
+    expect(await store.add(ID, sent)).toMatchObject({ outcome: "stored", record: { seq: 6 } });
+  });
+
+  it("forgets a robot wholly, also what was written before", async () => {
+    const file = fileOfBefore();
+    const store = new SqliteStore(file);
+    onTestFinished(() => store.close());
+    for (const id of [ID, "B".repeat(22)]) await store.remove(id);
+    for (const path of [file, `${file}-wal`]) {
+      for (const text of ["a reason to be forgotten", "a-key-"]) {
+        expect(readFileSync(path).includes(text)).toBe(false);
+      }
+    }
+  });
+
+  it("is refused by an earlier one once it was opened", () => {
+    const file = fileOfBefore();
+    openDatabase(file).close();
+    expect(() => openDatabase(file, BY_ROBOT)).toThrow(
+      /newer Corridor \(schema 11, this one knows 10\)/,
+    );
+  });
+
+  it("does not take a command for open that has ended, nor the other way round", () => {
+    const db = openDatabase(fileOfBefore());
+    onTestFinished(() => db.close());
+    for (const set of ["state = 'completed'", "is_open = 0"]) {
+      expect(() => db.exec(`UPDATE commands SET ${set} WHERE seq = 3`)).toThrow(/CHECK constraint/);
+    }
+  });
+});
