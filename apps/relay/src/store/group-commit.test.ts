@@ -1,5 +1,6 @@
 import { join } from "node:path";
 import { DatabaseSync } from "node:sqlite";
+import fc from "fast-check";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { testFolder } from "../testing/test-relay.ts";
 import { GroupCommit } from "./group-commit.ts";
@@ -9,12 +10,13 @@ function withTable(now: () => number = () => 0) {
   const file = join(testFolder(), "corridor.sqlite");
   const db = openDatabase(file);
   const other = new DatabaseSync(file);
+  db.exec("CREATE TABLE rows (n INTEGER PRIMARY KEY, parent INTEGER REFERENCES rows (n)) STRICT");
+  const commits = new GroupCommit(db, now);
   onTestFinished(() => {
+    commits.flush();
     other.close();
     db.close();
   });
-  db.exec("CREATE TABLE rows (n INTEGER PRIMARY KEY, parent INTEGER REFERENCES rows (n)) STRICT");
-  const commits = new GroupCommit(db, now);
   const add = (n: number) => commits.run(() => db.exec(`INSERT INTO rows (n) VALUES (${n})`));
   /** what somebody else would find after a crash at this moment */
   const kept = () => Number(other.prepare("SELECT count(*) AS n FROM rows").get()?.["n"]);
@@ -80,5 +82,71 @@ describe("commits in groups", () => {
     const step = add(1);
     expect(commits.alone(() => [db.isTransaction, kept()])).toEqual([false, 1]);
     await step;
+  });
+
+  it("leaves what the steps one by one would leave, whichever of them throw midway", async () => {
+    /** adds rows one after the other; a row that is there throws by itself, `throws` does at the end */
+    const steps = fc.array(
+      fc.record({
+        rows: fc.array(fc.integer({ min: 0, max: 12 }), { maxLength: 3 }),
+        throws: fc.boolean(),
+      }),
+      { maxLength: 20 },
+    );
+    const { db, commits } = withTable();
+    const insert = db.prepare("INSERT INTO rows (n) VALUES (?)");
+    const rows = () =>
+      db
+        .prepare("SELECT n FROM rows ORDER BY n")
+        .all()
+        .map(({ n }) => Number(n));
+    await fc.assert(
+      fc.asyncProperty(steps, async (all) => {
+        const outcomes = await Promise.allSettled(
+          all.map((each) =>
+            commits.run(() => {
+              for (const n of each.rows) insert.run(n);
+              if (each.throws) throw new Error("half done");
+              return rows().length;
+            }),
+          ),
+        );
+        const kept = new Set<number>();
+        const expected = all.map((each) => {
+          const isNew = new Set([...kept, ...each.rows]).size === kept.size + each.rows.length;
+          if (each.throws || !isNew) return "threw";
+          for (const n of each.rows) kept.add(n);
+          return kept.size;
+        });
+        expect(
+          outcomes.map((each) => (each.status === "fulfilled" ? each.value : "threw")),
+        ).toEqual(expected);
+        expect(rows()).toEqual([...kept].toSorted((a, b) => a - b));
+        db.exec("DELETE FROM rows");
+      }),
+    );
+  });
+
+  it("tells everyone when the steps before one that throws cannot be done again", async () => {
+    const { db, commits, add, kept } = withTable();
+    let isFirst = true;
+    const once = commits.run(() => {
+      if (!isFirst) throw new Error("not again");
+      isFirst = false;
+      db.exec("INSERT INTO rows (n) VALUES (5)");
+    });
+    const other = add(6);
+    const failing = commits.run(() => {
+      throw new Error("half done");
+    });
+    const results = await Promise.allSettled([once, other, failing]);
+    expect(results.map((each) => each.status === "rejected" && String(each.reason))).toEqual([
+      "Error: not again",
+      "Error: not again",
+      "Error: half done",
+    ]);
+    expect(kept()).toBe(0);
+    await add(7);
+    expect(kept()).toBe(1);
   });
 });

@@ -5,6 +5,9 @@
  * A group ends with the turn of the event loop in which it began, after 50 steps, or after 5 ms, whatever
  * comes first. So a lone step waits for nobody, and what arrives while the disk works is the next group.
  * To wait the 5 ms in any case would let one who sends one by one do 230 steps a second, not 21,000.
+ *
+ * A step that throws is undone alone: the group is rolled back, and the steps before it are done once more.
+ * That is rare, and a savepoint around each step costs each of them.
  */
 import type { DatabaseSync } from "node:sqlite";
 import { Statements } from "./statements.ts";
@@ -14,8 +17,15 @@ const LONGEST_MS = 5;
 
 interface Group {
   begunAt: number;
-  /** what follows for each step once the group is on disk, or is not */
-  steps: { kept: () => void; lost: (error: unknown) => void }[];
+  steps: Step[];
+}
+
+interface Step {
+  /** does it, or does it once more after it was undone */
+  work: () => void;
+  /** what follows once the group is on disk, or is not */
+  kept: () => void;
+  lost: (error: unknown) => void;
 }
 
 export class GroupCommit {
@@ -33,21 +43,28 @@ export class GroupCommit {
 
   /**
    * One atomic step: all of it or, when it throws, nothing, whatever becomes of the others.
+   * @param step may be called more than once, with what it did before undone: it changes the database alone
    * @returns its result once it is on disk
    */
   run<T>(step: () => T): Promise<T> {
     return new Promise((resolve, reject) => {
       let group: Group;
       let result: T;
+      const work = (): void => {
+        result = step();
+      };
       try {
         group = this.#group ?? this.#begin();
-        result = this.#inSavepoint(step);
       } catch (error) {
-        // Some errors, a full disk's among them, undo the whole group.
-        if (!this.#db.isTransaction) this.#end((each) => each.lost(error));
         return reject(error);
       }
-      group.steps.push({ kept: () => resolve(result), lost: reject });
+      try {
+        work();
+      } catch (error) {
+        reject(error);
+        return this.#undoNewest(error);
+      }
+      group.steps.push({ work, kept: () => resolve(result), lost: reject });
       const isLong = this.#now() - group.begunAt >= LONGEST_MS;
       if (group.steps.length >= MOST_STEPS || isLong) this.flush();
     });
@@ -81,22 +98,21 @@ export class GroupCommit {
     return group;
   }
 
-  #inSavepoint<T>(step: () => T): T {
-    this.#statements.run("SAVEPOINT step");
+  /** Undoes what a step did before it threw, and keeps what the others of its group have done. */
+  #undoNewest(error: unknown): void {
+    // Some errors, a full disk's among them, have undone the whole group.
+    if (!this.#db.isTransaction) return this.#end((each) => each.lost(error));
     try {
-      const result = step();
-      this.#statements.run("RELEASE step");
-      return result;
-    } catch (error) {
-      if (this.#db.isTransaction) {
-        this.#statements.run("ROLLBACK TO step");
-        this.#statements.run("RELEASE step");
-      }
-      throw error;
+      this.#statements.run("ROLLBACK");
+      this.#statements.run("BEGIN IMMEDIATE");
+      for (const { work } of this.#group?.steps ?? []) work();
+    } catch (again) {
+      if (this.#db.isTransaction) this.#statements.run("ROLLBACK");
+      this.#end((each) => each.lost(again));
     }
   }
 
-  #end(tell: (step: Group["steps"][number]) => void): void {
+  #end(tell: (step: Step) => void): void {
     const steps = this.#group?.steps ?? [];
     this.#group = null;
     for (const each of steps) tell(each);
