@@ -20,6 +20,8 @@ export interface Crowd {
   robots: number;
   /** of so many the reader may command */
   scripts: number;
+  /** pages do not end what they have begun; default: they do */
+  isBusy?: boolean;
 }
 
 /** Starts what is there of these, connects robots to each, and ends all of it afterwards. */

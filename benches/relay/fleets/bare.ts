@@ -21,6 +21,7 @@ export async function openBare(options: FleetOptions): Promise<Fleet> {
     report: (robot, n) => all[robot]?.[0].send(snapshotText(n, 1)),
     command: (robot) => all[robot]?.[1].send(commandText(commands++)),
     taken: null,
+    rest: null,
     close: async () => {
       for (const wire of all.flat()) wire.close();
     },

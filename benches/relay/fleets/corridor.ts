@@ -1,6 +1,7 @@
 /**
  * A fleet at the product: robots are registered, pages and readers say hello with their keys, readers say
- * what they have seen as those of the client do, pages begin and end each command at once.
+ * what they have seen as those of the client do, pages begin and end each command at once, or
+ * are busy with the first until they are stopped.
  */
 import type { Registration } from "@corridor/protocol";
 import { SeenPace } from "../../../packages/client/src/seen-pace.ts";
@@ -11,6 +12,9 @@ import { TextWire } from "./text-wire.ts";
 /** So many robots share an address: as many as may, with all who look on. */
 const A_CLASS = 6;
 
+const STOP = '{"type":"command","command":{"action":"stop"}}';
+const IS_STOP = '"action":"stop"';
+
 interface Robot {
   page: TextWire;
   reader: TextWire;
@@ -18,6 +22,8 @@ interface Robot {
   epoch: number;
   /** who waits for the relay's time: then it has taken all that was said before */
   asking: (() => void)[];
+  /** who waits for the robot to stand */
+  resting: (() => void)[];
 }
 
 export async function openCorridor(options: FleetOptions): Promise<Fleet> {
@@ -35,6 +41,14 @@ export async function openCorridor(options: FleetOptions): Promise<Fleet> {
         at?.asking.push(resolve);
         at?.page.send(`{"type":"time","epoch":${at.epoch}}`);
       }),
+    rest: options.isBusy
+      ? (robot) =>
+          new Promise((resolve) => {
+            const at = all[robot];
+            at?.resting.push(resolve);
+            at?.reader.send(STOP);
+          })
+      : null,
     close: async () => {
       for (const { page, reader, onlookers } of all) {
         for (const wire of [page, reader, ...onlookers]) wire.close();
@@ -58,6 +72,7 @@ async function openRobot(robot: number, options: FleetOptions): Promise<Robot> {
     headers,
     hear: (text) => {
       if (text.startsWith('{"type":"command"')) doCommand(numberIn(text));
+      else if (text.startsWith('{"type":"stop"')) standStill(numberIn(text));
       else if (text.startsWith('{"type":"time"')) asking.shift()?.();
       else if (text.startsWith('{"type":"welcome"')) {
         welcomed.resolve((JSON.parse(text) as { epoch: number }).epoch);
@@ -67,11 +82,24 @@ async function openRobot(robot: number, options: FleetOptions): Promise<Robot> {
   page.send(JSON.stringify({ type: "hello", version: 1, role: "own", key: ownerKey }));
   page.send(JSON.stringify({ type: "resume", lastApplied: 0, fresh: true, endings: [] }));
   const epoch = await welcomed.promise;
-  const doCommand = (seq: number): void => {
+  /** what a busy page has and has not ended, the first of them begun */
+  const open: number[] = [];
+  const begin = (seq: number): void =>
     page.send(`{"type":"started","epoch":${epoch},"seq":${seq}}`);
+  const end = (seq: number, state: "completed" | "cancelled"): void =>
     page.send(
-      `{"type":"ended","epoch":${epoch},"seq":${seq},"state":"completed","reason":null,"pose":{"x":150,"y":150,"heading":90},"distance":120}`,
+      `{"type":"ended","epoch":${epoch},"seq":${seq},"state":"${state}","reason":null,"pose":{"x":150,"y":150,"heading":90},"distance":120}`,
     );
+  const doCommand = (seq: number): void => {
+    if (!options.isBusy) {
+      begin(seq);
+      end(seq, "completed");
+    } else if (open.push(seq) === 1) begin(seq);
+  };
+  const standStill = (seq: number): void => {
+    for (const before of open.splice(0)) end(before, "cancelled");
+    begin(seq);
+    end(seq, "completed");
   };
 
   const enter = async (
@@ -91,14 +119,18 @@ async function openRobot(robot: number, options: FleetOptions): Promise<Robot> {
     return wire;
   };
   const seen = new SeenPace();
+  const resting: (() => void)[] = [];
   const hear = (text: string): void => {
     if (text.startsWith('{"type":"snapshot"')) {
       const n = numberIn(text);
       ears.snapshot(robot, n);
       if (seen.read(performance.now())) reader.send(`{"type":"seen","seq":${n}}`);
-    } else if (text.startsWith('{"type":"ack"')) ears.answered(robot);
-    else if (text.startsWith('{"type":"state"')) {
-      if (text.includes('"state":"started"')) ears.began(robot);
+    } else if (text.startsWith('{"type":"ack"')) {
+      if (!text.includes(IS_STOP)) ears.answered(robot);
+    } else if (text.startsWith('{"type":"state"')) {
+      if (text.includes(IS_STOP)) {
+        if (text.includes('"state":"completed"')) resting.shift()?.();
+      } else if (text.includes('"state":"started"')) ears.began(robot);
     } else if (text.startsWith('{"type":"problem"')) throw new Error(text);
   };
   const isScript = robot < scripts;
@@ -108,7 +140,7 @@ async function openRobot(robot: number, options: FleetOptions): Promise<Robot> {
     ? await enter("drive", driverKey, hear)
     : await enter("watch", watch, hear);
   const more = await openAll(onlookers, () => enter("watch", watch, () => undefined));
-  return { page, reader, onlookers: more, epoch, asking };
+  return { page, reader, onlookers: more, epoch, asking, resting };
 }
 
 async function watchKey(

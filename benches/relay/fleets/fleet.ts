@@ -19,6 +19,8 @@ export interface FleetOptions {
   scripts: number;
   /** more readers of each robot, which only look on */
   onlookers: number;
+  /** a page begins its first command and does not end it before `rest`; of no effect where pages only answer */
+  isBusy: boolean;
   ears: Ears;
 }
 
@@ -29,6 +31,8 @@ export interface Fleet {
   command(robot: number): void;
   /** Once the contender has taken all that this page has reported; null: its reader gets each, and that tells. */
   taken: ((robot: number) => Promise<void>) | null;
+  /** Stops a robot, so that nothing of it runs or waits; null: nothing ever does. */
+  rest: ((robot: number) => Promise<void>) | null;
   close(): Promise<void>;
 }
 

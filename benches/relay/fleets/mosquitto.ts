@@ -26,6 +26,7 @@ export async function openMosquitto(options: FleetOptions): Promise<Fleet> {
     command: (robot) =>
       void all[robot]?.reader.publish(`${robot}/command`, commandText(commands++), QOS),
     taken: null,
+    rest: null,
     close: async () => {
       for (const { page, reader } of all) {
         page.end(true);

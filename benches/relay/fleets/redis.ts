@@ -36,6 +36,7 @@ export async function openRedis(options: FleetOptions): Promise<Fleet> {
       if (reader !== undefined) append(reader, `{${robot}}down`, commandText(commands++));
     },
     taken: null,
+    rest: null,
     close: async () => {
       for (const { close } of all) close();
     },

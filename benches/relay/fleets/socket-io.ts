@@ -31,6 +31,7 @@ export async function openSocketIo(options: FleetOptions): Promise<Fleet> {
     },
     command: (robot) => all[robot]?.reader.emit("command", command),
     taken: null,
+    rest: null,
     close: async () => {
       for (const { page, reader, more } of all) {
         for (const socket of [page, reader, ...more]) socket.disconnect();

@@ -63,6 +63,11 @@ export async function driveFlood(driven: Driven, job: FloodJob): Promise<Seen> {
   const seen = await watch.during(job.seconds, job.pids);
   isOver = true;
   await Promise.race([Promise.all(lanes), pause(DRAIN_MS)]);
+  // The next one finds robots that are as free as this one did.
+  const { rest } = driven.fleet;
+  if (rest !== null && isOfCommands) {
+    for (let robot = 0; robot < count; robot++) await rest(robot);
+  }
   return seen;
 }
 

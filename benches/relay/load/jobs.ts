@@ -10,6 +10,8 @@ export interface OpenJob {
   scripts: number;
   /** default: 0 */
   onlookers?: number;
+  /** default: no */
+  isBusy?: boolean;
 }
 
 /** Pages report at a steady pace, scripts command at another. */

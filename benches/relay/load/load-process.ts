@@ -48,6 +48,7 @@ async function open({
   robots,
   scripts,
   onlookers = 0,
+  isBusy = false,
   pages,
   readers,
 }: OpenJob): Promise<Driven> {
@@ -58,6 +59,7 @@ async function open({
     robots,
     scripts,
     onlookers,
+    isBusy,
     ears: watch,
   });
   return { fleet, watch, robots, scripts };
