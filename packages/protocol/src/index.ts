@@ -75,7 +75,7 @@ export {
 } from "./messages.ts";
 export { LEASE_MS, orderSchema, termsOf, TTL_MS, type CommandTerms, type Order } from "./order.ts";
 export { decodeDriverFrame } from "./driver-frame.ts";
-export { decodePageFrame, isPlainSnapshot } from "./page-frame.ts";
+export { findSnapshot, findSnapshotMessage, type SnapshotPlace } from "./snapshot-text.ts";
 export {
   PAIRING_LENGTH,
   PAIRING_LETTERS,

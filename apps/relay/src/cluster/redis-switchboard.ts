@@ -10,11 +10,11 @@ import {
   hasEnded,
   recallCauses,
   scriptSchema,
-  type Snapshot,
 } from "@corridor/protocol";
 import type { Logger } from "pino";
 import { z } from "zod";
 import type { Clock } from "../clock.ts";
+import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 import { limits } from "../sessions/limits.ts";
 import { asked, type Redis } from "../store/redis/connection.ts";
 import { lineOf, postOf, RELAYS, sessionOf } from "../store/redis/redis-keys.ts";
@@ -101,9 +101,9 @@ export class RedisSwitchboard implements Switchboard {
   private constructor(options: RedisSwitchboardOptions) {
     this.#options = options;
     this.#script = new Script(options.redis, "../../cluster/switchboard.lua", [options.relay]);
-    this.#post = new SnapshotPost(options.clock, (relay, text) => {
+    this.#post = new SnapshotPost(options.clock, (relay, post) => {
       // Lost with the connection: the next one is newer.
-      options.redis.publish(postOf(relay), text).catch(() => undefined);
+      options.redis.publish(postOf(relay), post).catch(() => undefined);
     });
   }
 
@@ -111,11 +111,15 @@ export class RedisSwitchboard implements Switchboard {
   static async open(options: RedisSwitchboardOptions): Promise<RedisSwitchboard> {
     const switchboard = new RedisSwitchboard(options);
     await asked(
-      options.hearing.subscribe(postOf(options.relay), (text) => {
-        for (const [robot, snapshot] of Object.entries(readPost(text) ?? {})) {
-          switchboard.#places.get(robot)?.ears.heard({ kind: "snapshot", snapshot });
-        }
-      }),
+      options.hearing.subscribe(
+        postOf(options.relay),
+        (post) => {
+          for (const [robot, snapshot] of readPost(post) ?? []) {
+            switchboard.#places.get(robot)?.ears.heard({ kind: "snapshot", snapshot });
+          }
+        },
+        true,
+      ),
     );
     await switchboard.#beat();
     // The client listens again by itself, but nobody keeps for it what was said meanwhile.
@@ -181,7 +185,7 @@ export class RedisSwitchboard implements Switchboard {
     );
   }
 
-  #tellSnapshot(robot: string, snapshot: Snapshot): void {
+  #tellSnapshot(robot: string, snapshot: CarriedSnapshot): void {
     const others = this.#places.get(robot)?.others;
     if (others === undefined) return;
     const oldest = this.#options.clock.now() - limits.relaySilenceMs;

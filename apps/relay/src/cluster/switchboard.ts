@@ -3,7 +3,8 @@
  * for a command to be neither lost nor doubled; the store alone sees to that. Every form of it passes
  * `testing/switchboard.cases.ts`; see docs/adr/0010-several-relays.md.
  */
-import type { CommandRecord, RecallCause, Snapshot } from "@corridor/protocol";
+import type { CommandRecord, RecallCause } from "@corridor/protocol";
+import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 import type { Scripts } from "../sessions/driver-roster.ts";
 import type { TermedRecord } from "../store/session-store.ts";
 
@@ -20,7 +21,7 @@ export interface Step {
 /** Whatever else there is to say. */
 export type News =
   /** the newest, many times a second; for those who said that they are here */
-  | { kind: "snapshot"; snapshot: Snapshot }
+  | { kind: "snapshot"; snapshot: CarriedSnapshot }
   /** a page has taken the robot at another relay */
   | { kind: "page"; epoch: number; name: string }
   /** that page is away, or its relay is; whether it had said goodbye, so that all it had begun was heard */

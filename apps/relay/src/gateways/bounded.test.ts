@@ -28,7 +28,7 @@ function withSlowStore() {
     },
   );
   const send = (count: number): void => {
-    for (let n = 0; n < count; n++) void conversation.received("{}");
+    for (let n = 0; n < count; n++) void conversation.received(Buffer.from("{}"));
   };
   const turn = (): Promise<void> => new Promise((resolve) => void setImmediate(resolve));
   return { send, begun, closed, turn };

@@ -23,8 +23,8 @@ export function bounded(
     closeWith(line, closeReasons.badFrame, detail);
   };
   return {
-    received: (text) => {
-      const work = conversation.received(text);
+    received: (bytes) => {
+      const work = conversation.received(bytes);
       if (work === undefined) return undefined;
       unfinished += 1;
       if (isOver() && !isLooking) {

@@ -8,12 +8,12 @@ import { scriptIsAway } from "../sessions/script-gate.ts";
 
 export interface Conversation {
   /**
-   * One message of the client. Calls do not overlap in effect: the session puts them in order.
+   * One message of the client, JSON as UTF-8; the bytes are the conversation's from then on. Calls do not overlap in effect: the session puts them in order.
    * @returns once it is done; undefined where it is already: most are snapshots and what readers have
    *   seen of them, tens of thousands a second, which wait for nothing
    * @throws Refusal when it may not be said
    */
-  received(text: string): Promise<void> | undefined;
+  received(bytes: Buffer): Promise<void> | undefined;
   /** Keeps the client sure that the line is alive. */
   heartbeat(): void;
   /**
@@ -26,11 +26,11 @@ export interface Conversation {
 /** Passes a message on. @param failed is told why it could not be served, now or later */
 export function hear(
   conversation: Conversation,
-  text: string,
+  bytes: Buffer,
   failed: (error: unknown) => void,
 ): void {
   try {
-    conversation.received(text)?.catch(failed);
+    conversation.received(bytes)?.catch(failed);
   } catch (error) {
     failed(error);
   }

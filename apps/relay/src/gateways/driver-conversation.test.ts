@@ -27,6 +27,7 @@ function withSlowStore() {
         const message = decodeFrame(relayToDriverSchema, text);
         if (message.ok) told.push(message.value);
       },
+      pass: () => undefined,
       close: (code) => void closed.push(code),
       isOpen: true,
       waitingBytes: 0,
@@ -35,13 +36,13 @@ function withSlowStore() {
     refused: () => undefined,
   });
   const send = (count: number, action = "left 90"): void => {
-    const text = JSON.stringify({ type: "command", command: { action } });
-    for (let n = 0; n < count; n++) void conversation.received(text);
+    const message = Buffer.from(JSON.stringify({ type: "command", command: { action } }));
+    for (let n = 0; n < count; n++) void conversation.received(message);
   };
   const turn = (): Promise<void> => new Promise((resolve) => void setImmediate(resolve));
   const problems = (): string[] =>
     told.flatMap((message) => (message.type === "problem" ? [message.problem.type] : []));
-  const say = (text: string): void => void conversation.received(text);
+  const say = (text: string): void => void conversation.received(Buffer.from(text));
   return { say, send, told, waiting, problems, closed, turn };
 }
 

@@ -9,11 +9,11 @@ import {
   type DriverToRelay,
   type EventGap,
   type RelayToDriver,
-  type Snapshot,
   type StateEvent,
 } from "@corridor/protocol";
 import { z } from "zod";
 import { asRefusal, badRequest, Refusal, retryAfter, type ProblemKind } from "../problems.ts";
+import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 import { limits } from "../sessions/limits.ts";
 import type { OverReason, ReaderSink, ReaderStart } from "../sessions/reader-feed.ts";
 import type { Grant } from "../sessions/session-hub.ts";
@@ -59,12 +59,13 @@ export class DriverConversation implements Conversation, ReaderSink {
 
   // --- what it is told, as a reader ---
 
-  began(start: ReaderStart): void {
-    this.#send({ type: "welcome", version: PROTOCOL_VERSION, ...start });
+  began({ stream, n, snapshot }: ReaderStart): void {
+    const newest = snapshot?.value ?? null;
+    this.#send({ type: "welcome", version: PROTOCOL_VERSION, stream, n, snapshot: newest });
   }
 
-  snapshot(snapshot: Snapshot): void {
-    this.#send({ type: "snapshot", snapshot });
+  snapshot({ message }: CarriedSnapshot): void {
+    this.#options.line.pass(message);
   }
 
   state(event: StateEvent): void {
@@ -85,7 +86,8 @@ export class DriverConversation implements Conversation, ReaderSink {
 
   // --- what it says ---
 
-  received(text: string): Promise<void> | undefined {
+  received(bytes: Buffer): Promise<void> | undefined {
+    const text = bytes.toString();
     const { session, key: grant } = this.#options.grant;
     const message = decodeDriverFrame(text);
     if (!message.ok) {

@@ -85,6 +85,10 @@ export class HttpLine implements ReaderLine {
     this.#wake();
   }
 
+  pass(message: Buffer): void {
+    this.send(message.toString());
+  }
+
   /** The conversation ends now; the other side learns it by its next request. */
   close(code: number, reason: string): void {
     this.#close(code, reason, false);
@@ -113,7 +117,9 @@ export class HttpLine implements ReaderLine {
     for (const [index, message] of messages.entries()) {
       if (first + index !== this.#heard + 1 || !this.isOpen) continue;
       this.#heard += 1;
-      if (this.#conversation !== null) hear(this.#conversation, JSON.stringify(message), failed);
+      if (this.#conversation !== null) {
+        hear(this.#conversation, Buffer.from(JSON.stringify(message)), failed);
+      }
     }
     this.#awaitRequest();
     return this.#heard;

@@ -2,13 +2,14 @@
 import {
   closeReasons,
   decodeFrame,
-  decodePageFrame,
   describeProblem,
   encodeFrame,
+  pageToRelaySchema,
   resumeSchema,
   type FieldProblem,
   type SocketPort,
 } from "@corridor/protocol";
+import { readSnapshotMessage } from "../sessions/carried-snapshot.ts";
 import type { PageLink } from "../sessions/page-link.ts";
 import type { Grant } from "../sessions/session-hub.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
@@ -31,16 +32,21 @@ export class PageConversation implements Conversation {
     };
   }
 
-  received(text: string): Promise<void> | undefined {
+  received(bytes: Buffer): Promise<void> | undefined {
     const { session, key } = this.#grant;
     session.check(key, "host");
     if (!this.#hasResumed) {
-      const resume = decodeFrame(resumeSchema, text);
+      const resume = decodeFrame(resumeSchema, bytes.toString());
       if (!resume.ok) return this.#refuse(resume.problems);
       this.#hasResumed = true;
       return session.takePage(this.#link, resume.value);
     }
-    const message = decodePageFrame(text);
+    const report = readSnapshotMessage(bytes);
+    if (report !== null) {
+      session.hearSnapshot(this.#link, report.epoch, report.snapshot);
+      return undefined;
+    }
+    const message = decodeFrame(pageToRelaySchema, bytes.toString());
     if (!message.ok) return this.#refuse(message.problems);
     return session.hearPage(this.#link, message.value);
   }

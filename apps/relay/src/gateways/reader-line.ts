@@ -5,4 +5,6 @@ import type { ReaderFlow } from "../sessions/reader-feed.ts";
 export interface ReaderLine extends SocketPort {
   readonly door: "websocket" | "line";
   readonly flow: ReaderFlow;
+  /** Sends a message that is UTF-8 already; nobody changes it any more. */
+  pass(message: Buffer): void;
 }

@@ -155,10 +155,9 @@ export class WebSocketGateway {
       if (!guest.port.isOpen) return undefined;
       guest.heardAt = clock.now();
       if (isBinary) return closeWith(socket, closeReasons.badFrame, "Send text, not bytes.");
-      const text = data.toString("utf8");
-      if (guest.conversation !== null) return this.#hear(guest, text);
+      if (guest.conversation !== null) return this.#hear(guest, data);
       work = work
-        .then(() => this.#hello(guest, text))
+        .then(() => this.#hello(guest, data))
         .catch((error: unknown) => this.#refuse(guest, error));
       return undefined;
     });
@@ -182,12 +181,12 @@ export class WebSocketGateway {
     else this.#ofAddress.delete(address);
   }
 
-  async #hello(guest: Guest, text: string): Promise<void> {
+  async #hello(guest: Guest, bytes: Buffer): Promise<void> {
     // Messages that came while the first was still being checked.
-    if (guest.conversation !== null) return this.#hear(guest, text);
+    if (guest.conversation !== null) return this.#hear(guest, bytes);
     const { socket, port, id, client } = guest;
     if (socket.readyState !== socket.OPEN) return;
-    const hello = decodeFrame(helloSchema, text, MAX_HELLO_BYTES);
+    const hello = decodeFrame(helloSchema, bytes.toString(), MAX_HELLO_BYTES);
     if (!hello.ok) {
       const [first] = hello.problems;
       const detail = first && `The first message is no hello. ${describeProblem(first)}`;
@@ -210,9 +209,9 @@ export class WebSocketGateway {
     guest.cancelTimer = nothing;
   }
 
-  #hear(guest: Guest, text: string): void {
+  #hear(guest: Guest, bytes: Buffer): void {
     if (guest.conversation === null) return;
-    hear(guest.conversation, text, (error) => this.#refuse(guest, error));
+    hear(guest.conversation, bytes, (error) => this.#refuse(guest, error));
   }
 
   #refuse({ socket }: Guest, error: unknown): void {

@@ -14,6 +14,8 @@ import type { ReaderFlow } from "../sessions/reader-feed.ts";
 import { closeWith } from "./conversation.ts";
 import type { ReaderLine } from "./reader-line.ts";
 
+const AS_TEXT = { binary: false };
+
 /** A class, where a relay holds thousands: an object of closures and getters takes five times the memory. */
 export class WsPort implements ReaderLine, ReaderFlow {
   readonly door = "websocket";
@@ -46,10 +48,13 @@ export class WsPort implements ReaderLine, ReaderFlow {
   }
 
   send(text: string): void {
-    if (!this.isOpen) return;
-    if (this.waitingBytes > limits.stuckReaderBytes) return closeWith(this, closeReasons.tooSlow);
-    this.sentBytes += text.length;
+    if (!this.#mayPass(text.length)) return;
     this.#socket.send(text);
+  }
+
+  pass(message: Buffer): void {
+    if (!this.#mayPass(message.length)) return;
+    this.#socket.send(message, AS_TEXT);
   }
 
   close(code: number, reason: string): void {
@@ -67,6 +72,16 @@ export class WsPort implements ReaderLine, ReaderFlow {
     if (this.#asksAgain || !this.isOpen) return;
     this.#asked = this.sentBytes;
     this.#socket.ping(String(this.#asked));
+  }
+
+  #mayPass(length: number): boolean {
+    if (!this.isOpen) return false;
+    if (this.waitingBytes > limits.stuckReaderBytes) {
+      closeWith(this, closeReasons.tooSlow);
+      return false;
+    }
+    this.sentBytes += length;
+    return true;
   }
 
   #answered(data: Buffer): void {

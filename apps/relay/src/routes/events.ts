@@ -86,9 +86,9 @@ function streamTo(
       stream = start.stream;
       write(start.n === null ? ": hello\n\n" : `id: ${sinceOf(stream, start.n)}\n\n`);
       if (start.snapshot === null) write(": waiting for the robot\n\n");
-      else send("snapshot", start.snapshot);
+      else send("snapshot", start.snapshot.value);
     },
-    snapshot: (snapshot) => send("snapshot", snapshot),
+    snapshot: ({ value }) => send("snapshot", value),
     state: (event) => send("state", event.record, sinceOf(stream, event.n)),
     gap: (gap) => send("gap", gap, sinceOf(stream, gap.n)),
     maze: (version) => send("maze", { version }),

@@ -33,7 +33,7 @@ export function robotRoutes(hub: SessionHub, entrance: Entrance): Router {
         endsInSeconds: Math.floor(session.leftMs / 1000),
         drivers: session.roster.now(),
         maze: (await session.mazes.read())?.version ?? null,
-        snapshot: session.newest,
+        snapshot: session.newest?.value ?? null,
       };
       response.json(held);
     })

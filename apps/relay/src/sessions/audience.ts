@@ -2,9 +2,10 @@
  * Everyone who follows one robot at this moment: the feeds of scripts that are connected, and requests
  * that wait for something to happen (long polls). They hear every change in the order in which it came.
  */
-import type { CommandRecord, Snapshot, StateEvent } from "@corridor/protocol";
+import type { CommandRecord, StateEvent } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import { Refusal, retryAfter } from "../problems.ts";
+import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import type { EventLog } from "./event-log.ts";
 import { StoreAway } from "../store/store-away.ts";
 import { keyRevoked } from "./key-ring.ts";
@@ -14,7 +15,7 @@ import { scriptIsAway } from "./script-gate.ts";
 
 /** Whoever follows the robot: a reader's feed, or a request that waits. */
 interface Listener {
-  snapshot(snapshot: Snapshot): void;
+  snapshot(snapshot: CarriedSnapshot): void;
   state(event: StateEvent): void;
   /** the robot is in another maze */
   maze(version: string): void;
@@ -111,7 +112,7 @@ export class Audience {
     }
   }
 
-  tellSnapshot(snapshot: Snapshot): void {
+  tellSnapshot(snapshot: CarriedSnapshot): void {
     for (const { listener } of this.#entries) listener.snapshot(snapshot);
   }
 

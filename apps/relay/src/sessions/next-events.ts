@@ -24,7 +24,7 @@ export async function nextEvents(
     since: events.since,
     gap,
     states: events.after(told) ?? [],
-    snapshot: source.newest(),
+    snapshot: source.newest()?.value ?? null,
   });
   if (since === undefined) return page(events.n, null);
   const told = events.numberOf(since);

@@ -1,7 +1,8 @@
 /** What a robot's session makes of the news that other relays tell on the robot's line. */
-import { closeReasons, type Snapshot } from "@corridor/protocol";
+import { closeReasons } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import type { News } from "../cluster/switchboard.ts";
+import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import type { CommandLife } from "./command-life.ts";
 import type { DriverRoster } from "./driver-roster.ts";
 import type { KeyRing } from "./key-ring.ts";
@@ -102,7 +103,7 @@ export class OtherRelays {
     }
   }
 
-  #answer(newest: Snapshot | null): void {
+  #answer(newest: CarriedSnapshot | null): void {
     const { line, roster } = this.#parts;
     if (newest === null) line.sayHere(roster.told());
     else line.snapshot(newest);

@@ -1,12 +1,9 @@
-import {
-  KEPT_EVENTS_MS,
-  MAX_KEPT_EVENTS,
-  type CommandRecord,
-  type Snapshot,
-} from "@corridor/protocol";
+import { KEPT_EVENTS_MS, MAX_KEPT_EVENTS, type CommandRecord } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
+import { SharedTimers } from "../shared-timers.ts";
 import { FakeClock, settled } from "../testing/fake-clock.ts";
+import { CarriedSnapshot } from "./carried-snapshot.ts";
 import { EventLog } from "./event-log.ts";
 import { limits } from "./limits.ts";
 import { ReaderFeed } from "./reader-feed.ts";
@@ -31,8 +28,9 @@ const STATE_BYTES = 300;
 /** A robot with a log, and readers whose lines take what they are told to take. */
 function robotWithReaders() {
   const clock = new FakeClock();
+  const timers = new SharedTimers(clock);
   const events = new EventLog(clock);
-  let newest: Snapshot | null = null;
+  let newest: CarriedSnapshot | null = null;
   const feeds: ReaderFeed[] = [];
   const join = (since: string | null = null) => {
     const said: string[] = [];
@@ -57,7 +55,7 @@ function robotWithReaders() {
         newest: () => newest,
         tellOpen: async (tell) => tell([{ seq: 5, state: "started" }]),
       },
-      clock,
+      { clock, timers },
     );
     feeds.push(feed);
     feed.begin(since);
@@ -71,7 +69,7 @@ function robotWithReaders() {
     }
   };
   const report = (seq: number): void => {
-    newest = snapshotOf({ seq });
+    newest = CarriedSnapshot.of(snapshotOf({ seq }));
     for (const feed of feeds) feed.snapshot(newest);
   };
   return { clock, events, join, happen, report };
@@ -133,6 +131,35 @@ describe("a reader that comes back", () => {
     const { said } = join(`${events.stream}-3`);
     await settled();
     expect(said).toEqual(["welcome null", "gap 2 5"]);
+  });
+});
+
+describe("a reader that keeps up", () => {
+  it("gets 20 snapshots a second of a robot that reports more, the newest each time", async () => {
+    const { clock, join, report } = robotWithReaders();
+    const { feed, said } = join();
+    for (let seq = 1; seq <= 300; seq++) {
+      report(seq);
+      feed.seen(seq);
+      await clock.pass(33);
+    }
+    const seconds = (300 * 33) / 1_000;
+    const snapshots = said.filter((text) => text.startsWith("snapshot"));
+    expect(Math.abs(snapshots.length - 20 * seconds)).toBeLessThanOrEqual(2);
+    expect(snapshots.at(-1)).toMatch(/ (299|300)$/);
+  });
+
+  it("gets the newest as soon as it has seen the one before, over a line however long", async () => {
+    const { clock, join, report } = robotWithReaders();
+    const { feed, said } = join();
+    for (const seq of [1, 2, 3]) {
+      report(seq);
+      await clock.pass(limits.snapshotIntervalMs);
+    }
+    expect(said.slice(1)).toEqual(["snapshot 1", "snapshot 2"]);
+    await clock.pass(12);
+    feed.seen(1);
+    expect(said.slice(1)).toEqual(["snapshot 1", "snapshot 2", "snapshot 3"]);
   });
 });
 

@@ -6,9 +6,11 @@
  * sleeps. So no more is sent than the reader is known to take: two snapshots, and some states. The other
  * states wait in the event log; who sleeps for longer than that lasts is told of the gap.
  */
-import { hasEnded, type EventGap, type Snapshot, type StateEvent } from "@corridor/protocol";
+import { hasEnded, type EventGap, type StateEvent } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
+import { SHARED_MS, type SharedTimers, type Sleeper } from "../shared-timers.ts";
 import type { AwayReason, ReaderDoor } from "./audience.ts";
+import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import type { EventLog } from "./event-log.ts";
 import { limits } from "./limits.ts";
 
@@ -28,7 +30,7 @@ export interface ReaderStart {
   stream: string;
   /** states after this one follow; null when a gap follows */
   n: number | null;
-  snapshot: Snapshot | null;
+  snapshot: CarriedSnapshot | null;
 }
 
 /** Where the reader is, in whichever dialect it speaks. */
@@ -37,7 +39,7 @@ export interface ReaderSink {
   readonly flow: ReaderFlow;
   /** The first that it gets. */
   began(start: ReaderStart): void;
-  snapshot(snapshot: Snapshot): void;
+  snapshot(snapshot: CarriedSnapshot): void;
   state(event: StateEvent): void;
   gap(gap: EventGap): void;
   /** the robot is in another maze */
@@ -51,7 +53,7 @@ export type OverReason = AwayReason | "tooSlow";
 /** What is read. */
 export interface ReaderSource {
   readonly events: EventLog;
-  newest(): Snapshot | null;
+  newest(): CarriedSnapshot | null;
   /** Tells the commands that have not ended, between two changes. @throws when the store fails */
   tellOpen(tell: (open: EventGap["open"]) => void): Promise<void>;
 }
@@ -62,29 +64,36 @@ interface OnTheWay {
   end: number;
 }
 
-export class ReaderFeed {
+export class ReaderFeed implements Sleeper {
   readonly #sink: ReaderSink;
   readonly #source: ReaderSource;
   readonly #clock: Clock;
+  readonly #timers: SharedTimers;
   /** the newest state that was told */
   #n = 0;
   /** states wait in the log: the reader has not begun, takes nothing, or is to be told of a gap */
   #isHeld = true;
   #isMissing = false;
   #isClosed = false;
-  #pending: Snapshot | null = null;
+  #pending: CarriedSnapshot | null = null;
   /** no snapshot is due before this time, but for one that belongs before an ending */
   #notBefore = -Infinity;
   #onTheWay: OnTheWay[] = [];
   /** the reader says itself what it has seen; until then its line answers for it */
   #saysSeen = false;
   #seenBytes = 0;
-  #cancelTimer: (() => void) | null = null;
+  /** it will be woken */
+  #isArmed = false;
 
-  constructor(sink: ReaderSink, source: ReaderSource, clock: Clock) {
+  constructor(
+    sink: ReaderSink,
+    source: ReaderSource,
+    { clock, timers }: { clock: Clock; timers: SharedTimers },
+  ) {
     this.#sink = sink;
     this.#source = source;
     this.#clock = clock;
+    this.#timers = timers;
   }
 
   /** Welcomes the reader. @param since the last state that it was told; null for a new one */
@@ -101,9 +110,9 @@ export class ReaderFeed {
   }
 
   /** Offers a snapshot; it is sent now, later, or never when a newer one comes first. */
-  snapshot(snapshot: Snapshot): void {
+  snapshot(snapshot: CarriedSnapshot): void {
     this.#pending = snapshot;
-    if (this.#cancelTimer === null) this.#flush();
+    if (!this.#isArmed) this.#flush();
   }
 
   /** Sends a command's new state; an ending after the snapshot that was taken before it. */
@@ -128,12 +137,14 @@ export class ReaderFeed {
   /** The reader has read all that came up to this snapshot. */
   seen(seq: number): void {
     this.#saysSeen = true;
-    const left: OnTheWay[] = [];
-    for (const snapshot of this.#onTheWay) {
-      if (snapshot.seq > seq) left.push(snapshot);
-      else this.#seenBytes = Math.max(this.#seenBytes, snapshot.end);
+    // They are on their way in the order of their numbers.
+    for (let oldest = this.#onTheWay[0]; oldest !== undefined && oldest.seq <= seq;) {
+      this.#seenBytes = oldest.end;
+      this.#onTheWay.shift();
+      [oldest] = this.#onTheWay;
     }
-    this.#onTheWay = left;
+    // It may be what the newest one waited for.
+    if (this.#pending !== null && this.#clock.now() >= this.#notBefore) this.#flush();
   }
 
   over(reason: OverReason): void {
@@ -145,8 +156,6 @@ export class ReaderFeed {
   close(): void {
     this.#isClosed = true;
     this.#pending = null;
-    this.#cancelTimer?.();
-    this.#cancelTimer = null;
   }
 
   get #unread(): number {
@@ -181,10 +190,14 @@ export class ReaderFeed {
 
   /** Looks again in a moment. */
   #arm(ms: number = this.#pauseMs): void {
-    this.#cancelTimer ??= this.#clock.after(ms, () => {
-      this.#cancelTimer = null;
-      if (this.#waits) this.#flush();
-    });
+    if (this.#isArmed) return;
+    this.#isArmed = true;
+    this.#timers.wakeAfter(ms, this);
+  }
+
+  wake(): void {
+    this.#isArmed = false;
+    if (this.#waits && !this.#isClosed) this.#flush();
   }
 
   get #pauseMs(): number {
@@ -228,14 +241,16 @@ export class ReaderFeed {
     if (this.#unread > limits.askReaderBytes) this.#sink.flow.ask();
   }
 
-  #sendSnapshot(snapshot: Snapshot): void {
+  #sendSnapshot(snapshot: CarriedSnapshot): void {
     this.#pending = null;
-    this.#notBefore = this.#clock.now() + this.#pauseMs;
+    // What a timer came late does not count, so that there are 20 a second, not 19.
+    const due = Math.max(this.#notBefore, this.#clock.now() - SHARED_MS);
+    this.#notBefore = due + this.#pauseMs;
     this.#sink.snapshot(snapshot);
     this.#left(snapshot);
   }
 
-  #left({ seq }: Snapshot): void {
+  #left({ seq }: CarriedSnapshot): void {
     const { flow } = this.#sink;
     this.#onTheWay.push({ seq, end: flow.sentBytes });
     if (!this.#saysSeen) flow.ask();

@@ -1,6 +1,7 @@
 /** The ways in which one robot is read: followed on a line, or asked for what is next. */
 import type { EventPage, Snapshot } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
+import type { SharedTimers } from "../shared-timers.ts";
 import type { Audience, Patience, ReaderDoor } from "./audience.ts";
 import type { DriverRoster } from "./driver-roster.ts";
 import { nextEvents, type WantedEvents } from "./next-events.ts";
@@ -16,6 +17,7 @@ export interface JoinedReader {
 
 export interface ReadersParts {
   clock: Clock;
+  timers: SharedTimers;
   audience: Audience;
   /** what is read: one for all readers */
   source: ReaderSource;
@@ -40,8 +42,8 @@ export class Readers {
    * @throws Refusal when too many read already
    */
   join(caller: Caller, sink: ReaderSink, since: string | null): JoinedReader {
-    const { clock, audience, source, roster } = this.#parts;
-    const feed = new ReaderFeed(sink, source, clock);
+    const { clock, timers, audience, source, roster } = this.#parts;
+    const feed = new ReaderFeed(sink, source, { clock, timers });
     const leave = audience.join(feed, caller, sink.door);
     const { script } = caller;
     const disconnected = script === null ? () => undefined : roster.connected(script);
@@ -65,12 +67,12 @@ export class Readers {
   async nextSnapshot(after: number, patience: Patience): Promise<Snapshot | null> {
     const { audience, source } = this.#parts;
     const before = source.newest();
-    if ((before?.seq ?? -1) > after) return before;
+    if (before !== null && before.seq > after) return before.value;
     await audience.until(patience, (done) => ({
       snapshot: ({ seq, state }) => {
         if (seq > after || state !== before?.state) done();
       },
     }));
-    return source.newest();
+    return source.newest()?.value ?? null;
   }
 }

@@ -2,24 +2,31 @@
  * A robot's line to the other relays that hold it: what this one tells there, how often, and who is
  * there. With nobody else on the line it costs next to nothing.
  */
-import type { AliveDriver, RecallCause, Snapshot } from "@corridor/protocol";
+import type { AliveDriver, RecallCause } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import type { Ears, Line, Step, Switchboard } from "../cluster/switchboard.ts";
+import type { CarriedSnapshot } from "./carried-snapshot.ts";
+import { SHARED_MS, type SharedTimers, type Sleeper } from "../shared-timers.ts";
 import { MOST_TOLD, type Scripts } from "./driver-roster.ts";
 import { limits } from "./limits.ts";
 import { mergedScripts } from "./script-list.ts";
 
-export class RobotLine {
+export class RobotLine implements Sleeper {
   readonly #clock: Clock;
+  readonly #timers: SharedTimers;
   #line: Line | null = null;
   /** other relays by their names, when they were heard, and the scripts that they have */
   readonly #others = new Map<string, { heardAt: number; scripts: Scripts }>();
   #saidHereAt = -Infinity;
-  #pending: Snapshot | null = null;
-  #cancelTimer: (() => void) | null = null;
+  #pending: CarriedSnapshot | null = null;
+  /** no snapshot is told before this time, but for one that belongs before an ending */
+  #notBefore = -Infinity;
+  /** it will be woken */
+  #isArmed = false;
 
-  constructor(clock: Clock) {
+  constructor(clock: Clock, timers: SharedTimers) {
     this.#clock = clock;
+    this.#timers = timers;
   }
 
   async open(switchboard: Switchboard, robot: string, ears: Ears): Promise<void> {
@@ -70,10 +77,10 @@ export class RobotLine {
   }
 
   /** Offers a snapshot to the other relays; it is told now, later, or never when a newer one comes first. */
-  snapshot(snapshot: Snapshot): void {
+  snapshot(snapshot: CarriedSnapshot): void {
     if (!this.#hasOthers) return;
     this.#pending = snapshot;
-    if (this.#cancelTimer === null) this.#flush();
+    if (!this.#isArmed) this.#flush();
   }
 
   /** A command is about to end: no reader at another relay is told so before it gets the newest snapshot. */
@@ -111,8 +118,6 @@ export class RobotLine {
   }
 
   leave(): void {
-    this.#cancelTimer?.();
-    this.#cancelTimer = null;
     this.#pending = null;
     this.#line?.leave();
     this.#line = null;
@@ -131,13 +136,21 @@ export class RobotLine {
     }
   }
 
+  wake(): void {
+    this.#isArmed = false;
+    this.#flush();
+  }
+
   #flush(): void {
-    if (this.#pending !== null) this.#line?.tell({ kind: "snapshot", snapshot: this.#pending });
+    if (this.#pending === null) return;
+    const now = this.#clock.now();
+    if (now < this.#notBefore) {
+      this.#isArmed = true;
+      return this.#timers.wakeAfter(this.#notBefore - now, this);
+    }
+    this.#notBefore = Math.max(this.#notBefore, now - SHARED_MS) + limits.snapshotIntervalMs;
+    this.#line?.tell({ kind: "snapshot", snapshot: this.#pending });
     this.#pending = null;
-    this.#cancelTimer = this.#clock.after(limits.snapshotIntervalMs, () => {
-      this.#cancelTimer = null;
-      if (this.#pending !== null) this.#flush();
-    });
   }
 }
 

@@ -6,14 +6,14 @@
  * pings. A page that is connected and silent, or whose ticks stand still while it says that it runs,
  * counts as paused; a page that is away as gone.
  */
-import type { Snapshot } from "@corridor/protocol";
+import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import { limits } from "./limits.ts";
 
 /** More snapshots than any page sends. */
 const MOST_A_SECOND = 100;
 
 export class RobotView {
-  #newest: Snapshot | null = null;
+  #newest: CarriedSnapshot | null = null;
   /** of the newest snapshot of this page */
   #tick: number | null = null;
   #heardAt = 0;
@@ -22,17 +22,17 @@ export class RobotView {
   #state: "awake" | "asleep" | "away" = "away";
 
   /** The newest snapshot, with the state as it is now; null while the robot has never reported. */
-  get newest(): Snapshot | null {
+  get newest(): CarriedSnapshot | null {
     if (this.#newest === null || this.#state === "awake") return this.#newest;
-    return { ...this.#newest, state: this.#state === "away" ? "gone" : "paused" };
+    return this.#newest.with({ state: this.#state === "away" ? "gone" : "paused" });
   }
 
   /** Takes a snapshot from the page. Its number always rises, also after a reload of the page at another relay. */
-  report(snapshot: Snapshot, now: number): void {
+  report(snapshot: CarriedSnapshot, now: number): void {
     const seq = Math.max(snapshot.seq, (this.#newest?.seq ?? -1) + 1, this.#least);
     const isStill = snapshot.state === "running" && snapshot.tick === this.#tick;
     this.#tick = snapshot.tick;
-    this.#newest = seq === snapshot.seq ? snapshot : { ...snapshot, seq };
+    this.#newest = seq === snapshot.seq ? snapshot : snapshot.with({ seq });
     // A second look at the same tick proves nothing, and does not wake a robot that was found asleep.
     if (isStill) return;
     this.#heardAt = now;
@@ -40,7 +40,7 @@ export class RobotView {
   }
 
   /** Takes a snapshot as the page's relay tells it, which has seen to its number and its state. */
-  hear(snapshot: Snapshot): void {
+  hear(snapshot: CarriedSnapshot): void {
     this.#newest = snapshot;
     this.#state = "awake";
   }

@@ -11,6 +11,7 @@ import { hashKey, mintId, mintKey } from "../keys.ts";
 import { noRobot, notAuthorised, Refusal, retryAfter, restarting } from "../problems.ts";
 import type { SessionStore, StoredKey } from "../store/session-store.ts";
 import type { ReaderDoor } from "./audience.ts";
+import { SharedTimers } from "../shared-timers.ts";
 import { limits } from "./limits.ts";
 import { checkRight, type Verb } from "./rights.ts";
 import { callerOf, unknownScript, type Caller, type Introduction } from "./script.ts";
@@ -44,6 +45,7 @@ export interface Grant {
 export class SessionHub {
   readonly #store: SessionStore;
   readonly #clock: Clock;
+  readonly #timers: SharedTimers;
   readonly #log: Logger;
   readonly #witness: Witness;
   readonly #switchboard: Switchboard;
@@ -58,6 +60,7 @@ export class SessionHub {
   constructor(store: SessionStore, clock: Clock, log: Logger, options: HubOptions = {}) {
     this.#store = store;
     this.#clock = clock;
+    this.#timers = new SharedTimers(clock);
     this.#log = log;
     this.#witness = options.witness ?? noWitness;
     this.#switchboard = options.switchboard ?? new LocalSwitchboard();
@@ -173,6 +176,7 @@ export class SessionHub {
     return Session.open(stored, {
       store: this.#store,
       clock: this.#clock,
+      timers: this.#timers,
       witness: this.#witness,
       switchboard: this.#switchboard,
       forgotten: () => this.#sessions.delete(id),

@@ -9,9 +9,9 @@ import {
   type PageToRelay,
   type Resume,
   type ScriptView,
-  type Snapshot,
 } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
+import type { SharedTimers } from "../shared-timers.ts";
 import type { Switchboard } from "../cluster/switchboard.ts";
 import type {
   SessionStore,
@@ -20,6 +20,7 @@ import type {
   StoredSession,
 } from "../store/session-store.ts";
 import { Audience, type Patience } from "./audience.ts";
+import { CarriedSnapshot } from "./carried-snapshot.ts";
 import { CommandLife } from "./command-life.ts";
 import { DriverRoster } from "./driver-roster.ts";
 import { EventLog } from "./event-log.ts";
@@ -41,6 +42,8 @@ import type { Witness } from "./witness.ts";
 export interface SessionParts {
   store: SessionStore;
   clock: Clock;
+  /** of all sessions together */
+  timers: SharedTimers;
   witness: Witness;
   switchboard: Switchboard;
   /** is called when the robot was forgotten at another relay */
@@ -69,7 +72,7 @@ export class Session {
   #isOver = false;
 
   private constructor(stored: StoredSession, parts: SessionParts) {
-    const { store, clock, witness } = parts;
+    const { store, clock, timers, witness } = parts;
     this.id = stored.id;
     this.createdAt = stored.createdAt;
     this.#lastUsedAt = stored.lastUsedAt;
@@ -79,7 +82,7 @@ export class Session {
     this.#events = new EventLog(clock);
     const audience = new Audience(clock, this.#events);
     const seat = new PageSeat(clock.now(), stored);
-    const line = new RobotLine(clock);
+    const line = new RobotLine(clock, timers);
     this.#audience = audience;
     this.#seat = seat;
     this.#line = line;
@@ -125,7 +128,7 @@ export class Session {
       newest: () => this.newest,
       tellOpen: (toReader) => this.#life.log.tellOpen(toReader),
     };
-    this.readers = new Readers({ clock, audience, source, roster: this.roster });
+    this.readers = new Readers({ clock, timers, audience, source, roster: this.roster });
     this.#others = new OtherRelays({
       clock,
       seat,
@@ -191,7 +194,7 @@ export class Session {
     return this.#line.withOthers(this.roster.told()).scripts;
   }
 
-  get newest(): Snapshot | null {
+  get newest(): CarriedSnapshot | null {
     return this.#view.newest;
   }
 
@@ -215,7 +218,7 @@ export class Session {
       const now = this.#clock.now();
       this.#view.pageCame(now, this.#seat.epoch > 1 ? now - this.createdAt : 0);
       // Before the endings that came with it: who hears of one reads nothing older.
-      if (resume.snapshot !== undefined) this.#show(resume.snapshot);
+      if (resume.snapshot !== undefined) this.#show(CarriedSnapshot.of(resume.snapshot));
       this.#tellScripts();
       // It went before it was seated, when there was nothing to leave yet.
       if (!link.isOpen) this.leavePage(link, false);
@@ -235,17 +238,17 @@ export class Session {
     this.#line.pageLeft(this.#seat.epoch, saidGoodbye);
   }
 
+  /** The page reports, as most of its messages do. */
+  hearSnapshot(link: PageLink, epoch: number, snapshot: CarriedSnapshot): void {
+    if (this.#isNews(link, epoch)) this.#show(snapshot);
+  }
+
   /** A message of the page. Frames of a page that was replaced or of an older epoch are refused. */
   hearPage(link: PageLink, message: PageToRelay): Promise<void> | undefined {
-    if (!this.#seat.isHeldBy(link)) return undefined;
-    if (message.epoch !== this.#seat.page?.epoch) {
-      link.close(closeReasons.replaced);
-      return undefined;
-    }
-    this.#used();
+    if (!this.#isNews(link, message.epoch)) return undefined;
     switch (message.type) {
       case "snapshot":
-        this.#show(message.snapshot);
+        this.#show(CarriedSnapshot.of(message.snapshot));
         return undefined;
       case "time":
         link.send({ type: "time", at: this.#clock.now() });
@@ -257,6 +260,17 @@ export class Session {
       case "yielded":
         return this.#life.hearPage(link, message);
     }
+  }
+
+  /** Whether what comes with this epoch counts: the page has the robot. */
+  #isNews(link: PageLink, epoch: number): boolean {
+    if (!this.#seat.isHeldBy(link)) return false;
+    if (epoch !== this.#seat.page?.epoch) {
+      link.close(closeReasons.replaced);
+      return false;
+    }
+    this.#used();
+    return true;
   }
 
   // --- scripts ---
@@ -383,7 +397,7 @@ export class Session {
   }
 
   /** What the page reports: kept, and told to everybody. */
-  #show(snapshot: Snapshot): void {
+  #show(snapshot: CarriedSnapshot): void {
     this.#view.report(snapshot, this.#clock.now());
     this.#tellSnapshot();
   }

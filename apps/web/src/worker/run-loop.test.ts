@@ -1,5 +1,5 @@
 import type { ProgramDocument } from "@corridor/program";
-import type { Command, Snapshot } from "@corridor/protocol";
+import { findSnapshotMessage, type Command, type Snapshot } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import { beforeEach, describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-work.ts";
@@ -48,6 +48,16 @@ function pass(loop: RunLoop, milliseconds: number): Moment[] {
 function deliver(loop: RunLoop, seq: number, command: Command): void {
   loop.accept(deliveryOf(seq, command));
 }
+
+it("reports the robot in words that a relay passes on without reading them further", () => {
+  const loop = loopOf();
+  loop.run();
+  for (let turn = 0; turn < 20; turn++) {
+    pass(loop, 300);
+    const message = { type: "snapshot", epoch: 1, snapshot: loop.snapshot() };
+    expect(findSnapshotMessage(JSON.stringify(message))).not.toBeNull();
+  }
+});
 
 describe("a program", () => {
   it("waits until Run and shows at once which line will decide", () => {

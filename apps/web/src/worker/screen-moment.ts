@@ -119,11 +119,14 @@ export class ScreenMoment {
   }
 
   #snapshotOf(run: Run, isRunning: boolean): Snapshot {
+    const { tick, ...report } = run.report();
+    // In this order a relay passes it on without reading it further.
     return {
-      ...run.report(),
       seq: ++this.#seq,
+      tick,
       state: isRunning ? "running" : "paused",
       driver: run.driver,
+      ...report,
       line: shownLine(run, this.#live.program),
       command: run.command,
     };

@@ -1,6 +1,7 @@
 /** What every switchboard must do, whatever its lines are made of. */
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it, vi } from "vitest";
+import { CarriedSnapshot } from "../../sessions/carried-snapshot.ts";
 import { sentCommand } from "../../store/testing/sent-command.ts";
 import type { SessionStore } from "../../store/session-store.ts";
 import type { Line, News, Switchboard } from "../switchboard.ts";
@@ -89,9 +90,13 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
       await vi.waitFor(() =>
         expect(a.heard).toMatchObject([{ kind: "here", scripts, asks: true }]),
       );
-      const snapshot = snapshotOf({ seq: 7 });
+      const snapshot = CarriedSnapshot.of(snapshotOf({ seq: 7 }));
       a.line.tell({ kind: "snapshot", snapshot });
-      await vi.waitFor(() => expect(b.heard).toEqual([{ kind: "snapshot", snapshot }]));
+      await vi.waitFor(() =>
+        expect(b.heard).toMatchObject([
+          { kind: "snapshot", snapshot: { message: snapshot.message } },
+        ]),
+      );
       const cancel = { kind: "cancel", seq: 3, why: "revoked" } as const;
       a.line.tell(cancel);
       await vi.waitFor(() => expect(b.heard.at(-1)).toMatchObject(cancel));

@@ -86,6 +86,9 @@ export class FaultyRelay {
       send: (text) => {
         if (this.#isAlive) port.send(text);
       },
+      pass: (message) => {
+        if (this.#isAlive) port.send(message.toString());
+      },
       close: (code, reason) => {
         if (this.#isAlive) port.close(code, reason);
       },
@@ -133,7 +136,7 @@ export class FaultyRelay {
       return hear(text);
     }
     async function hear(text: string): Promise<void> {
-      await conversation?.received(text);
+      await conversation?.received(Buffer.from(text));
     }
   }
 }

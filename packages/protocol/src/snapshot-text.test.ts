@@ -1,0 +1,157 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { decodeFrame } from "./codec.ts";
+import { pageToRelaySchema } from "./messages.ts";
+import { MAX_LENGTH } from "./quantities.ts";
+import { findSnapshot, findSnapshotMessage } from "./snapshot-text.ts";
+
+type Tree = { [name: string]: unknown };
+
+const FIXTURE = join(import.meta.dirname, "fixtures/page-snapshot.json");
+const snapshotMessage = JSON.parse(readFileSync(FIXTURE, "utf8")) as Tree & { snapshot: Tree };
+const plain = JSON.stringify(snapshotMessage);
+
+// oxfmt-ignore
+const strange: readonly unknown[] = [
+  null, true, false, "", "default", "running", "gone", "me", "remote", "snapshot", {}, [],
+  0, -0, 1, -1, 0.5, 359.999, 360, 361, -0.001, 25_600, 25_600.1, -25_600, -25_600.1, 25_599.999,
+  51_200, 51_200.1, 51_199.99, 2 ** 53, 2 ** 53 - 1, -(2 ** 53), 1e308, 1e-7, "a".repeat(40),
+  "a".repeat(41), "a:b", '"', "\\", "\u2028", "é".repeat(40), "\u007f", "\u0000", [[]], { x: 1 }, "1",
+];
+
+/** What may stand anywhere: around each bound, of each kind, and strange. */
+const values = fc.oneof(fc.constantFrom<unknown>(...strange), fc.double(), fc.jsonValue());
+
+/** Where a field stands: by the names that lead to it. */
+const places = fc.constantFrom(...placesIn(snapshotMessage));
+
+function placesIn(value: unknown, above: string[] = []): string[][] {
+  if (typeof value !== "object" || value === null) return [];
+  return Object.entries(value).flatMap(([name, inner]) => {
+    const place = [...above, name];
+    return [place, ...placesIn(inner, place)];
+  });
+}
+
+/** The message with something else at that place; `undefined` takes the field away. */
+function changed(message: Tree, [name = "", ...rest]: string[], value: unknown): Tree {
+  if (rest.length === 0) return { ...message, [name]: value };
+  const inner = message[name];
+  if (typeof inner !== "object" || inner === null) return message;
+  return { ...message, [name]: changed(inner as Tree, rest, value) };
+}
+
+const change = fc.tuple(places, fc.oneof(values, fc.constant(undefined)));
+const messages = fc
+  .array(change, { maxLength: 3 })
+  .map((changes) =>
+    changes.reduce<Tree>(
+      (message, [place, value]) => changed(message, place, value),
+      snapshotMessage,
+    ),
+  );
+
+/** The same with something that JSON.stringify does not write, somewhere. */
+const texts = fc
+  .tuple(
+    messages.map((message) => JSON.stringify(message)),
+    fc.nat(),
+    fc.constantFrom("", "", "0", "9", ".", "-", "e5", " ", ',"seq":7', ',"__proto__":{}', '"', "}"),
+  )
+  .map(([text, at, more]) => {
+    const place = at % (text.length + 1);
+    return text.slice(0, place) + more + text.slice(place);
+  });
+
+function namesIn(text: string): string[] {
+  return [...text.matchAll(/"(\w+)":/g)].map(([, name = ""]) => name);
+}
+
+describe("a snapshot that is recognised in a text", () => {
+  it("is what the schema makes of it, whatever is sent", () => {
+    fc.assert(
+      fc.property(texts, (text) => {
+        const found = findSnapshotMessage(text);
+        if (found === null) return;
+        const read = decodeFrame(pageToRelaySchema, text);
+        if (!read.ok || read.value.type !== "snapshot") throw new Error("the schema refuses it");
+        const { epoch, snapshot } = read.value;
+        const { seq, tick, state } = snapshot;
+        expect(found).toMatchObject({ epoch, seq, tick, state });
+        expect(JSON.parse(text.slice(found.start, found.end))).toEqual(snapshot);
+        expect(findSnapshot(text, found.start)).toEqual({
+          seq,
+          tick,
+          state,
+          start: found.start,
+          end: found.end,
+        });
+        // Nothing is in it that a reader of JSON could take in two ways.
+        expect(namesIn(text)).toEqual(namesIn(plain));
+      }),
+      { numRuns: 20_000 },
+    );
+  });
+
+  it("is every ordinary one", () => {
+    const found = findSnapshotMessage(plain);
+    expect(found).toMatchObject({ epoch: 3, seq: 1234, tick: 5678, state: "running" });
+    expect(JSON.parse(plain.slice(found?.start, found?.end))).toEqual(snapshotMessage.snapshot);
+  });
+
+  const inPose = fc.double({ min: -MAX_LENGTH + 1, max: MAX_LENGTH - 1, noNaN: true });
+  const inReading = fc.double({ min: 0.001, max: 2 * MAX_LENGTH - 1, noNaN: true });
+  const inHeading = fc.double({ min: 0.001, max: 358.999, noNaN: true });
+  it("is every one that a simulation could report", () => {
+    fc.assert(
+      fc.property(inPose, inPose, inReading, inHeading, (x, y, front, heading) => {
+        const { sensors } = snapshotMessage.snapshot as { sensors: Tree };
+        const snapshot = {
+          ...snapshotMessage.snapshot,
+          sensors: { ...sensors, front },
+          pose: { x, y, heading },
+        };
+        const text = JSON.stringify({ ...snapshotMessage, snapshot });
+        // Smaller numbers are written as 1e-7: such a one goes to the schema.
+        if (text.includes("e-")) return;
+        expect(findSnapshotMessage(text)).not.toBeNull();
+      }),
+    );
+  });
+
+  it("is found behind another one, and not where there is none", () => {
+    const one = JSON.stringify(snapshotMessage.snapshot);
+    const text = `{"a":${one},"b":${one}}`;
+    const first = findSnapshot(text, 5);
+    expect(first?.end).toBe(5 + one.length);
+    expect(findSnapshot(text, (first?.end ?? 0) + 5)?.end).toBe(text.length - 1);
+    expect(findSnapshot(text, 6)).toBeNull();
+    expect(findSnapshot(text, text.length + 9)).toBeNull();
+  });
+
+  it.each([
+    { name: "a number that JSON can write and no robot has", from: "250.5", to: "1e999" },
+    { name: "a number with a zero before it", from: "250.5", to: "0250.5" },
+    { name: "a number without a digit behind its point", from: "250.5", to: "250." },
+    {
+      name: "a heading that rounds up to a whole turn",
+      from: '"heading":90',
+      to: '"heading":359.99999999999999999',
+    },
+    { name: "a field twice", from: '"tick":5678', to: '"tick":5678,"tick":5679' },
+    { name: "a field twice, in place of another", from: '"bumps":0', to: '"tick":5679' },
+    { name: "a field of another name", from: '"bumps":0', to: '"bump":0' },
+    { name: "a field too many", from: '"bumps":0', to: '"bumps":0,"more":0' },
+    { name: "a space", from: '"bumps":0', to: '"bumps": 0' },
+    { name: "an escape", from: '"forward"', to: String.raw`"f\u006frward"` },
+    { name: "a pose as a list", from: '{"x":150,"y":150,"heading":90}', to: "[150,150,90]" },
+    { name: "a line break behind the message", from: /$/, to: "\n" },
+    { name: "a second message behind it", from: /$/, to: plain },
+  ])("leaves to the schema: $name", ({ from, to }) => {
+    const text = plain.replace(from, to);
+    expect(text).not.toBe(plain);
+    expect(findSnapshotMessage(text)).toBeNull();
+  });
+});
