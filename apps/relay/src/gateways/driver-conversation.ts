@@ -39,6 +39,8 @@ export class DriverConversation implements Conversation, ReaderSink {
   readonly flow: ReaderSink["flow"];
   readonly #options: DriverOptions;
   readonly #reader: JoinedReader;
+  /** version of the rights by which it may read */
+  #mayReadAt = -1;
   #badFrames = 0;
   #tooFastInARow = 0;
   /** commands that wait for the store */
@@ -64,8 +66,8 @@ export class DriverConversation implements Conversation, ReaderSink {
     this.#send({ type: "welcome", version: PROTOCOL_VERSION, stream, n, snapshot: newest });
   }
 
-  snapshot({ message }: CarriedSnapshot): void {
-    this.#options.line.pass(message);
+  snapshot(snapshot: CarriedSnapshot): void {
+    this.#options.line.pass(snapshot);
   }
 
   state(event: StateEvent): void {
@@ -94,9 +96,20 @@ export class DriverConversation implements Conversation, ReaderSink {
       return this.#refuse(badRequest("The message is wrong.", message.problems), keyIn(text));
     }
     const { value } = message;
-    session.check(grant, value.type === "command" ? "command" : "read");
-    session.heard(grant)();
-    if (value.type === "command") return this.#submit(value);
+    if (value.type === "command") {
+      session.check(grant, "command");
+      session.heard(grant)();
+      return this.#submit(value);
+    }
+    // What was found is found again until rights change, or a second has passed.
+    if (this.#mayReadAt !== session.rightsVersion) {
+      session.check(grant, "read");
+      this.#mayReadAt = session.rightsVersion;
+      session.heard(grant)();
+    } else if (grant.script !== null) {
+      // What it wishes to go on with goes on for as long as it is heard.
+      session.heard(grant)();
+    }
     this.#reader.seen(value.seq);
     return undefined;
   }

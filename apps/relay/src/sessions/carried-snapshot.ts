@@ -7,43 +7,45 @@ import { findSnapshotMessage, type Snapshot, type SnapshotPlace } from "@corrido
 /** What a reader's message says before the snapshot, and behind it. */
 const BEFORE = Buffer.from('{"type":"snapshot","snapshot":');
 const AFTER = Buffer.from("}");
+/** A WebSocket server's frame: one whole text, its length in two bytes (RFC 6455, 5.2). No snapshot is too short for that. */
+const [WHOLE_TEXT, LENGTH_FOLLOWS, HEADER] = [0x81, 126, 4];
 
 export class CarriedSnapshot {
   readonly seq: number;
   readonly tick: number;
   readonly state: Snapshot["state"];
-  /** the message to a reader, the same bytes for all of them */
-  readonly message: Buffer;
+  /** the message to a reader as a WebSocket carries it, the same bytes for all of them */
+  readonly frame: Buffer;
   #value: Snapshot | null = null;
 
-  private constructor({ seq, tick, state }: Snapshot | SnapshotPlace, message: Buffer) {
+  private constructor({ seq, tick, state }: Snapshot | SnapshotPlace, frame: Buffer) {
     this.seq = seq;
     this.tick = tick;
     this.state = state;
-    this.message = message;
+    this.frame = frame;
   }
 
   /** One that was made or read as an object. */
   static of(value: Snapshot): CarriedSnapshot {
     const json = Buffer.from(JSON.stringify(value));
-    const carried = new CarriedSnapshot(value, Buffer.concat([BEFORE, json, AFTER]));
+    const carried = new CarriedSnapshot(value, framed(json, 0, json.length));
     carried.#value = value;
     return carried;
   }
 
   /** One that was found among bytes. It has its own copy: those may be few of many that came at once. */
   static found(bytes: Buffer, place: SnapshotPlace): CarriedSnapshot {
-    const { start, end } = place;
-    const message = Buffer.allocUnsafe(BEFORE.length + end - start + AFTER.length);
-    BEFORE.copy(message);
-    bytes.copy(message, BEFORE.length, start, end);
-    AFTER.copy(message, message.length - AFTER.length);
-    return new CarriedSnapshot(place, message);
+    return new CarriedSnapshot(place, framed(bytes, place.start, place.end));
+  }
+
+  /** The message by itself. */
+  get message(): Buffer {
+    return this.frame.subarray(HEADER);
   }
 
   /** The snapshot by itself, as JSON. */
   get json(): Buffer {
-    return this.message.subarray(BEFORE.length, -AFTER.length);
+    return this.frame.subarray(HEADER + BEFORE.length, -AFTER.length);
   }
 
   get value(): Snapshot {
@@ -64,4 +66,16 @@ export function readSnapshotMessage(
   // As latin1 a byte is a character, and what is no ASCII is found to be none.
   const place = findSnapshotMessage(bytes.toString("latin1"));
   return place && { epoch: place.epoch, snapshot: CarriedSnapshot.found(bytes, place) };
+}
+
+function framed(bytes: Buffer, start: number, end: number): Buffer {
+  const length = BEFORE.length + end - start + AFTER.length;
+  const frame = Buffer.allocUnsafe(HEADER + length);
+  frame[0] = WHOLE_TEXT;
+  frame[1] = LENGTH_FOLLOWS;
+  frame.writeUInt16BE(length, 2);
+  BEFORE.copy(frame, HEADER);
+  bytes.copy(frame, HEADER + BEFORE.length, start, end);
+  AFTER.copy(frame, frame.length - AFTER.length);
+  return frame;
 }

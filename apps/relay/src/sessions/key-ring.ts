@@ -39,6 +39,7 @@ export class KeyRing {
   #news = 0;
   /** when each was in use last, and of which time that was noted */
   readonly #uses = new Map<string, { at: number; notedAt: number | null }>();
+  #version = 0;
   #isLooking = false;
   /** false: they may have changed some time ago, and the store did not say how */
   #isSure = true;
@@ -47,6 +48,11 @@ export class KeyRing {
   constructor(parts: KeyRingParts) {
     this.#parts = parts;
     this.#keys = parts.keys;
+  }
+
+  /** Rises with every change of what `check` would say. */
+  get version(): number {
+    return this.#version;
   }
 
   /**
@@ -160,6 +166,7 @@ export class KeyRing {
     const { store, robot, clock } = this.#parts;
     const cancelDoubt = clock.after(limits.keysUnsureMs, () => {
       this.#isSure = false;
+      this.#version += 1;
       this.#parts.doubted();
     });
     this.#cancelTimers = [cancelDoubt];
@@ -180,6 +187,7 @@ export class KeyRing {
     }
     cancelDoubt();
     this.#isSure = true;
+    this.#version += 1;
     this.#isLooking = false;
   }
 
@@ -191,6 +199,7 @@ export class KeyRing {
   #learn(keys: readonly StoredKey[]): void {
     const gone = this.#keys.filter(({ hash }) => !keys.some((key) => key.hash === hash));
     this.#keys = keys;
+    this.#version += 1;
     for (const key of gone) {
       this.#uses.delete(key.hash);
       this.#parts.revoked(key);

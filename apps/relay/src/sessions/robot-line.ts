@@ -78,7 +78,7 @@ export class RobotLine implements Sleeper {
 
   /** Offers a snapshot to the other relays; it is told now, later, or never when a newer one comes first. */
   snapshot(snapshot: CarriedSnapshot): void {
-    if (!this.#hasOthers) return;
+    if (this.#others.size === 0 || !this.#hasOthers) return;
     this.#pending = snapshot;
     if (!this.#isArmed) this.#flush();
   }
@@ -129,7 +129,6 @@ export class RobotLine implements Sleeper {
   }
 
   #forgetSilent(): void {
-    if (this.#others.size === 0) return;
     const oldest = this.#clock.now() - limits.relaySilenceMs;
     for (const [name, { heardAt }] of this.#others) {
       if (heardAt < oldest) this.#others.delete(name);

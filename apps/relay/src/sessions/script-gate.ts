@@ -37,11 +37,17 @@ export class ScriptGate {
   readonly #parts: ScriptGateParts;
   #away: readonly StoredScript[];
   #isPaused: boolean;
+  #version = 0;
 
   constructor(parts: ScriptGateParts) {
     this.#parts = parts;
     this.#away = parts.stored.away;
     this.#isPaused = parts.stored.isPaused;
+  }
+
+  /** Rises with every change of what `check` would say. */
+  get version(): number {
+    return this.#version;
   }
 
   get isPaused(): boolean {
@@ -93,6 +99,7 @@ export class ScriptGate {
     const before = this.#away;
     const wasPaused = this.#isPaused;
     this.#away = away;
+    this.#version += 1;
     this.#isPaused = isPaused ?? wasPaused;
     if (this.#isPaused && !wasPaused) this.#parts.paused();
     for (const script of away) {

@@ -37,6 +37,7 @@ import { RobotView } from "./robot-view.ts";
 import type { Verb } from "./rights.ts";
 import type { Caller } from "./script.ts";
 import { ScriptGate } from "./script-gate.ts";
+import { SessionUse } from "./session-use.ts";
 import type { Witness } from "./witness.ts";
 
 export interface SessionParts {
@@ -58,7 +59,6 @@ export class Session {
   readonly gate: ScriptGate;
   readonly mazes: MazeBoard;
   readonly readers: Readers;
-  readonly #store: SessionStore;
   readonly #clock: Clock;
   readonly #view = new RobotView();
   readonly #events: EventLog;
@@ -67,17 +67,15 @@ export class Session {
   readonly #life: CommandLife;
   readonly #line: RobotLine;
   readonly #others: OtherRelays;
-  #lastUsedAt: number;
-  #touchedAt: number;
+  readonly #use: SessionUse;
+  /** that it was in memory */
+  #seconds = 0;
   #isOver = false;
 
   private constructor(stored: StoredSession, parts: SessionParts) {
     const { store, clock, timers, witness } = parts;
     this.id = stored.id;
     this.createdAt = stored.createdAt;
-    this.#lastUsedAt = stored.lastUsedAt;
-    this.#touchedAt = stored.lastUsedAt;
-    this.#store = store;
     this.#clock = clock;
     this.#events = new EventLog(clock);
     const audience = new Audience(clock, this.#events);
@@ -101,6 +99,7 @@ export class Session {
       revoked: (key) => this.#revoked(key),
       doubted: () => audience.dismiss(({ kind }) => kind !== "own", "busy"),
     });
+    this.#use = new SessionUse(stored, { store, clock, keys: this.keys });
     this.gate = new ScriptGate({
       robot: this.id,
       stored,
@@ -168,7 +167,7 @@ export class Session {
   grantOf(key: string): StoredKey | null {
     if (this.isOver) return null;
     const grant = this.keys.match(key);
-    if (grant !== null) this.#used();
+    if (grant !== null) this.#use.used();
     return grant;
   }
 
@@ -177,7 +176,7 @@ export class Session {
   }
 
   get lastUsedAt(): number {
-    return this.#lastUsedAt;
+    return this.#use.lastAt;
   }
 
   /** Milliseconds until it is forgotten, as long as it is in use. */
@@ -203,7 +202,7 @@ export class Session {
    * One whose robot has reported here stays until it expires: nothing else holds the newest snapshot.
    */
   get isQuiet(): boolean {
-    const isUnused = this.#clock.now() - this.#lastUsedAt > limits.touchMs;
+    const isUnused = this.#clock.now() - this.lastUsedAt > limits.touchMs;
     const isAlone = !this.hasPage && this.#audience.isEmpty;
     const isHeldElsewhere = this.#seat.isElsewhere || this.newest === null;
     return isUnused && isAlone && !this.#seat.isAwayOpen && isHeldElsewhere;
@@ -214,7 +213,7 @@ export class Session {
   /** A page takes the robot; the page before it is sent away. */
   async takePage(link: PageLink, resume: Resume): Promise<void> {
     await this.#life.takePage(link, resume, () => {
-      this.#used();
+      this.#use.used();
       const now = this.#clock.now();
       this.#view.pageCame(now, this.#seat.epoch > 1 ? now - this.createdAt : 0);
       // Before the endings that came with it: who hears of one reads nothing older.
@@ -269,7 +268,7 @@ export class Session {
       link.close(closeReasons.replaced);
       return false;
     }
-    this.#used();
+    this.#use.used();
     return true;
   }
 
@@ -279,6 +278,14 @@ export class Session {
   check(caller: Caller, verb: Verb): void {
     this.keys.check(caller, verb);
     this.gate.check(caller);
+  }
+
+  /**
+   * Stays the same for as long as `check` would say the same, for a second at most: then whoever asks no
+   * more often than it changes is noted as in use, too.
+   */
+  get rightsVersion(): number {
+    return this.keys.version + this.gate.version + this.#seconds;
   }
 
   /** Stores a command and sends it on when its turn comes: see `CommandLife.submit`. */
@@ -309,7 +316,7 @@ export class Session {
 
   /** A script was heard by HTTP or socket. @returns to be called once its request is answered */
   heard({ script }: Caller): () => void {
-    this.#used();
+    this.#use.used();
     return script === null ? () => undefined : this.roster.heard(script);
   }
 
@@ -318,20 +325,16 @@ export class Session {
   /** Called about once a second: finds pages that sleep or that are away for good. */
   async checkLife(): Promise<void> {
     const now = this.#clock.now();
+    this.#seconds += 1;
     this.#events.forgetOld();
     if (this.hasPage && this.#view.checkAsleep(now)) this.#tellSnapshot();
     if (this.#seat.isElsewhere) this.#line.stayHere(this.roster.told());
     if (this.#seat.awayMs(now) >= limits.pageAwayMs) await this.#life.pageIsGone();
   }
 
-  /** Writes down that the session and its keys are in use, at most once a minute. */
+  /** Writes down that the session and its keys are in use: see `SessionUse.note`. */
   async noteUse(): Promise<void> {
-    const uses = this.keys.dueUses();
-    if (this.#lastUsedAt - this.#touchedAt < limits.touchMs && uses.length === 0) return;
-    const usedAt = this.#lastUsedAt;
-    await this.#store.touch(this.id, usedAt, uses);
-    this.#touchedAt = usedAt;
-    this.keys.usesNoted(uses);
+    await this.#use.note();
   }
 
   /** Ends the session for everyone who is connected. */
@@ -392,10 +395,6 @@ export class Session {
     if (this.hasPage) this.#life.recall.askAgain().catch(() => undefined);
   }
 
-  #used(): void {
-    this.#lastUsedAt = Math.max(this.#lastUsedAt, this.#clock.now());
-  }
-
   /** What the page reports: kept, and told to everybody. */
   #show(snapshot: CarriedSnapshot): void {
     this.#view.report(snapshot, this.#clock.now());
@@ -403,8 +402,8 @@ export class Session {
   }
 
   #tellSnapshot(): void {
-    if (this.newest !== null) this.#line.snapshot(this.newest);
     this.#tellReaders();
+    if (this.newest !== null) this.#line.snapshot(this.newest);
   }
 
   #tellReaders(): void {

@@ -86,7 +86,7 @@ export class FaultyRelay {
       send: (text) => {
         if (this.#isAlive) port.send(text);
       },
-      pass: (message) => {
+      pass: ({ message }) => {
         if (this.#isAlive) port.send(message.toString());
       },
       close: (code, reason) => {

@@ -1,0 +1,46 @@
+/** When a session and its keys were in use last, in memory at once and in the store once a minute. */
+import type { Clock } from "../clock.ts";
+import type { SessionStore, StoredSession } from "../store/session-store.ts";
+import type { KeyRing } from "./key-ring.ts";
+import { limits } from "./limits.ts";
+
+export interface SessionUseParts {
+  store: Pick<SessionStore, "touch">;
+  clock: Clock;
+  keys: Pick<KeyRing, "dueUses" | "usesNoted">;
+}
+
+export class SessionUse {
+  readonly #robot: string;
+  readonly #parts: SessionUseParts;
+  #lastAt: number;
+  /** as the store has it */
+  #notedAt: number;
+
+  constructor({ id, lastUsedAt }: StoredSession, parts: SessionUseParts) {
+    this.#robot = id;
+    this.#parts = parts;
+    this.#lastAt = lastUsedAt;
+    this.#notedAt = lastUsedAt;
+  }
+
+  get lastAt(): number {
+    return this.#lastAt;
+  }
+
+  /** It is in use now. */
+  used(): void {
+    this.#lastAt = Math.max(this.#lastAt, this.#parts.clock.now());
+  }
+
+  /** Writes down what has changed, at most once a minute. */
+  async note(): Promise<void> {
+    const { store, keys } = this.#parts;
+    const uses = keys.dueUses();
+    if (this.#lastAt - this.#notedAt < limits.touchMs && uses.length === 0) return;
+    const lastAt = this.#lastAt;
+    await store.touch(this.#robot, lastAt, uses);
+    this.#notedAt = lastAt;
+    keys.usesNoted(uses);
+  }
+}
