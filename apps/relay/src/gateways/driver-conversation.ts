@@ -102,9 +102,9 @@ export class DriverConversation implements Conversation, ReaderSink {
       return this.#submit(value);
     }
     // What was found is found again until rights change, or a second has passed.
-    if (this.#mayReadAt !== session.rightsVersion) {
+    if (this.#mayReadAt !== session.rights.value) {
       session.check(grant, "read");
-      this.#mayReadAt = session.rightsVersion;
+      this.#mayReadAt = session.rights.value;
       session.heard(grant)();
     } else if (grant.script !== null) {
       // What it wishes to go on with goes on for as long as it is heard.

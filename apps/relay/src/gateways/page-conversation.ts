@@ -37,9 +37,9 @@ export class PageConversation implements Conversation {
   received(bytes: Buffer): Promise<void> | undefined {
     const { session, key } = this.#grant;
     // What was found is found again until rights change, or a second has passed.
-    if (this.#mayHostAt !== session.rightsVersion) {
+    if (this.#mayHostAt !== session.rights.value) {
       session.check(key, "host");
-      this.#mayHostAt = session.rightsVersion;
+      this.#mayHostAt = session.rights.value;
     }
     if (!this.#hasResumed) {
       const resume = decodeFrame(resumeSchema, bytes.toString());

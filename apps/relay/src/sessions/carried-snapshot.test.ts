@@ -1,3 +1,4 @@
+import type { Snapshot } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { CarriedSnapshot, readSnapshotMessage } from "./carried-snapshot.ts";
@@ -5,6 +6,10 @@ import { CarriedSnapshot, readSnapshotMessage } from "./carried-snapshot.ts";
 const plain = snapshotOf({ seq: 7, tick: 420, line: "default", command: 3 });
 const bytesOf = (snapshot: unknown): Buffer =>
   Buffer.from(JSON.stringify({ type: "snapshot", epoch: 2, snapshot }));
+
+function reordered({ seq, ...rest }: Snapshot): Snapshot {
+  return { ...rest, seq };
+}
 
 describe("a snapshot on its way", () => {
   it.each([
@@ -33,6 +38,17 @@ describe("a snapshot on its way", () => {
     const found = readSnapshotMessage(bytes);
     bytes.fill(0);
     expect(found?.snapshot.value).toEqual(plain);
+  });
+
+  it.each([
+    { name: "made as an object", carried: CarriedSnapshot.of(plain) },
+    { name: "with its fields in another order", carried: CarriedSnapshot.of(reordered(plain)) },
+    { name: "found in a page's message", carried: readSnapshotMessage(bytesOf(plain))?.snapshot },
+  ])("can get another number: $name", ({ carried }) => {
+    const numbered = carried?.numbered(123_456);
+    expect(numbered).toMatchObject({ seq: 123_456, tick: 420, state: "running" });
+    expect(numbered?.value).toEqual({ ...plain, seq: 123_456 });
+    expect(JSON.parse(String(numbered?.message))).toMatchObject({ snapshot: numbered?.value });
   });
 
   it("can get another number and state", () => {

@@ -4,11 +4,11 @@
  */
 import { findSnapshotMessage, type Snapshot, type SnapshotPlace } from "@corridor/protocol";
 
+/** A WebSocket server's frame of one whole text, whose length follows in two bytes (RFC 6455, 5.2): no snapshot is shorter. */
+const HEADER = Buffer.from([0x81, 126, 0, 0]);
 /** What a reader's message says before the snapshot, and behind it. */
-const BEFORE = Buffer.from('{"type":"snapshot","snapshot":');
-const AFTER = Buffer.from("}");
-/** A WebSocket server's frame: one whole text, its length in two bytes (RFC 6455, 5.2). No snapshot is too short for that. */
-const [WHOLE_TEXT, LENGTH_FOLLOWS, HEADER] = [0x81, 126, 4];
+const BEFORE = Buffer.concat([HEADER, Buffer.from('{"type":"snapshot","snapshot":')]);
+const AFTER = "}".charCodeAt(0);
 
 export class CarriedSnapshot {
   readonly seq: number;
@@ -40,17 +40,27 @@ export class CarriedSnapshot {
 
   /** The message by itself. */
   get message(): Buffer {
-    return this.frame.subarray(HEADER);
+    return this.frame.subarray(HEADER.length);
   }
 
   /** The snapshot by itself, as JSON. */
   get json(): Buffer {
-    return this.frame.subarray(HEADER + BEFORE.length, -AFTER.length);
+    return this.frame.subarray(BEFORE.length, -1);
   }
 
   get value(): Snapshot {
     this.#value ??= JSON.parse(this.json.toString()) as Snapshot;
     return this.#value;
+  }
+
+  /** The same with another number, with which nearly all of them begin. */
+  numbered(seq: number): CarriedSnapshot {
+    const { tick, state, json } = this;
+    const before = `{"seq":${this.seq},`;
+    if (json.toString("latin1", 0, before.length) !== before) return this.with({ seq });
+    const bytes = Buffer.concat([Buffer.from(`{"seq":${seq},`), json.subarray(before.length)]);
+    const place = { seq, tick, state, start: 0, end: bytes.length };
+    return CarriedSnapshot.found(bytes, place);
   }
 
   /** The same with another number or state. */
@@ -69,13 +79,12 @@ export function readSnapshotMessage(
 }
 
 function framed(bytes: Buffer, start: number, end: number): Buffer {
-  const length = BEFORE.length + end - start + AFTER.length;
-  const frame = Buffer.allocUnsafe(HEADER + length);
-  frame[0] = WHOLE_TEXT;
-  frame[1] = LENGTH_FOLLOWS;
-  frame.writeUInt16BE(length, 2);
-  BEFORE.copy(frame, HEADER);
-  bytes.copy(frame, HEADER + BEFORE.length, start, end);
-  AFTER.copy(frame, frame.length - AFTER.length);
+  const frame = Buffer.allocUnsafe(BEFORE.length + end - start + 1);
+  BEFORE.copy(frame);
+  const length = frame.length - HEADER.length;
+  frame[2] = length >> 8;
+  frame[3] = length & 0xff;
+  bytes.copy(frame, BEFORE.length, start, end);
+  frame[frame.length - 1] = AFTER;
   return frame;
 }

@@ -13,10 +13,11 @@ import type {
 } from "../store/session-store.ts";
 import { StoreAway } from "../store/store-away.ts";
 import { limits } from "./limits.ts";
-import { checkRight, type Verb } from "./rights.ts";
+import { checkRight, type RightsVersion, type Verb } from "./rights.ts";
 
 export interface KeyRingParts {
   robot: string;
+  rights: RightsVersion;
   keys: readonly StoredKey[];
   store: Pick<SessionStore, "find" | "keyTimes">;
   clock: Clock;
@@ -39,7 +40,6 @@ export class KeyRing {
   #news = 0;
   /** when each was in use last, and of which time that was noted */
   readonly #uses = new Map<string, { at: number; notedAt: number | null }>();
-  #version = 0;
   #isLooking = false;
   /** false: they may have changed some time ago, and the store did not say how */
   #isSure = true;
@@ -48,11 +48,6 @@ export class KeyRing {
   constructor(parts: KeyRingParts) {
     this.#parts = parts;
     this.#keys = parts.keys;
-  }
-
-  /** Rises with every change of what `check` would say. */
-  get version(): number {
-    return this.#version;
   }
 
   /**
@@ -166,7 +161,7 @@ export class KeyRing {
     const { store, robot, clock } = this.#parts;
     const cancelDoubt = clock.after(limits.keysUnsureMs, () => {
       this.#isSure = false;
-      this.#version += 1;
+      this.#parts.rights.changed();
       this.#parts.doubted();
     });
     this.#cancelTimers = [cancelDoubt];
@@ -187,7 +182,7 @@ export class KeyRing {
     }
     cancelDoubt();
     this.#isSure = true;
-    this.#version += 1;
+    this.#parts.rights.changed();
     this.#isLooking = false;
   }
 
@@ -199,7 +194,7 @@ export class KeyRing {
   #learn(keys: readonly StoredKey[]): void {
     const gone = this.#keys.filter(({ hash }) => !keys.some((key) => key.hash === hash));
     this.#keys = keys;
-    this.#version += 1;
+    this.#parts.rights.changed();
     for (const key of gone) {
       this.#uses.delete(key.hash);
       this.#parts.revoked(key);

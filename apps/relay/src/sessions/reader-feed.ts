@@ -176,10 +176,10 @@ export class ReaderFeed implements Sleeper {
   }
 
   #flush(): void {
-    const earlyMs = this.#notBefore - this.#clock.now();
-    if (earlyMs > 0) return this.#arm(earlyMs);
+    const now = this.#clock.now();
+    if (now < this.#notBefore) return this.#arm(this.#notBefore - now);
     if (this.#isHeld) this.#catchUp();
-    if (this.#pending !== null && this.#hasCredit) this.#sendSnapshot(this.#pending);
+    if (this.#pending !== null && this.#hasCredit) this.#sendSnapshot(this.#pending, now);
     if (this.#waits) this.#arm();
   }
 
@@ -234,17 +234,17 @@ export class ReaderFeed implements Sleeper {
 
   #tell(event: StateEvent): void {
     if (this.#pending !== null && (hasEnded(event.record.state) || this.#hasCredit)) {
-      this.#sendSnapshot(this.#pending);
+      this.#sendSnapshot(this.#pending, this.#clock.now());
     }
     this.#sink.state(event);
     this.#n = event.n;
     if (this.#unread > limits.askReaderBytes) this.#sink.flow.ask();
   }
 
-  #sendSnapshot(snapshot: CarriedSnapshot): void {
+  #sendSnapshot(snapshot: CarriedSnapshot, now: number): void {
     this.#pending = null;
     // What a timer came late does not count, so that there are 20 a second, not 19.
-    const due = Math.max(this.#notBefore, this.#clock.now() - SHARED_MS);
+    const due = Math.max(this.#notBefore, now - SHARED_MS);
     this.#notBefore = due + this.#pauseMs;
     this.#sink.snapshot(snapshot);
     this.#left(snapshot);

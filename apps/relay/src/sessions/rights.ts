@@ -39,6 +39,18 @@ const remedies: Record<KeyKind, string> = {
   watch: "The watch key only reads. To do more, ask the robot's owner for another address.",
 };
 
+/**
+ * Of one robot: rises whenever somebody's rights may have changed, and once a second. What was found by a check
+ * counts for as long as it stays the same; so those who ask many times a second are looked up once in it.
+ */
+export class RightsVersion {
+  value = 0;
+
+  changed(): void {
+    this.value += 1;
+  }
+}
+
 /** @throws Refusal when keys of this kind do not allow it */
 export function checkRight(kind: KeyKind, verb: Verb): void {
   const kinds: readonly KeyKind[] = rights[verb];

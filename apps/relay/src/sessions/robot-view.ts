@@ -32,7 +32,7 @@ export class RobotView {
     const seq = Math.max(snapshot.seq, (this.#newest?.seq ?? -1) + 1, this.#least);
     const isStill = snapshot.state === "running" && snapshot.tick === this.#tick;
     this.#tick = snapshot.tick;
-    this.#newest = seq === snapshot.seq ? snapshot : snapshot.with({ seq });
+    this.#newest = seq === snapshot.seq ? snapshot : snapshot.numbered(seq);
     // A second look at the same tick proves nothing, and does not wake a robot that was found asleep.
     if (isStill) return;
     this.#heardAt = now;

@@ -12,10 +12,12 @@ import type {
   StoredScript,
   StoredSession,
 } from "../store/session-store.ts";
+import type { RightsVersion } from "./rights.ts";
 import { scriptOf, type Caller } from "./script.ts";
 
 export interface ScriptGateParts {
   robot: string;
+  rights: RightsVersion;
   stored: Standing;
   store: Pick<SessionStore, "find">;
   /** changes who is away in the store, with all that follows for commands */
@@ -37,17 +39,11 @@ export class ScriptGate {
   readonly #parts: ScriptGateParts;
   #away: readonly StoredScript[];
   #isPaused: boolean;
-  #version = 0;
 
   constructor(parts: ScriptGateParts) {
     this.#parts = parts;
     this.#away = parts.stored.away;
     this.#isPaused = parts.stored.isPaused;
-  }
-
-  /** Rises with every change of what `check` would say. */
-  get version(): number {
-    return this.#version;
   }
 
   get isPaused(): boolean {
@@ -99,7 +95,7 @@ export class ScriptGate {
     const before = this.#away;
     const wasPaused = this.#isPaused;
     this.#away = away;
-    this.#version += 1;
+    this.#parts.rights.changed();
     this.#isPaused = isPaused ?? wasPaused;
     if (this.#isPaused && !wasPaused) this.#parts.paused();
     for (const script of away) {

@@ -34,7 +34,7 @@ import type { ReaderSource } from "./reader-feed.ts";
 import { Readers } from "./readers.ts";
 import { RobotLine } from "./robot-line.ts";
 import { RobotView } from "./robot-view.ts";
-import type { Verb } from "./rights.ts";
+import { RightsVersion, type Verb } from "./rights.ts";
 import type { Caller } from "./script.ts";
 import { ScriptGate } from "./script-gate.ts";
 import { SessionUse } from "./session-use.ts";
@@ -57,6 +57,8 @@ export class Session {
   readonly roster: DriverRoster;
   readonly keys: KeyRing;
   readonly gate: ScriptGate;
+  /** for how long a check counts */
+  readonly rights = new RightsVersion();
   readonly mazes: MazeBoard;
   readonly readers: Readers;
   readonly #clock: Clock;
@@ -68,8 +70,6 @@ export class Session {
   readonly #line: RobotLine;
   readonly #others: OtherRelays;
   readonly #use: SessionUse;
-  /** that it was in memory */
-  #seconds = 0;
   #isOver = false;
 
   private constructor(stored: StoredSession, parts: SessionParts) {
@@ -87,6 +87,7 @@ export class Session {
     this.#life = new CommandLife({ robot: this.id, store, clock, witness, audience, seat, line });
     this.keys = new KeyRing({
       robot: this.id,
+      rights: this.rights,
       keys: stored.keys,
       store,
       clock,
@@ -102,6 +103,7 @@ export class Session {
     this.#use = new SessionUse(stored, { store, clock, keys: this.keys });
     this.gate = new ScriptGate({
       robot: this.id,
+      rights: this.rights,
       stored,
       store,
       change: (change) => this.#life.recall.changeAway(change),
@@ -237,7 +239,7 @@ export class Session {
     this.#line.pageLeft(this.#seat.epoch, saidGoodbye);
   }
 
-  /** The page reports, as most of its messages do. */
+  /** The page reports, as most of its messages do; that it is in use was noted with its right to. */
   hearSnapshot(link: PageLink, epoch: number, snapshot: CarriedSnapshot): void {
     if (this.#isNews(link, epoch)) this.#show(snapshot);
   }
@@ -245,6 +247,7 @@ export class Session {
   /** A message of the page. Frames of a page that was replaced or of an older epoch are refused. */
   hearPage(link: PageLink, message: PageToRelay): Promise<void> | undefined {
     if (!this.#isNews(link, message.epoch)) return undefined;
+    this.#use.used();
     switch (message.type) {
       case "snapshot":
         this.#show(CarriedSnapshot.of(message.snapshot));
@@ -268,24 +271,16 @@ export class Session {
       link.close(closeReasons.replaced);
       return false;
     }
-    this.#use.used();
     return true;
   }
 
   // --- scripts ---
 
-  /** Asked at every message. @throws Refusal when the key was revoked or does not allow it, or the script is away */
+  /** Asked at every message, as long as it counts: see `rights`. @throws Refusal when the key was revoked or does not allow it, or the script is away */
   check(caller: Caller, verb: Verb): void {
     this.keys.check(caller, verb);
     this.gate.check(caller);
-  }
-
-  /**
-   * Stays the same for as long as `check` would say the same, for a second at most: then whoever asks no
-   * more often than it changes is noted as in use, too.
-   */
-  get rightsVersion(): number {
-    return this.keys.version + this.gate.version + this.#seconds;
+    this.#use.used();
   }
 
   /** Stores a command and sends it on when its turn comes: see `CommandLife.submit`. */
@@ -325,7 +320,7 @@ export class Session {
   /** Called about once a second: finds pages that sleep or that are away for good. */
   async checkLife(): Promise<void> {
     const now = this.#clock.now();
-    this.#seconds += 1;
+    this.rights.changed();
     this.#events.forgetOld();
     if (this.hasPage && this.#view.checkAsleep(now)) this.#tellSnapshot();
     if (this.#seat.isElsewhere) this.#line.stayHere(this.roster.told());
@@ -402,8 +397,10 @@ export class Session {
   }
 
   #tellSnapshot(): void {
-    this.#tellReaders();
-    if (this.newest !== null) this.#line.snapshot(this.newest);
+    const { newest } = this;
+    if (newest === null) return;
+    this.#audience.tellSnapshot(newest);
+    this.#line.snapshot(newest);
   }
 
   #tellReaders(): void {
