@@ -58,7 +58,8 @@ export async function openCorridor(options: FleetOptions): Promise<Fleet> {
 }
 
 async function openRobot(robot: number, options: FleetOptions): Promise<Robot> {
-  const { pages, readers, scripts, onlookers, ears } = options;
+  const { scripts, onlookers, ears } = options;
+  const [pages, readers] = [options.pages, options.readers].map((ports) => turnOf(ports, robot));
   const headers = { "X-Forwarded-For": `10.1.0.${Math.floor(robot / A_CLASS) + 1}` };
   const api = `http://127.0.0.1:${pages}/api/v1/robots`;
   const { id, ownerKey, driverKey } = (await post(api, { headers })) as Registration;
@@ -163,4 +164,9 @@ async function post(url: string, init: RequestInit): Promise<unknown> {
   const response = await fetch(url, { method: "POST", ...init });
   if (!response.ok) throw new Error(`${url}: ${await response.text()}`);
   return response.json();
+}
+
+function turnOf(ports: string, robot: number): string {
+  const all = ports.split(",");
+  return all[robot % all.length] ?? ports;
 }

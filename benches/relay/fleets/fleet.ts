@@ -12,6 +12,7 @@ export interface Ears {
 }
 
 export interface FleetOptions {
+  /** port; or several, among which robots take turns */
   pages: string;
   readers: string;
   robots: number;

@@ -92,6 +92,8 @@ export class RedisSwitchboard implements Switchboard {
   readonly #script: Script;
   readonly #places = new Map<string, Place>();
   readonly #post: SnapshotPost;
+  /** how news begin that this relay is here: most of what it hears of itself, and nothing to it */
+  readonly #ownPresence: string;
   #cancelTimer: () => void = () => undefined;
   #cancelLook: () => void = () => undefined;
   #isClosed = false;
@@ -101,6 +103,7 @@ export class RedisSwitchboard implements Switchboard {
   private constructor(options: RedisSwitchboardOptions) {
     this.#options = options;
     this.#script = new Script(options.redis, "../../cluster/switchboard.lua", [options.relay]);
+    this.#ownPresence = JSON.stringify({ kind: "here", from: options.relay }).slice(0, -1);
     this.#post = new SnapshotPost(options.clock, (relay, post) => {
       // Lost with the connection: the next one is newer.
       options.redis.publish(postOf(relay), post).catch(() => undefined);
@@ -136,6 +139,7 @@ export class RedisSwitchboard implements Switchboard {
     const others = new Map<string, number>();
     const place: Place = { ears, n: null, holder: null, isOwn: false, pageNews: 0, others };
     const hear = (text: string): void => {
+      if (text.startsWith(this.#ownPresence)) return;
       const message = messageSchema.safeParse(JSON.parse(text));
       if (message.success) this.#hear(place, message.data);
       else

@@ -1,6 +1,6 @@
 /**
  * Snapshots on their way to other relays: those of all robots that one relay wants, in one message every
- * 10 ms. A message for each would cost both relays more than all else that they do with it.
+ * 15 ms. A message for each would cost both relays more than all else that they do with it.
  *
  * A post is one JSON object, the newest snapshot by robot. Each is put in as it came from its page and taken
  * out as it is, without an object being made of it at either relay.
@@ -10,7 +10,7 @@ import { z } from "zod";
 import type { Clock } from "../clock.ts";
 import { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 
-const GATHER_MS = 10;
+const GATHER_MS = 15;
 const END = Buffer.from("}");
 
 const postSchema = z.record(z.string(), snapshotSchema);
