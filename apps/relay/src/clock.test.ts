@@ -38,6 +38,12 @@ describe("the relay's clock", () => {
     expect(jumps).toEqual([60_000]);
   });
 
+  it("knows at once how long the machine slept, also when it was just asked for the time", () => {
+    const { pass } = atNoon();
+    pass(1_000);
+    expect(pass(1, 60_000)).toBe(1_061_001);
+  });
+
   it("takes no notice of the small corrections of a good clock", () => {
     const { pass, jumps } = atNoon();
     expect(pass(1_000, -1_500)).toBe(1_001_000);

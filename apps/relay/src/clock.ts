@@ -8,8 +8,6 @@ export interface Clock {
 
 /** A wall clock that is so far off was set, or the machine slept. */
 const JUMP_MS = 2_000;
-/** The wall clock is looked at no more often. */
-const LOOK_MS = 5;
 
 export interface TimeSources {
   /** ms since 1970, as the machine believes at the moment */
@@ -32,13 +30,9 @@ export function steadyClock(jumped: (ms: number) => void, sources: TimeSources =
   let ahead = sources.wall() - sources.monotonic();
   /** between what passes evenly and the wall clock, when it was last looked at */
   let seen = ahead;
-  /** by what passes evenly; a busy relay asks for the time a hundred thousand times a second */
-  let lookedAt = sources.monotonic();
   return {
     now: () => {
       const passed = sources.monotonic();
-      if (passed - lookedAt < LOOK_MS) return Math.round(passed + ahead);
-      lookedAt = passed;
       const offset = sources.wall() - passed;
       if (Math.abs(offset - seen) > JUMP_MS) {
         jumped(Math.round(offset - seen));

@@ -7,7 +7,8 @@
  * seldom looks the same, and its few are said one by one.
  */
 
-/** Snapshots of a page that reports come each 33 to 67 ms; one that the relay held up comes 100 ms after the last. */
+/** Snapshots of a page that reports come each 33 to 67 ms; one that the relay held up comes when it was said that the
+ * one before it was seen: up to 80 ms nobody can tell the two apart, and such a line loses a tenth of its snapshots. */
 const LATE_MS = 80;
 /** After a late one. A try to say every second costs one more late snapshot. */
 const CAREFUL_MS = 5_000;

@@ -54,6 +54,15 @@ it.each(["", "null", "[]", "{", '{"A":', '{"A":1}', '{"A":{}}', `{"${ONE}":{"seq
   (text) => expect(read(text)).toBeNull(),
 );
 
+it("takes nothing of a post that is nearly JSON", () => {
+  const text = posted([
+    [ONE, snapshotOf()],
+    [TWO, snapshotOf()],
+  ]).toString();
+  expect(read(text.replace('{"A', "{xA"))).toBeNull();
+  expect(read(text.replace(',"B', ',,"B'))).toBeNull();
+});
+
 it("takes nothing of a post that is cut", () => {
   const post = posted([
     [ONE, snapshotOf()],

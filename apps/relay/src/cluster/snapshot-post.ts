@@ -69,7 +69,8 @@ function readPlainPost(post: Buffer): Map<string, CarriedSnapshot> | null {
   const found = new Map<string, CarriedSnapshot>();
   for (let at = 0; text.charAt(at) === (at === 0 ? "{" : ",");) {
     const endOfName = text.indexOf('":', at);
-    const place = endOfName < 0 ? null : findSnapshot(text, endOfName + 2);
+    const isName = text.charAt(at + 1) === '"' && endOfName > 0;
+    const place = !isName ? null : findSnapshot(text, endOfName + 2);
     if (place === null) return null;
     // Whatever stands there: nobody has a robot of any other name than robots have.
     found.set(text.slice(at + 2, endOfName), CarriedSnapshot.found(post, place));

@@ -25,17 +25,17 @@ export class CarriedSnapshot {
     this.frame = frame;
   }
 
-  /** One that was made or read as an object. */
+  /** One that was made or read as an object. Its memory is its own: it may be kept for hours. */
   static of(value: Snapshot): CarriedSnapshot {
     const json = Buffer.from(JSON.stringify(value));
-    const carried = new CarriedSnapshot(value, framed(json, 0, json.length));
+    const carried = new CarriedSnapshot(value, framed(json, 0, json.length, { isKept: true }));
     carried.#value = value;
     return carried;
   }
 
-  /** One that was found among bytes. It has its own copy: those may be few of many that came at once. */
+  /** One that was found among bytes, copied into memory that it shares with others of the same moment. */
   static found(bytes: Buffer, place: SnapshotPlace): CarriedSnapshot {
-    return new CarriedSnapshot(place, framed(bytes, place.start, place.end));
+    return new CarriedSnapshot(place, framed(bytes, place.start, place.end, { isKept: false }));
   }
 
   /** The message by itself. */
@@ -78,8 +78,14 @@ export function readSnapshotMessage(
   return place && { epoch: place.epoch, snapshot: CarriedSnapshot.found(bytes, place) };
 }
 
-function framed(bytes: Buffer, start: number, end: number): Buffer {
-  const frame = Buffer.allocUnsafe(BEFORE.length + end - start + 1);
+function framed(
+  bytes: Buffer,
+  start: number,
+  end: number,
+  { isKept }: { isKept: boolean },
+): Buffer {
+  const size = BEFORE.length + end - start + 1;
+  const frame = isKept ? Buffer.allocUnsafeSlow(size) : Buffer.allocUnsafe(size);
   BEFORE.copy(frame);
   const length = frame.length - HEADER.length;
   frame[2] = length >> 8;

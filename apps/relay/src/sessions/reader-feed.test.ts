@@ -149,6 +149,35 @@ describe("a reader that keeps up", () => {
     expect(snapshots.at(-1)).toMatch(/ (299|300)$/);
   });
 
+  it("gets 20 a second again right after a time in which endings brought many more", async () => {
+    const { clock, join, report, happen } = robotWithReaders();
+    const { feed, said } = join();
+    let seq = 0;
+    const drive = async (ms: number, isBusy: boolean): Promise<number> => {
+      const before = said.length;
+      for (let passed = 0; passed < ms; passed += 25) {
+        report(++seq);
+        if (isBusy) happen();
+        feed.seen(seq);
+        await clock.pass(25);
+      }
+      return said.slice(before).filter((text) => text.startsWith("snapshot")).length;
+    };
+    expect(await drive(10_000, true)).toBeGreaterThan(300);
+    expect(await drive(1_000, false)).toBeGreaterThanOrEqual(19);
+  });
+
+  it("gets on when the numbers of its robot's snapshots fall", async () => {
+    const { clock, join, report } = robotWithReaders();
+    const { feed, said } = join();
+    for (const seq of [1_000, 5, 6, 7, 8]) {
+      report(seq);
+      if (seq !== 1_000) feed.seen(seq);
+      await clock.pass(limits.snapshotIntervalMs);
+    }
+    expect(said.slice(1)).toEqual([1_000, 5, 6, 7, 8].map((seq) => `snapshot ${seq}`));
+  });
+
   it("gets the newest as soon as it has seen the one before, over a line however long", async () => {
     const { clock, join, report } = robotWithReaders();
     const { feed, said } = join();

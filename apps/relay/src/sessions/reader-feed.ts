@@ -137,12 +137,10 @@ export class ReaderFeed implements Sleeper {
   /** The reader has read all that came up to this snapshot. */
   seen(seq: number): void {
     this.#saysSeen = true;
-    // They are on their way in the order of their numbers.
-    for (let oldest = this.#onTheWay[0]; oldest !== undefined && oldest.seq <= seq;) {
-      this.#seenBytes = oldest.end;
-      this.#onTheWay.shift();
-      [oldest] = this.#onTheWay;
+    for (const { seq: each, end } of this.#onTheWay) {
+      if (each <= seq) this.#seenBytes = Math.max(this.#seenBytes, end);
     }
+    this.#onTheWay = this.#onTheWay.filter((each) => each.seq > seq);
     // It may be what the newest one waited for.
     if (this.#pending !== null && this.#clock.now() >= this.#notBefore) this.#flush();
   }
@@ -243,8 +241,8 @@ export class ReaderFeed implements Sleeper {
 
   #sendSnapshot(snapshot: CarriedSnapshot, now: number): void {
     this.#pending = null;
-    // What a timer came late does not count, so that there are 20 a second, not 19.
-    const due = Math.max(this.#notBefore, now - SHARED_MS);
+    // What a timer came late does not count, so that there are 20 a second, not 19; nor does one that went early.
+    const due = Math.min(now, Math.max(this.#notBefore, now - SHARED_MS));
     this.#notBefore = due + this.#pauseMs;
     this.#sink.snapshot(snapshot);
     this.#left(snapshot);
@@ -252,6 +250,8 @@ export class ReaderFeed implements Sleeper {
 
   #left({ seq }: CarriedSnapshot): void {
     const { flow } = this.#sink;
+    // A number that falls: nobody will say that of the ones above it any more.
+    if (this.#onTheWay.some((each) => each.seq >= seq)) this.#onTheWay = [];
     this.#onTheWay.push({ seq, end: flow.sentBytes });
     if (!this.#saysSeen) flow.ask();
   }

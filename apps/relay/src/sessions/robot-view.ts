@@ -23,8 +23,7 @@ export class RobotView {
 
   /** The newest snapshot, with the state as it is now; null while the robot has never reported. */
   get newest(): CarriedSnapshot | null {
-    if (this.#newest === null || this.#state === "awake") return this.#newest;
-    return this.#newest.with({ state: this.#state === "away" ? "gone" : "paused" });
+    return this.#newest;
   }
 
   /** Takes a snapshot from the page. Its number always rises, also after a reload of the page at another relay. */
@@ -34,7 +33,7 @@ export class RobotView {
     this.#tick = snapshot.tick;
     this.#newest = seq === snapshot.seq ? snapshot : snapshot.numbered(seq);
     // A second look at the same tick proves nothing, and does not wake a robot that was found asleep.
-    if (isStill) return;
+    if (isStill) return this.#marked();
     this.#heardAt = now;
     this.#state = "awake";
   }
@@ -52,16 +51,25 @@ export class RobotView {
     this.#heardAt = now;
     this.#tick = null;
     if (this.#state === "away") this.#state = "asleep";
+    this.#marked();
   }
 
   pageLeft(): void {
     this.#state = "away";
+    this.#marked();
   }
 
   /** @returns true when the page has just been found asleep */
   checkAsleep(now: number): boolean {
     if (this.#state !== "awake" || now - this.#heardAt <= limits.asleepMs) return false;
     this.#state = "asleep";
+    this.#marked();
     return true;
+  }
+
+  /** What is kept of a robot that does not report says so. */
+  #marked(): void {
+    if (this.#newest === null || this.#state === "awake") return;
+    this.#newest = this.#newest.with({ state: this.#state === "away" ? "gone" : "paused" });
   }
 }

@@ -6,11 +6,29 @@ import { withPageLimit } from "../testing/small-disk.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import type { Ballast } from "./ballast.ts";
 import { isDiskFull } from "./disk-full.ts";
-import { SqliteFile } from "./sqlite-file.ts";
+import { SqliteFile, withRoom } from "./sqlite-file.ts";
 import { SqliteStore } from "./sqlite-store.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const LONG_REASON = "x".repeat(200);
+
+describe("a database that a newer Corridor has to write anew", () => {
+  const full = (): never => {
+    throw Object.assign(new Error("database or disk is full"), { errcode: 13 });
+  };
+
+  it("gets the ballast's room for that", () => {
+    let isHeld = true;
+    const ballast: Ballast = { hold: () => isHeld, giveUp: () => !(isHeld = false) };
+    expect(withRoom(() => (isHeld ? full() : "open"), ballast)).toBe("open");
+  });
+
+  it("says how much room to make where that does not do", () => {
+    const ballast: Ballast = { hold: () => true, giveUp: () => true };
+    expect(() => withRoom(full, ballast)).toThrow(/twice the room/);
+    expect(() => withRoom(() => JSON.parse("{"), ballast)).toThrow(SyntaxError);
+  });
+});
 
 /** A robot with commands that wait and run, on a disk that is full but for the ballast, which is held. */
 async function onFillingDisk() {

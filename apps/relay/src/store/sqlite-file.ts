@@ -16,6 +16,29 @@ import { Statements } from "./statements.ts";
 /** While the disk is full, it is looked at for room no more often. */
 const LOOK_MS = 1_000;
 
+/**
+ * Opens a database; where the disk is too full for what a newer schema needs, once more with the ballast's room.
+ * @throws Error that says how much room to make
+ */
+export function withRoom<T>(open: () => T, ballast: Ballast): T {
+  try {
+    return open();
+  } catch (error) {
+    if (!isDiskFull(error)) throw error;
+    ballast.giveUp();
+  }
+  try {
+    return open();
+  } catch (error) {
+    if (!isDiskFull(error)) throw error;
+    throw new Error(
+      "The disk is full. A newer Corridor writes its database anew when it starts for the first time: " +
+        "make twice the room of the file in DATA_DIR, then start again. Nothing was changed.",
+      { cause: error },
+    );
+  }
+}
+
 export class SqliteFile {
   readonly #db: DatabaseSync;
   readonly #readOnly: DatabaseSync;
@@ -33,7 +56,7 @@ export class SqliteFile {
    * @param ballast default: a file beside the database
    */
   constructor(path: string, ballast: Ballast = new BallastFile(`${path}-ballast`)) {
-    this.#db = openDatabase(path);
+    this.#db = withRoom(() => openDatabase(path), ballast);
     this.#readOnly = openForReading(path);
     this.#commits = new GroupCommit(this.#db);
     this.writing = new Statements(this.#db);

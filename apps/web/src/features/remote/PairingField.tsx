@@ -11,6 +11,9 @@ import { pairingOf } from "./robot-pairing.ts";
 import { useTimeLeft } from "./use-time-left.ts";
 import styles from "./remote.module.css";
 
+/** So much of the field is in sight at least. */
+const ENOUGH = 0.95;
+
 export function PairingField({ session }: { session: RemoteSession }) {
   const { t } = useTranslation();
   const pairing = pairingOf(session);
@@ -22,9 +25,10 @@ export function PairingField({ session }: { session: RemoteSession }) {
     if (element === null) return;
     pairing.store.setState({ field: element });
     const watch = new IntersectionObserver(
-      (entries) => pairing.store.setState({ isInSight: entries.at(-1)?.isIntersecting === true }),
       // Not the whole of it: a fraction of a pixel may always be cut off.
-      { threshold: 0.95 },
+      (entries) =>
+        pairing.store.setState({ isInSight: (entries.at(-1)?.intersectionRatio ?? 0) >= ENOUGH }),
+      { threshold: ENOUGH },
     );
     watch.observe(element);
     return () => {

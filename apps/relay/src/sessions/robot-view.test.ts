@@ -1,0 +1,40 @@
+import { snapshotOf } from "@corridor/protocol/testing";
+import { expect, it } from "vitest";
+import { readSnapshotMessage, type CarriedSnapshot } from "./carried-snapshot.ts";
+import { limits } from "./limits.ts";
+import { RobotView } from "./robot-view.ts";
+
+function reported(seq: number, tick: number): CarriedSnapshot {
+  const message = { type: "snapshot", epoch: 1, snapshot: snapshotOf({ seq, tick }) };
+  const read = readSnapshotMessage(Buffer.from(JSON.stringify(message)));
+  if (read === null) throw new Error("a page's snapshot was not recognised");
+  return read.snapshot;
+}
+
+it("says of a robot that does not report that it sleeps, or is gone, until it reports again", () => {
+  const view = new RobotView();
+  view.pageCame(0, 0);
+  view.report(reported(1, 60), 0);
+  expect(view.newest).toMatchObject({ seq: 1, state: "running" });
+  expect(view.checkAsleep(limits.asleepMs + 1)).toBe(true);
+  expect(view.newest).toMatchObject({ seq: 1, state: "paused" });
+  view.report(reported(2, 60), limits.asleepMs + 2);
+  expect(view.newest).toMatchObject({ seq: 2, state: "paused" });
+  view.report(reported(3, 61), limits.asleepMs + 3);
+  expect(view.newest).toMatchObject({ seq: 3, state: "running" });
+  view.pageLeft();
+  expect(view.newest).toMatchObject({ seq: 3, state: "gone" });
+  expect(view.newest?.value.state).toBe("gone");
+  view.pageCame(10_000, 0);
+  expect(view.newest).toMatchObject({ seq: 3, state: "paused" });
+});
+
+it("keeps no more memory for a robot that is gone than its snapshot needs", () => {
+  const view = new RobotView();
+  view.pageCame(0, 0);
+  view.report(reported(1, 60), 0);
+  view.pageLeft();
+  const { frame } = view.newest ?? { frame: Buffer.alloc(0) };
+  expect(frame.length).toBeGreaterThan(200);
+  expect(frame.buffer.byteLength).toBe(frame.length);
+});
