@@ -126,6 +126,29 @@ for (const [width, height] of [
   });
 }
 
+for (const lang of ["en", "ar"]) {
+  test(`reads a comparison in one row at 1024 x 768, in ${lang}`, async ({ openWindow }) => {
+    const { page } = await openWindow({ viewport: { width: 1024, height: 768 } });
+    await page.goto(`/?lang=${lang}`);
+    for (const line of [0, 1]) {
+      const sides = page.getByRole("list").getByRole("listitem").nth(line).locator("[data-is]");
+      await expect(sides).toHaveAttribute("data-is", "false");
+      const tops = await sides.evaluate((truth) => {
+        const texts = document.createTreeWalker(truth, NodeFilter.SHOW_TEXT);
+        const found: number[] = [];
+        for (let node = texts.nextNode(); node !== null; node = texts.nextNode()) {
+          const range = document.createRange();
+          range.selectNodeContents(node);
+          if (/\d/.test(node.textContent ?? "")) found.push(range.getBoundingClientRect().top);
+        }
+        return found;
+      });
+      expect(tops).toHaveLength(2);
+      expect(Math.abs((tops[0] ?? 0) - (tops[1] ?? 9))).toBeLessThan(2);
+    }
+  });
+}
+
 for (const lang of ["de", "ar"]) {
   for (const width of [390, 320]) {
     test(`has run, steps, reset and speed in one row at ${width} px, in ${lang}`, async ({
