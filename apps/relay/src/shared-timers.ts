@@ -6,7 +6,16 @@
 import type { Clock } from "./clock.ts";
 
 /** Nobody is woken early, and nobody later than by this. */
-export const SHARED_MS = 5;
+const SHARED_MS = 5;
+
+/**
+ * When the next one of those that go at most so often is due. What a timer came late does not count, so that 20 a
+ * second do not become 19; nor does it count against the next that one went early.
+ * @param due when this one was
+ */
+export function dueAfter(due: number, now: number, everyMs: number): number {
+  return Math.min(now, Math.max(due, now - SHARED_MS)) + everyMs;
+}
 
 export interface Sleeper {
   wake(): void;

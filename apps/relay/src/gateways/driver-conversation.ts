@@ -105,11 +105,9 @@ export class DriverConversation implements Conversation, ReaderSink {
     if (this.#mayReadAt !== session.rights.value) {
       session.check(grant, "read");
       this.#mayReadAt = session.rights.value;
-      session.heard(grant)();
-    } else if (grant.script !== null) {
-      // What it wishes to go on with goes on for as long as it is heard.
-      session.heard(grant)();
     }
+    // What a script wishes to go on with goes on for as long as it is heard.
+    if (grant.script !== null) session.heard(grant)();
     this.#reader.seen(value.seq);
     return undefined;
   }

@@ -8,7 +8,7 @@
  */
 import { hasEnded, type EventGap, type StateEvent } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
-import { SHARED_MS, type SharedTimers, type Sleeper } from "../shared-timers.ts";
+import { dueAfter, type SharedTimers, type Sleeper } from "../shared-timers.ts";
 import type { AwayReason, ReaderDoor } from "./audience.ts";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import type { EventLog } from "./event-log.ts";
@@ -241,9 +241,7 @@ export class ReaderFeed implements Sleeper {
 
   #sendSnapshot(snapshot: CarriedSnapshot, now: number): void {
     this.#pending = null;
-    // What a timer came late does not count, so that there are 20 a second, not 19; nor does one that went early.
-    const due = Math.min(now, Math.max(this.#notBefore, now - SHARED_MS));
-    this.#notBefore = due + this.#pauseMs;
+    this.#notBefore = dueAfter(this.#notBefore, now, this.#pauseMs);
     this.#sink.snapshot(snapshot);
     this.#left(snapshot);
   }

@@ -6,7 +6,7 @@ import type { AliveDriver, RecallCause } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import type { Ears, Line, Step, Switchboard } from "../cluster/switchboard.ts";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
-import { SHARED_MS, type SharedTimers, type Sleeper } from "../shared-timers.ts";
+import { dueAfter, type SharedTimers, type Sleeper } from "../shared-timers.ts";
 import { MOST_TOLD, type Scripts } from "./driver-roster.ts";
 import { limits } from "./limits.ts";
 import { mergedScripts } from "./script-list.ts";
@@ -78,7 +78,7 @@ export class RobotLine implements Sleeper {
 
   /** Offers a snapshot to the other relays; it is told now, later, or never when a newer one comes first. */
   snapshot(snapshot: CarriedSnapshot): void {
-    if (this.#others.size === 0 || !this.#hasOthers) return;
+    if (!this.#hasOthers) return;
     this.#pending = snapshot;
     if (!this.#isArmed) this.#flush();
   }
@@ -124,6 +124,7 @@ export class RobotLine implements Sleeper {
   }
 
   get #hasOthers(): boolean {
+    if (this.#others.size === 0) return false;
     this.#forgetSilent();
     return this.#others.size > 0;
   }
@@ -147,7 +148,7 @@ export class RobotLine implements Sleeper {
       this.#isArmed = true;
       return this.#timers.wakeAfter(this.#notBefore - now, this);
     }
-    this.#notBefore = Math.max(this.#notBefore, now - SHARED_MS) + limits.snapshotIntervalMs;
+    this.#notBefore = dueAfter(this.#notBefore, now, limits.snapshotIntervalMs);
     this.#line?.tell({ kind: "snapshot", snapshot: this.#pending });
     this.#pending = null;
   }

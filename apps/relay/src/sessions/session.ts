@@ -276,7 +276,7 @@ export class Session {
 
   // --- scripts ---
 
-  /** Asked at every message, as long as it counts: see `rights`. @throws Refusal when the key was revoked or does not allow it, or the script is away */
+  /** Asked at every message that the last answer does not count for: see `rights`. @throws Refusal when the key was revoked or does not allow it, or the script is away */
   check(caller: Caller, verb: Verb): void {
     this.keys.check(caller, verb);
     this.gate.check(caller);

@@ -7,7 +7,7 @@
  * To wait the 5 ms in any case would let one who sends one by one do 230 steps a second, not 21,000.
  *
  * A step that throws is undone alone: the group is rolled back, and the steps before it are done once more.
- * That is rare, and a savepoint around each step costs each of them.
+ * That is rare, and a savepoint around each step costs each of them. Should one of those fail then, all of them do.
  */
 import type { DatabaseSync } from "node:sqlite";
 import { Statements } from "./statements.ts";

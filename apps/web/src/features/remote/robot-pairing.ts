@@ -47,7 +47,7 @@ export class RobotPairing {
   readonly #parts: PairingParts;
   /** what was begun last: answers to anything earlier say nothing any more */
   #turn = 0;
-  /** nothing is being asked of the service */
+  /** nothing that was begun waits for its first answer */
   #isIdle = true;
 
   constructor(parts: PairingParts) {
