@@ -74,6 +74,42 @@ test("a script that types the code drives once the page says yes", async ({ page
   await expect(keys.getByRole("heading")).toBeFocused();
 });
 
+test("a paired script goes on when the address gets a new key", async ({ page }) => {
+  const code = await showCode(page);
+  const { origin } = new URL(page.url());
+  const body = JSON.stringify({ code, name: "Right wall" });
+  const headers = { "content-type": "application/json", "user-agent": "python-requests/2.32" };
+  const asked = await fetch(`${origin}/api/v1/pairing`, { method: "POST", headers, body });
+  const { key } = (await asked.json()) as { key: string };
+  await page.getByRole("button", { name: "Yes, let it drive" }).click();
+  const keys = page.getByRole("region", { name: "Keys" });
+  const paired = /Key to drive.*made this minute.*Revoke/;
+  await expect(keys.getByRole("listitem")).toHaveText([/Key of the address above/, paired]);
+
+  await page.getByRole("button", { name: "New key" }).click();
+  const dialog = page.getByRole("dialog");
+  await expect(dialog).toContainText("Scripts that were paired by a code have keys of their own");
+  await expectNoBarriers(page, "a new key is asked for");
+  await dialog.getByRole("button", { name: "New key" }).click();
+  await expect(page.getByText("The new key counts now: copy the address again.")).toBeVisible();
+  const authorised = { ...headers, authorization: `Bearer ${key}` };
+  const found = await fetch(`${origin}/api/v1/pairing`, { headers: authorised });
+  const { address } = (await found.json()) as { address: string };
+  const commands = `${origin}/api/v1/robots/${new URL(address).pathname.slice("/r/".length)}/commands`;
+  const turn = JSON.stringify({ action: "left 90" });
+  const sent = await fetch(commands, { method: "POST", headers: authorised, body: turn });
+  expect(sent.status).toBe(202);
+  await expect(page.getByRole("row", { name: /left 90/ })).toContainText("completed");
+  // The younger one is the address's own.
+  await expect(keys.getByRole("listitem")).toHaveText([
+    /Key of the address above.*never used/,
+    paired,
+  ]);
+  await keys.getByRole("button", { name: "Revoke" }).click();
+  await expect(keys.getByRole("listitem")).toHaveText([/Key of the address above/]);
+  expect((await fetch(commands, { headers: authorised })).status).toBe(401);
+});
+
 test("a script that the page says no to is told so, also after a reload of the page", async ({
   page,
 }) => {

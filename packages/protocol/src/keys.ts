@@ -11,14 +11,15 @@ export const keyIdSchema = z
   .string({ error: idError })
   .regex(/^[A-Za-z0-9_-]{6}$/, { error: idError });
 
+const replaceError = "true, false or the 6 characters of a key's id";
 const madeKinds = ["drive", "watch"] as const;
 
 /** What the owner asks for. */
 export const keyWishSchema = z.strictObject({
   /** drive: sends commands and reads; watch: reads only */
   kind: z.enum(madeKinds, { error: `one of ${madeKinds.join(", ")}` }),
-  /** revokes all earlier keys of this kind in the same step */
-  replace: z.boolean({ error: "true or false" }).optional(),
+  /** true: revokes all earlier keys of this kind in the same step; an id: that key of this kind alone */
+  replace: z.union([z.boolean(), keyIdSchema], { error: replaceError }).optional(),
 });
 export type KeyWish = z.infer<typeof keyWishSchema>;
 

@@ -50,13 +50,13 @@ export const robotCalls: ZodOpenApiPathsObject = {
       operationId: "makeKey",
       summary: "Make a key for a script or for somebody who only watches",
       description:
-        "With `replace` all earlier keys of the kind are revoked in the same step. The key is shown here " +
-        "and never again.",
+        "With `replace` earlier keys are revoked in the same step: all of the kind by true, the one of the " +
+        "kind with this id by an id. The key is shown here and never again.",
       security: owner,
       requestBody: { required: true, content: { "application/json": { schema: keyWishSchema } } },
       responses: {
         201: answer("The key, with the address for whoever uses it.", madeKeySchema, location),
-        ...refusals(...keyed, "too-many-keys", "too-large", "not-json", "storage-full"),
+        ...refusals(...keyed, "no-key", "too-many-keys", "too-large", "not-json", "storage-full"),
       },
     },
     get: {

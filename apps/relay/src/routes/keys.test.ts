@@ -17,6 +17,13 @@ async function revoke(relay: TestRelay, robot: Registration, id: string): Promis
   return (await relay.ask(robot, `/keys/${id}`, request)).status;
 }
 
+/** The ids of those that drive. */
+async function driveKeys(relay: TestRelay, robot: Registration): Promise<string[]> {
+  const answer = await relay.ask(robot, "/keys", { key: robot.ownerKey });
+  const { keys } = keyListSchema.parse(await answer.json());
+  return keys.flatMap(({ id, kind }) => (kind === "drive" ? [id] : []));
+}
+
 async function withRobot() {
   const relay = await startTestRelay();
   return { relay, robot: await relay.register() };
@@ -181,6 +188,49 @@ describe("a new driver key", () => {
       body: { action: "left 90" },
     });
     expect(await page.next("command")).toMatchObject({ seq: 1 });
+  });
+
+  it("takes the place of one old key, and scripts with other keys go on", async () => {
+    const { relay, robot } = await withRobot();
+    const [first] = await driveKeys(relay, robot);
+    const paired = await make(relay, robot, { kind: "drive" });
+    const replaced = await TestSocket.driver(relay, robot);
+    const kept = await TestSocket.driver(relay, { ...robot, driverKey: paired.key });
+    const made = await make(relay, robot, { kind: "drive", replace: first });
+    expect((await replaced.closed).code).toBe(4401);
+    expect((await driveKeys(relay, robot)).toSorted()).toEqual([made.id, paired.id].toSorted());
+    expect((await relay.ask(robot, "/commands")).status).toBe(401);
+    kept.send({ type: "command", command: { action: "left 90" } });
+    expect(await kept.next("ack")).toMatchObject({ record: { seq: 1 } });
+  });
+
+  it.each([
+    { what: "the id of no key", replace: async () => "______" },
+    {
+      what: "the id of a key of another kind",
+      replace: async (relay: TestRelay, robot: Registration) =>
+        (await make(relay, robot, { kind: "watch" })).id,
+    },
+  ])("is not made in the place of $what", async ({ replace }) => {
+    const { relay, robot } = await withRobot();
+    const wish = { kind: "drive", replace: await replace(relay, robot) };
+    const request = { method: "POST", key: robot.ownerKey, body: wish };
+    const refused = await relay.ask(robot, "/keys", request);
+    expect(refused.status).toBe(404);
+    expect(await refused.json()).toMatchObject({ type: "/problems/no-key" });
+    expect(await driveKeys(relay, robot)).toHaveLength(1);
+  });
+
+  it.each([
+    { replace: 7, expected: "true, false or the 6 characters of a key's id" },
+    { replace: "all of them", expected: "the 6 characters of a key's id" },
+  ])("says what it may replace, and that $replace is not that", async ({ replace, expected }) => {
+    const { relay, robot } = await withRobot();
+    const request = { method: "POST", key: robot.ownerKey, body: { kind: "drive", replace } };
+    const refused = await relay.ask(robot, "/keys", request);
+    expect(refused.status).toBe(400);
+    const errors = [{ path: "replace", found: JSON.stringify(replace), expected }];
+    expect(await refused.json()).toMatchObject({ errors });
   });
 
   it("ends what the old one asked for and has not ended", async () => {

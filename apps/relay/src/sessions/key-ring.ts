@@ -109,13 +109,14 @@ export class KeyRing {
   /**
    * Makes a key.
    * @returns the key itself, which nobody can ask for again
-   * @throws Refusal when there are too many
+   * @throws Refusal when there are too many, or none such to replace
    */
   async make({ kind, replace = false }: KeyWish): Promise<Omit<MadeKey, "address">> {
+    const remove = typeof replace === "string" ? [await this.#hashToReplace(replace, kind)] : [];
     const key = this.#mint(kind);
     const hash = hashKey(key);
-    const removeKind = replace ? kind : null;
-    await this.#change({ add: [{ kind, hash }], remove: [], removeKind });
+    const removeKind = replace === true ? kind : null;
+    await this.#change({ add: [{ kind, hash }], remove, removeKind });
     return { id: keyId(hash), kind, key };
   }
 
@@ -129,10 +130,8 @@ export class KeyRing {
 
   /** Ends a key at once, wherever it is in use. @throws Refusal when it cannot be revoked */
   async revoke(id: string): Promise<void> {
-    // Another relay may have made it a moment ago.
-    const stored = await this.#parts.store.find(this.#parts.robot);
-    const key = stored?.keys.find(({ hash }) => keyId(hash) === id);
-    if (key === undefined) {
+    const key = await this.#storedKey(id);
+    if (key === null) {
       throw new Refusal("no-key", "It was revoked already, or never was. GET .../keys lists all.");
     }
     if (key.kind === "own") {
@@ -206,6 +205,19 @@ export class KeyRing {
     const use = this.#uses.get(hash);
     if (use === undefined) this.#uses.set(hash, { at, notedAt: null });
     else use.at = at;
+  }
+
+  /** Another relay may have made it a moment ago. */
+  async #storedKey(id: string): Promise<StoredKey | null> {
+    const stored = await this.#parts.store.find(this.#parts.robot);
+    return stored?.keys.find(({ hash }) => keyId(hash) === id) ?? null;
+  }
+
+  async #hashToReplace(id: string, kind: KeyWish["kind"]): Promise<string> {
+    const key = await this.#storedKey(id);
+    if (key?.kind === kind) return key.hash;
+    const detail = `There is no such key of the kind ${kind} to replace. GET .../keys lists all.`;
+    throw new Refusal("no-key", detail);
   }
 
   async #change(change: Pick<KeyChange, "add" | "remove" | "removeKind">): Promise<void> {

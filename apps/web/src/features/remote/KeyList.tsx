@@ -97,7 +97,7 @@ function useKeys(session: RemoteSession) {
   useEffect(() => {
     let isOver = false;
     const look = async (): Promise<void> => {
-      const found = await listKeys(fetch, { id, ownerKey });
+      const found = await listKeys(fetch, { id, ownerKey, driverKey });
       if (!isOver && found !== null) setKeys(found);
     };
     void look();

@@ -1,5 +1,6 @@
 import { expect, it } from "vitest";
 import { agoText } from "./ago-text.ts";
+import { keyIdOf } from "./key-id.ts";
 import { listed, listKeys, revokeKey } from "./key-calls.ts";
 
 const at = (minute: number): string => new Date(Date.UTC(2026, 0, 1, 12, minute)).toISOString();
@@ -9,11 +10,11 @@ const keys = [
   { id: "paired", kind: "drive" as const, madeAt: at(10), lastUsedAt: at(31) },
   { id: "first1", kind: "drive" as const, madeAt: at(0), lastUsedAt: at(25) },
 ];
-const owner = { id: "A".repeat(22), ownerKey: "own_secret" };
+const owner = { id: "A".repeat(22), ownerKey: "own_secret", driverKey: "drv_secret" };
 const MINUTE = 60_000;
 
 it("lists the keys that were given away, the address's own first, with their ages", () => {
-  expect(listed({ keys }, Date.parse(at(30)))).toEqual([
+  expect(listed({ keys }, "first1", Date.parse(at(30)))).toEqual([
     { id: "first1", kind: "drive", madeAgo: 30 * MINUTE, usedAgo: 5 * MINUTE, isShown: true },
     // The clocks of two relays may differ a little.
     { id: "paired", kind: "drive", madeAgo: 20 * MINUTE, usedAgo: 0, isShown: false },
@@ -21,10 +22,23 @@ it("lists the keys that were given away, the address's own first, with their age
   ]);
 });
 
+it("knows the address's own by its id, also where paired ones are older", () => {
+  const shown = listed({ keys }, "paired", Date.parse(at(30)));
+  expect(shown.map(({ id, isShown }) => [id, isShown])).toEqual([
+    ["paired", true],
+    ["first1", false],
+    ["watch1", false],
+  ]);
+});
+
 it("counts by the clock of the service, and keeps quiet where that does not answer", async () => {
   const headers = { date: new Date(Date.parse(at(30))).toUTCString() };
   const found = await listKeys(async () => Response.json({ keys }, { headers }), owner);
   expect(found?.[0]).toMatchObject({ madeAgo: 30 * MINUTE });
+  const ofAddress = { ...keys[3], id: keyIdOf(owner.driverKey) };
+  const list = { keys: [...keys, ofAddress] };
+  const shown = await listKeys(async () => Response.json(list, { headers }), owner);
+  expect(shown?.[0]).toMatchObject({ id: ofAddress.id, isShown: true });
   expect(await listKeys(async () => Response.json({}, { status: 401 }), owner)).toBeNull();
   expect(await listKeys(() => Promise.reject(new TypeError("offline")), owner)).toBeNull();
 });

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { keyIdOf } from "./key-id.ts";
 import {
   letBack,
   pauseDriving,
@@ -28,14 +29,25 @@ function service(answer: () => Response | Promise<Response>) {
 }
 
 describe("a new key for scripts", () => {
-  it("replaces the old one, and the session goes on", async () => {
+  const old = keyIdOf(session.driverKey);
+
+  it("replaces the old one alone, and the session goes on", async () => {
     const address = `https://host/r/${id}#drv_new`;
     const made = { id: "k3J9x2", kind: "drive", key: "drv_new", address };
     const { asked, ask } = service(() => Response.json(made, { status: 201 }));
     expect(await withNewKey(ask, session)).toEqual({ ...session, driverKey: "drv_new", address });
     expect(asked).toEqual([
-      `POST /api/v1/robots/${id}/keys Bearer own_secret {"kind":"drive","replace":true}`,
+      `POST /api/v1/robots/${id}/keys Bearer own_secret {"kind":"drive","replace":"${old}"}`,
     ]);
+  });
+
+  it("is made also where the old one is gone: an earlier answer was lost", async () => {
+    const address = `https://host/r/${id}#drv_new`;
+    const made = { id: "k3J9x2", kind: "drive", key: "drv_new", address };
+    const answers = [Response.json({}, { status: 404 }), Response.json(made, { status: 201 })];
+    const { asked, ask } = service(() => answers.shift() ?? Response.error());
+    expect(await withNewKey(ask, session)).toMatchObject({ driverKey: "drv_new" });
+    expect(asked[1]).toBe(`POST /api/v1/robots/${id}/keys Bearer own_secret {"kind":"drive"}`);
   });
 
   it("is made for onlookers beside it", async () => {

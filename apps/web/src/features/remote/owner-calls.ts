@@ -1,7 +1,14 @@
 /** What the owner of a robot asks of the service: how long the robot has left, new keys, and which
  * scripts may drive. */
-import { madeKeySchema, readJson, type MadeKey, type ScriptRef } from "@corridor/protocol";
+import {
+  madeKeySchema,
+  readJson,
+  type KeyWish,
+  type MadeKey,
+  type ScriptRef,
+} from "@corridor/protocol";
 import type { RemoteSession } from "../../worker/worker-messages.ts";
+import { keyIdOf } from "./key-id.ts";
 
 const MAX_ANSWER = 4_096;
 
@@ -27,11 +34,16 @@ export async function secondsLeft(
 }
 
 /**
- * Makes a new key for scripts; who has the old one is cut off by the service.
+ * Makes a new key for the address; who has the old one is cut off by the service, and scripts with keys of their
+ * own go on.
  * @returns the session with the new address; null when the service made none
  */
 export async function withNewKey(ask: Ask, session: RemoteSession): Promise<RemoteSession | null> {
-  const made = await makeKey(ask, session, "drive");
+  const wish: KeyWish = { kind: "drive", replace: keyIdOf(session.driverKey) };
+  let answer = await makeKey(ask, session, wish);
+  // The old one is gone already: the answer to an earlier wish may have been lost.
+  if (answer.status === 404) answer = await makeKey(ask, session, { kind: "drive" });
+  const { made } = answer;
   return made === null ? null : { ...session, driverKey: made.key, address: made.address };
 }
 
@@ -40,7 +52,8 @@ export async function withNewKey(ask: Ask, session: RemoteSession): Promise<Remo
  * @returns the address with it; null when the service made none
  */
 export async function watchAddress(ask: Ask, session: RemoteSession): Promise<string | null> {
-  return (await makeKey(ask, session, "watch"))?.address ?? null;
+  const { made } = await makeKey(ask, session, { kind: "watch", replace: true });
+  return made?.address ?? null;
 }
 
 /** Sends a script away, until it is let back. @returns whether the service did so */
@@ -84,21 +97,22 @@ export async function isDone(
   }
 }
 
+/** @returns the status too: that of a service that does not answer is null */
 async function makeKey(
   ask: Ask,
   { id, ownerKey }: RemoteSession,
-  kind: MadeKey["kind"],
-): Promise<MadeKey | null> {
+  wish: KeyWish,
+): Promise<{ status: number | null; made: MadeKey | null }> {
   try {
     const answer = await ask(`/api/v1/robots/${id}/keys`, {
       method: "POST",
       headers: { ...bearer(ownerKey), "Content-Type": "application/json" },
-      body: JSON.stringify({ kind, replace: true }),
+      body: JSON.stringify(wish),
     });
     const made = readJson(madeKeySchema, await answer.text(), MAX_ANSWER);
-    return answer.ok && made.ok ? made.value : null;
+    return { status: answer.status, made: answer.ok && made.ok ? made.value : null };
   } catch {
-    return null;
+    return { status: null, made: null };
   }
 }
 
