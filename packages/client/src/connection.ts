@@ -1,10 +1,7 @@
 /**
  * One line to the relay that mends itself: greeting, welcome, silence, reconnect.
  *
- * The pause before a new try is drawn from 0 to a limit that doubles from 0.25 s to 10 s (full
- * jitter), so that a whole class does not come back in the same moment. It is never more than twice the
- * time for which the line has been lost: after a short cut a few short pauses lead to no long one. Close
- * codes that forbid a retry end the connection for good.
+ * It tries again after `RetryPauses`. Close codes that forbid a retry end the connection for good.
  *
  * Where the network lets no WebSocket through, the line goes on by plain HTTPS, and comes back to a
  * WebSocket when one can be opened.
@@ -20,9 +17,8 @@ import {
 import { DoorChoice, type Door } from "./door-choice.ts";
 import { HttpsLine, textOf, type Saying } from "./https-line.ts";
 import type { Platform } from "./platform.ts";
+import { RetryPauses } from "./retry-pauses.ts";
 
-const FIRST_PAUSE_MS = 250;
-const LONGEST_PAUSE_MS = 10_000;
 /** From the first try to open until the welcome. */
 const WELCOME_MS = 10_000;
 /** The same where there is another way. */
@@ -57,9 +53,7 @@ export class Connection<In extends { type: string }> {
   #socket: SocketPort | null = null;
   #isConnected = false;
   #isOver = false;
-  #lostInARow = 0;
-  /** when the first of these was lost */
-  #lostAt = 0;
+  readonly #pauses = new RetryPauses();
   readonly #choice = new DoorChoice();
   #connectedAt: number | null = null;
   #cancelProbe: () => void = () => undefined;
@@ -86,9 +80,11 @@ export class Connection<In extends { type: string }> {
 
   /**
    * Opens the line at once: for the first time, again after `close`, or before the pause is over.
-   * Does nothing while the line is open or being opened, and once it is over.
+   * Does nothing while the line is open or being opened, and once it is over; but what a line by HTTPS
+   * waits to ask again is asked soon.
    */
   open(): void {
+    if (this.#socket instanceof HttpsLine) this.#socket.hurry();
     if (this.#isOver || this.#socket !== null) return;
     this.#cancelTimer();
     const { greeting, changed } = this.#options;
@@ -129,7 +125,7 @@ export class Connection<In extends { type: string }> {
     const isWelcome = message.value.type === "welcome" && !this.#isConnected;
     if (isWelcome) {
       this.#isConnected = true;
-      this.#lostInARow = 0;
+      this.#pauses.beginAnew();
       this.#connectedAt = this.#options.platform.clock.now();
       this.#choice.welcomed();
       if (this.#choice.door === "https") this.#probeLater();
@@ -205,15 +201,7 @@ export class Connection<In extends { type: string }> {
       if (livedMs !== null) changed({ kind: "lost", reason, retryMs: 0 });
       return this.open();
     }
-    const now = platform.clock.now();
-    if (this.#lostInARow === 0) this.#lostAt = now;
-    const limit = Math.min(
-      LONGEST_PAUSE_MS,
-      FIRST_PAUSE_MS * 2 ** this.#lostInARow,
-      Math.max(FIRST_PAUSE_MS, 2 * (now - this.#lostAt)),
-    );
-    this.#lostInARow += 1;
-    const retryMs = platform.random() * limit;
+    const retryMs = this.#pauses.next(platform.clock.now(), platform.random());
     this.#cancelTimer = platform.clock.after(retryMs, () => this.open());
     return changed({ kind: "lost", reason, retryMs });
   }

@@ -14,6 +14,7 @@ import {
   type SocketPort,
 } from "@corridor/protocol";
 import type { Ask, Platform } from "./platform.ts";
+import { FIRST_PAUSE_MS, RetryPauses } from "./retry-pauses.ts";
 
 /** Longest wait of a fetch, in seconds, as the relay allows it. */
 const LONGEST_WAIT = 25;
@@ -22,7 +23,6 @@ const SHORTEST_WAIT = 1;
 const ANSWER_MS = 8_000;
 /** Between two posts: what comes meanwhile goes together. */
 const PACE_MS = 50;
-const FIRST_PAUSE_MS = 250;
 /** The relay closes a line that is silent for 15 s. */
 const GIVE_UP_MS = 12_000;
 /** Room for the number and the brackets. */
@@ -42,6 +42,15 @@ export function textOf(saying: Saying): string {
   return typeof saying === "string" ? saying : saying();
 }
 
+/** One of the two requests of which a line is made, while it fails. */
+interface Retries {
+  readonly pauses: RetryPauses;
+  /** the last one got no answer at all */
+  isLost: boolean;
+  /** cuts the pause that it makes now to a short one */
+  hurry(): void;
+}
+
 type HttpsPlatform = Pick<Platform, "clock" | "random"> & { ask: Ask };
 
 export class HttpsLine implements SocketPort {
@@ -57,6 +66,8 @@ export class HttpsLine implements SocketPort {
   /** number of the newest message that has come */
   #after = 0;
   #wait = LONGEST_WAIT;
+  readonly #posts = noFailure();
+  readonly #fetches = noFailure();
   readonly #cancels = new Set<() => void>();
 
   /**
@@ -96,6 +107,15 @@ export class HttpsLine implements SocketPort {
     this.#end();
   }
 
+  /** The net may be back: what waits to be asked again is asked soon. */
+  hurry(): void {
+    for (const retries of [this.#posts, this.#fetches]) {
+      if (!retries.isLost) continue;
+      retries.pauses.beginAnew();
+      retries.hurry();
+    }
+  }
+
   async #hello(text: string): Promise<void> {
     try {
       const { status, body } = await this.#ask("POST", "", text, ANSWER_MS);
@@ -116,7 +136,7 @@ export class HttpsLine implements SocketPort {
     if (this.#isPosting || this.#key === null) return;
     this.#isPosting = true;
     while (this.#isOpen && this.#queue.length > 0) {
-      const sent = await this.#stubbornly(() => {
+      const sent = await this.#stubbornly(this.#posts, () => {
         const body = `{"first":${this.#first},"messages":[${this.#batch().join()}]}`;
         return this.#ask("POST", "/messages", body, ANSWER_MS);
       });
@@ -143,7 +163,7 @@ export class HttpsLine implements SocketPort {
   /** Fetches what comes, for as long as the line is open. */
   async #fetch(): Promise<void> {
     while (this.#isOpen) {
-      const answer = await this.#stubbornly(() => this.#fetchOnce());
+      const answer = await this.#stubbornly(this.#fetches, () => this.#fetchOnce());
       if (answer === null || !this.#isOpen) return;
       const fetched = readJson(fetchedMessagesSchema, answer.body, MAX_ANSWER);
       if (!fetched.ok) return this.#lost(LOST);
@@ -173,25 +193,50 @@ export class HttpsLine implements SocketPort {
   }
 
   /** Makes a request again while it fails, unless that is for good. @returns null when the line is lost */
-  async #stubbornly(ask: () => Promise<Answer>): Promise<Answer | null> {
+  async #stubbornly(retries: Retries, ask: () => Promise<Answer>): Promise<Answer | null> {
     let failedSince: number | null = null;
-    for (let limit = FIRST_PAUSE_MS; this.#isOpen; limit *= 2) {
+    while (this.#isOpen) {
       const begun = this.#platform.clock.now();
       const answer = await ask().catch(() => null);
       if (!this.#isOpen) return null;
-      if (answer?.status === 200) return answer;
+      if (answer?.status === 200) {
+        retries.isLost = false;
+        retries.pauses.beginAnew();
+        // The net is back: the other request need not wait any longer to find out for itself.
+        this.hurry();
+        return answer;
+      }
       const isForGood = answer !== null && answer.status < 500 && answer.status !== 429;
       const now = this.#platform.clock.now();
       failedSince ??= answer === null ? begun : now;
       // A request that waited in vain for long has not shown that the line is gone: the next one does.
-      if (now - begun > GIVE_UP_MS / 2) failedSince = now;
+      if (now - begun > GIVE_UP_MS / 2) {
+        failedSince = now;
+        retries.pauses.beginAnew();
+      }
       if (isForGood || now - failedSince > GIVE_UP_MS) {
         this.#lost(LOST);
         return null;
       }
-      await this.#pause(this.#platform.random() * limit);
+      retries.isLost = answer === null;
+      await this.#pauseBefore(retries, retries.pauses.next(now, this.#platform.random()));
     }
     return null;
+  }
+
+  #pauseBefore(retries: Retries, ms: number): Promise<void> {
+    const { clock, random } = this.#platform;
+    const end = clock.now() + ms;
+    return new Promise((resolve) => {
+      let callOff = this.#later(ms, resolve);
+      retries.hurry = () => {
+        const soon = random() * FIRST_PAUSE_MS;
+        if (clock.now() + soon >= end) return;
+        callOff();
+        callOff = this.#later(soon, resolve);
+        retries.hurry = () => undefined;
+      };
+    });
   }
 
   async #ask(method: string, path: string, body: string | null, ms: number): Promise<Answer> {
@@ -213,15 +258,20 @@ export class HttpsLine implements SocketPort {
     return new Promise((resolve) => this.#later(ms, resolve));
   }
 
-  #later(ms: number, call: () => void): void {
+  /** @returns a function that calls it off */
+  #later(ms: number, call: () => void): () => void {
     const done = (): void => {
       this.#cancels.delete(cancel);
       call();
     };
     const cancelTimer = this.#platform.clock.after(ms, done);
     // Whoever pauses finds the line closed, and goes no further.
-    const cancel = (): void => cancelTimer();
+    const cancel = (): void => {
+      this.#cancels.delete(cancel);
+      cancelTimer();
+    };
     this.#cancels.add(cancel);
+    return cancel;
   }
 
   #lost(code: number): void {
@@ -235,6 +285,10 @@ export class HttpsLine implements SocketPort {
     for (const cancel of this.#cancels) cancel();
     this.#cancels.clear();
   }
+}
+
+function noFailure(): Retries {
+  return { pauses: new RetryPauses(), isLost: false, hurry: () => undefined };
 }
 
 interface Answer {
