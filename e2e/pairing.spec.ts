@@ -1,10 +1,12 @@
 /** A script is let in by a code that somebody types, once the page's owner says yes. */
+import type { Registration } from "@corridor/protocol";
 import type { Page } from "playwright/test";
 import { fileURLToPath } from "node:url";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoBarriers } from "./support/axe.ts";
-import { boxOf, phone, tab } from "./support/phone.ts";
+import { atRest } from "./support/at-rest.ts";
+import { boxOf, phone, smallest, tab } from "./support/phone.ts";
 import { exampleOf, runScript } from "./support/script.ts";
 
 const library = fileURLToPath(new URL("../packages/client-python/src/", import.meta.url));
@@ -210,6 +212,70 @@ test.describe("on a phone", () => {
     const { code: exit, output } = await running;
     expect([exit, output.trim()]).toEqual([0, "completed"]);
   });
+});
+
+/** A page whose script asks already, as it is after a reload of its tab. */
+async function askedPage(page: Page, origin: string, name: string): Promise<void> {
+  const json = { "content-type": "application/json" };
+  const registered = await fetch(`${origin}/api/v1/robots`, { method: "POST" });
+  const { id, ownerKey, driverKey, address } = (await registered.json()) as Registration;
+  const headers = { ...json, authorization: `Bearer ${ownerKey}` };
+  const made = await fetch(`${origin}/api/v1/robots/${id}/pairing`, { method: "POST", headers });
+  const { code } = (await made.json()) as { code: string };
+  const body = JSON.stringify({ code, name });
+  await fetch(`${origin}/api/v1/pairing`, { method: "POST", headers: json, body });
+  const session = JSON.stringify({ id, ownerKey, driverKey, address, lastApplied: 0 });
+  await page.evaluate((text) => {
+    sessionStorage.setItem("corridor.remote", text);
+    sessionStorage.setItem("corridor.remote.driving", "yes");
+  }, session);
+}
+
+test.describe("a question on a phone leaves in reach what stops the robot:", () => {
+  test.use(phone);
+
+  for (const { size, look, pause } of [
+    { size: phone, look: "/", pause: "Pause" },
+    { size: smallest, look: "/", pause: "Pause" },
+    { size: smallest, look: "/?lang=de", pause: "Pause" },
+    { size: smallest, look: "/?lang=ar", pause: "إيقاف مؤقّت" },
+  ]) {
+    const { width, height } = size.viewport;
+    test(`${width} x ${height}, ${look}`, async ({ page }) => {
+      await page.setViewportSize({ width, height });
+      await page.goto(look);
+      await askedPage(page, new URL(page.url()).origin, "Right wall of a long corridor");
+      await page.reload();
+      const messages = page.locator("section").filter({ hasText: "Right wall of a long corridor" });
+      const answers = messages.getByRole("button");
+      await expect(answers).toHaveCount(2);
+      const sheet = page.getByRole("complementary");
+      const bar = page.getByRole("banner");
+      for (const at of [1, 0]) {
+        await page.getByRole("tab").nth(at).tap();
+        await atRest(page);
+        const asked = await boxOf(messages);
+        const [above, below] = [await boxOf(bar), await boxOf(sheet)];
+        expect(asked.x).toBeGreaterThanOrEqual(0);
+        expect(asked.x + asked.width).toBeLessThanOrEqual(width);
+        expect(asked.y).toBeGreaterThanOrEqual(above.y + above.height);
+        expect(asked.y + asked.height).toBeLessThanOrEqual(below.y + 0.5);
+        for (const box of [await boxOf(answers.first()), await boxOf(answers.last())]) {
+          expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(44);
+        }
+        // Nothing lies over what a finger would press.
+        await page.getByRole("button", { name: pause }).tap({ trial: true });
+        await bar.getByRole("button").last().tap({ trial: true });
+        // Some of the maze is in sight.
+        expect(asked.y - above.y - above.height).toBeGreaterThanOrEqual(44);
+        const scrolled = await page.evaluate(() => document.documentElement.scrollWidth);
+        expect(scrolled).toBeLessThanOrEqual(width);
+      }
+      if (size === phone) await expectNoBarriers(page, "a script asks while a phone drives");
+      await answers.last().tap();
+      await expect(answers).toHaveCount(0);
+    });
+  }
 });
 
 test("a code that was taken back counts no more", async ({ page }) => {

@@ -71,7 +71,7 @@ for (const device of [phone, { ...phone, viewport: { width: 320, height: 640 } }
     await corridor.dialog("Move or delete line 2").getByRole("button", { name: "Delete" }).tap();
     await expect(corridor.message("Line 2 deleted.")).toBeVisible();
     await atRest(page);
-    const box = await boxOf(corridor.messages);
+    const box = await boxOf(corridor.message("Line 2 deleted.").locator(".."));
     const tools = page.getByRole("group", { name: "Tool" });
     expect(box.y + box.height).toBeLessThanOrEqual((await boxOf(tools)).y);
     await page.getByRole("radio", { name: "Goal" }).tap();
@@ -89,7 +89,7 @@ test("is told a long sentence without losing the maze from sight", async ({ open
   const message = corridor.messages.getByRole("button", { name: "Dismiss" });
   await expect(message).toBeVisible();
   await atRest(page);
-  const box = await boxOf(corridor.messages);
+  const box = await boxOf(message.locator(".."));
   expect(box.y + box.height).toBeLessThanOrEqual((await boxOf(corridor.maze.grid)).y);
 });
 

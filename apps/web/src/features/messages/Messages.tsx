@@ -28,19 +28,21 @@ export function Messages({ children }: { children?: ReactNode }) {
       aria-label={t("shell.messages")}
       data-past={isPast || undefined}
     >
-      <div role="alert" className={styles["list"]}>
-        {messages
-          .filter(({ tone }) => tone === "bad")
-          .map((message) => (
-            <MessageCard key={message.id} message={message} />
-          ))}
-      </div>
-      <div className={styles["list"]}>
-        {messages
-          .filter(({ tone }) => tone === "info")
-          .map((message) => (
-            <MessageCard key={message.id} message={message} />
-          ))}
+      <div className={styles["lists"]}>
+        <div role="alert" className={styles["list"]}>
+          {messages
+            .filter(({ tone }) => tone === "bad")
+            .map((message) => (
+              <MessageCard key={message.id} message={message} />
+            ))}
+        </div>
+        <div className={styles["list"]}>
+          {messages
+            .filter(({ tone }) => tone === "info")
+            .map((message) => (
+              <MessageCard key={message.id} message={message} />
+            ))}
+        </div>
       </div>
       {children}
     </section>

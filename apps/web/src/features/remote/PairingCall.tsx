@@ -1,7 +1,7 @@
 /**
- * The question of a script that has typed the robot's code, wherever its owner is on the page: among the
- * messages, or in the dialog that is open, outside of which nothing can be pressed. It goes where the Remote
- * panel asks it in sight, once it is answered, and when its time is over.
+ * The question of a script that has typed the robot's code, wherever its owner is on the page: below the messages,
+ * on a phone in a row of its own above Run, or in the dialog that is open, outside of which nothing can be pressed.
+ * It goes where the Remote panel asks it in sight, once it is answered, and when its time is over.
  */
 import { useEffect, useId, useSyncExternalStore } from "react";
 import { createPortal } from "react-dom";
