@@ -3,6 +3,9 @@
  * here, so that none, however it came about, can pile up for somebody who does not read. (Pongs have
  * a limit of their own in `ws`.)
  *
+ * Messages go to the connection under `ws` as whole frames, in one write each. Pings, pongs and goodbyes, which `ws`
+ * writes, keep their place among them: it holds back nothing as long as nothing is compressed.
+ *
  * What the other side has taken is found out by pings: its WebSocket library answers each one by
  * itself, after all that came before.
  */
@@ -11,6 +14,7 @@ import { closeReasons } from "@corridor/protocol";
 import type { WebSocket } from "ws";
 import type { Clock } from "../clock.ts";
 import { limits } from "../sessions/limits.ts";
+import { textFrame } from "../text-frame.ts";
 import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 import type { ReaderFlow } from "../sessions/reader-feed.ts";
 import { closeWith } from "./conversation.ts";
@@ -49,17 +53,15 @@ export class WsPort implements ReaderLine, ReaderFlow {
   }
 
   get waitingBytes(): number {
-    return this.#socket.bufferedAmount;
+    return this.#connection.writableLength;
   }
 
   send(text: string): void {
-    if (!this.#mayPass(text.length)) return;
-    this.#socket.send(text);
+    if (this.#mayPass()) this.#write(textFrame(text));
   }
 
-  /** By the connection itself: `ws` would announce each with a write of its own, which costs as much again. */
   pass({ frame }: CarriedSnapshot): void {
-    if (this.#mayPass(frame.length)) this.#connection.write(frame);
+    if (this.#mayPass()) this.#write(frame);
   }
 
   close(code: number, reason: string): void {
@@ -79,14 +81,16 @@ export class WsPort implements ReaderLine, ReaderFlow {
     this.#socket.ping(String(this.#asked));
   }
 
-  #mayPass(length: number): boolean {
+  #mayPass(): boolean {
     if (!this.isOpen) return false;
-    if (this.waitingBytes > limits.stuckReaderBytes) {
-      closeWith(this, closeReasons.tooSlow);
-      return false;
-    }
-    this.sentBytes += length;
-    return true;
+    if (this.waitingBytes <= limits.stuckReaderBytes) return true;
+    closeWith(this, closeReasons.tooSlow);
+    return false;
+  }
+
+  #write(frame: Buffer): void {
+    this.sentBytes += frame.length;
+    this.#connection.write(frame);
   }
 
   #answered(data: Buffer): void {

@@ -3,11 +3,10 @@
  * as they came, and nobody here ever asks for more than their numbers; who does gets the object.
  */
 import { findSnapshotMessage, type Snapshot, type SnapshotPlace } from "@corridor/protocol";
+import { emptyFrame, messageIn } from "../text-frame.ts";
 
-/** A WebSocket server's frame of one whole text, whose length follows in two bytes (RFC 6455, 5.2): no snapshot is shorter. */
-const HEADER = Buffer.from([0x81, 126, 0, 0]);
 /** What a reader's message says before the snapshot, and behind it. */
-const BEFORE = Buffer.concat([HEADER, Buffer.from('{"type":"snapshot","snapshot":')]);
+const BEFORE = Buffer.from('{"type":"snapshot","snapshot":');
 const AFTER = "}".charCodeAt(0);
 
 export class CarriedSnapshot {
@@ -40,12 +39,12 @@ export class CarriedSnapshot {
 
   /** The message by itself. */
   get message(): Buffer {
-    return this.frame.subarray(HEADER.length);
+    return messageIn(this.frame);
   }
 
   /** The snapshot by itself, as JSON. */
   get json(): Buffer {
-    return this.frame.subarray(BEFORE.length, -1);
+    return this.message.subarray(BEFORE.length, -1);
   }
 
   get value(): Snapshot {
@@ -78,19 +77,12 @@ export function readSnapshotMessage(
   return place && { epoch: place.epoch, snapshot: CarriedSnapshot.found(bytes, place) };
 }
 
-function framed(
-  bytes: Buffer,
-  start: number,
-  end: number,
-  { isKept }: { isKept: boolean },
-): Buffer {
-  const size = BEFORE.length + end - start + 1;
-  const frame = isKept ? Buffer.allocUnsafeSlow(size) : Buffer.allocUnsafe(size);
-  BEFORE.copy(frame);
-  const length = frame.length - HEADER.length;
-  frame[2] = length >> 8;
-  frame[3] = length & 0xff;
-  bytes.copy(frame, BEFORE.length, start, end);
+function framed(bytes: Buffer, start: number, end: number, keeping: { isKept: boolean }): Buffer {
+  const length = BEFORE.length + end - start + 1;
+  const frame = emptyFrame(length, keeping);
+  const at = frame.length - length;
+  BEFORE.copy(frame, at);
+  bytes.copy(frame, at + BEFORE.length, start, end);
   frame[frame.length - 1] = AFTER;
   return frame;
 }
