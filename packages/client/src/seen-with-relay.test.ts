@@ -77,7 +77,7 @@ describe("a reader of the real relay", () => {
     expect(client.seen).toBeLessThan(0.65 * client.snapshots);
   });
 
-  it.each([40, 100])("gets as many as ever over a line of %i ms each way", async (wayMs) => {
+  it.each([38, 40, 100])("gets as many as ever over a line of %i ms each way", async (wayMs) => {
     const { each, client } = await compare(wayMs);
     expect(client.snapshots).toBeGreaterThan(0.9 * each.snapshots);
   });
