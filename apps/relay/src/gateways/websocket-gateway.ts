@@ -28,6 +28,7 @@ import { verbOfRole } from "../sessions/rights.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import { closeWith, hear, type Conversation } from "./conversation.ts";
 import { closeFor, converse, introduced } from "./converse.ts";
+import { hearPlainTexts } from "./plain-texts.ts";
 import type { ReaderLine } from "./reader-line.ts";
 import { refuseUpgrade } from "./refuse-upgrade.ts";
 import { SpeakingSocket } from "./speaking-socket.ts";
@@ -154,17 +155,18 @@ export class WebSocketGateway {
     this.#ofAddress.set(address, ofAddress);
     // Messages are taken one after the other, so that nothing overtakes the first.
     let work: Promise<void> = Promise.resolve();
-    socket.on("message", (data: Buffer, isBinary) => {
+    const hear = (data: Buffer, isBinary: boolean): void => {
       // Messages still come while a socket closes; nobody would get the answers.
-      if (!guest.port.isOpen) return undefined;
+      if (!guest.port.isOpen) return;
       guest.heardAt = clock.now();
       if (isBinary) return closeWith(socket, closeReasons.badFrame, "Send text, not bytes.");
       if (guest.conversation !== null) return this.#hear(guest, data);
       work = work
         .then(() => this.#hello(guest, data))
         .catch((error: unknown) => this.#refuse(guest, error));
-      return undefined;
-    });
+    };
+    socket.on("message", hear);
+    hearPlainTexts(connection, (bytes) => hear(bytes, false));
     socket.on("pong", () => (guest.heardAt = clock.now()));
     // Too large a message or broken framing: ws closes the socket itself, with 1009 or 1002.
     socket.on("error", (error) => this.#options.log.debug({ err: error }, "a socket broke"));
