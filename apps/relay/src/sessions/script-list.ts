@@ -23,6 +23,8 @@ export class ScriptList {
   readonly #clock: Clock;
   /** by id, the one that was heard last at the end */
   readonly #traces = new Map<string, Trace>();
+  /** the one at the end: most are heard many times in a row */
+  #newest: Trace | null = null;
 
   constructor(clock: Clock) {
     this.#clock = clock;
@@ -83,6 +85,8 @@ export class ScriptList {
     const known = this.#traces.get(script.id);
     const trace = known ?? { script, lines: 0, heardAt: 0, waiting: 0, last: null };
     trace.heardAt = this.#clock.now();
+    if (trace === this.#newest) return trace;
+    this.#newest = trace;
     this.#traces.delete(script.id);
     this.#traces.set(script.id, trace);
     if (known === undefined) this.#forgetOldest();

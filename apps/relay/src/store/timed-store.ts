@@ -21,24 +21,39 @@ const COMMITS: ReadonlySet<string | symbol> = new Set([
   "takeOver",
 ] as const satisfies readonly (keyof SessionStore)[]);
 
-/** @param observe is told the seconds of each commit, also of one that failed */
+/**
+ * Its methods are wrapped once: a store is asked thousands of times a second.
+ * @param observe is told the seconds of each commit, also of one that failed
+ */
 export function timedStore<T extends SessionStore>(
   store: T,
   observe: (seconds: number) => void,
 ): T {
+  const wrapped = new Map<string | symbol, unknown>();
   return new Proxy(store, {
     get(target, name) {
+      const known = wrapped.get(name);
+      if (known !== undefined) return known;
       const part: unknown = Reflect.get(target, name);
       if (typeof part !== "function") return part;
-      if (!COMMITS.has(name)) return part.bind(target) as unknown;
-      return async (...values: unknown[]): Promise<unknown> => {
-        const begun = performance.now();
-        try {
-          return await (Reflect.apply(part, target, values) as Promise<unknown>);
-        } finally {
-          observe((performance.now() - begun) / 1000);
-        }
-      };
+      const bound = part.bind(target) as (...values: unknown[]) => Promise<unknown>;
+      const method = COMMITS.has(name) ? timed(bound, observe) : bound;
+      wrapped.set(name, method);
+      return method;
     },
   });
+}
+
+function timed(
+  commit: (...values: unknown[]) => Promise<unknown>,
+  observe: (seconds: number) => void,
+): typeof commit {
+  return async (...values) => {
+    const begun = performance.now();
+    try {
+      return await commit(...values);
+    } finally {
+      observe((performance.now() - begun) / 1000);
+    }
+  };
 }
