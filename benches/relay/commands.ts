@@ -11,8 +11,11 @@ import { printRow, withContenders, type Crowd, type Section } from "./section.ts
 
 /** A key sends 20 commands a second, so it takes many to keep the relay busy. */
 const FREE = { robots: 400, scripts: 400 };
-/** Of a busy robot's no more than 64 may wait, and a round is to bring no robot as many: a refusal ends it all. */
-const BUSY = { robots: 1000, scripts: 1000, isBusy: true };
+/**
+ * A busy robot's page has as many as it may have, so that what comes is kept and waits. Of these there may be 64, and
+ * a round is to bring no robot as many: a refusal ends it all.
+ */
+const BUSY = { robots: 1500, scripts: 1500, isBusy: true };
 const IN_FLIGHT = 64;
 const SECONDS = 2;
 const ROUNDS = 3;

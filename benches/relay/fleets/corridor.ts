@@ -1,16 +1,20 @@
 /**
  * A fleet at the product: robots are registered, pages and readers say hello with their keys, readers say
  * what they have seen as those of the client do, pages begin and end each command at once, or
- * are busy with the first until they are stopped.
+ * are busy with the first and have as many more as they may, until they are stopped.
  */
 import type { Registration } from "@corridor/protocol";
 import { SeenPace } from "../../../packages/client/src/seen-pace.ts";
+import { limits } from "../../../apps/relay/src/sessions/limits.ts";
 import { openAll, type Fleet, type FleetOptions } from "./fleet.ts";
 import { commandText, numberIn, snapshotText } from "./messages.ts";
 import { TextWire } from "./text-wire.ts";
 
 /** So many robots share an address: as many as may, with all who look on. */
 const A_CLASS = 6;
+
+/** What a busy page has: the one that it runs, and as many as it may have next. */
+const AT_HAND = 1 + limits.deliveredWindow;
 
 const STOP = '{"type":"command","command":{"action":"stop"}}';
 const IS_STOP = '"action":"stop"';
@@ -22,33 +26,27 @@ interface Robot {
   epoch: number;
   /** who waits for the relay's time: then it has taken all that was said before */
   asking: (() => void)[];
-  /** who waits for the robot to stand */
-  resting: (() => void)[];
+  /** stops the robot, which is busy again after that */
+  rest(): Promise<void>;
 }
 
 export async function openCorridor(options: FleetOptions): Promise<Fleet> {
   let commands = 0;
-  const all = await openAll(options.robots, (robot) => openRobot(robot, options));
+  const nextCommand = (): string => commandText(commands++);
+  const all = await openAll(options.robots, (robot) => openRobot(robot, options, nextCommand));
   return {
     report: (robot, n) => {
       const at = all[robot];
       at?.page.send(snapshotText(n, at.epoch));
     },
-    command: (robot) => all[robot]?.reader.send(commandText(commands++)),
+    command: (robot) => all[robot]?.reader.send(nextCommand()),
     taken: (robot) =>
       new Promise((resolve) => {
         const at = all[robot];
         at?.asking.push(resolve);
         at?.page.send(`{"type":"time","epoch":${at.epoch}}`);
       }),
-    rest: options.isBusy
-      ? (robot) =>
-          new Promise((resolve) => {
-            const at = all[robot];
-            at?.resting.push(resolve);
-            at?.reader.send(STOP);
-          })
-      : null,
+    rest: options.isBusy ? async (robot) => all[robot]?.rest() : null,
     close: async () => {
       for (const { page, reader, onlookers } of all) {
         for (const wire of [page, reader, ...onlookers]) wire.close();
@@ -57,7 +55,11 @@ export async function openCorridor(options: FleetOptions): Promise<Fleet> {
   };
 }
 
-async function openRobot(robot: number, options: FleetOptions): Promise<Robot> {
+async function openRobot(
+  robot: number,
+  options: FleetOptions,
+  nextCommand: () => string,
+): Promise<Robot> {
   const { scripts, onlookers, ears } = options;
   const [pages, readers] = [options.pages, options.readers].map((ports) => turnOf(ports, robot));
   const headers = { "X-Forwarded-For": `10.1.0.${Math.floor(robot / A_CLASS) + 1}` };
@@ -121,13 +123,17 @@ async function openRobot(robot: number, options: FleetOptions): Promise<Robot> {
   };
   const seen = new SeenPace();
   const resting: (() => void)[] = [];
+  /** how many of those that are to keep the robot busy are not answered yet, and who waits for that */
+  const filling = { left: 0, done: (): void => undefined };
   const hear = (text: string): void => {
     if (text.startsWith('{"type":"snapshot"')) {
       const n = numberIn(text);
       ears.snapshot(robot, n);
       if (seen.read(performance.now())) reader.send(`{"type":"seen","seq":${n}}`);
     } else if (text.startsWith('{"type":"ack"')) {
-      if (!text.includes(IS_STOP)) ears.answered(robot);
+      if (text.includes(IS_STOP)) return;
+      if (filling.left === 0) ears.answered(robot);
+      else if (--filling.left === 0) filling.done();
     } else if (text.startsWith('{"type":"state"')) {
       if (text.includes(IS_STOP)) {
         if (text.includes('"state":"completed"')) resting.shift()?.();
@@ -140,8 +146,21 @@ async function openRobot(robot: number, options: FleetOptions): Promise<Robot> {
   const reader: TextWire = isScript
     ? await enter("drive", driverKey, hear)
     : await enter("watch", watch, hear);
+  const occupy = (): Promise<void> =>
+    new Promise((resolve) => {
+      Object.assign(filling, { left: AT_HAND, done: resolve });
+      for (let n = 0; n < AT_HAND; n++) reader.send(nextCommand());
+    });
+  const rest = async (): Promise<void> => {
+    await new Promise<void>((resolve) => {
+      resting.push(resolve);
+      reader.send(STOP);
+    });
+    await occupy();
+  };
+  if (options.isBusy === true) await occupy();
   const more = await openAll(onlookers, () => enter("watch", watch, () => undefined));
-  return { page, reader, onlookers: more, epoch, asking, resting };
+  return { page, reader, onlookers: more, epoch, asking, rest };
 }
 
 async function watchKey(

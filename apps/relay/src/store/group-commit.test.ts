@@ -11,7 +11,7 @@ function withTable(now: () => number = () => 0) {
   const db = openDatabase(file);
   const other = new DatabaseSync(file);
   db.exec("CREATE TABLE rows (n INTEGER PRIMARY KEY, parent INTEGER REFERENCES rows (n)) STRICT");
-  const commits = new GroupCommit(db, now);
+  const commits = new GroupCommit(db, undefined, now);
   onTestFinished(() => {
     commits.flush();
     other.close();
@@ -33,12 +33,12 @@ describe("commits in groups", () => {
     expect(keptAtAnswer).toEqual([3, 3, 3]);
   });
 
-  it("does not let a group grow beyond fifty steps", async () => {
+  it("does not let a group grow beyond 128 steps", async () => {
     const { add, kept } = withTable();
-    const steps = Array.from({ length: 60 }, (_, n) => add(n));
-    expect(kept()).toBe(50);
+    const steps = Array.from({ length: 150 }, (_, n) => add(n));
+    expect(kept()).toBe(128);
     await Promise.all(steps);
-    expect(kept()).toBe(60);
+    expect(kept()).toBe(150);
   });
 
   it("does not let a group last longer than 5 ms within one turn", async () => {

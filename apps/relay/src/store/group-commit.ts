@@ -2,7 +2,7 @@
  * Many steps of the SQLite stores, one commit: the disk is asked to keep them all at once, and each is
  * answered only after that.
  *
- * A group ends with the turn of the event loop in which it began, after 50 steps, or after 5 ms, whatever
+ * A group ends with the turn of the event loop in which it began, after 128 steps, or after 5 ms, whatever
  * comes first. So a lone step waits for nobody, and what arrives while the disk works is the next group.
  * To wait the 5 ms in any case would let one who sends one by one do 230 steps a second, not 21,000.
  *
@@ -12,7 +12,8 @@
 import type { DatabaseSync } from "node:sqlite";
 import { Statements } from "./statements.ts";
 
-const MOST_STEPS = 50;
+/** Some 64 commands: each is stored in one, and in another it is looked what its robot may have. */
+const MOST_STEPS = 128;
 const LONGEST_MS = 5;
 
 interface Group {
@@ -32,11 +33,20 @@ export class GroupCommit {
   readonly #db: DatabaseSync;
   readonly #statements: Statements;
   readonly #now: () => number;
+  readonly #undone: () => void;
   #group: Group | null = null;
 
-  /** @param now ms by a clock that is never set back */
-  constructor(db: DatabaseSync, now: () => number = () => performance.now()) {
+  /**
+   * @param undone is called when steps are undone, before anything else is done
+   * @param now ms by a clock that is never set back
+   */
+  constructor(
+    db: DatabaseSync,
+    undone: () => void = () => undefined,
+    now: () => number = () => performance.now(),
+  ) {
     this.#db = db;
+    this.#undone = undone;
     this.#now = now;
     this.#statements = new Statements(db);
   }
@@ -82,7 +92,7 @@ export class GroupCommit {
     try {
       this.#statements.run("COMMIT");
     } catch (error) {
-      if (this.#db.isTransaction) this.#statements.run("ROLLBACK");
+      this.#rollBack();
       return this.#end((each) => each.lost(error));
     }
     this.#end((each) => each.kept());
@@ -101,15 +111,21 @@ export class GroupCommit {
   /** Undoes what a step did before it threw, and keeps what the others of its group have done. */
   #undoNewest(error: unknown): void {
     // Some errors, a full disk's among them, have undone the whole group.
-    if (!this.#db.isTransaction) return this.#end((each) => each.lost(error));
+    const isGone = !this.#db.isTransaction;
     try {
-      this.#statements.run("ROLLBACK");
+      this.#rollBack();
+      if (isGone) return this.#end((each) => each.lost(error));
       this.#statements.run("BEGIN IMMEDIATE");
       for (const { work } of this.#group?.steps ?? []) work();
     } catch (again) {
-      if (this.#db.isTransaction) this.#statements.run("ROLLBACK");
+      this.#rollBack();
       this.#end((each) => each.lost(again));
     }
+  }
+
+  #rollBack(): void {
+    this.#undone();
+    if (this.#db.isTransaction) this.#statements.run("ROLLBACK");
   }
 
   #end(tell: (step: Step) => void): void {

@@ -1,7 +1,6 @@
 /** The scripts that a robot's owner has sent away, in SQLite. */
 import { z } from "zod";
-import type { AwayResult, ScriptChange, StoredScript } from "./session-store.ts";
-import { recallAllOf } from "./sqlite-overtaking.ts";
+import type { AwayResult, ScriptChange, StoredScript, TermedRecord } from "./session-store.ts";
 import type { Statements } from "./statements.ts";
 
 const awayRow = z.object({
@@ -16,11 +15,16 @@ export function awayIn(statements: Statements, robot: string): StoredScript[] {
   return statements.all(sql, [robot]).map((row) => awayRow.parse(row));
 }
 
-/** Sends a script away, or lets one back. @returns all that are away then */
+/**
+ * Sends a script away, or lets one back.
+ * @param sentAway takes back what the script has sent
+ * @returns all that are away then
+ */
 export function changeAway(
   writing: Statements,
   robot: string,
-  { add, remove, reason, most }: ScriptChange,
+  { add, remove, most }: ScriptChange,
+  sentAway: (script: string) => TermedRecord[],
 ): AwayResult {
   if (remove !== null) {
     writing.run("DELETE FROM away WHERE robot = ? AND id = ?", [robot, remove]);
@@ -37,6 +41,6 @@ export function changeAway(
       client,
     ]);
   }
-  const ended = add === null ? [] : recallAllOf(writing, robot, { script: add.id }, reason);
+  const ended = add === null ? [] : sentAway(add.id);
   return { outcome: "changed", away: awayIn(writing, robot), ended };
 }

@@ -3,6 +3,7 @@ import { join } from "node:path";
 import { expect, it, onTestFinished } from "vitest";
 import { testFolder } from "../testing/test-relay.ts";
 import { SqliteDocumentStore } from "./sqlite-document-store.ts";
+import { SqliteFile } from "./sqlite-file.ts";
 import { openDatabase } from "./sqlite-schema.ts";
 import { SqliteStore } from "./sqlite-store.ts";
 import { documentStoreCases } from "./testing/document-store.cases.ts";
@@ -15,18 +16,22 @@ documentStoreCases("SqliteDocumentStore", async () => {
     onTestFinished(() => store.close().catch(() => undefined));
     return store;
   };
+  const store = open();
   return {
-    store: open(),
-    reopen: async () => open(),
+    store,
+    reopen: async () => {
+      await store.close();
+      return open();
+    },
     holds: async (text) =>
       readdirSync(folder).some((file) => readFileSync(join(folder, file)).includes(text)),
   };
 });
 
 it("brings a file from before there were short links and deadlines to this schema, with its sessions", async () => {
-  const file = join(testFolder(), "corridor.sqlite");
+  const path = join(testFolder(), "corridor.sqlite");
   const id = "AAAAAAAAAAAAAAAAAAAAAA";
-  const db = openDatabase(file, 1);
+  const db = openDatabase(path, 1);
   db.exec(`
     INSERT INTO sessions (id, created_at, last_used_at) VALUES ('${id}', 1, 1);
     INSERT INTO commands (robot, seq, driver, command, state, accepted_at)
@@ -34,10 +39,10 @@ it("brings a file from before there were short links and deadlines to this schem
   `);
   db.close();
 
+  const file = new SqliteFile(path);
+  onTestFinished(() => file.close());
   const documents = new SqliteDocumentStore(file);
-  onTestFinished(() => documents.close());
   const sessions = new SqliteStore(file);
-  onTestFinished(() => sessions.close());
   expect(await documents.read("AAAAAAAAAAAA", 1, 1)).toBeNull();
   expect(await sessions.find(id)).toMatchObject({ id });
   expect(await sessions.expire(id, 5_000)).toEqual({ ended: [], next: 15_000 });

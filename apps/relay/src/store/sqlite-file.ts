@@ -6,9 +6,12 @@
  * full disk the ballast is given up: what ends or deletes something still works, what is new is refused
  * until there is as much room again.
  */
+import { mkdirSync } from "node:fs";
+import { dirname } from "node:path";
 import type { DatabaseSync } from "node:sqlite";
 import { BallastFile, type Ballast } from "./ballast.ts";
 import { isDiskFull, StoreFull, takeRoom } from "./disk-full.ts";
+import { FileLock } from "./file-lock.ts";
 import { GroupCommit } from "./group-commit.ts";
 import { openDatabase, openForReading } from "./sqlite-schema.ts";
 import { Statements } from "./statements.ts";
@@ -40,6 +43,7 @@ export function withRoom<T>(open: () => T, ballast: Ballast): T {
 }
 
 export class SqliteFile {
+  readonly #lock: FileLock;
   readonly #db: DatabaseSync;
   readonly #readOnly: DatabaseSync;
   readonly #commits: GroupCommit;
@@ -48,21 +52,32 @@ export class SqliteFile {
   readonly writing: Statements;
   /** for what only reads: sees what is on disk */
   readonly reading: Statements;
+  readonly #undone: (() => void)[] = [];
   #isFull: boolean;
   #lookedAt = -Infinity;
 
   /**
    * @param path of the database, made with its folder when it is missing
    * @param ballast default: a file beside the database
+   * @throws Error when another relay has it, or a newer one wrote it
    */
   constructor(path: string, ballast: Ballast = new BallastFile(`${path}-ballast`)) {
+    mkdirSync(dirname(path), { recursive: true });
+    this.#lock = new FileLock(path);
     this.#db = withRoom(() => openDatabase(path), ballast);
     this.#readOnly = openForReading(path);
-    this.#commits = new GroupCommit(this.#db);
+    this.#commits = new GroupCommit(this.#db, () => {
+      for (const tell of this.#undone) tell();
+    });
     this.writing = new Statements(this.#db);
     this.reading = new Statements(this.#readOnly);
     this.#ballast = ballast;
     this.#isFull = !ballast.hold();
+  }
+
+  /** @param tell is called when steps are undone: what they left in memory does not hold */
+  whenUndone(tell: () => void): void {
+    this.#undone.push(tell);
   }
 
   /** One atomic step that ends, moves or deletes something. It may use the ballast's room. */
@@ -122,6 +137,7 @@ export class SqliteFile {
     this.#commits.flush();
     this.#readOnly.close();
     this.#db.close();
+    this.#lock.free();
   }
 
   #noteFull(error: unknown): void {

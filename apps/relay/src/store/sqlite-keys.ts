@@ -9,7 +9,6 @@ import {
   type StoredKey,
   type TermedRecord,
 } from "./session-store.ts";
-import { recallAllOf } from "./sqlite-overtaking.ts";
 import type { Statements } from "./statements.ts";
 
 const keyRow = z.object({ hash: z.string(), kind: z.enum(keyKinds) });
@@ -48,11 +47,16 @@ export function noteKeyUses(writing: Statements, robot: string, uses: readonly K
   for (const { hash, at } of uses) writing.run(sql, [at, robot, hash]);
 }
 
-/** Makes and revokes keys. @returns all that there are then */
+/**
+ * Makes and revokes keys.
+ * @param revoked takes back what came with a key
+ * @returns all that there are then
+ */
 export function changeKeys(
   writing: Statements,
   robot: string,
-  { add, remove, removeKind, most, reason, now }: KeyChange,
+  { add, remove, removeKind, most, now }: KeyChange,
+  revoked: (driver: string) => TermedRecord[],
 ): KeysResult {
   const isGone = ({ hash, kind }: StoredKey): boolean =>
     remove.includes(hash) || kind === removeKind;
@@ -63,7 +67,7 @@ export function changeKeys(
   for (const { hash } of all.filter(isGone)) {
     writing.run("DELETE FROM keys WHERE robot = ? AND hash = ?", [robot, hash]);
     writing.run("DELETE FROM away WHERE robot = ? AND driver = ?", [robot, hash]);
-    ended.push(...recallAllOf(writing, robot, { driver: hash }, reason));
+    ended.push(...revoked(hash));
   }
   addKeys(writing, robot, add, now);
   return { outcome: "changed", keys: [...kept, ...add], ended };

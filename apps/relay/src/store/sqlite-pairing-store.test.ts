@@ -12,11 +12,15 @@ pairingStoreCases("SqlitePairingStore", async () => {
   const open = () => {
     const file = new SqliteFile(join(folder, "corridor.sqlite"));
     onTestFinished(() => file.close());
-    return { store: new SqlitePairingStore(file), sessions: new SqliteStore(file) };
+    return { file, store: new SqlitePairingStore(file), sessions: new SqliteStore(file) };
   };
+  const { file, ...stores } = open();
   return {
-    ...open(),
-    reopen: async () => open().store,
+    ...stores,
+    reopen: async () => {
+      file.close();
+      return open().store;
+    },
     holds: async (text) =>
       readdirSync(folder).some((file) => readFileSync(join(folder, file)).includes(text)),
   };

@@ -95,7 +95,7 @@ describe("a file of an earlier Corridor", () => {
     const file = fileOfBefore();
     openDatabase(file).close();
     expect(() => openDatabase(file, BY_ROBOT)).toThrow(
-      /newer Corridor \(schema 11, this one knows 10\)/,
+      /newer Corridor \(schema 12, this one knows 10\)/,
     );
   });
 

@@ -1,6 +1,4 @@
 /** Tables of the SQLite stores, and the pragmas that their promises rest on. */
-import { mkdirSync } from "node:fs";
-import { dirname } from "node:path";
 import { DatabaseSync } from "node:sqlite";
 
 /**
@@ -163,6 +161,16 @@ CREATE UNIQUE INDEX commands_by_key ON commands (robot, driver, key) WHERE key I
 CREATE INDEX commands_open ON commands (robot, seq) WHERE is_open = 1;
 `;
 
+// What became of commands since their rows were brought into the tables; `settled`: up to which entry those are.
+const JOURNAL = `
+CREATE TABLE journal (
+  id INTEGER PRIMARY KEY,
+  robot TEXT NOT NULL,
+  entry TEXT NOT NULL
+) STRICT;
+ALTER TABLE sessions ADD COLUMN settled INTEGER NOT NULL DEFAULT 0;
+`;
+
 /** What each version added to the one before it: the first leads from an empty file to version 1. */
 const STEPS: readonly string[] = [
   SESSIONS,
@@ -176,15 +184,15 @@ const STEPS: readonly string[] = [
   PAGE_NAME,
   KEY_TIMES,
   COMMANDS_BY_TIME,
+  JOURNAL,
 ];
 
 /**
- * Opens a database, made with its folder when it is missing.
+ * Opens a database, made when it is missing.
  * @param newest version that it is brought to, for tests: as an earlier Corridor left it
  * @throws as `prepareDatabase` does
  */
 export function openDatabase(file: string, newest = STEPS.length): DatabaseSync {
-  mkdirSync(dirname(file), { recursive: true });
   const db = new DatabaseSync(file);
   prepareDatabase(db, newest);
   return db;

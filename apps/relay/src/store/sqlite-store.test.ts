@@ -1,3 +1,5 @@
+import { spawn } from "node:child_process";
+import { once } from "node:events";
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { DatabaseSync } from "node:sqlite";
@@ -16,9 +18,13 @@ storeCases("SqliteStore", async () => {
     onTestFinished(() => store.close().catch(() => undefined));
     return store;
   };
+  const store = open();
   return {
-    store: open(),
-    reopen: async () => open(),
+    store,
+    reopen: async () => {
+      await store.close();
+      return open();
+    },
     holds: async (text) =>
       readdirSync(join(folder, "deep")).some((file) =>
         readFileSync(join(folder, "deep", file)).includes(text),
@@ -45,14 +51,16 @@ it("finds the commands of a robot by index, however many have ended", async () =
   await store.end(id, 1, completed(2));
   await store.abandon(id, 1, "gone");
   await store.expire(id, 2);
-  await store.add(id, { ...command, key: null, command: { action: "stop" } });
+  // Brings what has ended into the tables, and deletes it there.
+  await store.add(id, { ...command, key: null, keep: 1, command: { action: "stop" } });
+  await store.add(id, { ...command, key: "a-key-0002", command: { action: "stop" } });
   await store.takeOver(id, pageState({ lastApplied: 2, fresh: true, endings: [] }));
   await store.command(id, 1);
   await store.commandsAfter(id, 0, 10);
 
   const statements = prepare.mock.calls.map(([sql]) => sql);
   const ofCommands = new Set(statements.filter((sql) => /\scommands\s/.test(sql)));
-  expect(ofCommands.size).toBeGreaterThan(10);
+  expect(ofCommands.size).toBe(8);
   const db = new DatabaseSync(file);
   onTestFinished(() => db.close());
   const slow = [...ofCommands].filter((sql) => {
@@ -65,6 +73,28 @@ it("finds the commands of a robot by index, however many have ended", async () =
   });
   expect(slow).toEqual([]);
 });
+
+it("is refused a file that another relay has, until that one ends", async () => {
+  const file = join(testFolder(), "corridor.sqlite");
+  const other = startOther(file);
+  onTestFinished(() => void other.kill("SIGKILL"));
+  await once(other.stdout, "data");
+  expect(() => new SqliteStore(file)).toThrow(/Another Corridor uses this database/);
+  other.kill("SIGKILL");
+  await once(other, "exit");
+  await new SqliteStore(file).close();
+});
+
+/** A process that has opened the file, and says so. */
+function startOther(file: string) {
+  const store = JSON.stringify(join(import.meta.dirname, "sqlite-store.ts"));
+  const script = `const { SqliteStore } = await import(${store});
+    globalThis.store = new SqliteStore(${JSON.stringify(file)});
+    console.log("open"); setInterval(() => {}, 1000);`;
+  return spawn(process.execPath, ["--input-type=module", "--eval", script], {
+    stdio: ["ignore", "pipe", "inherit"],
+  });
+}
 
 it("says so when the file was written by a newer version", () => {
   const file = join(testFolder(), "corridor.sqlite");

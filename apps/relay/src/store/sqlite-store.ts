@@ -2,11 +2,16 @@
  * The default store: one SQLite file, by the SQLite that is built into Node.
  *
  * The calls are synchronous inside, so each step is over before anything else runs; it is answered
- * once the group that it is in is on disk. They are short on purpose: rows of one robot by index. Only
+ * once the group that it is in is on disk. They are short on purpose: what becomes of commands is decided in
+ * memory and written at the end of a journal (`LiveRobots`), all else is rows of one robot by index. Only
  * the sweep for sessions that ran out, once a minute, reads through the sessions (not their commands).
  */
 import { hasEnded, type CommandRecord, type Ending } from "@corridor/protocol";
 import { z } from "zod";
+import { recordOfRow, ROW_COLUMNS } from "./command-row.ts";
+import type { LiveRobot } from "./live-robot.ts";
+import { LiveRobots, LONG } from "./live-robots.ts";
+import * as steps from "./robot-steps.ts";
 import {
   type AddResult,
   type AwayResult,
@@ -25,18 +30,13 @@ import {
 } from "./session-store.ts";
 import { awayIn, changeAway } from "./sqlite-away.ts";
 import { SqliteFile } from "./sqlite-file.ts";
-import { begin, countIn, deliver, epochOf, IS_LATE } from "./sqlite-delivery.ts";
 import { addKeys, changeKeys, keysIn, keyTimesIn, noteKeyUses } from "./sqlite-keys.ts";
-import { end, meetPage, overtake, recallAllOf, recordOf, STOP } from "./sqlite-overtaking.ts";
-import { numberIn, RECORD, recordsIn, TERMED, termedIn } from "./sqlite-rows.ts";
-import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
+import { numberIn, recordsIn, rowsIn } from "./sqlite-rows.ts";
 import type { Statements } from "./statements.ts";
 
-const STANDING = `SELECT last_seq AS lastSeq, paused,
-  EXISTS (SELECT 1 FROM keys WHERE robot = ?1 AND hash = ?2) AS isKey,
-  EXISTS (SELECT 1 FROM away WHERE robot = ?1 AND id = ?3) AS isAway
-  FROM sessions WHERE id = ?1`;
-const BY_KEY = `SELECT ${RECORD} FROM commands WHERE robot = ? AND driver = ? AND key = ?`;
+const BY_KEY = `SELECT ${ROW_COLUMNS} FROM commands WHERE robot = ? AND driver = ? AND key = ?`;
+const BY_SEQ = `SELECT ${ROW_COLUMNS} FROM commands WHERE robot = ? AND seq = ?`;
+const AFTER = `SELECT ${ROW_COLUMNS} FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?`;
 
 const sessionRow = z.object({
   id: z.string(),
@@ -50,10 +50,16 @@ const sessionRow = z.object({
 
 export class SqliteStore implements SessionStore {
   readonly #file: SqliteFile;
+  readonly #live: LiveRobots;
 
-  /** @param file or its path; closing the store closes it */
-  constructor(file: SqliteFile | string) {
+  /**
+   * @param file or its path; closing the store closes it
+   * @param journal how long it may get, in entries
+   */
+  constructor(file: SqliteFile | string, journal = LONG) {
     this.#file = typeof file === "string" ? new SqliteFile(file) : file;
+    this.#live = new LiveRobots(this.#file.writing, journal);
+    this.#file.whenUndone(() => this.#live.undone());
   }
 
   async create({
@@ -88,29 +94,42 @@ export class SqliteStore implements SessionStore {
   }
 
   async changeKeys(id: string, change: KeyChange): Promise<KeysResult> {
+    const { reason } = change;
     const work = (): KeysResult =>
-      sessionIn(this.#writing, id) === null
-        ? { outcome: "no-session" }
-        : changeKeys(this.#writing, id, change);
+      this.#of(id, { outcome: "no-session" }, (robot) => {
+        const result = changeKeys(this.#writing, id, change, (driver) =>
+          steps.recallAllOf(robot, { driver }, reason),
+        );
+        this.#live.refresh(id, robot);
+        return result;
+      });
     // A key can be revoked on a full disk, too.
     return change.add.length === 0 ? this.#file.step(work) : this.#file.growingStep(work);
   }
 
   async changeAway(id: string, change: ScriptChange): Promise<AwayResult> {
-    const work = (): AwayResult =>
-      sessionIn(this.#writing, id) === null
-        ? { outcome: "no-session" }
-        : changeAway(this.#writing, id, change);
+    const { reason } = change;
     // A script can be sent away on a full disk, too: few are.
-    return this.#file.step(work);
+    return this.#file.step(() =>
+      this.#of<AwayResult>(id, { outcome: "no-session" }, (robot) => {
+        const result = changeAway(this.#writing, id, change, (script) =>
+          steps.recallAllOf(robot, { script }, reason),
+        );
+        this.#live.refresh(id, robot);
+        return result;
+      }),
+    );
   }
 
   async pause(id: string, isPaused: boolean, reason: string): Promise<TermedRecord[] | null> {
     const sql = "UPDATE sessions SET paused = ? WHERE id = ?";
-    return this.#file.step(() => {
-      if (this.#writing.run(sql, [isPaused ? 1 : 0, id]) === 0) return null;
-      return isPaused ? recallAllOf(this.#writing, id, "all", reason) : [];
-    });
+    return this.#file.step(() =>
+      this.#of<TermedRecord[] | null>(id, null, (robot) => {
+        this.#writing.run(sql, [isPaused ? 1 : 0, id]);
+        robot.standing.isPaused = isPaused;
+        return isPaused ? steps.recallAllOf(robot, "all", reason) : [];
+      }),
+    );
   }
 
   async keepMaze(id: string, text: string): Promise<boolean> {
@@ -140,177 +159,151 @@ export class SqliteStore implements SessionStore {
 
   async remove(id: string): Promise<boolean> {
     return this.#file.forget(
-      () => this.#writing.run("DELETE FROM sessions WHERE id = ?", [id]) > 0,
+      () => {
+        const isGone = this.#writing.run("DELETE FROM sessions WHERE id = ?", [id]) > 0;
+        if (isGone) this.#live.remove([id]);
+        return isGone;
+      },
       (removed) => removed,
     );
   }
 
   async removeExpired(before: { lastUsedAt: number; createdAt: number }): Promise<string[]> {
     const sql = "DELETE FROM sessions WHERE last_used_at < ? OR created_at < ? RETURNING id";
-    const rows = await this.#file.forget(
-      () => this.#writing.all(sql, [before.lastUsedAt, before.createdAt]),
+    return this.#file.forget(
+      () => {
+        const rows = this.#writing.all(sql, [before.lastUsedAt, before.createdAt]);
+        const ids = rows.map((row) => String(row["id"]));
+        if (ids.length > 0) this.#live.remove(ids);
+        return ids;
+      },
       ({ length }) => length > 0,
     );
-    return rows.map((row) => String(row["id"]));
   }
 
   async add(id: string, command: NewCommand): Promise<AddResult> {
     const text = JSON.stringify(command.command);
-    const isStop = text === STOP;
-    const work = (): AddResult => {
-      const { driver, script, key, acceptedAt, ttl, deadline, replace, lease } = command;
-      const standing = standingIn(this.#writing, id, { driver, script });
-      if (standing === null) return { outcome: "no-session" };
-      if (standing.isKey === 0) return { outcome: "revoked" };
-      if (standing.isAway === 1) return { outcome: "sent-away" };
-      const earlier =
-        key === null ? undefined : recordsIn(this.#writing, BY_KEY, [id, driver, key])[0];
-      if (earlier !== undefined) {
-        const same = JSON.stringify(earlier.command) === text;
-        return { outcome: same ? "duplicate" : "conflict", record: earlier };
-      }
-      if (standing.paused === 1 && !isStop) return { outcome: "paused" };
-      if (deadline <= acceptedAt) return { outcome: "late" };
-      const seq = standing.lastSeq + 1;
-      const ended = isStop || replace ? overtake(this.#writing, id, { seq, isStop }) : [];
-      if (!isStop && countIn(this.#writing, id, "accepted") >= command.maxWaiting)
-        return { outcome: "full" };
-      this.#writing.run("UPDATE sessions SET last_seq = ? WHERE id = ?", [seq, id]);
-      const ms = lease === null ? null : Math.round(lease);
-      const terms = [Math.round(ttl), Math.round(deadline), replace ? 1 : 0, ms];
-      this.#writing.run(
-        `INSERT INTO commands
-           (robot, seq, driver, script, key, command, state, is_open, accepted_at,
-            ttl, deadline, replaces, lease)
-         VALUES (?, ?, ?, ?, ?, ?, 'accepted', 1, ?, ?, ?, ?, ?)`,
-        [id, seq, driver, script, key, text, acceptedAt, ...terms],
-      );
-      if (seq > command.keep) {
-        this.#writing.run(
-          `DELETE FROM commands WHERE robot = ? AND seq <= ?
-           AND is_open = 0`,
-          [id, seq - command.keep],
-        );
-      }
-      return { outcome: "stored", record: acceptedRecord(seq, command), ended };
-    };
+    const { driver, key, keep } = command;
+    const work = (): AddResult =>
+      this.#of<AddResult>(id, { outcome: "no-session" }, (robot) => {
+        const refused = steps.refusal(robot, command);
+        if (refused !== null) return refused;
+        const earlier = key === null ? null : this.#withKey(id, robot, { driver, key });
+        if (earlier !== null) {
+          const same = JSON.stringify(earlier.command) === text;
+          return { outcome: same ? "duplicate" : "conflict", record: earlier };
+        }
+        const result = steps.add(robot, command, text);
+        if (result.outcome === "stored" && result.record.seq > keep) {
+          this.#live.forget(id, robot, result.record.seq - keep);
+        }
+        return result;
+      });
     // A robot can be stopped on a full disk, too.
-    return isStop ? this.#file.step(work) : this.#file.growingStep(work);
+    return steps.isStop(text) ? this.#file.step(work) : this.#file.growingStep(work);
   }
 
   async deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]> {
-    return this.#file.step(() => deliver(this.#writing, id, { epoch, window, now }));
+    return this.#file.step(() =>
+      this.#of<TermedRecord[]>(id, [], (robot) => steps.deliver(robot, { epoch, window, now })),
+    );
   }
 
   async expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }> {
-    const waits = `robot = ?2 AND state = 'accepted' AND ${IS_OPEN}`;
-    return this.#file.step(() => ({
-      ended: termedIn(
-        this.#writing,
-        `UPDATE ${OPEN_COMMANDS} SET state = 'expired', is_open = 0, reason = printf('older than %g s', ttl / 1000.0)
-         WHERE ${waits} AND ${IS_LATE} RETURNING ${TERMED}`,
-        [now, id],
-      ),
-      next: numberIn(
-        this.#writing,
-        `SELECT min(deadline) AS found FROM ${OPEN_COMMANDS}
-         WHERE robot = ? AND state = 'accepted' AND ${IS_OPEN}`,
-        [id],
-      ),
-    }));
+    return this.#file.step(() =>
+      this.#of(id, { ended: [], next: null }, (robot) => steps.expire(robot, now)),
+    );
   }
 
   async cancel(id: string, seq: number, by: { driver: string; reason: string }) {
-    return this.#file.step((): CancelResult => {
-      const [found] = termedIn(
-        this.#writing,
-        `SELECT ${TERMED} FROM commands WHERE robot = ? AND seq = ?`,
-        [id, seq],
-      );
-      if (found === undefined) return { outcome: "no-command" };
-      const { record, driver } = found;
-      if (driver !== by.driver) return { outcome: "not-yours" };
-      if (hasEnded(record.state)) return { outcome: "over", record };
-      if (record.state !== "accepted") {
-        this.#writing.run(
-          "UPDATE commands SET recalled = coalesce(recalled, ?) WHERE robot = ? AND seq = ?",
-          [by.reason, id, seq],
-        );
-        return { outcome: "delivered", record };
-      }
-      const [termed] = termedIn(
-        this.#writing,
-        `UPDATE commands SET state = 'cancelled', is_open = 0, reason = ?
-         WHERE robot = ? AND seq = ? RETURNING ${TERMED}`,
-        [by.reason, id, seq],
-      );
-      if (termed === undefined) throw new Error("SQLite did not return the cancelled command");
-      return { outcome: "cancelled", termed };
-    });
+    return this.#file.step(() =>
+      this.#of<CancelResult>(id, { outcome: "no-command" }, (robot) => {
+        const row = robot.row(seq) ?? rowsIn(this.#writing, BY_SEQ, [id, seq])[0];
+        if (row === undefined) return { outcome: "no-command" };
+        if (row.driver !== by.driver) return { outcome: "not-yours" };
+        if (hasEnded(row.state)) return { outcome: "over", record: recordOfRow(row) };
+        return steps.cancel(robot, row, by.reason);
+      }),
+    );
   }
 
   async start(id: string, epoch: number, seq: number): Promise<CommandRecord | null> {
-    return this.#file.step(() => begin(this.#writing, id, { epoch, seq }));
+    return this.#file.step(() => this.#of(id, null, (robot) => steps.begin(robot, epoch, seq)));
   }
 
   async end(id: string, epoch: number, ending: Ending): Promise<EndResult> {
-    return this.#file.step((): EndResult => {
-      const isNewest = epochOf(this.#writing, id) === epoch;
-      const record = isNewest ? end(this.#writing, id, ending) : null;
-      if (record !== null) return { outcome: "ended", record };
-      return { outcome: "over", record: recordOf(this.#writing, id, ending.seq) };
-    });
+    return this.#file.step(() =>
+      this.#of<EndResult>(id, { outcome: "over", record: null }, (robot) => {
+        const record = robot.standing.epoch === epoch ? steps.end(robot, ending) : null;
+        if (record !== null) return { outcome: "ended", record };
+        return { outcome: "over", record: this.#recordOf(id, robot, ending.seq) };
+      }),
+    );
   }
 
   async abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[]> {
-    return this.#file.step(() => {
-      const raised = "UPDATE sessions SET epoch = epoch + 1 WHERE id = ? AND epoch = ?";
-      if (this.#writing.run(raised, [id, epoch]) === 0) return [];
-      return recordsIn(
-        this.#writing,
-        `UPDATE ${OPEN_COMMANDS} SET state = 'cancelled', is_open = 0, reason = ?
-         WHERE robot = ? AND state IN ('delivered', 'started') AND ${IS_OPEN}
-         RETURNING ${RECORD}`,
-        [reason, id],
-      );
-    });
+    return this.#file.step(() =>
+      this.#of<CommandRecord[]>(id, [], (robot) => {
+        if (robot.standing.epoch !== epoch) return [];
+        this.#raiseEpoch(id, robot);
+        return steps.abandon(robot, reason);
+      }),
+    );
   }
 
   async takeOver(id: string, page: PageState) {
-    return this.#file.step(() => {
-      const session = sessionIn(this.#writing, id);
-      if (session === null) return null;
-      const epoch = session.epoch + 1;
-      // A page that knows of later commands than this file saw a store that lost its newest rows.
-      this.#writing.run(
-        "UPDATE sessions SET epoch = ?, page = ?, last_seq = max(last_seq, ?) WHERE id = ?",
-        [epoch, page.page ?? "", page.lastApplied, id],
-      );
-      const isSettled = page.settled !== null && page.settled >= session.epoch;
-      return { epoch, ...meetPage(this.#writing, id, { ...page, isSettled }) };
-    });
+    return this.#file.step(() =>
+      this.#of<Awaited<ReturnType<SessionStore["takeOver"]>>>(id, null, (robot) => {
+        const { lastApplied, settled } = page;
+        const isSettled = settled !== null && settled >= robot.standing.epoch;
+        this.#raiseEpoch(id, robot);
+        // A page that knows of later commands than this file saw a store that lost its newest rows.
+        this.#writing.run(
+          "UPDATE sessions SET page = ?, last_seq = max(last_seq, ?) WHERE id = ?",
+          [page.page ?? "", lastApplied, id],
+        );
+        robot.standing.lastSeq = Math.max(robot.standing.lastSeq, lastApplied);
+        const met = steps.meetPage(
+          robot,
+          { ...page, isSettled },
+          (seq) => this.#recordOf(id, robot, seq),
+          (what) => this.#newest(id, robot, { what, after: lastApplied }),
+        );
+        return { epoch: robot.standing.epoch, ...met };
+      }),
+    );
   }
 
+  // What was brought into the tables and is not on disk yet is seen by the steps alone: what reads commands is one.
+
   async command(id: string, seq: number): Promise<CommandRecord | null> {
-    return recordOf(this.#file.reading, id, seq);
+    return this.#file.step(() => this.#of(id, null, (robot) => this.#recordOf(id, robot, seq)));
   }
 
   async commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
-    const sql = `SELECT ${RECORD} FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?`;
-    return recordsIn(this.#file.reading, sql, [id, seq, limit]);
+    return this.#file.step(() =>
+      this.#of<CommandRecord[]>(id, [], (robot) => {
+        const inTable = recordsIn(this.#writing, AFTER, [id, seq, limit]);
+        const atHand = robot.rows().filter((row) => row.seq > seq);
+        const bySeq = new Map(inTable.map((record) => [record.seq, record]));
+        for (const row of atHand) bySeq.set(row.seq, recordOfRow(row));
+        return [...bySeq.values()].toSorted((a, b) => a.seq - b.seq).slice(0, limit);
+      }),
+    );
   }
 
   async openCommands(id: string): Promise<CommandRecord[]> {
-    const sql = `SELECT ${RECORD} FROM ${OPEN_COMMANDS} WHERE robot = ? AND ${IS_OPEN} ORDER BY seq`;
-    return recordsIn(this.#writing, sql, [id]);
+    return this.#file.step(() => this.#of(id, [], ({ open }) => [...open].map(recordOfRow)));
   }
 
   async recalled(id: string): Promise<{ seq: number; reason: string }[]> {
-    const sql = `SELECT seq, recalled FROM ${OPEN_COMMANDS}
-      WHERE robot = ? AND state IN ('delivered', 'started') AND ${IS_OPEN} AND recalled IS NOT NULL
-      ORDER BY seq`;
-    const rows = this.#writing.all(sql, [id]);
-    return rows.map((row) => ({ seq: Number(row["seq"]), reason: String(row["recalled"]) }));
+    return this.#file.step(() =>
+      this.#of<{ seq: number; reason: string }[]>(id, [], ({ open }) =>
+        [...open].flatMap(({ seq, state, recalled }) =>
+          recalled === null || state === "accepted" ? [] : { seq, reason: recalled },
+        ),
+      ),
+    );
   }
 
   async check(): Promise<"ok" | "full"> {
@@ -324,39 +317,53 @@ export class SqliteStore implements SessionStore {
   get #writing(): Statements {
     return this.#file.writing;
   }
-}
 
-/** What decides whether a command is taken. */
-interface Standing {
-  lastSeq: number;
-  paused: 0 | 1;
-  /** whether who sends it has a key of the robot, and was sent away */
-  isKey: 0 | 1;
-  isAway: 0 | 1;
-}
+  /** What a step does with a robot. @param none where there is no such robot */
+  #of<T>(id: string, none: T, work: (robot: LiveRobot) => T): T {
+    const robot = this.#live.open(id);
+    if (robot === null) return none;
+    const result = work(robot);
+    this.#live.done(id, robot);
+    return result;
+  }
 
-function standingIn(
-  statements: Statements,
-  id: string,
-  { driver, script }: Pick<NewCommand, "driver" | "script">,
-): Standing | null {
-  const [row] = statements.all(STANDING, [id, driver, script]);
-  return (row as Standing | undefined) ?? null;
-}
+  #withKey(
+    id: string,
+    robot: LiveRobot,
+    { driver, key }: { driver: string; key: string },
+  ): CommandRecord | null {
+    const row = robot.withKey(driver, key);
+    if (row !== null) return recordOfRow(row);
+    if (!robot.hasLeft) return null;
+    return recordsIn(this.#writing, BY_KEY, [id, driver, key])[0] ?? null;
+  }
 
-function acceptedRecord(seq: number, { key, command, acceptedAt }: NewCommand): CommandRecord {
-  return {
-    seq,
-    key,
-    action: command.action,
-    command,
-    state: "accepted",
-    reason: null,
-    acceptedAt: new Date(acceptedAt).toISOString(),
-    pose: null,
-    distance: null,
-    duplicate: false,
-  };
+  #recordOf(id: string, robot: LiveRobot, seq: number): CommandRecord | null {
+    const row = robot.row(seq);
+    return row === null
+      ? (recordsIn(this.#writing, BY_SEQ, [id, seq])[0] ?? null)
+      : recordOfRow(row);
+  }
+
+  #raiseEpoch(id: string, { standing }: LiveRobot): void {
+    standing.epoch += 1;
+    this.#writing.run("UPDATE sessions SET epoch = ? WHERE id = ?", [standing.epoch, id]);
+  }
+
+  /** The newest command after a number that overtakes in this way. */
+  #newest(
+    id: string,
+    robot: LiveRobot,
+    { what, after }: { what: "stop" | "replace"; after: number },
+  ): number | null {
+    const condition = what === "stop" ? `command = '${steps.STOP}'` : "replaces = 1";
+    const sql = `SELECT max(seq) AS found FROM commands WHERE robot = ? AND seq > ? AND ${condition}`;
+    const inTable = numberIn(this.#writing, sql, [id, after]);
+    const atHand = robot.rows().filter(({ seq, text, replace }) => {
+      return seq > after && (what === "stop" ? steps.isStop(text) : replace);
+    });
+    return atHand.reduce<number | null>((most, { seq }) => Math.max(most ?? seq, seq), inTable);
+  }
 }
 
 function sessionIn(statements: Statements, id: string): z.infer<typeof sessionRow> | null {

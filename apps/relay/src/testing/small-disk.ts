@@ -9,14 +9,15 @@ import { testFolder } from "./test-relay.ts";
 const PLENTY = 100_000;
 
 /**
- * The database that `open` opens first, kept from growing at will.
+ * The relay's database that `open` opens first, kept from growing at will.
  * @param open whatever opens it
  */
 export async function withPageLimit<T>(open: () => T | Promise<T>) {
   const exec = vi.spyOn(DatabaseSync.prototype, "exec");
   onTestFinished(() => exec.mockRestore());
   const opened = await open();
-  const db = exec.mock.contexts[0];
+  const at = exec.mock.calls.findIndex(([sql]) => sql.includes("journal_mode = WAL"));
+  const db = exec.mock.contexts[at];
   if (!(db instanceof DatabaseSync)) throw new Error("no database was opened");
   const limit = (pages: number): void => db.exec(`PRAGMA max_page_count = ${pages}`);
   const size = (): number => Number(db.prepare("PRAGMA page_count").get()?.["page_count"]);

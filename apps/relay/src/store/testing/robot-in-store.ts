@@ -42,7 +42,7 @@ export const nothingDone = pageState();
 
 export interface OpenStore {
   store: SessionStore;
-  /** The same data, opened again as after a restart. */
+  /** The same data, opened again as after a restart: the store before is closed. */
   reopen: () => Promise<SessionStore>;
   /** Whether the text can still be found in what is on disk. */
   holds: (text: string) => Promise<boolean>;

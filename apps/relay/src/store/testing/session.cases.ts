@@ -111,8 +111,9 @@ export function sessionCases(name: string, open: () => Promise<OpenStore>): void
       await add(LEFT);
       expect((await store.find(ID))?.isPaused).toBe(false);
       await store.pause(ID, true, reason);
-      expect((await (await reopen()).find(ID))?.isPaused).toBe(true);
-      expect(await store.pause("B".repeat(22), true, reason)).toBeNull();
+      const again = await reopen();
+      expect((await again.find(ID))?.isPaused).toBe(true);
+      expect(await again.pause("B".repeat(22), true, reason)).toBeNull();
     });
   });
 

@@ -1,0 +1,35 @@
+/**
+ * A database that one relay has for itself. What its robots do is in that relay's memory, and a second one would
+ * write over it. SQLite's own lock on an empty file beside it tells: the system gives it free when its process
+ * ends, however that came about.
+ */
+import { DatabaseSync } from "node:sqlite";
+
+const SQLITE_BUSY = 5;
+/** A relay that is on its way out may have it for a moment yet. */
+const WAIT_MS = 2_000;
+
+export class FileLock {
+  readonly #db: DatabaseSync;
+
+  /** @throws Error that says what to do when another relay has the database */
+  constructor(path: string) {
+    this.#db = new DatabaseSync(`${path}-lock`, { timeout: WAIT_MS });
+    try {
+      this.#db.exec("PRAGMA journal_mode = MEMORY; BEGIN EXCLUSIVE");
+    } catch (error) {
+      this.#db.close();
+      if (!(error instanceof Error && "errcode" in error && error.errcode === SQLITE_BUSY))
+        throw error;
+      throw new Error(
+        "Another Corridor uses this database. End it, set DATA_DIR to another folder, or let several share a " +
+          "Redis by STORE_URL.",
+        { cause: error },
+      );
+    }
+  }
+
+  free(): void {
+    this.#db.close();
+  }
+}

@@ -1,0 +1,200 @@
+/** However short the journal, and whatever comes between: a store answers as one that keeps all of it in memory. */
+import { join } from "node:path";
+import { DatabaseSync } from "node:sqlite";
+import type { Command, EndingState } from "@corridor/protocol";
+import fc from "fast-check";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { completed } from "../testing/messages.ts";
+import { testFolder } from "../testing/test-relay.ts";
+import type { SessionStore } from "./session-store.ts";
+import { SqliteStore } from "./sqlite-store.ts";
+import { keyChange, NOW, pageState, sent } from "./testing/robot-in-store.ts";
+
+const ROBOTS = ["A".repeat(22), "B".repeat(22), "C".repeat(22)];
+const DRIVERS = ["d", "e"];
+const COMMANDS: Command[] = [{ action: "left 90" }, { action: "forward" }, { action: "stop" }];
+
+type Step = (store: SessionStore, robot: string) => Promise<unknown>;
+/** A step, whose robot it is of, and what happens to the store then. */
+interface Turn {
+  step: Step;
+  robot: string;
+  after: "nothing" | "restart" | "undone";
+}
+
+const seqs = fc.integer({ min: 1, max: 12 });
+const epochs = fc.integer({ min: 1, max: 3 });
+const times = fc.integer({ min: NOW, max: NOW + 1_200 });
+const drivers = fc.constantFrom(...DRIVERS);
+
+const added = fc
+  .record({
+    driver: drivers,
+    script: fc.constantFrom(null, "s", "t"),
+    key: fc.option(fc.constantFrom("key-0001", "key-0002", "key-0003")),
+    command: fc.constantFrom(...COMMANDS),
+    replace: fc.boolean(),
+    deadline: fc.integer({ min: NOW, max: NOW + 1_000 }),
+    keep: fc.constantFrom(2, 100),
+    maxWaiting: fc.constantFrom(2, 64),
+  })
+  .map(
+    (command): Step =>
+      (store, robot) =>
+        store.add(robot, { ...sent, ...command }),
+  );
+const done = fc.oneof(
+  fc.tuple(epochs, fc.constantFrom(1, 8), times).map(
+    ([epoch, window, now]): Step =>
+      (store, id) =>
+        store.deliver(id, epoch, window, now),
+  ),
+  fc.tuple(epochs, seqs).map(
+    ([epoch, seq]): Step =>
+      (store, id) =>
+        store.start(id, epoch, seq),
+  ),
+  fc.tuple(epochs, seqs, fc.constantFrom<EndingState>("completed", "collided", "expired")).map(
+    ([epoch, seq, state]): Step =>
+      (store, id) =>
+        store.end(id, epoch, { ...completed(seq), state }),
+  ),
+);
+const rare = fc.oneof(
+  times.map(
+    (now): Step =>
+      (store, id) =>
+        store.expire(id, now),
+  ),
+  fc.tuple(seqs, drivers).map(
+    ([seq, driver]): Step =>
+      (store, id) =>
+        store.cancel(id, seq, { driver, reason: "no" }),
+  ),
+  epochs.map(
+    (epoch): Step =>
+      (store, id) =>
+        store.abandon(id, epoch, "gone"),
+  ),
+  fc
+    .record({
+      lastApplied: fc.integer({ min: 0, max: 12 }),
+      fresh: fc.boolean(),
+      settled: fc.option(fc.integer({ min: 0, max: 5 })),
+      endings: fc.array(seqs.map(completed), { maxLength: 2 }),
+    })
+    .map(
+      (page): Step =>
+        (store, id) =>
+          store.takeOver(id, pageState(page)),
+    ),
+  fc.boolean().map(
+    (isPaused): Step =>
+      (store, id) =>
+        store.pause(id, isPaused, "paused"),
+  ),
+  drivers.map((hash): Step => async (store, id) => {
+    await store.changeKeys(id, keyChange({ remove: [hash] }));
+    return store.changeKeys(id, keyChange({ add: [{ kind: "drive", hash }] }));
+  }),
+  fc.constantFrom("s", "t").map(
+    (script): Step =>
+      (store, id) =>
+        store.changeAway(id, {
+          add: { id: script, driver: "d", name: null, client: "" },
+          remove: script === "s" ? "t" : "s",
+          reason: "away",
+          most: 4,
+        }),
+  ),
+);
+const turns = fc.array(
+  fc.record<Turn>({
+    step: fc.oneof({ weight: 4, arbitrary: added }, { weight: 6, arbitrary: done }, rare),
+    robot: fc.constantFrom(...ROBOTS),
+    after: fc.constantFrom("nothing", "nothing", "nothing", "restart", "undone"),
+  }),
+  { minLength: 10, maxLength: 60 },
+);
+
+async function withRobots(store: SessionStore): Promise<void> {
+  const keys = DRIVERS.map((hash) => ({ kind: "drive" as const, hash }));
+  for (const id of ROBOTS) {
+    await store.create({ id, createdAt: 1, keys });
+    await store.takeOver(id, pageState());
+  }
+}
+
+async function told(store: SessionStore): Promise<unknown> {
+  const all = [];
+  for (const id of ROBOTS) {
+    const listed = await store.commandsAfter(id, 0, 100);
+    const each = [];
+    for (const { seq } of listed) each.push(await store.command(id, seq));
+    all.push({ listed, each, open: await store.openCommands(id), back: await store.recalled(id) });
+  }
+  return all;
+}
+
+/** A step that fails, which undoes what was done in its group, whereupon that is done again. */
+const failing = async (store: SessionStore): Promise<void> => {
+  const again = store.create({ id: ROBOTS[0] ?? "", createdAt: 1, keys: [] });
+  await expect(again).rejects.toThrow(/UNIQUE/);
+};
+
+describe("the journal", () => {
+  it("loses and changes nothing, however short it is, over restarts and undone steps", async () => {
+    const folder = testFolder();
+    let runs = 0;
+    await fc.assert(
+      fc.asyncProperty(turns, fc.constantFrom(0, 1, 3, 8, 30), async (all, long) => {
+        const file = join(folder, `${runs++}.sqlite`);
+        const plain = new SqliteStore(`${file}-plain`, 1_000_000);
+        let store = new SqliteStore(file, long);
+        await withRobots(plain);
+        await withRobots(store);
+        for (const { step, robot, after } of all) {
+          const expected = await step(plain, robot);
+          const others = after === "undone" ? [failing(store)] : [];
+          const [got] = await Promise.all([step(store, robot), ...others]);
+          expect(got).toEqual(expected);
+          if (after === "restart") {
+            await store.close();
+            store = new SqliteStore(file, long);
+          }
+        }
+        expect(await told(store)).toEqual(await told(plain));
+        await store.close();
+        await plain.close();
+      }),
+      { numRuns: 40 },
+    );
+  }, 60_000);
+
+  it("gets no longer than it may, and forgets a robot wholly", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const store = new SqliteStore(file, 64);
+    onTestFinished(() => store.close());
+    await withRobots(store);
+    const db = new DatabaseSync(file, { readOnly: true });
+    onTestFinished(() => db.close());
+    const entries = (where = ""): number =>
+      Number(db.prepare(`SELECT count(*) AS n FROM journal ${where}`).get()?.["n"]);
+    let longest = 0;
+    for (let n = 1; n <= 100; n++) {
+      for (const id of ROBOTS) {
+        await store.add(id, { ...sent, driver: "d" });
+        await store.deliver(id, 1, 8, NOW);
+        await store.end(id, 1, completed(n));
+      }
+      longest = Math.max(longest, entries());
+    }
+    expect(longest).toBeGreaterThan(60);
+    expect(longest).toBeLessThan(2 * 64);
+    const [gone = ""] = ROBOTS;
+    expect(entries(`WHERE robot = '${gone}'`)).toBeGreaterThan(0);
+    await store.remove(gone);
+    expect(entries(`WHERE robot = '${gone}'`)).toBe(0);
+    expect((await store.commandsAfter(ROBOTS[1] ?? "", 0, 200)).length).toBe(100);
+  });
+});

@@ -1,0 +1,230 @@
+/**
+ * What becomes of a robot's commands, step by step: see `SessionStore`, which says what each of them is for. Each
+ * change names the states that it may come from, and an ending is for ever.
+ */
+import type { CommandRecord, Ending } from "@corridor/protocol";
+import { recordOfRow, termedOfRow, type CommandRow } from "./command-row.ts";
+import type { LiveRobot } from "./live-robot.ts";
+import {
+  CLOCK_TOLERANCE_MS,
+  doubtReasons,
+  type AddResult,
+  type CancelResult,
+  type NewCommand,
+  type PageState,
+  type TermedRecord,
+} from "./session-store.ts";
+
+export const STOP = '{"action":"stop"}';
+
+export function isStop(text: string): boolean {
+  return text === STOP;
+}
+
+/** Whether who sends a command may. @returns null: yes */
+export function refusal({ standing }: LiveRobot, { driver, script }: NewCommand): AddResult | null {
+  if (!standing.keys.has(driver)) return { outcome: "revoked" };
+  return script !== null && standing.away.has(script) ? { outcome: "sent-away" } : null;
+}
+
+/** Stores a command whose key is not known. @param text the command as JSON */
+export function add(robot: LiveRobot, command: NewCommand, text: string): AddResult {
+  const { standing } = robot;
+  const { driver, script, key, acceptedAt, ttl, deadline, replace, lease } = command;
+  const stops = isStop(text);
+  if (standing.isPaused && !stops) return { outcome: "paused" };
+  if (deadline <= acceptedAt) return { outcome: "late" };
+  const seq = standing.lastSeq + 1;
+  const ended = stops || replace ? overtake(robot, { seq, stops }) : [];
+  if (!stops && count(robot, "accepted") >= command.maxWaiting) return { outcome: "full" };
+  const row = robot.change({
+    seq,
+    driver,
+    script,
+    key,
+    command: command.command,
+    text,
+    acceptedAt,
+    ttl: Math.round(ttl),
+    deadline: Math.round(deadline),
+    replace,
+    lease: lease === null ? null : Math.round(lease),
+    state: "accepted",
+    reason: null,
+    recalled: null,
+    pose: null,
+    distance: null,
+    epoch: null,
+  });
+  return { outcome: "stored", record: recordOfRow(row), ended };
+}
+
+/** accepted → delivered, in order: as many as the window has room for, and all that overtake. */
+export function deliver(
+  robot: LiveRobot,
+  { epoch, window, now }: { epoch: number; window: number; now: number },
+): TermedRecord[] {
+  if (robot.standing.epoch !== epoch) return [];
+  const free = window - count(robot, "delivered");
+  const due: CommandRow[] = [];
+  let at = 0;
+  for (const row of robot.open) {
+    if (row.state !== "accepted" || isLate(row, now)) continue;
+    if (at < free || overtakes(row)) due.push(row);
+    at += 1;
+  }
+  return due.map((row) => termedOfRow(robot.change(row, { state: "delivered", epoch })));
+}
+
+/** accepted → expired. @returns what has, and the next deadline of what waits */
+export function expire(
+  robot: LiveRobot,
+  now: number,
+): { ended: TermedRecord[]; next: number | null } {
+  const ended: TermedRecord[] = [];
+  let next: number | null = null;
+  for (const row of waiting(robot)) {
+    if (isLate(row, now)) {
+      const reason = `older than ${row.ttl / 1000} s`;
+      ended.push(termedOfRow(robot.change(row, { state: "expired", reason })));
+    } else next = Math.min(next ?? row.deadline, row.deadline);
+  }
+  return { ended, next };
+}
+
+/** Takes back a command that has not ended: accepted → cancelled, or the robot is to be asked. */
+export function cancel(robot: LiveRobot, row: CommandRow, reason: string): CancelResult {
+  if (row.state !== "accepted") {
+    robot.change(row, { recalled: row.recalled ?? reason });
+    return { outcome: "delivered", record: recordOfRow(row) };
+  }
+  return {
+    outcome: "cancelled",
+    termed: termedOfRow(robot.change(row, { state: "cancelled", reason })),
+  };
+}
+
+/** Takes back all that a key or a script has sent, or all but stops. @returns what waited, and has ended by this */
+export function recallAllOf(
+  robot: LiveRobot,
+  whose: { driver: string } | { script: string } | "all",
+  reason: string,
+): TermedRecord[] {
+  const isMeant = ({ text, driver, script }: CommandRow): boolean => {
+    if (whose === "all") return !isStop(text);
+    return "driver" in whose ? driver === whose.driver : script === whose.script;
+  };
+  return [...robot.open].filter(isMeant).flatMap((row) => {
+    const result = cancel(robot, row, reason);
+    return result.outcome === "cancelled" ? result.termed : [];
+  });
+}
+
+/** delivered → started. @returns null when it was not delivered, or the epoch is not the newest */
+export function begin(robot: LiveRobot, epoch: number, seq: number): CommandRecord | null {
+  const row = robot.row(seq);
+  if (row?.state !== "delivered" || robot.standing.epoch !== epoch) return null;
+  return recordOfRow(robot.change(row, { state: "started" }));
+}
+
+/** delivered or started → its ending. @returns null when it was neither */
+export function end(robot: LiveRobot, ending: Ending): CommandRecord | null {
+  const { seq, state, reason, pose, distance } = ending;
+  const row = robot.row(seq);
+  if (row === null || !isWithRobot(row)) return null;
+  return recordOfRow(robot.change(row, { state, reason, pose, distance }));
+}
+
+/** Ends all that is delivered or started: its page is away for good. */
+export function abandon(robot: LiveRobot, reason: string): CommandRecord[] {
+  const left = [...robot.open].filter(isWithRobot);
+  return left.map((row) => recordOfRow(robot.change(row, { state: "cancelled", reason })));
+}
+
+/**
+ * Brings the commands of a robot to what the page that takes it says of itself.
+ * @param known finds a record, wherever it is
+ * @param newest finds the newest number of a stop, or of a command that replaces, wherever it is
+ */
+export function meetPage(
+  robot: LiveRobot,
+  page: PageState & { isSettled: boolean },
+  known: (seq: number) => CommandRecord | null,
+  newest: (what: "stop" | "replace") => number | null,
+): { changed: CommandRecord[]; refused: CommandRecord[] } {
+  const { lastApplied, fresh, isSettled, endings } = page;
+  const changed = new Map<number, CommandRecord>();
+  const refused: CommandRecord[] = [];
+  const change = (row: CommandRow, how: Partial<CommandRow>): void => {
+    changed.set(row.seq, recordOfRow(robot.change(row, how)));
+  };
+  for (const ending of endings) {
+    const record = end(robot, ending);
+    if (record !== null) changed.set(record.seq, record);
+    else {
+      const before = known(ending.seq);
+      if (before !== null && before.state !== ending.state) refused.push(before);
+    }
+  }
+  for (const row of robot.open) {
+    if (row.state !== "delivered") continue;
+    const why = isSettled ? row.recalled : doubtReasons.delivered;
+    if (row.seq <= lastApplied) change(row, { state: "started", reason: null });
+    else if (why === null) change(row, { state: "accepted", reason: null });
+    else change(row, { state: "cancelled", reason: why });
+  }
+  if (fresh || !isSettled) {
+    const reason = isSettled ? "the page was reloaded" : doubtReasons.started;
+    for (const row of robot.open)
+      if (row.state === "started") change(row, { state: "cancelled", reason });
+  }
+  // What was delivered when something overtook it may wait again now; it was overtaken all the same.
+  for (const what of ["stop", "replace"] as const) {
+    const seq = newest(what);
+    if (seq === null) continue;
+    for (const { record } of overtake(robot, { seq, stops: what === "stop" }))
+      changed.set(record.seq, record);
+  }
+  return { changed: [...changed.values()].toSorted((a, b) => a.seq - b.seq), refused };
+}
+
+/** It does not wait for those before it. */
+export function overtakes({ text, replace }: Pick<CommandRow, "text" | "replace">): boolean {
+  return replace || isStop(text);
+}
+
+/** Ends what was accepted before a command that overtakes. */
+function overtake(
+  robot: LiveRobot,
+  { seq, stops }: { seq: number; stops: boolean },
+): TermedRecord[] {
+  const before = waiting(robot).filter((row) => row.seq < seq);
+  return before.map((row) =>
+    termedOfRow(
+      robot.change(row, {
+        state: stops ? "cancelled" : "superseded",
+        reason: `${stops ? "stopped" : "replaced"} by command ${seq}`,
+      }),
+    ),
+  );
+}
+
+function waiting(robot: LiveRobot): CommandRow[] {
+  return [...robot.open].filter(({ state }) => state === "accepted");
+}
+
+/** Those in a state, without those that overtake. */
+function count({ open }: LiveRobot, state: "accepted" | "delivered"): number {
+  let found = 0;
+  for (const row of open) if (row.state === state && !overtakes(row)) found += 1;
+  return found;
+}
+
+function isWithRobot({ state }: CommandRow): boolean {
+  return state === "delivered" || state === "started";
+}
+
+/** It must not start any more. */
+function isLate({ deadline, acceptedAt }: CommandRow, now: number): boolean {
+  return deadline <= now || acceptedAt > now + CLOCK_TOLERANCE_MS;
+}
