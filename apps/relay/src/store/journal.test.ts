@@ -171,6 +171,27 @@ describe("the journal", () => {
     );
   }, 60_000);
 
+  it("keeps no more than some hundred of a robot's ended commands out of the tables", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const store = new SqliteStore(file);
+    onTestFinished(() => store.close());
+    await withRobots(store);
+    const [id = ""] = ROBOTS;
+    for (let n = 1; n <= 600; n++) {
+      await Promise.all([
+        store.add(id, { ...sent, driver: "d", keep: 10_000 }),
+        store.deliver(id, 1, 8, NOW),
+        store.end(id, 1, completed(n)),
+      ]);
+    }
+    const db = new DatabaseSync(file, { readOnly: true });
+    onTestFinished(() => db.close());
+    const inTable = Number(db.prepare("SELECT count(*) AS n FROM commands").get()?.["n"]);
+    expect(inTable).toBeGreaterThan(300);
+    const all = await store.commandsAfter(id, 0, 1_000);
+    expect(all.map(({ seq }) => seq)).toEqual(Array.from({ length: 600 }, (_, n) => n + 1));
+  });
+
   it("gets no longer than it may, and forgets a robot wholly", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const store = new SqliteStore(file, 64);

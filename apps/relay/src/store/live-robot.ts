@@ -47,6 +47,11 @@ export class LiveRobot {
     return this.#open.size === 0 && this.#unsettled.size === 0;
   }
 
+  /** How many have ended and are in no table yet. */
+  get endedCount(): number {
+    return this.#ended.size;
+  }
+
   /** Whether the tables may have commands that are not at hand. */
   get hasLeft(): boolean {
     return this.#hasLeft;

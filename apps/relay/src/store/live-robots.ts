@@ -12,12 +12,14 @@
 import { hasEnded } from "@corridor/protocol";
 import { columnsOf, ROW_COLUMNS, rowOf, type CommandRow } from "./command-row.ts";
 import { LiveRobot, type Standing } from "./live-robot.ts";
-import { rowsIn } from "./sqlite-rows.ts";
+import { numberIn, rowsIn } from "./sqlite-rows.ts";
 import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
 import type { Statements } from "./statements.ts";
 
 /** Entries that the journal has before rows are brought into the tables: some 20 MB. */
 export const LONG = 65_536;
+/** What of one robot has ended and is at hand; what reads its commands goes through all of these. */
+const MOST_ENDED = 256;
 /** Entries that are freed for each new one then: the journal gets no longer, and no step does much of it. */
 const FREED = 2;
 /** What has been freed is deleted once it is such a part of a long journal. */
@@ -44,9 +46,10 @@ export class LiveRobots {
   readonly #live = new Map<string, LiveRobot>();
   /** in the order of their first entries */
   readonly #unsettled = new Map<string, Unsettled>();
-  /** number of the next entry, and of the first that the journal has */
+  /** whose each entry of the journal is, in order */
+  readonly #owners = new Map<number, string>();
+  /** number of the next entry */
   #next = 1;
-  #first = 1;
   /** entries that are to be freed */
   #owed = 0;
   /** what is at hand does not hold */
@@ -91,6 +94,7 @@ export class LiveRobots {
 
   /** A step is done with the robot: what need not be at hand is let go, and a long journal made shorter. */
   done(id: string, robot: LiveRobot): void {
+    if (robot.endedCount > MOST_ENDED) this.#bringIn(id, robot);
     this.#release(id, robot);
     while (this.#owed > 0 && this.#unsettled.size > 0) this.#freeOldest();
   }
@@ -98,12 +102,16 @@ export class LiveRobots {
   /** These robots are gone from the tables: nothing of them stays. */
   remove(ids: readonly string[]): void {
     if (this.#isUndone) this.#restore();
-    for (const id of ids) {
+    const gone = new Set(ids);
+    for (const id of gone) {
       this.#live.delete(id);
       this.#unsettled.delete(id);
     }
-    if (this.#next === this.#first) return;
-    this.#statements.run("DELETE FROM journal WHERE robot NOT IN (SELECT id FROM sessions)");
+    for (const [entry, owner] of this.#owners) {
+      if (!gone.has(owner)) continue;
+      this.#statements.run("DELETE FROM journal WHERE id = ?", [entry]);
+      this.#owners.delete(entry);
+    }
   }
 
   #load(id: string): LiveRobot | null {
@@ -125,23 +133,20 @@ export class LiveRobots {
     this.#live.clear();
     this.#unsettled.clear();
     this.#owed = 0;
-    const ends = `SELECT coalesce(min(id), 0) AS first, coalesce(max(id), 0) AS last,
-      (SELECT coalesce(max(settled), 0) FROM sessions) AS settled FROM journal`;
-    const [found] = this.#statements.all(ends) as unknown as {
-      first: number;
-      last: number;
-      settled: number;
-    }[];
+    this.#owners.clear();
+    const settled = numberIn(this.#statements, "SELECT max(settled) AS found FROM sessions") ?? 0;
     // A number counts once for each robot, also when the journal is empty.
-    this.#next = Math.max(found?.last ?? 0, found?.settled ?? 0) + 1;
-    this.#first = found?.first || this.#next;
+    this.#next = settled + 1;
     const entries = this.#statements.all(
-      `SELECT journal.id, robot, entry FROM journal JOIN sessions ON sessions.id = robot
-       WHERE journal.id > settled ORDER BY journal.id`,
-    );
-    for (const { id, robot, entry } of entries) {
-      this.#load(String(robot))?.put(rowOf(JSON.parse(String(entry)) as unknown[]));
-      this.#note(String(robot), Number(id));
+      `SELECT journal.id, robot, settled, entry FROM journal JOIN sessions ON sessions.id = robot
+       ORDER BY journal.id`,
+    ) as unknown as { id: number; robot: string; settled: number; entry: string }[];
+    for (const { id, robot, settled: until, entry } of entries) {
+      this.#owners.set(id, robot);
+      this.#next = Math.max(this.#next, id + 1);
+      if (id <= until) continue;
+      this.#load(robot)?.put(rowOf(JSON.parse(entry) as unknown[]));
+      this.#note(robot, id);
     }
     this.#isUndone = false;
   }
@@ -150,8 +155,9 @@ export class LiveRobots {
     const entry = this.#next++;
     const sql = "INSERT INTO journal (id, robot, entry) VALUES (?, ?, ?)";
     this.#statements.run(sql, [entry, id, JSON.stringify(columnsOf(row))]);
+    this.#owners.set(entry, id);
     this.#note(id, entry);
-    if (this.#next - this.#first > this.#long) this.#owed += FREED;
+    if (this.#owners.size > this.#long) this.#owed += FREED;
   }
 
   #note(id: string, entry: number): void {
@@ -170,10 +176,17 @@ export class LiveRobots {
     this.#bringIn(id, robot);
     this.#release(id, robot);
     const [next] = this.#unsettled.values();
-    const first = next?.first ?? this.#next;
-    if (first - this.#first < this.#long * DELETED) return;
+    this.#deleteUntil(next?.first ?? this.#next);
+  }
+
+  #deleteUntil(first: number): void {
+    const [oldest = first] = this.#owners.keys();
+    if (first - oldest < this.#long * DELETED) return;
     this.#statements.run("DELETE FROM journal WHERE id < ?", [first]);
-    this.#first = first;
+    for (const entry of this.#owners.keys()) {
+      if (entry >= first) return;
+      this.#owners.delete(entry);
+    }
   }
 
   #bringIn(id: string, robot: LiveRobot): void {

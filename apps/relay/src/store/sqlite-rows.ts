@@ -17,7 +17,7 @@ export function recordsIn(
 export function numberIn(
   statements: Statements,
   sql: string,
-  values: SQLInputValue[],
+  values: SQLInputValue[] = [],
 ): number | null {
   const found = statements.all(sql, values)[0]?.["found"];
   return typeof found === "number" ? found : null;
