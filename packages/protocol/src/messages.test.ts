@@ -85,6 +85,14 @@ describe("messages", () => {
     expect(read).toMatchObject({ ok: false, problems: [{ expected: "at most 16384 characters" }] });
   });
 
+  it("takes no resume after which numbers of commands would lose their last digit", () => {
+    const resume = { type: "resume", fresh: true, endings: [] };
+    expect(resumeSchema.safeParse({ ...resume, lastApplied: 2 ** 48 }).success).toBe(true);
+    for (const lastApplied of [2 ** 48 + 1, Number.MAX_SAFE_INTEGER]) {
+      expect(resumeSchema.safeParse({ ...resume, lastApplied }).success).toBe(false);
+    }
+  });
+
   it("fits the longest resume into one message", () => {
     const ending: PageToRelay & { type: "ended" } = {
       type: "ended",

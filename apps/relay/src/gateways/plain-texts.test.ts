@@ -73,8 +73,11 @@ async function told(bytes: Buffer, pieces: number, isPlain: boolean): Promise<un
     await aMoment();
   }
   far.end();
-  await aMoment();
-  await aMoment();
+  let isClosed = false;
+  void closed.then(() => (isClosed = true));
+  for (let moments = 0; moments < 20 && !isClosed; moments++) await aMoment();
+  // Whether it needed that: `ws` itself cuts a line that does not close 30 s later.
+  all.push(["closed by itself", isClosed]);
   line.destroy();
   all.push(await closed);
   const words = Buffer.concat(answers);

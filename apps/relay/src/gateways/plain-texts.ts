@@ -30,11 +30,16 @@ export function hearPlainTexts(connection: Duplex, hear: (bytes: Buffer) => void
   const leave = (bytes: Buffer): void => {
     Reflect.apply(listener, connection, [bytes]);
   };
-  const reader = new PlainTexts(hear, leave);
-  connection.on("data", (chunk: Buffer) => {
+  const ours = (chunk: Buffer): void => {
     // What is left behind by a broken line `ws` asks for itself.
     if (!connection.destroyed) reader.take(chunk);
+  };
+  const reader = new PlainTexts(hear, leave, () => {
+    // It takes its own listener away where it has enough, and sees the end of the line then.
+    connection.off("data", ours);
+    connection.on("data", listener as (chunk: Buffer) => void);
   });
+  connection.on("data", ours);
 }
 
 class PlainTexts {
@@ -42,15 +47,20 @@ class PlainTexts {
   readonly #leave: (bytes: Buffer) => void;
   /** the beginning of a frame whose end has not come */
   #begun: Buffer | null = null;
+  readonly #goes: () => void;
   #leavesAll = false;
 
-  constructor(hear: (bytes: Buffer) => void, leave: (bytes: Buffer) => void) {
+  /**
+   * @param leave gets what is for `ws`
+   * @param goes is called when all that follows is, before that
+   */
+  constructor(hear: (bytes: Buffer) => void, leave: (bytes: Buffer) => void, goes: () => void) {
     this.#hear = hear;
     this.#leave = leave;
+    this.#goes = goes;
   }
 
   take(chunk: Buffer): void {
-    if (this.#leavesAll) return this.#leave(chunk);
     const bytes = this.#begun === null ? chunk : Buffer.concat([this.#begun, chunk]);
     this.#begun = null;
     let at = 0;
@@ -96,6 +106,7 @@ class PlainTexts {
 
   #leaveAll(): null {
     this.#leavesAll = true;
+    this.#goes();
     return null;
   }
 }

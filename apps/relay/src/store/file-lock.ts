@@ -6,15 +6,18 @@
 import { DatabaseSync } from "node:sqlite";
 
 const SQLITE_BUSY = 5;
-/** A relay that is on its way out may have it for a moment yet. */
-const WAIT_MS = 2_000;
+/** A relay that is on its way out has it until its last connection is closed. */
+const WAIT_MS = 10_000;
 
 export class FileLock {
   readonly #db: DatabaseSync;
 
-  /** @throws Error that says what to do when another relay has the database */
-  constructor(path: string) {
-    this.#db = new DatabaseSync(`${path}-lock`, { timeout: WAIT_MS });
+  /**
+   * @param waitMs for another relay to end; nothing else is done meanwhile
+   * @throws Error that says what to do when another relay has the database
+   */
+  constructor(path: string, waitMs = WAIT_MS) {
+    this.#db = new DatabaseSync(`${path}-lock`, { timeout: waitMs });
     try {
       this.#db.exec("PRAGMA journal_mode = MEMORY; BEGIN EXCLUSIVE");
     } catch (error) {

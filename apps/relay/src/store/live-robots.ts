@@ -16,14 +16,12 @@ import { numberIn, rowsIn } from "./sqlite-rows.ts";
 import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
 import type { Statements } from "./statements.ts";
 
-/** Entries that the journal has before rows are brought into the tables: some 20 MB. */
-export const LONG = 65_536;
+/** Entries that the journal has before rows are brought into the tables: some 10 MB. */
+export const LONG = 32_768;
 /** What of one robot has ended and is at hand; what reads its commands goes through all of these. */
 const MOST_ENDED = 256;
-/** Entries that are freed for each new one then: the journal gets no longer, and no step does much of it. */
-const FREED = 2;
-/** What has been freed is deleted once it is such a part of a long journal. */
-const DELETED = 1 / 64;
+/** What is tidied at a time, so that nobody waits for it and a full disk has room for it. */
+const ENTRIES_AT_A_TIME = 512;
 
 const OPEN_ROWS = `SELECT ${ROW_COLUMNS} FROM ${OPEN_COMMANDS} WHERE robot = ? AND ${IS_OPEN} ORDER BY seq`;
 const KEEP_ROW = `INSERT INTO commands (robot, is_open, ${ROW_COLUMNS})
@@ -50,8 +48,12 @@ export class LiveRobots {
   readonly #owners = new Map<number, string>();
   /** number of the next entry */
   #next = 1;
-  /** entries that are to be freed */
-  #owed = 0;
+  /** those of which much has ended */
+  readonly #crowded = new Set<string>();
+  /** entries of robots that are gone */
+  #orphans: number[] = [];
+  /** why the commands of these cannot be read */
+  readonly #broken = new Map<string, unknown>();
   /** what is at hand does not hold */
   #isUndone = true;
 
@@ -92,31 +94,73 @@ export class LiveRobots {
     this.#statements.run(FORGET, [id, seq]);
   }
 
-  /** A step is done with the robot: what need not be at hand is let go, and a long journal made shorter. */
+  /** A step is done with the robot: what need not be at hand is let go. */
   done(id: string, robot: LiveRobot): void {
-    if (robot.endedCount > MOST_ENDED) this.#bringIn(id, robot);
+    if (robot.endedCount > MOST_ENDED) this.#crowded.add(id);
     this.#release(id, robot);
-    while (this.#owed > 0 && this.#unsettled.size > 0) this.#freeOldest();
   }
 
-  /** These robots are gone from the tables: nothing of them stays. */
+  /** These robots are gone from the tables: their entries are no more than `orphans`. */
   remove(ids: readonly string[]): void {
     if (this.#isUndone) this.#restore();
     const gone = new Set(ids);
     for (const id of gone) {
       this.#live.delete(id);
       this.#unsettled.delete(id);
+      this.#broken.delete(id);
     }
     for (const [entry, owner] of this.#owners) {
       if (!gone.has(owner)) continue;
-      this.#statements.run("DELETE FROM journal WHERE id = ?", [entry]);
+      this.#orphans.push(entry);
       this.#owners.delete(entry);
+    }
+  }
+
+  /** Whether the journal still has entries of robots that are gone. */
+  get hasOrphans(): boolean {
+    return this.#orphans.length > 0;
+  }
+
+  deleteOrphans(): void {
+    for (const entry of this.#orphans.splice(-ENTRIES_AT_A_TIME))
+      this.#statements.run("DELETE FROM journal WHERE id = ?", [entry]);
+  }
+
+  /** Whether there is something to tidy. */
+  get isUntidy(): boolean {
+    return this.#owners.size > this.#long || this.#crowded.size > 0 || this.hasOrphans;
+  }
+
+  /** Brings some rows into the tables, and deletes some entries that are not needed any more. */
+  tidy(): void {
+    if (this.#isUndone) this.#restore();
+    this.deleteOrphans();
+    let left = ENTRIES_AT_A_TIME;
+    for (const id of this.#inTurn()) {
+      this.#crowded.delete(id);
+      left -= this.#unsettled.get(id)?.entries ?? 0;
+      const robot = this.#live.get(id);
+      if (robot === undefined) continue;
+      this.#bringIn(id, robot);
+      this.#release(id, robot);
+      if (left <= 0) break;
+    }
+    if (this.#owners.size > this.#long) this.#deleteSettled();
+  }
+
+  /** Robots in the order in which their rows are to be brought into the tables. */
+  *#inTurn(): Iterable<string> {
+    yield* this.#crowded;
+    for (const id of this.#unsettled.keys()) {
+      if (this.#owners.size <= this.#long) return;
+      yield id;
     }
   }
 
   #load(id: string): LiveRobot | null {
     const known = this.#live.get(id);
     if (known !== undefined) return known;
+    if (this.#broken.has(id)) throw this.#broken.get(id);
     const sql = "SELECT epoch, last_seq AS lastSeq, paused FROM sessions WHERE id = ?";
     const [session] = this.#statements.all(sql, [id]);
     if (session === undefined) return null;
@@ -132,21 +176,31 @@ export class LiveRobots {
   #restore(): void {
     this.#live.clear();
     this.#unsettled.clear();
-    this.#owed = 0;
+    this.#crowded.clear();
+    this.#broken.clear();
+    this.#orphans = [];
     this.#owners.clear();
     const settled = numberIn(this.#statements, "SELECT max(settled) AS found FROM sessions") ?? 0;
     // A number counts once for each robot, also when the journal is empty.
     this.#next = settled + 1;
     const entries = this.#statements.all(
-      `SELECT journal.id, robot, settled, entry FROM journal JOIN sessions ON sessions.id = robot
+      `SELECT journal.id, robot, settled, entry FROM journal LEFT JOIN sessions ON sessions.id = robot
        ORDER BY journal.id`,
-    ) as unknown as { id: number; robot: string; settled: number; entry: string }[];
+    ) as unknown as { id: number; robot: string; settled: number | null; entry: string }[];
     for (const { id, robot, settled: until, entry } of entries) {
-      this.#owners.set(id, robot);
       this.#next = Math.max(this.#next, id + 1);
-      if (id <= until) continue;
-      this.#load(robot)?.put(rowOf(JSON.parse(entry) as unknown[]));
-      this.#note(robot, id);
+      if (until === null) this.#orphans.push(id);
+      else this.#owners.set(id, robot);
+      if (until === null || id <= until || this.#broken.has(robot)) continue;
+      try {
+        this.#load(robot)?.put(rowOf(JSON.parse(entry) as unknown[]));
+        this.#note(robot, id);
+      } catch (error) {
+        // One robot that cannot be read must not be the end of all others: it fails whenever it is asked for.
+        this.#broken.set(robot, error);
+        this.#live.delete(robot);
+        this.#unsettled.delete(robot);
+      }
     }
     this.#isUndone = false;
   }
@@ -157,7 +211,6 @@ export class LiveRobots {
     this.#statements.run(sql, [entry, id, JSON.stringify(columnsOf(row))]);
     this.#owners.set(entry, id);
     this.#note(id, entry);
-    if (this.#owners.size > this.#long) this.#owed += FREED;
   }
 
   #note(id: string, entry: number): void {
@@ -166,27 +219,18 @@ export class LiveRobots {
     else unsettled.entries += 1;
   }
 
-  #freeOldest(): void {
-    const [oldest] = this.#unsettled;
-    if (oldest === undefined) return;
-    const [id, { entries }] = oldest;
-    this.#owed -= entries;
-    const robot = this.#live.get(id);
-    if (robot === undefined) throw new Error("a robot with entries in the journal is not at hand");
-    this.#bringIn(id, robot);
-    this.#release(id, robot);
-    const [next] = this.#unsettled.values();
-    this.#deleteUntil(next?.first ?? this.#next);
-  }
-
-  #deleteUntil(first: number): void {
-    const [oldest = first] = this.#owners.keys();
-    if (first - oldest < this.#long * DELETED) return;
-    this.#statements.run("DELETE FROM journal WHERE id < ?", [first]);
+  /** Deletes the oldest entries as far as the tables have what they say. */
+  #deleteSettled(): void {
+    const [oldest] = this.#unsettled.values();
+    const first = oldest?.first ?? this.#next;
+    let until = 0;
+    let left = ENTRIES_AT_A_TIME;
     for (const entry of this.#owners.keys()) {
-      if (entry >= first) return;
+      if (entry >= first || left-- === 0) break;
       this.#owners.delete(entry);
+      until = entry;
     }
+    this.#statements.run("DELETE FROM journal WHERE id <= ?", [until]);
   }
 
   #bringIn(id: string, robot: LiveRobot): void {

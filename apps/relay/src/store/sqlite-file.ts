@@ -59,13 +59,23 @@ export class SqliteFile {
   /**
    * @param path of the database, made with its folder when it is missing
    * @param ballast default: a file beside the database
+   * @param waitMs for another relay that has it to end
    * @throws Error when another relay has it, or a newer one wrote it
    */
-  constructor(path: string, ballast: Ballast = new BallastFile(`${path}-ballast`)) {
+  constructor(
+    path: string,
+    ballast: Ballast = new BallastFile(`${path}-ballast`),
+    waitMs?: number,
+  ) {
     mkdirSync(dirname(path), { recursive: true });
-    this.#lock = new FileLock(path);
-    this.#db = withRoom(() => openDatabase(path), ballast);
-    this.#readOnly = openForReading(path);
+    this.#lock = new FileLock(path, waitMs);
+    try {
+      this.#db = withRoom(() => openDatabase(path), ballast);
+      this.#readOnly = openForReading(path);
+    } catch (error) {
+      this.#lock.free();
+      throw error;
+    }
     this.#commits = new GroupCommit(this.#db, () => {
       for (const tell of this.#undone) tell();
     });
@@ -113,10 +123,21 @@ export class SqliteFile {
    */
   async forget<T>(work: () => T, hasDeleted: (result: T) => boolean): Promise<T> {
     const result = await this.step(work);
-    if (hasDeleted(result)) {
-      this.#commits.alone(() => this.#db.exec("PRAGMA wal_checkpoint(TRUNCATE)"));
-    }
+    if (hasDeleted(result)) this.#emptyLog();
     return result;
+  }
+
+  /** The file itself may have to grow for what is in the log: on a full disk by the ballast's room. */
+  #emptyLog(): void {
+    const empty = (): void =>
+      this.#commits.alone(() => this.#db.exec("PRAGMA wal_checkpoint(TRUNCATE)"));
+    try {
+      empty();
+    } catch (error) {
+      if (!isDiskFull(error)) throw error;
+      this.#noteFull(error);
+      empty();
+    }
   }
 
   /** Whether it can be written, found out by writing. @throws the error of SQLite when it does not answer */

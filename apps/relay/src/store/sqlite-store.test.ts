@@ -6,6 +6,7 @@ import { DatabaseSync } from "node:sqlite";
 import { expect, it, onTestFinished, vi } from "vitest";
 import { completed } from "../testing/messages.ts";
 import { testFolder } from "../testing/test-relay.ts";
+import { SqliteFile } from "./sqlite-file.ts";
 import { SqliteStore } from "./sqlite-store.ts";
 import { storeCases } from "./testing/store.cases.ts";
 import { pageState } from "./testing/robot-in-store.ts";
@@ -79,7 +80,7 @@ it("is refused a file that another relay has, until that one ends", async () => 
   const other = startOther(file);
   onTestFinished(() => void other.kill("SIGKILL"));
   await once(other.stdout, "data");
-  expect(() => new SqliteStore(file)).toThrow(/Another Corridor uses this database/);
+  expect(() => new SqliteFile(file, undefined, 100)).toThrow(/Another Corridor uses this database/);
   other.kill("SIGKILL");
   await once(other, "exit");
   await new SqliteStore(file).close();

@@ -51,6 +51,7 @@ const sessionRow = z.object({
 export class SqliteStore implements SessionStore {
   readonly #file: SqliteFile;
   readonly #live: LiveRobots;
+  #isTidying = false;
 
   /**
    * @param file or its path; closing the store closes it
@@ -158,19 +159,21 @@ export class SqliteStore implements SessionStore {
   }
 
   async remove(id: string): Promise<boolean> {
-    return this.#file.forget(
+    const isGone = await this.#file.forget(
       () => {
-        const isGone = this.#writing.run("DELETE FROM sessions WHERE id = ?", [id]) > 0;
-        if (isGone) this.#live.remove([id]);
-        return isGone;
+        const removed = this.#writing.run("DELETE FROM sessions WHERE id = ?", [id]) > 0;
+        if (removed) this.#live.remove([id]);
+        return removed;
       },
       (removed) => removed,
     );
+    await this.#forgetOrphans();
+    return isGone;
   }
 
   async removeExpired(before: { lastUsedAt: number; createdAt: number }): Promise<string[]> {
     const sql = "DELETE FROM sessions WHERE last_used_at < ? OR created_at < ? RETURNING id";
-    return this.#file.forget(
+    const gone = await this.#file.forget(
       () => {
         const rows = this.#writing.all(sql, [before.lastUsedAt, before.createdAt]);
         const ids = rows.map((row) => String(row["id"]));
@@ -179,6 +182,17 @@ export class SqliteStore implements SessionStore {
       },
       ({ length }) => length > 0,
     );
+    await this.#forgetOrphans();
+    return gone;
+  }
+
+  async #forgetOrphans(): Promise<void> {
+    while (this.#live.hasOrphans) {
+      await this.#file.forget(
+        () => this.#live.deleteOrphans(),
+        () => true,
+      );
+    }
   }
 
   async add(id: string, command: NewCommand): Promise<AddResult> {
@@ -283,11 +297,12 @@ export class SqliteStore implements SessionStore {
   async commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
     return this.#file.step(() =>
       this.#of<CommandRecord[]>(id, [], (robot) => {
-        const inTable = recordsIn(this.#writing, AFTER, [id, seq, limit]);
+        const inTable = rowsIn(this.#writing, AFTER, [id, seq, limit]);
         const atHand = robot.rows().filter((row) => row.seq > seq);
-        const bySeq = new Map(inTable.map((record) => [record.seq, record]));
-        for (const row of atHand) bySeq.set(row.seq, recordOfRow(row));
-        return [...bySeq.values()].toSorted((a, b) => a.seq - b.seq).slice(0, limit);
+        const bySeq = new Map(inTable.map((row) => [row.seq, row]));
+        for (const row of atHand) bySeq.set(row.seq, row);
+        const rows = [...bySeq.values()].toSorted((a, b) => a.seq - b.seq);
+        return rows.slice(0, limit).map(recordOfRow);
       }),
     );
   }
@@ -324,7 +339,18 @@ export class SqliteStore implements SessionStore {
     if (robot === null) return none;
     const result = work(robot);
     this.#live.done(id, robot);
+    if (this.#live.isUntidy) this.#tidySoon();
     return result;
+  }
+
+  /** In steps of its own, of which none is in anybody's way: what fails is tried again after another step. */
+  #tidySoon(): void {
+    if (this.#isTidying) return;
+    this.#isTidying = true;
+    setImmediate(() => {
+      const tidied = this.#file.growingStep(() => this.#live.tidy());
+      tidied.catch(() => undefined).finally(() => (this.#isTidying = false));
+    });
   }
 
   #withKey(
