@@ -1,5 +1,5 @@
 /** However short the journal, and whatever comes between: a store answers as one that keeps all of it in memory. */
-import { statSync } from "node:fs";
+import { readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { DatabaseSync } from "node:sqlite";
 import type { Command, EndingState } from "@corridor/protocol";
@@ -193,6 +193,37 @@ describe("the journal", () => {
     await failing(store, good);
     expect(await store.add(bad, { ...sent, driver: "d" })).toEqual({ outcome: "no-session" });
     expect((await store.openCommands(good)).length).toBe(2);
+  });
+
+  it("has nothing left of a robot that is gone, however much that was, also where it ended on the way", async () => {
+    const folder = testFolder();
+    const file = join(folder, "corridor.sqlite");
+    const holds = (text: string): boolean =>
+      readdirSync(folder).some((name) => readFileSync(join(folder, name)).includes(text));
+    const fill = async (store: SessionStore, id: string): Promise<void> => {
+      for (let n = 0; n < 1_300; n++) {
+        const key = `traces-of-${id}-${n}`;
+        await store.add(id, { ...sent, driver: "d", key, keep: 10_000, maxWaiting: 10_000 });
+      }
+    };
+    const [first = "", second = "", third = ""] = ROBOTS;
+    const before = new SqliteStore(file);
+    await withRobots(before);
+    await fill(before, first);
+    await fill(before, second);
+    expect(holds(`traces-of-${first}`)).toBe(true);
+    await before.remove(first);
+    expect(holds(`traces-of-${first}`)).toBe(false);
+    await before.close();
+    // As far as a relay came that was killed in the middle.
+    const db = new DatabaseSync(file);
+    db.exec("PRAGMA foreign_keys = ON");
+    db.prepare("DELETE FROM sessions WHERE id = ?").run(second);
+    db.close();
+    const after = new SqliteStore(file);
+    onTestFinished(() => after.close());
+    await expect.poll(() => holds(`traces-of-${second}`)).toBe(false);
+    expect(await after.add(third, { ...sent, driver: "d" })).toMatchObject({ outcome: "stored" });
   });
 
   it("is tidied a little at a time: no step writes much, however long it is", async () => {

@@ -121,6 +121,7 @@ export class LiveRobots {
     return this.#orphans.length > 0;
   }
 
+  /** Deletes some of them. */
   deleteOrphans(): void {
     for (const entry of this.#orphans.splice(-ENTRIES_AT_A_TIME))
       this.#statements.run("DELETE FROM journal WHERE id = ?", [entry]);
@@ -128,13 +129,12 @@ export class LiveRobots {
 
   /** Whether there is something to tidy. */
   get isUntidy(): boolean {
-    return this.#owners.size > this.#long || this.#crowded.size > 0 || this.hasOrphans;
+    return this.#owners.size > this.#long || this.#crowded.size > 0;
   }
 
   /** Brings some rows into the tables, and deletes some entries that are not needed any more. */
   tidy(): void {
     if (this.#isUndone) this.#restore();
-    this.deleteOrphans();
     let left = ENTRIES_AT_A_TIME;
     for (const id of this.#inTurn()) {
       this.#crowded.delete(id);

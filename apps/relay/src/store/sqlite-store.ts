@@ -61,6 +61,8 @@ export class SqliteStore implements SessionStore {
     this.#file = typeof file === "string" ? new SqliteFile(file) : file;
     this.#live = new LiveRobots(this.#file.writing, journal);
     this.#file.whenUndone(() => this.#live.undone());
+    // Of a relay that was ended in the middle of a deletion; where it fails, the next deletion does it.
+    if (this.#live.hasOrphans) this.#forgetOrphans().catch(() => undefined);
   }
 
   async create({
@@ -167,7 +169,7 @@ export class SqliteStore implements SessionStore {
       },
       (removed) => removed,
     );
-    await this.#forgetOrphans();
+    if (isGone) await this.#forgetOrphans();
     return isGone;
   }
 
@@ -182,17 +184,8 @@ export class SqliteStore implements SessionStore {
       },
       ({ length }) => length > 0,
     );
-    await this.#forgetOrphans();
+    if (gone.length > 0) await this.#forgetOrphans();
     return gone;
-  }
-
-  async #forgetOrphans(): Promise<void> {
-    while (this.#live.hasOrphans) {
-      await this.#file.forget(
-        () => this.#live.deleteOrphans(),
-        () => true,
-      );
-    }
   }
 
   async add(id: string, command: NewCommand): Promise<AddResult> {
@@ -351,6 +344,16 @@ export class SqliteStore implements SessionStore {
       const tidied = this.#file.growingStep(() => this.#live.tidy());
       tidied.catch(() => undefined).finally(() => (this.#isTidying = false));
     });
+  }
+
+  /** Deletes what the journal has of robots that are gone, a little at a time; at least once, to be the last that does. */
+  async #forgetOrphans(): Promise<void> {
+    do {
+      await this.#file.forget(
+        () => this.#live.deleteOrphans(),
+        () => true,
+      );
+    } while (this.#live.hasOrphans);
   }
 
   #withKey(
