@@ -61,13 +61,13 @@ export const helloSchema = z.strictObject({
 export type Hello = z.infer<typeof helloSchema>;
 
 /** Commands after it are numbered on from it, and no number may lose its last digit. */
-const MAX_APPLIED = 2 ** 48;
+const MAX_APPLIED = 281_474_976_710_656;
 
 /** The second message of a page: what it has done so far. Nothing new is sent before it is stored. */
 export const resumeSchema = z.strictObject({
   type: z.literal("resume"),
   /** highest seq that this page has started or ended; 0 when none */
-  lastApplied: count.max(MAX_APPLIED, { error: "2^48 or less" }),
+  lastApplied: count.max(MAX_APPLIED, { error: "281474976710656 or less" }),
   /** true when the page was loaded anew and no longer runs what it had started */
   fresh: z.boolean(),
   /** the same on each new line of one page, and of no other: so it is known when it comes back */
