@@ -47,7 +47,7 @@ describe("a WebSocket's port", () => {
     { name: "126 bytes of other letters", text: "→".repeat(42) },
     { name: "65,535 bytes of other letters", text: "→".repeat(21_845) },
     { name: "65,536 bytes of other letters", text: "🤖".repeat(16_384) },
-  ])("sends a text in one write, as any client reads it: $name", async ({ text }) => {
+  ])("sends a text in one write, as every client reads it: $name", async ({ text }) => {
     const { port, line, client, told } = await opened();
     const before = port.sentBytes;
     let writes = 0;

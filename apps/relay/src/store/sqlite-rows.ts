@@ -1,17 +1,7 @@
 /** Rows of commands in SQLite. */
 import type { SQLInputValue } from "node:sqlite";
-import type { CommandRecord } from "@corridor/protocol";
-import { recordOfRow, rowOf, type CommandRow } from "./command-row.ts";
+import { rowOf, type CommandRow } from "./command-row.ts";
 import type { Statements } from "./statements.ts";
-
-/** Commands, by rows of `ROW_COLUMNS`. */
-export function recordsIn(
-  statements: Statements,
-  sql: string,
-  values: SQLInputValue[],
-): CommandRecord[] {
-  return rowsIn(statements, sql, values).map(recordOfRow);
-}
 
 /** The column `found` of the first row; null where there is none. */
 export function numberIn(

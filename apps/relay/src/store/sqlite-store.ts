@@ -8,7 +8,8 @@
  */
 import { hasEnded, type CommandRecord, type Ending } from "@corridor/protocol";
 import { z } from "zod";
-import { recordOfRow, ROW_COLUMNS } from "./command-row.ts";
+import { recordOfRow } from "./command-row.ts";
+import { newestOvertaking, recordOf, recordsAfter, rowWith, withKey } from "./commands-of-robot.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { LiveRobots, LONG } from "./live-robots.ts";
 import * as steps from "./robot-steps.ts";
@@ -31,12 +32,7 @@ import {
 import { awayIn, changeAway } from "./sqlite-away.ts";
 import { SqliteFile } from "./sqlite-file.ts";
 import { addKeys, changeKeys, keysIn, keyTimesIn, noteKeyUses } from "./sqlite-keys.ts";
-import { numberIn, recordsIn, rowsIn } from "./sqlite-rows.ts";
 import type { Statements } from "./statements.ts";
-
-const BY_KEY = `SELECT ${ROW_COLUMNS} FROM commands WHERE robot = ? AND driver = ? AND key = ?`;
-const BY_SEQ = `SELECT ${ROW_COLUMNS} FROM commands WHERE robot = ? AND seq = ?`;
-const AFTER = `SELECT ${ROW_COLUMNS} FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?`;
 
 const sessionRow = z.object({
   id: z.string(),
@@ -195,7 +191,7 @@ export class SqliteStore implements SessionStore {
       this.#of<AddResult>(id, { outcome: "no-session" }, (robot) => {
         const refused = steps.refusal(robot, command);
         if (refused !== null) return refused;
-        const earlier = key === null ? null : this.#withKey(id, robot, { driver, key });
+        const earlier = key === null ? null : withKey(this.#writing, id, robot, { driver, key });
         if (earlier !== null) {
           const same = JSON.stringify(earlier.command) === text;
           return { outcome: same ? "duplicate" : "conflict", record: earlier };
@@ -225,8 +221,8 @@ export class SqliteStore implements SessionStore {
   async cancel(id: string, seq: number, by: { driver: string; reason: string }) {
     return this.#file.step(() =>
       this.#of<CancelResult>(id, { outcome: "no-command" }, (robot) => {
-        const row = robot.row(seq) ?? rowsIn(this.#writing, BY_SEQ, [id, seq])[0];
-        if (row === undefined) return { outcome: "no-command" };
+        const row = rowWith(this.#writing, id, robot, seq);
+        if (row === null) return { outcome: "no-command" };
         if (row.driver !== by.driver) return { outcome: "not-yours" };
         if (hasEnded(row.state)) return { outcome: "over", record: recordOfRow(row) };
         return steps.cancel(robot, row, by.reason);
@@ -243,7 +239,7 @@ export class SqliteStore implements SessionStore {
       this.#of<EndResult>(id, { outcome: "over", record: null }, (robot) => {
         const record = robot.standing.epoch === epoch ? steps.end(robot, ending) : null;
         if (record !== null) return { outcome: "ended", record };
-        return { outcome: "over", record: this.#recordOf(id, robot, ending.seq) };
+        return { outcome: "over", record: recordOf(this.#writing, id, robot, ending.seq) };
       }),
     );
   }
@@ -273,8 +269,8 @@ export class SqliteStore implements SessionStore {
         const met = steps.meetPage(
           robot,
           { ...page, isSettled },
-          (seq) => this.#recordOf(id, robot, seq),
-          (what) => this.#newest(id, robot, { what, after: lastApplied }),
+          (seq) => recordOf(this.#writing, id, robot, seq),
+          (what) => newestOvertaking(this.#writing, id, robot, { what, after: lastApplied }),
         );
         return { epoch: robot.standing.epoch, ...met };
       }),
@@ -284,19 +280,16 @@ export class SqliteStore implements SessionStore {
   // What was brought into the tables and is not on disk yet is seen by the steps alone: what reads commands is one.
 
   async command(id: string, seq: number): Promise<CommandRecord | null> {
-    return this.#file.step(() => this.#of(id, null, (robot) => this.#recordOf(id, robot, seq)));
+    return this.#file.step(() =>
+      this.#of(id, null, (robot) => recordOf(this.#writing, id, robot, seq)),
+    );
   }
 
   async commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
     return this.#file.step(() =>
-      this.#of<CommandRecord[]>(id, [], (robot) => {
-        const inTable = rowsIn(this.#writing, AFTER, [id, seq, limit]);
-        const atHand = robot.rows().filter((row) => row.seq > seq);
-        const bySeq = new Map(inTable.map((row) => [row.seq, row]));
-        for (const row of atHand) bySeq.set(row.seq, row);
-        const rows = [...bySeq.values()].toSorted((a, b) => a.seq - b.seq);
-        return rows.slice(0, limit).map(recordOfRow);
-      }),
+      this.#of<CommandRecord[]>(id, [], (robot) =>
+        recordsAfter(this.#writing, id, robot, { seq, limit }),
+      ),
     );
   }
 
@@ -356,42 +349,9 @@ export class SqliteStore implements SessionStore {
     } while (this.#live.hasOrphans);
   }
 
-  #withKey(
-    id: string,
-    robot: LiveRobot,
-    { driver, key }: { driver: string; key: string },
-  ): CommandRecord | null {
-    const row = robot.withKey(driver, key);
-    if (row !== null) return recordOfRow(row);
-    if (!robot.hasLeft) return null;
-    return recordsIn(this.#writing, BY_KEY, [id, driver, key])[0] ?? null;
-  }
-
-  #recordOf(id: string, robot: LiveRobot, seq: number): CommandRecord | null {
-    const row = robot.row(seq);
-    return row === null
-      ? (recordsIn(this.#writing, BY_SEQ, [id, seq])[0] ?? null)
-      : recordOfRow(row);
-  }
-
   #raiseEpoch(id: string, { standing }: LiveRobot): void {
     standing.epoch += 1;
     this.#writing.run("UPDATE sessions SET epoch = ? WHERE id = ?", [standing.epoch, id]);
-  }
-
-  /** The newest command after a number that overtakes in this way. */
-  #newest(
-    id: string,
-    robot: LiveRobot,
-    { what, after }: { what: "stop" | "replace"; after: number },
-  ): number | null {
-    const condition = what === "stop" ? `command = '${steps.STOP}'` : "replaces = 1";
-    const sql = `SELECT max(seq) AS found FROM commands WHERE robot = ? AND seq > ? AND ${condition}`;
-    const inTable = numberIn(this.#writing, sql, [id, after]);
-    const atHand = robot.rows().filter(({ seq, text, replace }) => {
-      return seq > after && (what === "stop" ? steps.isStop(text) : replace);
-    });
-    return atHand.reduce<number | null>((most, { seq }) => Math.max(most ?? seq, seq), inTable);
   }
 }
 

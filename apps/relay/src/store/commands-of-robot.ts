@@ -1,0 +1,73 @@
+/** Finds the commands of a robot, wherever they are: at hand, and only then in the tables. To be called in a step. */
+import type { CommandRecord } from "@corridor/protocol";
+import { recordOfRow, ROW_COLUMNS, type CommandRow } from "./command-row.ts";
+import type { LiveRobot } from "./live-robot.ts";
+import { isStop, STOP } from "./robot-steps.ts";
+import { numberIn, rowsIn } from "./sqlite-rows.ts";
+import type { Statements } from "./statements.ts";
+
+const BY_KEY = `SELECT ${ROW_COLUMNS} FROM commands WHERE robot = ? AND driver = ? AND key = ?`;
+const BY_SEQ = `SELECT ${ROW_COLUMNS} FROM commands WHERE robot = ? AND seq = ?`;
+const AFTER = `SELECT ${ROW_COLUMNS} FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?`;
+
+export function rowWith(
+  statements: Statements,
+  id: string,
+  robot: LiveRobot,
+  seq: number,
+): CommandRow | null {
+  return robot.row(seq) ?? rowsIn(statements, BY_SEQ, [id, seq])[0] ?? null;
+}
+
+export function recordOf(
+  statements: Statements,
+  id: string,
+  robot: LiveRobot,
+  seq: number,
+): CommandRecord | null {
+  const row = rowWith(statements, id, robot, seq);
+  return row && recordOfRow(row);
+}
+
+/** What came with this key. */
+export function withKey(
+  statements: Statements,
+  id: string,
+  robot: LiveRobot,
+  { driver, key }: { driver: string; key: string },
+): CommandRecord | null {
+  const atHand = robot.withKey(driver, key);
+  if (atHand !== null) return recordOfRow(atHand);
+  const [row] = robot.hasLeft ? rowsIn(statements, BY_KEY, [id, driver, key]) : [];
+  return row === undefined ? null : recordOfRow(row);
+}
+
+/** Those with a higher number, in order. */
+export function recordsAfter(
+  statements: Statements,
+  id: string,
+  robot: LiveRobot,
+  { seq, limit }: { seq: number; limit: number },
+): CommandRecord[] {
+  const inTable = rowsIn(statements, AFTER, [id, seq, limit]);
+  const bySeq = new Map(inTable.map((row) => [row.seq, row]));
+  for (const row of robot.rows()) if (row.seq > seq) bySeq.set(row.seq, row);
+  const rows = [...bySeq.values()].toSorted((a, b) => a.seq - b.seq);
+  return rows.slice(0, limit).map(recordOfRow);
+}
+
+/** The newest number of a command after another one that overtakes in this way. */
+export function newestOvertaking(
+  statements: Statements,
+  id: string,
+  robot: LiveRobot,
+  { what, after }: { what: "stop" | "replace"; after: number },
+): number | null {
+  const condition = what === "stop" ? `command = '${STOP}'` : "replaces = 1";
+  const sql = `SELECT max(seq) AS found FROM commands WHERE robot = ? AND seq > ? AND ${condition}`;
+  const inTable = numberIn(statements, sql, [id, after]);
+  const atHand = robot.rows().filter(({ seq, text, replace }) => {
+    return seq > after && (what === "stop" ? isStop(text) : replace);
+  });
+  return atHand.reduce<number | null>((most, { seq }) => Math.max(most ?? seq, seq), inTable);
+}
