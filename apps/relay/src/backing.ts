@@ -42,7 +42,7 @@ export async function openBacking(
 }
 
 function sqliteBacking(dataDir: string, clock: Clock): Backing {
-  const file = new SqliteFile(join(dataDir, "corridor.sqlite"));
+  const file = new SqliteFile(join(dataDir, "corridor.sqlite"), { isThreaded: true });
   return {
     clock,
     sessions: new SqliteStore(file),

@@ -1,7 +1,7 @@
 import { problemSchema, type Registration } from "@corridor/protocol";
 import { expect, it, vi } from "vitest";
 import { completed } from "./testing/messages.ts";
-import { realSmallDisk, withPageLimit } from "./testing/small-disk.ts";
+import { realSmallDisk } from "./testing/small-disk.ts";
 import { startTestRelay, type TestRelay } from "./testing/test-relay.ts";
 import { TestSocket } from "./testing/test-socket.ts";
 
@@ -19,11 +19,15 @@ function posts(relay: TestRelay, robot: Registration) {
     });
 }
 
-it("a full disk is answered with 507, loses nothing that was acknowledged, and passes", async () => {
-  const { opened: relay, fill, makeRoom } = await withPageLimit(() => startTestRelay());
+it("a full disk is answered with 507, loses nothing that was acknowledged, and passes", async ({
+  skip,
+}) => {
+  const disk = realSmallDisk(10);
+  if (disk === null) return skip("only root may have a disk of its own here");
+  const relay = await startTestRelay({ dataDir: disk.folder });
   const robot = await relay.register();
   const post = posts(relay, robot);
-  fill();
+  disk.fill();
   let stored = 0;
   let answer = await post(stored + 1);
   while (answer.status === 202 && stored < MOST_POSTS) answer = await post(++stored + 1);
@@ -42,7 +46,7 @@ it("a full disk is answered with 507, loses nothing that was acknowledged, and p
     commands: Array.from({ length: stored }, (_, n) => ({ seq: n + 1, state: "accepted" })),
   });
 
-  makeRoom();
+  disk.makeRoom();
   const retry = await vi.waitFor(async () => {
     const again = await post(stored + 1);
     expect(again.status).toBe(202);

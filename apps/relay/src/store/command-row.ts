@@ -19,6 +19,8 @@ export interface CommandRow {
   readonly deadline: number;
   readonly replace: boolean;
   readonly lease: number | null;
+  /** it does not wait for those before it */
+  readonly overtakes: boolean;
   state: CommandState;
   reason: string | null;
   /** why it was taken back, though the robot has it */
@@ -50,13 +52,48 @@ type StateColumns = [
   epoch: number | null,
 ];
 
+/** A stop, as JSON. */
+export const STOP = '{"action":"stop"}';
+
+export function isStop(text: string): boolean {
+  return text === STOP;
+}
+
 /** The columns of a row, without its robot's. */
 export const ROW_COLUMNS =
   "seq, driver, script, key, command, accepted_at, ttl, deadline, replaces, lease, " +
   "state, reason, recalled, pose, distance, epoch";
+const COLUMNS = ROW_COLUMNS.split(", ").length;
+const STATE = ROW_COLUMNS.split(", ").indexOf("state");
+
+/**
+ * An entry of the journal: a row as a step has left it.
+ * @param forgotten up to which number the robot's commands that have ended are forgotten by that step; 0: none is
+ */
+export function entryOf(row: CommandRow, forgotten: number): string {
+  const columns: unknown[] = columnsOf(row);
+  columns.push(forgotten);
+  return JSON.stringify(columns);
+}
+
+/** @throws SyntaxError when it is no entry */
+export function rowIn(entry: string): { row: CommandRow; forgotten: number } {
+  const columns = JSON.parse(entry) as unknown[];
+  // Entries of the first journals end with the row.
+  return { row: rowOf(columns), forgotten: Number(columns[COLUMNS] ?? 0) };
+}
+
+/** What an entry has for each of the columns. @throws SyntaxError when it is no entry */
+export function columnsIn(entry: string): SQLInputValue[] {
+  return (JSON.parse(entry) as SQLInputValue[]).slice(0, COLUMNS);
+}
+
+export function stateIn(columns: readonly SQLInputValue[]): CommandState {
+  return columns[STATE] as CommandState;
+}
 
 /** What of a row is in each of its columns. */
-export function columnsOf(row: CommandRow): SQLInputValue[] {
+function columnsOf(row: CommandRow): SQLInputValue[] {
   const { seq, driver, script, key, text, acceptedAt, ttl, deadline, replace, lease } = row;
   const { state, reason, recalled, pose, distance, epoch } = row;
   return [
@@ -96,6 +133,7 @@ export function rowOf(columns: readonly unknown[]): CommandRow {
     deadline,
     replace: replaces === 1,
     lease,
+    overtakes: replaces === 1 || isStop(text),
     state,
     reason,
     recalled,
@@ -103,6 +141,14 @@ export function rowOf(columns: readonly unknown[]): CommandRow {
     distance,
     epoch,
   };
+}
+
+const newest = { at: Number.NaN, text: "" };
+
+/** A time as text: many come in the same millisecond. */
+function timeOf(at: number): string {
+  if (at !== newest.at) Object.assign(newest, { at, text: new Date(at).toISOString() });
+  return newest.text;
 }
 
 export function recordOfRow(row: CommandRow): CommandRecord {
@@ -114,7 +160,7 @@ export function recordOfRow(row: CommandRow): CommandRecord {
     command,
     state,
     reason,
-    acceptedAt: new Date(row.acceptedAt).toISOString(),
+    acceptedAt: timeOf(row.acceptedAt),
     pose,
     distance,
     duplicate: false,

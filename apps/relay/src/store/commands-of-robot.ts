@@ -1,8 +1,7 @@
 /** Finds the commands of a robot, wherever they are: at hand, and only then in the tables. To be called in a step. */
 import type { CommandRecord } from "@corridor/protocol";
-import { recordOfRow, ROW_COLUMNS, type CommandRow } from "./command-row.ts";
+import { isStop, recordOfRow, ROW_COLUMNS, STOP, type CommandRow } from "./command-row.ts";
 import type { LiveRobot } from "./live-robot.ts";
-import { isStop, STOP } from "./robot-steps.ts";
 import { numberIn, rowsIn } from "./sqlite-rows.ts";
 import type { Statements } from "./statements.ts";
 
@@ -16,7 +15,9 @@ export function rowWith(
   robot: LiveRobot,
   seq: number,
 ): CommandRow | null {
-  return robot.row(seq) ?? rowsIn(statements, BY_SEQ, [id, seq])[0] ?? null;
+  const known = robot.row(seq);
+  if (known !== null || seq <= robot.forgotten) return known;
+  return rowsIn(statements, BY_SEQ, [id, seq])[0] ?? null;
 }
 
 export function recordOf(
@@ -38,8 +39,8 @@ export function withKey(
 ): CommandRecord | null {
   const atHand = robot.withKey(driver, key);
   if (atHand !== null) return recordOfRow(atHand);
-  const [row] = robot.hasLeft ? rowsIn(statements, BY_KEY, [id, driver, key]) : [];
-  return row === undefined ? null : recordOfRow(row);
+  const [row] = robot.mayHaveLeft(driver, key) ? rowsIn(statements, BY_KEY, [id, driver, key]) : [];
+  return row === undefined || row.seq <= robot.forgotten ? null : recordOfRow(row);
 }
 
 /** Those with a higher number, in order. */
@@ -49,7 +50,7 @@ export function recordsAfter(
   robot: LiveRobot,
   { seq, limit }: { seq: number; limit: number },
 ): CommandRecord[] {
-  const inTable = rowsIn(statements, AFTER, [id, seq, limit]);
+  const inTable = rowsIn(statements, AFTER, [id, Math.max(seq, robot.forgotten), limit]);
   const bySeq = new Map(inTable.map((row) => [row.seq, row]));
   for (const row of robot.rows()) if (row.seq > seq) bySeq.set(row.seq, row);
   const rows = [...bySeq.values()].toSorted((a, b) => a.seq - b.seq);
@@ -65,7 +66,7 @@ export function newestOvertaking(
 ): number | null {
   const condition = what === "stop" ? `command = '${STOP}'` : "replaces = 1";
   const sql = `SELECT max(seq) AS found FROM commands WHERE robot = ? AND seq > ? AND ${condition}`;
-  const inTable = numberIn(statements, sql, [id, after]);
+  const inTable = numberIn(statements, sql, [id, Math.max(after, robot.forgotten)]);
   const atHand = robot.rows().filter(({ seq, text, replace }) => {
     return seq > after && (what === "stop" ? isStop(text) : replace);
   });

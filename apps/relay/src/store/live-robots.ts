@@ -7,43 +7,42 @@
  * by then: when the journal has grown long, the robot that has waited longest first. What the journal holds
  * beyond the tables is read again when the file is opened, and when steps were undone.
  *
- * All of it is to be called in one step of the file, and nobody else may change commands in the tables.
+ * All of it is to be called in steps of the file, but for `peek`, `due` and `tidied`, and nobody else may change commands
+ * in the tables.
  */
-import { hasEnded } from "@corridor/protocol";
-import { columnsOf, ROW_COLUMNS, rowOf, type CommandRow } from "./command-row.ts";
+import { entryOf, ROW_COLUMNS, rowIn, type CommandRow } from "./command-row.ts";
+import type { Memory } from "./group-commit.ts";
+import type { Bringing, Entry, Tidying } from "./journal-writer.ts";
 import { LiveRobot, type Standing } from "./live-robot.ts";
 import { numberIn, rowsIn } from "./sqlite-rows.ts";
 import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
 import type { Statements } from "./statements.ts";
 
-/** Entries that the journal has before rows are brought into the tables: some 10 MB. */
-export const LONG = 32_768;
+/** Entries that the journal has before rows are brought into the tables: some 5 MB. */
+export const LONG = 16_384;
+/** Where there is always something else to write, it may get so many times as long. */
+const MUCH_LONGER = 4;
 /** What of one robot has ended and is at hand; what reads its commands goes through all of these. */
 const MOST_ENDED = 256;
-/** What is tidied at a time, so that nobody waits for it and a full disk has room for it. */
-const ENTRIES_AT_A_TIME = 512;
+/**
+ * Rows that are brought in at a time, of whole robots, so that nobody waits for it and a full disk has room for it; more
+ * where a slow disk lets more entries come at a time.
+ */
+const ROWS_AT_A_TIME = 64;
+/** Entries that are deleted at a time: more than come with them, as a rule, so that the journal gets no longer. */
+const ENTRIES_AT_A_TIME = 256;
 
 const OPEN_ROWS = `SELECT ${ROW_COLUMNS} FROM ${OPEN_COMMANDS} WHERE robot = ? AND ${IS_OPEN} ORDER BY seq`;
-const KEEP_ROW = `INSERT INTO commands (robot, is_open, ${ROW_COLUMNS})
-  VALUES (?, ?, ${ROW_COLUMNS.replaceAll(/\w+/g, "?")})
-  ON CONFLICT (robot, seq) DO UPDATE SET is_open = excluded.is_open, state = excluded.state,
-    reason = excluded.reason, recalled = excluded.recalled, pose = excluded.pose,
-    distance = excluded.distance, epoch = excluded.epoch`;
-const FORGET = "DELETE FROM commands WHERE robot = ? AND seq <= ? AND is_open = 0";
 
-/** The entries of a robot since its rows were in the tables. */
-interface Unsettled {
-  /** number of its first entry, and how many there are */
-  first: number;
-  entries: number;
-}
-
-export class LiveRobots {
+export class LiveRobots implements Memory {
   readonly #statements: Statements;
+  readonly #append: (entry: Entry) => void;
   readonly #long: number;
   readonly #live = new Map<string, LiveRobot>();
-  /** in the order of their first entries */
-  readonly #unsettled = new Map<string, Unsettled>();
+  /** number of the first entry of each that has some that the tables do not have, in the order of these */
+  readonly #unsettled = new Map<string, number>();
+  /** the same of those that are being brought into the tables */
+  readonly #bringing = new Map<string, number>();
   /** whose each entry of the journal is, in order */
   readonly #owners = new Map<number, string>();
   /** number of the next entry */
@@ -52,17 +51,19 @@ export class LiveRobots {
   readonly #crowded = new Set<string>();
   /** entries of robots that are gone */
   #orphans: number[] = [];
-  /** why the commands of these cannot be read */
-  readonly #broken = new Map<string, unknown>();
+  /** why the commands of these cannot be read, and their entries, which stay */
+  readonly #broken = new Map<string, { error: unknown; entries: number[] }>();
   /** what is at hand does not hold */
   #isUndone = true;
 
   /**
    * @param statements that are undone with the step that they are in
+   * @param append writes an entry with the step that it is in
    * @param long entries that the journal has before rows are brought into the tables
    */
-  constructor(statements: Statements, long: number) {
+  constructor(statements: Statements, append: (entry: Entry) => void, long: number) {
     this.#statements = statements;
+    this.#append = append;
     this.#long = long;
     this.#restore();
   }
@@ -78,6 +79,11 @@ export class LiveRobots {
     return this.#live.get(id) ?? null;
   }
 
+  /** The robot as it is at this moment, outside of a step; null: that is not known without reading. */
+  peek(id: string): LiveRobot | null {
+    return this.#isUndone ? null : (this.#live.get(id) ?? null);
+  }
+
   /** @returns the robot with its commands at hand from now on; null: there is no such robot */
   open(id: string): LiveRobot | null {
     return this.get(id) ?? this.#load(id);
@@ -86,12 +92,6 @@ export class LiveRobots {
   /** The robot's keys, or the scripts that were sent away, are others now. */
   refresh(id: string, { standing }: LiveRobot): void {
     Object.assign(standing, this.#whoMay(id));
-  }
-
-  /** Deletes what of the robot has ended, up to this number. */
-  forget(id: string, robot: LiveRobot, seq: number): void {
-    if (robot.holdsEnded(seq)) this.#bringIn(id, robot);
-    this.#statements.run(FORGET, [id, seq]);
   }
 
   /** A step is done with the robot: what need not be at hand is let go. */
@@ -105,6 +105,7 @@ export class LiveRobots {
     if (this.#isUndone) this.#restore();
     const gone = new Set(ids);
     for (const id of gone) {
+      this.#orphans.push(...(this.#broken.get(id)?.entries ?? []));
       this.#live.delete(id);
       this.#unsettled.delete(id);
       this.#broken.delete(id);
@@ -123,51 +124,85 @@ export class LiveRobots {
 
   /** Deletes some of them. */
   deleteOrphans(): void {
+    // What was deleted may be there again, and the robot of these entries with it.
+    if (this.#isUndone) this.#restore();
     for (const entry of this.#orphans.splice(-ENTRIES_AT_A_TIME))
       this.#statements.run("DELETE FROM journal WHERE id = ?", [entry]);
   }
 
-  /** Whether there is something to tidy. */
+  /** Whether there is something to tidy, for whoever has time. */
   get isUntidy(): boolean {
-    return this.#owners.size > this.#long || this.#crowded.size > 0;
+    return this.#owners.size > this.#long;
   }
 
-  /** Brings some rows into the tables, and deletes some entries that are not needed any more. */
-  tidy(): void {
-    if (this.#isUndone) this.#restore();
-    let left = ENTRIES_AT_A_TIME;
-    for (const id of this.#inTurn()) {
+  /**
+   * What is to be written with the next entries; `tidied` has to be told of it before more is.
+   * @param isIdle there is time; otherwise only what cannot wait is
+   */
+  due(entries: number, isIdle: boolean): Tidying | null {
+    const isLong = this.#owners.size > this.#long * (isIdle ? 1 : MUCH_LONGER);
+    if (this.#isUndone || (!isLong && this.#crowded.size === 0)) return null;
+    const bringing: Bringing[] = [];
+    let left = Math.max(ROWS_AT_A_TIME, 2 * entries);
+    for (const id of this.#inTurn(isLong)) {
       this.#crowded.delete(id);
-      left -= this.#unsettled.get(id)?.entries ?? 0;
       const robot = this.#live.get(id);
-      if (robot === undefined) continue;
-      this.#bringIn(id, robot);
-      this.#release(id, robot);
+      const first = this.#unsettled.get(id);
+      if (robot === undefined || first === undefined) continue;
+      this.#unsettled.delete(id);
+      this.#bringing.set(id, first);
+      const { lastSeq } = robot.standing;
+      const { isToForget: forgotten } = robot;
+      const { rows, gone } = robot.unsettled();
+      bringing.push({ robot: id, entries: rows, gone, upTo: this.#next - 1, lastSeq, forgotten });
+      left -= rows.length + gone.length;
       if (left <= 0) break;
     }
-    if (this.#owners.size > this.#long) this.#deleteSettled();
+    const most = Math.max(ENTRIES_AT_A_TIME, 4 * entries);
+    const deleted = isLong ? this.#settledEntries(most) : 0;
+    if (bringing.length === 0 && deleted === 0) return null;
+    return { bringing, deleted, kept: [...this.#broken.keys()] };
+  }
+
+  /** What was due is on disk, or nothing of it. @param failed why it is not */
+  tidied({ bringing, deleted }: Tidying, failed: unknown): void {
+    if (failed === null) {
+      for (const { robot: id, upTo } of bringing) {
+        const robot = this.#live.get(id);
+        robot?.settled(upTo);
+        if (robot !== undefined) this.#release(id, robot);
+      }
+      for (const entry of this.#owners.keys()) {
+        if (entry > deleted) break;
+        this.#owners.delete(entry);
+      }
+    } else {
+      const all = [...new Map([...this.#unsettled, ...this.#bringing])];
+      this.#unsettled.clear();
+      for (const [id, first] of all.toSorted(([, a], [, b]) => a - b))
+        this.#unsettled.set(id, first);
+    }
+    this.#bringing.clear();
   }
 
   /** Robots in the order in which their rows are to be brought into the tables. */
-  *#inTurn(): Iterable<string> {
+  *#inTurn(isLong: boolean): Iterable<string> {
     yield* this.#crowded;
-    for (const id of this.#unsettled.keys()) {
-      if (this.#owners.size <= this.#long) return;
-      yield id;
-    }
+    if (isLong) yield* this.#unsettled.keys();
   }
 
   #load(id: string): LiveRobot | null {
     const known = this.#live.get(id);
     if (known !== undefined) return known;
-    if (this.#broken.has(id)) throw this.#broken.get(id);
+    const broken = this.#broken.get(id);
+    if (broken !== undefined) throw broken.error;
     const sql = "SELECT epoch, last_seq AS lastSeq, paused FROM sessions WHERE id = ?";
     const [session] = this.#statements.all(sql, [id]);
     if (session === undefined) return null;
     const { epoch, lastSeq, paused } = session as { epoch: number; lastSeq: number; paused: 0 | 1 };
     const standing = { epoch, lastSeq, isPaused: paused === 1, ...this.#whoMay(id) };
     const open = rowsIn(this.#statements, OPEN_ROWS, [id]);
-    const robot = new LiveRobot(standing, open, (row) => this.#keep(id, row));
+    const robot = new LiveRobot(standing, open, (...kept) => this.#keep(id, ...kept));
     this.#live.set(id, robot);
     return robot;
   }
@@ -176,6 +211,7 @@ export class LiveRobots {
   #restore(): void {
     this.#live.clear();
     this.#unsettled.clear();
+    this.#bringing.clear();
     this.#crowded.clear();
     this.#broken.clear();
     this.#orphans = [];
@@ -193,54 +229,48 @@ export class LiveRobots {
       else this.#owners.set(id, robot);
       if (until === null || id <= until || this.#broken.has(robot)) continue;
       try {
-        this.#load(robot)?.put(rowOf(JSON.parse(entry) as unknown[]));
+        this.#load(robot)?.restore(rowIn(entry), id);
         this.#note(robot, id);
       } catch (error) {
         // One robot that cannot be read must not be the end of all others: it fails whenever it is asked for.
-        this.#broken.set(robot, error);
+        this.#broken.set(robot, { error, entries: [] });
         this.#live.delete(robot);
         this.#unsettled.delete(robot);
       }
     }
+    // What the tables do not have of it stays, whatever becomes of the rest of the journal.
+    for (const { id, robot, settled: until } of entries) {
+      const broken = this.#broken.get(robot);
+      if (broken === undefined || id <= (until ?? id)) continue;
+      broken.entries.push(id);
+      this.#owners.delete(id);
+    }
     this.#isUndone = false;
   }
 
-  #keep(id: string, row: CommandRow): void {
+  #keep(id: string, row: CommandRow, forgotten: number): number {
     const entry = this.#next++;
-    const sql = "INSERT INTO journal (id, robot, entry) VALUES (?, ?, ?)";
-    this.#statements.run(sql, [entry, id, JSON.stringify(columnsOf(row))]);
+    this.#append([entry, id, entryOf(row, forgotten)]);
     this.#owners.set(entry, id);
     this.#note(id, entry);
+    return entry;
   }
 
   #note(id: string, entry: number): void {
-    const unsettled = this.#unsettled.get(id);
-    if (unsettled === undefined) this.#unsettled.set(id, { first: entry, entries: 1 });
-    else unsettled.entries += 1;
+    if (!this.#unsettled.has(id)) this.#unsettled.set(id, entry);
   }
 
-  /** Deletes the oldest entries as far as the tables have what they say. */
-  #deleteSettled(): void {
-    const [oldest] = this.#unsettled.values();
-    const first = oldest?.first ?? this.#next;
-    let until = 0;
-    let left = ENTRIES_AT_A_TIME;
+  /** The newest of the oldest entries, of which the tables have all that they say. */
+  #settledEntries(most: number): number {
+    const [unsettled = this.#next] = this.#unsettled.values();
+    const first = Math.min(unsettled, ...this.#bringing.values());
+    let newest = 0;
+    let left = most;
     for (const entry of this.#owners.keys()) {
       if (entry >= first || left-- === 0) break;
-      this.#owners.delete(entry);
-      until = entry;
+      newest = entry;
     }
-    this.#statements.run("DELETE FROM journal WHERE id <= ?", [until]);
-  }
-
-  #bringIn(id: string, robot: LiveRobot): void {
-    if (!this.#unsettled.delete(id)) return;
-    for (const row of robot.unsettled()) {
-      this.#statements.run(KEEP_ROW, [id, hasEnded(row.state) ? 0 : 1, ...columnsOf(row)]);
-    }
-    const sql = "UPDATE sessions SET last_seq = ?, settled = ? WHERE id = ?";
-    this.#statements.run(sql, [robot.standing.lastSeq, this.#next - 1, id]);
-    robot.settled();
+    return newest;
   }
 
   #release(id: string, robot: LiveRobot): void {

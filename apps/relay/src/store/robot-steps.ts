@@ -3,7 +3,7 @@
  * change names the states that it may come from, and an ending is for ever.
  */
 import type { CommandRecord, Ending } from "@corridor/protocol";
-import { recordOfRow, termedOfRow, type CommandRow } from "./command-row.ts";
+import { isStop, recordOfRow, termedOfRow, type CommandRow } from "./command-row.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import {
   CLOCK_TOLERANCE_MS,
@@ -14,12 +14,6 @@ import {
   type PageState,
   type TermedRecord,
 } from "./session-store.ts";
-
-export const STOP = '{"action":"stop"}';
-
-export function isStop(text: string): boolean {
-  return text === STOP;
-}
 
 /** Whether who sends a command may. @returns null: yes */
 export function refusal({ standing }: LiveRobot, { driver, script }: NewCommand): AddResult | null {
@@ -36,7 +30,8 @@ export function add(robot: LiveRobot, command: NewCommand, text: string): AddRes
   if (deadline <= acceptedAt) return { outcome: "late" };
   const seq = standing.lastSeq + 1;
   const ended = stops || replace ? overtake(robot, { seq, stops }) : [];
-  if (!stops && count(robot, "accepted") >= command.maxWaiting) return { outcome: "full" };
+  if (!stops && robot.waitingCount >= command.maxWaiting) return { outcome: "full" };
+  robot.forget(seq - command.keep);
   const row = robot.change({
     seq,
     driver,
@@ -49,6 +44,7 @@ export function add(robot: LiveRobot, command: NewCommand, text: string): AddRes
     deadline: Math.round(deadline),
     replace,
     lease: lease === null ? null : Math.round(lease),
+    overtakes: stops || replace,
     state: "accepted",
     reason: null,
     recalled: null,
@@ -65,12 +61,13 @@ export function deliver(
   { epoch, window, now }: { epoch: number; window: number; now: number },
 ): TermedRecord[] {
   if (robot.standing.epoch !== epoch) return [];
-  const free = window - count(robot, "delivered");
+  if (robot.hasAll(window)) return [];
+  const free = window - robot.deliveredCount;
   const due: CommandRow[] = [];
   let at = 0;
   for (const row of robot.open) {
     if (row.state !== "accepted" || isLate(row, now)) continue;
-    if (at < free || overtakes(row)) due.push(row);
+    if (at < free || row.overtakes) due.push(row);
     at += 1;
   }
   return due.map((row) => termedOfRow(robot.change(row, { state: "delivered", epoch })));
@@ -188,11 +185,6 @@ export function meetPage(
   return { changed: [...changed.values()].toSorted((a, b) => a.seq - b.seq), refused };
 }
 
-/** It does not wait for those before it. */
-export function overtakes({ text, replace }: Pick<CommandRow, "text" | "replace">): boolean {
-  return replace || isStop(text);
-}
-
 /** Ends what was accepted before a command that overtakes. */
 function overtake(
   robot: LiveRobot,
@@ -211,13 +203,6 @@ function overtake(
 
 function waiting(robot: LiveRobot): CommandRow[] {
   return [...robot.open].filter(({ state }) => state === "accepted");
-}
-
-/** Those in a state, without those that overtake. */
-function count({ open }: LiveRobot, state: "accepted" | "delivered"): number {
-  let found = 0;
-  for (const row of open) if (row.state === state && !overtakes(row)) found += 1;
-  return found;
 }
 
 function isWithRobot({ state }: CommandRow): boolean {

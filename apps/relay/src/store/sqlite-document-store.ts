@@ -62,7 +62,7 @@ export class SqliteDocumentStore implements DocumentStore {
   }
 
   async close(): Promise<void> {
-    this.#file.close();
+    await this.#file.close();
   }
 
   async #noteUse(id: string, now: number, noteMs: number): Promise<void> {

@@ -38,7 +38,9 @@ async function onFillingDisk() {
     hold: () => ballast.isHeld || ballast.hasRoom,
   };
   const path = join(testFolder(), "corridor.sqlite");
-  const { opened, fill, makeRoom } = await withPageLimit(() => new SqliteFile(path, holder));
+  const { opened, fill, makeRoom } = await withPageLimit(
+    () => new SqliteFile(path, { ballast: holder }),
+  );
   const store = new SqliteStore(opened);
   onTestFinished(() => store.close());
   await store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });

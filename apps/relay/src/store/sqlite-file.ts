@@ -12,9 +12,12 @@ import type { DatabaseSync } from "node:sqlite";
 import { BallastFile, type Ballast } from "./ballast.ts";
 import { isDiskFull, StoreFull, takeRoom } from "./disk-full.ts";
 import { FileLock } from "./file-lock.ts";
-import { GroupCommit } from "./group-commit.ts";
+import { GroupCommit, type Memory } from "./group-commit.ts";
+import { OwnJournal } from "./journal.ts";
+import type { Entry } from "./journal-writer.ts";
 import { openDatabase, openForReading } from "./sqlite-schema.ts";
 import { Statements } from "./statements.ts";
+import { ThreadedJournal } from "./threaded-journal.ts";
 
 /** While the disk is full, it is looked at for room no more often. */
 const LOOK_MS = 1_000;
@@ -42,6 +45,15 @@ export function withRoom<T>(open: () => T, ballast: Ballast): T {
   }
 }
 
+export interface SqliteFileParts {
+  /** default: a file beside the database */
+  ballast?: Ballast;
+  /** ms for another relay that has it to end */
+  waitMs?: number;
+  /** the journal is written on a thread of its own */
+  isThreaded?: boolean;
+}
+
 export class SqliteFile {
   readonly #lock: FileLock;
   readonly #db: DatabaseSync;
@@ -52,68 +64,95 @@ export class SqliteFile {
   readonly writing: Statements;
   /** for what only reads: sees what is on disk */
   readonly reading: Statements;
-  readonly #undone: (() => void)[] = [];
+  #memory: Memory | null = null;
   #isFull: boolean;
   #lookedAt = -Infinity;
+  #closed: Promise<void> | null = null;
 
   /**
    * @param path of the database, made with its folder when it is missing
-   * @param ballast default: a file beside the database
-   * @param waitMs for another relay that has it to end
    * @throws Error when another relay has it, or a newer one wrote it
    */
-  constructor(
-    path: string,
-    ballast: Ballast = new BallastFile(`${path}-ballast`),
-    waitMs?: number,
-  ) {
+  constructor(path: string, { ballast, waitMs, isThreaded = false }: SqliteFileParts = {}) {
     mkdirSync(dirname(path), { recursive: true });
+    this.#ballast = ballast ?? new BallastFile(`${path}-ballast`);
     this.#lock = new FileLock(path, waitMs);
     try {
-      this.#db = withRoom(() => openDatabase(path), ballast);
+      this.#db = withRoom(() => openDatabase(path), this.#ballast);
       this.#readOnly = openForReading(path);
     } catch (error) {
       this.#lock.free();
       throw error;
     }
-    this.#commits = new GroupCommit(this.#db, () => {
-      for (const tell of this.#undone) tell();
+    this.#commits = new GroupCommit(this.#db, {
+      journal: isThreaded ? new ThreadedJournal(path) : new OwnJournal(this.#db),
+      memory: this.#memoryWithRoom(),
     });
     this.writing = new Statements(this.#db);
     this.reading = new Statements(this.#readOnly);
-    this.#ballast = ballast;
-    this.#isFull = !ballast.hold();
+    this.#isFull = !this.#ballast.hold();
   }
 
-  /** @param tell is called when steps are undone: what they left in memory does not hold */
-  whenUndone(tell: () => void): void {
-    this.#undone.push(tell);
+  /** What its steps have in memory. */
+  remember(memory: Memory): void {
+    this.#memory = memory;
   }
 
-  /** One atomic step that ends, moves or deletes something. It may use the ballast's room. */
-  async step<T>(work: () => T): Promise<T> {
-    try {
-      return await this.#commits.run(work);
-    } catch (error) {
+  /** What needs room waits while there is none. */
+  #memoryWithRoom(): Memory {
+    const isUntidy = (): boolean => !this.#isFull && this.#memory?.isUntidy === true;
+    return {
+      undone: () => this.#memory?.undone(),
+      due: (...how) => (this.#isFull ? null : (this.#memory?.due(...how) ?? null)),
+      get isUntidy() {
+        return isUntidy();
+      },
+      tidied: (tidying, failed) => {
+        this.#memory?.tidied(tidying, failed);
+        this.#noteFull(failed);
+      },
+    };
+  }
+
+  /** Whether what is in memory is what the next step in memory would find. */
+  get isPrompt(): boolean {
+    return this.#commits.isPrompt;
+  }
+
+  /** Adds an entry to the journal, in a step. */
+  append(entry: Entry): void {
+    this.#commits.append(entry);
+  }
+
+  /**
+   * One atomic step that ends, moves or deletes something. It may use the ballast's room.
+   * @param kind memory: it changes no rows
+   */
+  step<T>(work: () => T, kind: "rows" | "memory" = "rows"): Promise<T> {
+    return this.#commits.run(work, kind).catch((error: unknown) => {
       if (!isDiskFull(error)) throw error;
       // Once, whoever of its group was first to give the ballast up: the room is there for all of them.
       this.#noteFull(error);
-      return this.#commits.run(work);
-    }
+      return this.#commits.run(work, kind);
+    });
   }
 
   /**
    * One atomic step that adds something.
+   * @param kind memory: it changes no rows
    * @throws StoreFull, or the error of SQLite, when the disk is full
    */
-  async growingStep<T>(work: () => T): Promise<T> {
-    if (this.#isFull && !this.#findRoom()) throw new StoreFull();
-    try {
-      return await this.#commits.run(work);
-    } catch (error) {
-      this.#noteFull(error);
-      throw error;
-    }
+  growingStep<T>(work: () => T, kind: "rows" | "memory" = "rows"): Promise<T> {
+    const grow = (): Promise<T> =>
+      this.#commits.run(work, kind).catch((error: unknown) => {
+        this.#noteFull(error);
+        throw error;
+      });
+    if (!this.#isFull) return grow();
+    return this.#findRoom().then((hasRoom) => {
+      if (hasRoom) return grow();
+      throw new StoreFull();
+    });
   }
 
   /**
@@ -123,28 +162,28 @@ export class SqliteFile {
    */
   async forget<T>(work: () => T, hasDeleted: (result: T) => boolean): Promise<T> {
     const result = await this.step(work);
-    if (hasDeleted(result)) this.#emptyLog();
+    if (hasDeleted(result)) await this.#emptyLog();
     return result;
   }
 
   /** The file itself may have to grow for what is in the log: on a full disk by the ballast's room. */
-  #emptyLog(): void {
-    const empty = (): void =>
+  async #emptyLog(): Promise<void> {
+    const empty = (): Promise<void> =>
       this.#commits.alone(() => this.#db.exec("PRAGMA wal_checkpoint(TRUNCATE)"));
     try {
-      empty();
+      await empty();
     } catch (error) {
       if (!isDiskFull(error)) throw error;
       this.#noteFull(error);
-      empty();
+      await empty();
     }
   }
 
   /** Whether it can be written, found out by writing. @throws the error of SQLite when it does not answer */
-  check(): "ok" | "full" {
+  async check(): Promise<"ok" | "full"> {
     try {
-      if (this.#isFull) return this.#findRoom(0) ? "ok" : "full";
-      this.#commits.alone(() => takeRoom(this.#db));
+      if (this.#isFull) return (await this.#findRoom(0)) ? "ok" : "full";
+      await this.#commits.alone(() => takeRoom(this.#db));
       return "ok";
     } catch (error) {
       if (!isDiskFull(error)) throw error;
@@ -153,12 +192,20 @@ export class SqliteFile {
     }
   }
 
-  close(): void {
-    if (!this.#db.isOpen) return;
-    this.#commits.flush();
-    this.#readOnly.close();
-    this.#db.close();
-    this.#lock.free();
+  /** Waits for all that was asked for, and is closed by then for whoever waits for it. */
+  close(): Promise<void> {
+    this.#closed ??= this.#close();
+    return this.#closed;
+  }
+
+  async #close(): Promise<void> {
+    try {
+      await this.#commits.close();
+    } finally {
+      this.#readOnly.close();
+      this.#db.close();
+      this.#lock.free();
+    }
   }
 
   #noteFull(error: unknown): void {
@@ -167,13 +214,13 @@ export class SqliteFile {
     this.#ballast.giveUp();
   }
 
-  #findRoom(everyMs = LOOK_MS): boolean {
+  async #findRoom(everyMs = LOOK_MS): Promise<boolean> {
     const now = performance.now();
     if (now - this.#lookedAt < everyMs) return false;
     this.#lookedAt = now;
     if (!this.#ballast.hold()) return false;
     try {
-      this.#commits.alone(() => takeRoom(this.#db));
+      await this.#commits.alone(() => takeRoom(this.#db));
     } catch (error) {
       if (!isDiskFull(error)) throw error;
       this.#ballast.giveUp();

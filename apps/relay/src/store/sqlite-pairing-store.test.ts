@@ -18,7 +18,7 @@ pairingStoreCases("SqlitePairingStore", async () => {
   return {
     ...stores,
     reopen: async () => {
-      file.close();
+      await file.close();
       return open().store;
     },
     holds: async (text) =>

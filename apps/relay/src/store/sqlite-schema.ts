@@ -171,6 +171,15 @@ CREATE TABLE journal (
 ALTER TABLE sessions ADD COLUMN settled INTEGER NOT NULL DEFAULT 0;
 `;
 
+// FULL: an acknowledged command survives a power cut. secure_delete: deleted means gone from the file.
+const PROMISES = `
+  PRAGMA journal_mode = WAL;
+  PRAGMA synchronous = FULL;
+  PRAGMA foreign_keys = ON;
+  PRAGMA secure_delete = ON;
+  PRAGMA busy_timeout = 2000;
+`;
+
 /** What each version added to the one before it: the first leads from an empty file to version 1. */
 const STEPS: readonly string[] = [
   SESSIONS,
@@ -198,6 +207,13 @@ export function openDatabase(file: string, newest = STEPS.length): DatabaseSync 
   return db;
 }
 
+/** Opens another connection to a prepared database, which promises as much. */
+export function openForWriting(file: string): DatabaseSync {
+  const db = new DatabaseSync(file);
+  db.exec(PROMISES);
+  return db;
+}
+
 /** Opens another connection to a prepared database: it sees what is committed, and changes nothing. */
 export function openForReading(file: string): DatabaseSync {
   return new DatabaseSync(file, { readOnly: true });
@@ -208,14 +224,7 @@ export function openForReading(file: string): DatabaseSync {
  * @throws Error when the file was written by a newer version
  */
 function prepareDatabase(db: DatabaseSync, newest: number): void {
-  // FULL: an acknowledged command survives a power cut. secure_delete: deleted means gone from the file.
-  db.exec(`
-    PRAGMA journal_mode = WAL;
-    PRAGMA synchronous = FULL;
-    PRAGMA foreign_keys = ON;
-    PRAGMA secure_delete = ON;
-    PRAGMA busy_timeout = 2000;
-  `);
+  db.exec(PROMISES);
   const version = Number(db.prepare("PRAGMA user_version").get()?.["user_version"] ?? 0);
   if (version > newest) {
     throw new Error(

@@ -9,14 +9,15 @@ import { testFolder } from "../testing/test-relay.ts";
 import { SqliteFile } from "./sqlite-file.ts";
 import { SqliteStore } from "./sqlite-store.ts";
 import { storeCases } from "./testing/store.cases.ts";
-import { pageState } from "./testing/robot-in-store.ts";
+import { pageState, type OpenStore } from "./testing/robot-in-store.ts";
 
-storeCases("SqliteStore", async () => {
+const openStore = (isThreaded: boolean) => async (): Promise<OpenStore> => {
   const folder = testFolder();
   const open = (): SqliteStore => {
-    const store = new SqliteStore(join(folder, "deep", "corridor.sqlite"));
-    // Closing twice is an error of SQLite; some cases close for themselves.
-    onTestFinished(() => store.close().catch(() => undefined));
+    const store = new SqliteStore(
+      new SqliteFile(join(folder, "deep", "corridor.sqlite"), { isThreaded }),
+    );
+    onTestFinished(() => store.close());
     return store;
   };
   const store = open();
@@ -31,13 +32,17 @@ storeCases("SqliteStore", async () => {
         readFileSync(join(folder, "deep", file)).includes(text),
       ),
   };
-});
+};
+
+storeCases("SqliteStore", openStore(false));
+storeCases("SqliteStore with a thread", openStore(true));
 
 it("finds the commands of a robot by index, however many have ended", async () => {
   const file = join(testFolder(), "corridor.sqlite");
   const prepare = vi.spyOn(DatabaseSync.prototype, "prepare");
   onTestFinished(() => prepare.mockRestore());
-  const store = new SqliteStore(file);
+  // What is written of commands is brought into the tables with the next step.
+  const store = new SqliteStore(file, 0);
   onTestFinished(() => store.close());
   const id = "AAAAAAAAAAAAAAAAAAAAAA";
   await store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
@@ -52,7 +57,8 @@ it("finds the commands of a robot by index, however many have ended", async () =
   await store.end(id, 1, completed(2));
   await store.abandon(id, 1, "gone");
   await store.expire(id, 2);
-  // Brings what has ended into the tables, and deletes it there.
+  // Ends one that is in no table yet, and forgets it and those that are.
+  await store.add(id, { ...command, key: null, command: { action: "left 90" } });
   await store.add(id, { ...command, key: null, keep: 1, command: { action: "stop" } });
   await store.add(id, { ...command, key: "a-key-0002", command: { action: "stop" } });
   await store.takeOver(id, pageState({ lastApplied: 2, fresh: true, endings: [] }));
@@ -61,7 +67,7 @@ it("finds the commands of a robot by index, however many have ended", async () =
 
   const statements = prepare.mock.calls.map(([sql]) => sql);
   const ofCommands = new Set(statements.filter((sql) => /\scommands\s/.test(sql)));
-  expect(ofCommands.size).toBe(8);
+  expect(ofCommands.size).toBe(9);
   const db = new DatabaseSync(file);
   onTestFinished(() => db.close());
   const slow = [...ofCommands].filter((sql) => {
@@ -80,7 +86,9 @@ it("is refused a file that another relay has, until that one ends", async () => 
   const other = startOther(file);
   onTestFinished(() => void other.kill("SIGKILL"));
   await once(other.stdout, "data");
-  expect(() => new SqliteFile(file, undefined, 100)).toThrow(/Another Corridor uses this database/);
+  expect(() => new SqliteFile(file, { waitMs: 100 })).toThrow(
+    /Another Corridor uses this database/,
+  );
   other.kill("SIGKILL");
   await once(other, "exit");
   await new SqliteStore(file).close();

@@ -8,7 +8,7 @@
  */
 import { hasEnded, type CommandRecord, type Ending } from "@corridor/protocol";
 import { z } from "zod";
-import { recordOfRow } from "./command-row.ts";
+import { isStop, recordOfRow } from "./command-row.ts";
 import { newestOvertaking, recordOf, recordsAfter, rowWith, withKey } from "./commands-of-robot.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { LiveRobots, LONG } from "./live-robots.ts";
@@ -47,7 +47,6 @@ const sessionRow = z.object({
 export class SqliteStore implements SessionStore {
   readonly #file: SqliteFile;
   readonly #live: LiveRobots;
-  #isTidying = false;
 
   /**
    * @param file or its path; closing the store closes it
@@ -55,8 +54,8 @@ export class SqliteStore implements SessionStore {
    */
   constructor(file: SqliteFile | string, journal = LONG) {
     this.#file = typeof file === "string" ? new SqliteFile(file) : file;
-    this.#live = new LiveRobots(this.#file.writing, journal);
-    this.#file.whenUndone(() => this.#live.undone());
+    this.#live = new LiveRobots(this.#file.writing, (entry) => this.#file.append(entry), journal);
+    this.#file.remember(this.#live);
     // Of a relay that was ended in the middle of a deletion; where it fails, the next deletion does it.
     if (this.#live.hasOrphans) this.#forgetOrphans().catch(() => undefined);
   }
@@ -184,9 +183,9 @@ export class SqliteStore implements SessionStore {
     return gone;
   }
 
-  async add(id: string, command: NewCommand): Promise<AddResult> {
+  add(id: string, command: NewCommand): Promise<AddResult> {
     const text = JSON.stringify(command.command);
-    const { driver, key, keep } = command;
+    const { driver, key } = command;
     const work = (): AddResult =>
       this.#of<AddResult>(id, { outcome: "no-session" }, (robot) => {
         const refused = steps.refusal(robot, command);
@@ -196,52 +195,45 @@ export class SqliteStore implements SessionStore {
           const same = JSON.stringify(earlier.command) === text;
           return { outcome: same ? "duplicate" : "conflict", record: earlier };
         }
-        const result = steps.add(robot, command, text);
-        if (result.outcome === "stored" && result.record.seq > keep) {
-          this.#live.forget(id, robot, result.record.seq - keep);
-        }
-        return result;
+        return steps.add(robot, command, text);
       });
     // A robot can be stopped on a full disk, too.
-    return steps.isStop(text) ? this.#file.step(work) : this.#file.growingStep(work);
+    return isStop(text) ? this.#file.step(work, "memory") : this.#file.growingStep(work, "memory");
   }
 
-  async deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]> {
-    return this.#file.step(() =>
-      this.#of<TermedRecord[]>(id, [], (robot) => steps.deliver(robot, { epoch, window, now })),
+  deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]> {
+    // With each command that comes it is asked what the page may have now: mostly nothing more.
+    if (this.#file.isPrompt && this.#live.peek(id)?.hasAll(window) === true)
+      return Promise.resolve([]);
+    return this.#decide<TermedRecord[]>(id, [], (robot) =>
+      steps.deliver(robot, { epoch, window, now }),
     );
   }
 
-  async expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }> {
-    return this.#file.step(() =>
-      this.#of(id, { ended: [], next: null }, (robot) => steps.expire(robot, now)),
-    );
+  expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }> {
+    return this.#decide(id, { ended: [], next: null }, (robot) => steps.expire(robot, now));
   }
 
-  async cancel(id: string, seq: number, by: { driver: string; reason: string }) {
-    return this.#file.step(() =>
-      this.#of<CancelResult>(id, { outcome: "no-command" }, (robot) => {
-        const row = rowWith(this.#writing, id, robot, seq);
-        if (row === null) return { outcome: "no-command" };
-        if (row.driver !== by.driver) return { outcome: "not-yours" };
-        if (hasEnded(row.state)) return { outcome: "over", record: recordOfRow(row) };
-        return steps.cancel(robot, row, by.reason);
-      }),
-    );
+  cancel(id: string, seq: number, by: { driver: string; reason: string }) {
+    return this.#decide<CancelResult>(id, { outcome: "no-command" }, (robot) => {
+      const row = rowWith(this.#writing, id, robot, seq);
+      if (row === null) return { outcome: "no-command" };
+      if (row.driver !== by.driver) return { outcome: "not-yours" };
+      if (hasEnded(row.state)) return { outcome: "over", record: recordOfRow(row) };
+      return steps.cancel(robot, row, by.reason);
+    });
   }
 
-  async start(id: string, epoch: number, seq: number): Promise<CommandRecord | null> {
-    return this.#file.step(() => this.#of(id, null, (robot) => steps.begin(robot, epoch, seq)));
+  start(id: string, epoch: number, seq: number): Promise<CommandRecord | null> {
+    return this.#decide(id, null, (robot) => steps.begin(robot, epoch, seq));
   }
 
-  async end(id: string, epoch: number, ending: Ending): Promise<EndResult> {
-    return this.#file.step(() =>
-      this.#of<EndResult>(id, { outcome: "over", record: null }, (robot) => {
-        const record = robot.standing.epoch === epoch ? steps.end(robot, ending) : null;
-        if (record !== null) return { outcome: "ended", record };
-        return { outcome: "over", record: recordOf(this.#writing, id, robot, ending.seq) };
-      }),
-    );
+  end(id: string, epoch: number, ending: Ending): Promise<EndResult> {
+    return this.#decide<EndResult>(id, { outcome: "over", record: null }, (robot) => {
+      const record = robot.standing.epoch === epoch ? steps.end(robot, ending) : null;
+      if (record !== null) return { outcome: "ended", record };
+      return { outcome: "over", record: recordOf(this.#writing, id, robot, ending.seq) };
+    });
   }
 
   async abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[]> {
@@ -277,32 +269,26 @@ export class SqliteStore implements SessionStore {
     );
   }
 
-  // What was brought into the tables and is not on disk yet is seen by the steps alone: what reads commands is one.
+  // What is in memory may not be on disk yet: nobody is told before, and what reads commands is a step, too.
 
-  async command(id: string, seq: number): Promise<CommandRecord | null> {
-    return this.#file.step(() =>
-      this.#of(id, null, (robot) => recordOf(this.#writing, id, robot, seq)),
+  command(id: string, seq: number): Promise<CommandRecord | null> {
+    return this.#decide(id, null, (robot) => recordOf(this.#writing, id, robot, seq));
+  }
+
+  commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
+    return this.#decide<CommandRecord[]>(id, [], (robot) =>
+      recordsAfter(this.#writing, id, robot, { seq, limit }),
     );
   }
 
-  async commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
-    return this.#file.step(() =>
-      this.#of<CommandRecord[]>(id, [], (robot) =>
-        recordsAfter(this.#writing, id, robot, { seq, limit }),
-      ),
-    );
+  openCommands(id: string): Promise<CommandRecord[]> {
+    return this.#decide(id, [], ({ open }) => [...open].map(recordOfRow));
   }
 
-  async openCommands(id: string): Promise<CommandRecord[]> {
-    return this.#file.step(() => this.#of(id, [], ({ open }) => [...open].map(recordOfRow)));
-  }
-
-  async recalled(id: string): Promise<{ seq: number; reason: string }[]> {
-    return this.#file.step(() =>
-      this.#of<{ seq: number; reason: string }[]>(id, [], ({ open }) =>
-        [...open].flatMap(({ seq, state, recalled }) =>
-          recalled === null || state === "accepted" ? [] : { seq, reason: recalled },
-        ),
+  recalled(id: string): Promise<{ seq: number; reason: string }[]> {
+    return this.#decide<{ seq: number; reason: string }[]>(id, [], ({ open }) =>
+      [...open].flatMap(({ seq, state, recalled }) =>
+        recalled === null || state === "accepted" ? [] : { seq, reason: recalled },
       ),
     );
   }
@@ -312,11 +298,16 @@ export class SqliteStore implements SessionStore {
   }
 
   async close(): Promise<void> {
-    this.#file.close();
+    await this.#file.close();
   }
 
   get #writing(): Statements {
     return this.#file.writing;
+  }
+
+  /** A step that changes no rows. */
+  #decide<T>(id: string, none: T, work: (robot: LiveRobot) => T): Promise<T> {
+    return this.#file.step(() => this.#of(id, none, work), "memory");
   }
 
   /** What a step does with a robot. @param none where there is no such robot */
@@ -325,18 +316,7 @@ export class SqliteStore implements SessionStore {
     if (robot === null) return none;
     const result = work(robot);
     this.#live.done(id, robot);
-    if (this.#live.isUntidy) this.#tidySoon();
     return result;
-  }
-
-  /** In steps of its own, of which none is in anybody's way: what fails is tried again after another step. */
-  #tidySoon(): void {
-    if (this.#isTidying) return;
-    this.#isTidying = true;
-    setImmediate(() => {
-      const tidied = this.#file.growingStep(() => this.#live.tidy());
-      tidied.catch(() => undefined).finally(() => (this.#isTidying = false));
-    });
   }
 
   /** Deletes what the journal has of robots that are gone, a little at a time; at least once, to be the last that does. */

@@ -63,3 +63,15 @@ export async function robotIn(open: () => Promise<OpenStore>) {
     (await store.commandsAfter(ID, 0, 100)).map(({ seq, state }) => `${seq} ${state}`);
   return { ...opened, add, deliver, states };
 }
+
+/** Several robots in an empty store, each with a page and these drivers. */
+export const ROBOTS = ["A".repeat(22), "B".repeat(22), "C".repeat(22)];
+export const DRIVERS = ["d", "e"];
+
+export async function withRobots(store: SessionStore): Promise<void> {
+  const keys = DRIVERS.map((hash) => ({ kind: "drive" as const, hash }));
+  for (const id of ROBOTS) {
+    await store.create({ id, createdAt: 1, keys });
+    await store.takeOver(id, pageState());
+  }
+}

@@ -22,7 +22,7 @@ export class Backing {
   readonly switchboard = new LocalSwitchboard();
 
   constructor(path: string) {
-    this.store = new SqliteStore(new SqliteFile(path, noBallast));
+    this.store = new SqliteStore(new SqliteFile(path, { ballast: noBallast }));
   }
 }
 
@@ -83,8 +83,8 @@ export class FaultyRelay {
     const line: ReaderLine = {
       door: "websocket",
       flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
-      send: (text) => {
-        if (this.#isAlive) port.send(text);
+      send: (...texts) => {
+        for (const text of texts) if (this.#isAlive) port.send(text);
       },
       pass: ({ message }) => {
         if (this.#isAlive) port.send(message.toString());
