@@ -50,6 +50,7 @@ function host(start: { lastApplied?: number; fresh?: boolean } = {}) {
     onYield: () => heard.push("yield"),
     onState: ({ seq, state }, ttl) => heard.push(`${seq} ${state} within ${ttl}`),
     onRefused: ({ seq, state }) => heard.push(`${seq} was ${state}`),
+    onStored: (seq) => heard.push(`${seq} stored`),
     onStatus: (status) => statuses.push(status),
     onDrivers: (_drivers, scripts) => alive.push(...scripts),
     platform,
@@ -99,7 +100,7 @@ describe("HostLink", () => {
   });
 
   it("keeps endings over lost lines until they are stored", () => {
-    const { platform, link, welcome, reconnect } = host();
+    const { platform, link, heard, welcome, reconnect } = host();
     welcome();
     platform.socket.receive(command(1));
     platform.socket.receive(command(2));
@@ -118,7 +119,9 @@ describe("HostLink", () => {
       // Who waits for that ending reads fresh sensors.
       snapshot: snapshotOf(),
     });
+    expect(heard).not.toContain("1 stored");
     platform.socket.receive({ type: "stored", seq: 1 });
+    expect(heard).toContain("1 stored");
     reconnect(3);
     expect(platform.socket.sent[1]).toMatchObject({ lastApplied: 2, endings: [] });
   });

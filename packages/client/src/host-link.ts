@@ -70,6 +70,11 @@ export interface HostLinkOptions {
   onState(record: CommandRecord, ttl: number): void;
   /** The ending that was told came too late: this is how the command has ended. */
   onRefused(record: CommandRecord): void;
+  /**
+   * The ending that was told counts. What waited at the relay before it knew of one that is `cancelled` was told
+   * by `onState` before this.
+   */
+  onStored?(seq: number): void;
   onStatus(status: HostStatus): void;
   /**
    * Scripts came, went or were heard; about once a second.
@@ -214,7 +219,7 @@ export class HostLink {
         return this.#options.onCancel(message.seq, message.why);
       case "stored":
         this.#endings.delete(message.seq);
-        return;
+        return this.#options.onStored?.(message.seq);
       case "refused":
         this.#endings.delete(message.record.seq);
         return this.#options.onRefused(message.record);

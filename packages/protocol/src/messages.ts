@@ -163,7 +163,10 @@ export const relayToPageSchema = z.discriminatedUnion(
     z.strictObject({ type: z.literal("stored"), seq }),
     /** the ending that the page told came too late: this is how the command has ended */
     z.strictObject({ type: z.literal("refused"), record: commandRecordSchema }),
-    /** what becomes of a command that the page does not hold: it waits, or the relay has ended it */
+    /**
+     * what becomes of a command that the page does not hold: it waits, or the relay has ended it. Told within a
+     * second, but before the next command or stop, and before the `stored` of an ending that is cancelled
+     */
     z.strictObject({
       type: z.literal("state"),
       record: commandRecordSchema,

@@ -122,7 +122,9 @@ export const MESSAGE_WORDS: {
     stored: "The ending of this command is stored: the page may forget it.",
     refused: "The ending that the page told came too late: this is how the command has ended.",
     state:
-      "What becomes of a command that the page does not hold: it waits at the relay, or has ended there.",
+      "What becomes of a command that the page does not hold: it waits at the relay, or has ended there. Told at once where little " +
+      "happens, and once a second, several in order, where much does; always before the next `command` or `stop`, and before the " +
+      "`stored` of an ending that is `cancelled`.",
     drivers:
       "The robot's scripts, about once a second: who is there (`scripts`), and who was heard when (`alive`), since motions without " +
       "an end stop when their script falls silent. `paused`: the owner has paused remote driving.",

@@ -29,7 +29,8 @@ export class LocalSwitchboard implements Switchboard {
     };
     return {
       stepped: (step: Step) => {
-        if (step.added === null && step.changed.length === 0) return;
+        // Its own readers are told of what has changed; what came is for others to know.
+        if (step.changed.length === 0 && (step.added === null || places.size === 1)) return;
         for (const other of places) other.ears.stepped(step, other === place);
       },
       tell: (news) => {

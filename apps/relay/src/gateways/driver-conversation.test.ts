@@ -1,6 +1,7 @@
 /** A script whose commands wait for a store that takes its time. */
 import { decodeFrame, relayToDriverSchema, type RelayToDriver } from "@corridor/protocol";
 import { expect, it } from "vitest";
+import { RightsVersion } from "../sessions/rights.ts";
 import { callerOf, unknownScript } from "../sessions/script.ts";
 import { limits } from "../sessions/limits.ts";
 import type { Session } from "../sessions/session.ts";
@@ -13,7 +14,8 @@ function withSlowStore() {
   const key = callerOf({ kind: "drive", hash: "d" }, unknownScript);
   const session = {
     check: () => undefined,
-    heard: () => () => undefined,
+    spoke: () => undefined,
+    rights: new RightsVersion(),
     readers: { join: () => ({ seen: () => undefined, leave: () => undefined }) },
     submit: async () => new Promise<void>((resolve) => void waiting.push(resolve)),
   };
@@ -23,9 +25,11 @@ function withSlowStore() {
     line: {
       door: "websocket",
       flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
-      send: (text) => {
-        const message = decodeFrame(relayToDriverSchema, text);
-        if (message.ok) told.push(message.value);
+      send: (...texts) => {
+        for (const text of texts) {
+          const message = decodeFrame(relayToDriverSchema, text);
+          if (message.ok) told.push(message.value);
+        }
       },
       pass: () => undefined,
       close: (code) => void closed.push(code),

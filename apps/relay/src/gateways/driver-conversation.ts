@@ -23,6 +23,9 @@ import type { ReaderLine } from "./reader-line.ts";
 
 const keyedSchema = z.object({ key: idempotencyKeySchema });
 
+/** What it takes to say this. */
+const verbs = { command: "command", seen: "read" } as const;
+
 type CommandMessage = Extract<DriverToRelay, { type: "command" }>;
 
 export interface DriverOptions {
@@ -39,8 +42,8 @@ export class DriverConversation implements Conversation, ReaderSink {
   readonly flow: ReaderSink["flow"];
   readonly #options: DriverOptions;
   readonly #reader: JoinedReader;
-  /** version of the rights by which it may read */
-  #mayReadAt = -1;
+  /** versions of the rights by which it may say this */
+  readonly #mayAt = { command: -1, seen: -1 };
   #badFrames = 0;
   #tooFastInARow = 0;
   /** commands that wait for the store */
@@ -56,7 +59,7 @@ export class DriverConversation implements Conversation, ReaderSink {
     this.door = line.door;
     this.flow = line.flow;
     this.#reader = grant.session.readers.join(grant.key, this, since);
-    grant.session.heard(grant.key)();
+    grant.session.spoke(grant.key);
   }
 
   // --- what it is told, as a reader ---
@@ -96,18 +99,18 @@ export class DriverConversation implements Conversation, ReaderSink {
       return this.#refuse(badRequest("The message is wrong.", message.problems), keyIn(text));
     }
     const { value } = message;
+    const { type } = value;
+    // What was found is found again until rights change, or a second has passed.
+    if (this.#mayAt[type] !== session.rights.value) {
+      session.check(grant, verbs[type]);
+      this.#mayAt[type] = session.rights.value;
+    }
     if (value.type === "command") {
-      session.check(grant, "command");
-      session.heard(grant)();
+      session.spoke(grant);
       return this.#submit(value);
     }
-    // What was found is found again until rights change, or a second has passed.
-    if (this.#mayReadAt !== session.rights.value) {
-      session.check(grant, "read");
-      this.#mayReadAt = session.rights.value;
-    }
     // What a script wishes to go on with goes on for as long as it is heard.
-    if (grant.script !== null) session.heard(grant)();
+    if (grant.script !== null) session.spoke(grant);
     this.#reader.seen(value.seq);
     return undefined;
   }

@@ -78,11 +78,11 @@ export class HttpLine implements ReaderLine {
     this.#conversation = conversation;
   }
 
-  send(text: string): void {
+  send(...texts: string[]): void {
     if (!this.isOpen) return;
     if (this.waitingBytes > limits.stuckReaderBytes) return closeWith(this, closeReasons.tooSlow);
-    this.#waiting.push(text);
-    this.#sentBytes += text.length;
+    this.#waiting.push(...texts);
+    for (const { length } of texts) this.#sentBytes += length;
     this.#wake();
   }
 

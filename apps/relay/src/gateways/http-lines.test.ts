@@ -107,8 +107,29 @@ describe("a line by HTTPS", () => {
     expect(await script.post({ first: 1, messages: [stop, stop] })).toEqual({ taken: 2 });
     expect(await script.post({ first: 2, messages: [stop, stop] })).toEqual({ taken: 3 });
     expect(await script.post({ first: 9, messages: [stop] })).toEqual({ taken: 3 });
+    for (const seq of [1, 2, 3])
+      expect(await script.next("ack")).toMatchObject({ record: { seq } });
     const log = (await (await relay.ask(robot, "/commands")).json()) as { commands: unknown[] };
     expect(log.commands).toHaveLength(3);
+  });
+
+  it("numbers each of several commands that a page is given in one go", async () => {
+    const { relay, robot } = await withRobot();
+    for (let n = 0; n < 3; n++) {
+      await relay.ask(robot, "/commands", { method: "POST", body: { action: "left 90" } });
+    }
+    const page = await TestLine.open(relay, robot, { role: "own", key: robot.ownerKey });
+    await page.send(RESUME);
+    expect(await page.next("command")).toMatchObject({ seq: 1 });
+    const rest = await page.fetch();
+    expect(rest.messages).toMatchObject([
+      { type: "command", seq: 2 },
+      { type: "command", seq: 3 },
+    ]);
+    expect(await page.next("command")).toMatchObject({ seq: 2 });
+    expect(await page.fetch()).toMatchObject({ first: rest.first + 1, messages: [{ seq: 3 }] });
+    expect(await page.next("command")).toMatchObject({ seq: 3 });
+    expect(await page.fetch(0)).toEqual({ first: rest.first + 2, messages: [], closed: null });
   });
 
   it("tells again what may not have come, until the next request says that it did", async () => {

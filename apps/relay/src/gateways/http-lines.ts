@@ -58,7 +58,7 @@ export class HttpLines {
       clock,
       // As each message of a script on a socket; that a request waits says nothing of the script.
       onRequest: () => {
-        if (hello.role !== "own") grant.session.heard(grant.key)();
+        if (hello.role !== "own") grant.session.spoke(grant.key);
       },
       onGone: () => void this.#lines.delete(hash),
     });

@@ -7,29 +7,31 @@ import {
   pageToRelaySchema,
   resumeSchema,
   type FieldProblem,
-  type SocketPort,
 } from "@corridor/protocol";
 import { readSnapshotMessage } from "../sessions/carried-snapshot.ts";
 import type { PageLink } from "../sessions/page-link.ts";
 import type { Grant } from "../sessions/session-hub.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
+import type { ReaderLine } from "./reader-line.ts";
+
+type PagePort = Pick<ReaderLine, "send" | "close" | "isOpen">;
 
 export class PageConversation implements Conversation {
   readonly #grant: Grant;
-  readonly #port: SocketPort;
+  readonly #port: PagePort;
   readonly #link: PageLink;
   #hasResumed = false;
   /** version of the rights by which it may be the robot */
   #mayHostAt = -1;
 
-  constructor(grant: Grant, port: SocketPort) {
+  constructor(grant: Grant, port: PagePort) {
     this.#grant = grant;
     this.#port = port;
     this.#link = {
       get isOpen() {
         return port.isOpen;
       },
-      send: (message) => port.send(encodeFrame(message)),
+      send: (...messages) => port.send(...messages.map(encodeFrame)),
       close: (reason) => closeWith(port, reason),
     };
   }

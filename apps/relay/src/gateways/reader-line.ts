@@ -6,6 +6,8 @@ import type { ReaderFlow } from "../sessions/reader-feed.ts";
 export interface ReaderLine extends SocketPort {
   readonly door: "websocket" | "line";
   readonly flow: ReaderFlow;
+  /** Sends messages, several in one go; does nothing once the line is closed. */
+  send(...texts: string[]): void;
   /** Sends a snapshot as it came. */
   pass(snapshot: CarriedSnapshot): void;
 }

@@ -63,6 +63,25 @@ describe("a WebSocket's port", () => {
     expect(port.sentBytes - before).toBeGreaterThanOrEqual(Buffer.byteLength(text));
   });
 
+  it("sends several texts in one write, as messages of their own", async () => {
+    const { port, line, client, told } = await opened();
+    let writes = 0;
+    const write = line.write.bind(line);
+    line.write = (chunk: Buffer) => {
+      writes += 1;
+      return write(chunk);
+    };
+    const texts = ["one", "é".repeat(200), "", "x".repeat(70_000), "last"];
+    port.send();
+    port.send(...texts);
+    await expect.poll(() => told).toEqual(texts);
+    expect(writes).toBe(1);
+    const { sentBytes } = port;
+    port.ask();
+    await expect.poll(() => port.takenBytes).toBe(sentBytes);
+    client.terminate();
+  });
+
   it("lets nothing overtake what was said before", async () => {
     const { port, client, told } = await opened();
     const long = "x".repeat(300_000);

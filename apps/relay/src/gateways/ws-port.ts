@@ -56,8 +56,11 @@ export class WsPort implements ReaderLine, ReaderFlow {
     return this.#connection.writableLength;
   }
 
-  send(text: string): void {
-    if (this.#mayPass()) this.#write(textFrame(text));
+  send(...texts: string[]): void {
+    if (!this.#mayPass()) return;
+    const [frame, ...more] = texts.map(textFrame);
+    if (frame !== undefined)
+      this.#write(more.length === 0 ? frame : Buffer.concat([frame, ...more]));
   }
 
   pass({ frame }: CarriedSnapshot): void {

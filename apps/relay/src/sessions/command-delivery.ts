@@ -7,6 +7,7 @@ import type { Clock } from "../clock.ts";
 import type { SessionStore, TermedRecord } from "../store/session-store.ts";
 import { limits } from "./limits.ts";
 import { commandFrame } from "./page-frames.ts";
+import type { PageDisplay } from "./page-display.ts";
 import type { PageHandover } from "./page-handover.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat } from "./page-seat.ts";
@@ -25,6 +26,7 @@ export interface CommandDeliveryParts {
   clock: Clock;
   seat: PageSeat;
   handover: PageHandover;
+  display: PageDisplay;
   /** is told what was sent */
   sent(records: readonly CommandRecord[]): void;
 }
@@ -66,7 +68,11 @@ export class CommandDelivery {
 
   send(due: Due | null): void {
     if (due === null) return;
-    for (const each of due.commands) due.link.send(commandFrame(each, due.now));
+    if (due.commands.length > 0) {
+      // It may have been shown one of these, as waiting.
+      this.#parts.display.flush();
+      due.link.send(...due.commands.map((each) => commandFrame(each, due.now)));
+    }
     this.#parts.sent(due.commands.map(({ record }) => record));
   }
 
@@ -74,12 +80,6 @@ export class CommandDelivery {
   sendOrShow(added: TermedRecord, due: Due | null): void {
     this.send(due);
     const isSent = due?.commands.some(({ record }) => record.seq === added.record.seq) === true;
-    if (!isSent) this.show([added]);
-  }
-
-  /** Shows the page commands that it does not have. */
-  show(commands: readonly TermedRecord[]): void {
-    const { page } = this.#parts.seat;
-    for (const { record, ttl } of commands) page?.link.send({ type: "state", record, ttl });
+    if (!isSent) this.#parts.display.show([added]);
   }
 }

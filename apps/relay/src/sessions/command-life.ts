@@ -18,6 +18,7 @@ import {
 import type { Clock } from "../clock.ts";
 import type { Step } from "../cluster/switchboard.ts";
 import { noRobot, restarting } from "../problems.ts";
+import type { SharedTimers } from "../shared-timers.ts";
 import type { SessionStore, TermedRecord } from "../store/session-store.ts";
 import type { Audience } from "./audience.ts";
 import { CommandDelivery, type Due } from "./command-delivery.ts";
@@ -29,6 +30,7 @@ import { DriverAllowance } from "./driver-allowance.ts";
 import { limits } from "./limits.ts";
 import { OrderedWork } from "./ordered-work.ts";
 import { PageHandover } from "./page-handover.ts";
+import { PageDisplay } from "./page-display.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat } from "./page-seat.ts";
 import type { RobotLine } from "./robot-line.ts";
@@ -39,6 +41,7 @@ export interface CommandLifeParts {
   robot: string;
   store: SessionStore;
   clock: Clock;
+  timers: SharedTimers;
   witness: Witness;
   audience: Audience;
   seat: PageSeat;
@@ -60,6 +63,8 @@ export class CommandLife {
   readonly #arrivals = new OrderedWork();
   /** how a page that has the robot gives it up to the next */
   readonly handover: PageHandover;
+  /** what the page is shown and does not have */
+  readonly display: PageDisplay;
   /** the same commands, as they are read */
   readonly log: CommandLog;
   /** the same commands, as their senders take them back */
@@ -73,7 +78,7 @@ export class CommandLife {
   #isInDoubt = false;
   #end: "over" | "restart" | null = null;
 
-  constructor({ robot, store, clock, witness, audience, seat, line }: CommandLifeParts) {
+  constructor({ robot, store, clock, timers, witness, audience, seat, line }: CommandLifeParts) {
     this.#robot = robot;
     this.#store = store;
     this.#clock = clock;
@@ -84,7 +89,9 @@ export class CommandLife {
     this.handover = new PageHandover({ clock, seat, line });
     const sent = (records: readonly CommandRecord[]): void => this.#tellStates(records);
     const { handover } = this;
-    this.#delivery = new CommandDelivery({ robot, store, clock, seat, handover, sent });
+    const display = new PageDisplay({ seat, clock, timers });
+    this.display = display;
+    this.#delivery = new CommandDelivery({ robot, store, clock, seat, handover, display, sent });
     this.#allowance = new DriverAllowance(clock);
     this.log = new CommandLog(robot, store, audience, this.#work);
     this.recall = new CommandRecall({
@@ -213,6 +220,8 @@ export class CommandLife {
     const ended = this.#store.end(this.#robot, epoch, ending);
     const due = this.#delivery.take();
     const { outcome, record } = await ended;
+    // What waits was meant for the same state of things as what the page has cancelled: it hears of both together.
+    if (ending.state === "cancelled") this.display.flush();
     // Not this page's to end at the moment: it keeps the ending, and tells it with its next greeting.
     const isKept = outcome === "over" && record !== null && !hasEnded(record.state);
     if (!isKept) {
@@ -260,7 +269,7 @@ export class CommandLife {
   #endedHere(ended: readonly TermedRecord[]): void {
     const changed = ended.map(({ record }) => record);
     this.#stepped({ changed, ended: [...ended] });
-    this.#delivery.show(ended);
+    this.display.show(ended);
   }
 
   // --- other relays ---
@@ -271,7 +280,7 @@ export class CommandLife {
     const heard = this.#work.run(async () => {
       this.#audience.tellStates(step.changed);
       if (isOwn || this.#end !== null) return;
-      this.#delivery.show(step.ended);
+      this.display.show(step.ended);
       const { added } = step;
       if (added === null) return;
       this.#newestStop = isStop(added) ? added.record.seq : null;
@@ -369,7 +378,7 @@ export class CommandLife {
   #stored(added: TermedRecord, ended: TermedRecord[], due: Due | null): void {
     this.#deadlines.wake(added.deadline);
     this.#stepped({ added, ended, changed: ended.map(({ record }) => record) });
-    this.#delivery.show(ended);
+    this.display.show(ended);
     this.#delivery.sendOrShow(added, due);
   }
 
@@ -383,6 +392,7 @@ export class CommandLife {
   /** Takes and delivers nothing any more. */
   close(reason: "over" | "restart"): void {
     this.#end = reason;
+    this.display.flush();
     this.#deadlines.close();
   }
 

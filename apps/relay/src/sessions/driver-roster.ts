@@ -56,6 +56,16 @@ export class DriverRoster {
     this.#away = away;
   }
 
+  /** A script was heard, and waits for nothing. */
+  spoke(script: StoredScript): void {
+    const now = this.#clock.now();
+    this.#lifeOf(script.driver, now);
+    this.#list.spoke(script, now);
+    this.#client = script.client;
+    this.#heardAt = now;
+    this.#changed();
+  }
+
   /** A script was heard. @returns to be called once its request is answered */
   heard(script: StoredScript): () => void {
     const life = this.#lifeOf(script.driver);
@@ -127,10 +137,13 @@ export class DriverRoster {
     this.#cancelTimer = null;
   }
 
-  #lifeOf(driver: string): Life {
-    const life = this.#lives.get(driver) ?? { heardAt: 0, waiting: 0, lineAt: null };
-    life.heardAt = this.#clock.now();
-    this.#lives.set(driver, life);
+  #lifeOf(driver: string, now = this.#clock.now()): Life {
+    let life = this.#lives.get(driver);
+    if (life === undefined) {
+      life = { heardAt: now, waiting: 0, lineAt: null };
+      this.#lives.set(driver, life);
+    }
+    life.heardAt = now;
     return life;
   }
 

@@ -79,6 +79,8 @@ export const limits = {
   yieldMs: 1_000,
   /** a page away for so long has lost what it ran */
   pageAwayMs: 120_000,
+  /** the page is shown commands that it does not have at most so often */
+  shownIntervalMs: 1_000,
   /** the page hears of its scripts at most so often */
   driversIntervalMs: 1_000,
   /** "in use" is written down at most so often */

@@ -4,6 +4,7 @@ import type { CloseReason, RelayToPage } from "@corridor/protocol";
 export interface PageLink {
   /** false once the page is gone or was sent away */
   readonly isOpen: boolean;
-  send(message: RelayToPage): void;
+  /** Several go together, in order. */
+  send(...messages: RelayToPage[]): void;
   close(reason: CloseReason): void;
 }

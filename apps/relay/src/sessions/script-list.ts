@@ -30,6 +30,11 @@ export class ScriptList {
     this.#clock = clock;
   }
 
+  /** A script was heard, and waits for nothing. */
+  spoke(script: StoredScript, now: number): void {
+    this.#traceOf(script, now);
+  }
+
   /** A script was heard. @returns to be called once its request is answered */
   heard(script: StoredScript): () => void {
     const trace = this.#traceOf(script);
@@ -81,10 +86,10 @@ export class ScriptList {
     return [...gone, ...here];
   }
 
-  #traceOf(script: StoredScript): Trace {
+  #traceOf(script: StoredScript, now = this.#clock.now()): Trace {
     const known = this.#traces.get(script.id);
     const trace = known ?? { script, lines: 0, heardAt: 0, waiting: 0, last: null };
-    trace.heardAt = this.#clock.now();
+    trace.heardAt = now;
     if (trace === this.#newest) return trace;
     this.#newest = trace;
     this.#traces.delete(script.id);

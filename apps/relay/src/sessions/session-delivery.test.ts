@@ -26,7 +26,7 @@ describe("a robot session: delivery", () => {
       get isOpen() {
         return isOpen;
       },
-      send: (message) => told.push(message),
+      send: (...messages) => told.push(...messages),
       close: () => undefined,
     };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };

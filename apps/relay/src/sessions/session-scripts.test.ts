@@ -34,6 +34,36 @@ describe("a robot session: the life of its scripts", () => {
     expect(host.told).toHaveLength(silent);
   });
 
+  it("hears a script that speaks on its line, and takes none of that for a request that waits", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await robot.clock.pass(2_000);
+    for (let n = 0; n < 3; n++) robot.session.spoke(robot.key);
+    expect(alive(host)).toEqual([{ driver: name(robot), silentMs: 0, lineMs: null }]);
+    await robot.clock.pass(1_000);
+    expect(alive(host)).toEqual([{ driver: name(robot), silentMs: 1_000, lineMs: null }]);
+    expect(robot.session.scripts).toMatchObject([{ silentMs: 1_000, lines: 0 }]);
+    const told = host.told.length;
+    await robot.clock.pass(5_000);
+    expect(host.told).toHaveLength(told);
+    robot.session.spoke(robot.key);
+    expect(alive(host)).toMatchObject([{ silentMs: 0 }]);
+    await robot.clock.pass(130_000);
+    expect(robot.session.scripts).toEqual([]);
+  });
+
+  it("goes on to count a request as waiting while its script speaks on its line", async () => {
+    const robot = await withRobot();
+    await page(robot);
+    const answered = robot.session.heard(robot.key);
+    robot.session.spoke(robot.key);
+    await robot.clock.pass(3_000);
+    expect(robot.session.scripts).toMatchObject([{ silentMs: 0 }]);
+    answered();
+    await robot.clock.pass(3_000);
+    expect(robot.session.scripts).toMatchObject([{ silentMs: 3_000 }]);
+  });
+
   it("says at once that a script has a new line", async () => {
     const robot = await withRobot();
     const host = await page(robot);

@@ -84,7 +84,8 @@ export class Session {
     this.#audience = audience;
     this.#seat = seat;
     this.#line = line;
-    this.#life = new CommandLife({ robot: this.id, store, clock, witness, audience, seat, line });
+    const shared = { store, clock, timers, witness };
+    this.#life = new CommandLife({ ...shared, robot: this.id, audience, seat, line });
     this.keys = new KeyRing({
       robot: this.id,
       rights: this.rights,
@@ -309,6 +310,12 @@ export class Session {
     return this.#life.log.endOf(seq, patience);
   }
 
+  /** A script was heard on its line. */
+  spoke({ script }: Caller): void {
+    this.#use.used();
+    if (script !== null) this.roster.spoke(script);
+  }
+
   /** A script was heard by HTTP or socket. @returns to be called once its request is answered */
   heard({ script }: Caller): () => void {
     this.#use.used();
@@ -362,7 +369,7 @@ export class Session {
   #tellScripts(): void {
     const scripts = this.roster.told();
     if (this.#seat.isElsewhere) return this.#line.sayHere(scripts);
-    this.#seat.page?.link.send({
+    this.#life.display.sayWith({
       type: "drivers",
       at: this.#clock.now(),
       ...this.#line.withOthers(scripts),

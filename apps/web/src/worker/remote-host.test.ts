@@ -92,6 +92,11 @@ class Relay {
     this.#say({ type: "state", record, ttl });
   }
 
+  /** An ending of the page counts. */
+  stored(seq: number): void {
+    this.#say({ type: "stored", seq });
+  }
+
   cut(code: number): void {
     this.#events.at(-1)?.closed(code);
   }
@@ -259,6 +264,34 @@ describe("what waits at the relay when the page takes the robot", () => {
     ]);
     const started = relay.told.filter(({ type }) => type === "started");
     expect(started.map(({ seq }) => seq)).toEqual([1, 3]);
+  });
+
+  it("never runs either where the relay shows it only later, unlike what came after", async () => {
+    const { relay, loop, states, drive } = await openRobot();
+    relay.accept("A", 1);
+    drive(50);
+    loop.reset();
+    relay.wait(2);
+    relay.stored(1);
+    relay.wait(3);
+    for (const seq of [2, 3]) relay.accept("A", seq);
+    drive(2_000);
+    expect(states()).toEqual([
+      [3, "completed", null],
+      [2, "cancelled", "reset"],
+      [1, "cancelled", "reset"],
+    ]);
+  });
+
+  it("goes on where it is shown late and the page had not taken the robot", async () => {
+    const { relay, loop, states, drive } = await openRobot();
+    relay.accept("A", 1);
+    loop.cancelRemote("stopped");
+    relay.wait(2);
+    relay.stored(1);
+    relay.accept("A", 2);
+    drive(2_000);
+    expect(states()[0]).toEqual([2, "completed", null]);
   });
 
   it("never runs either where it was sent while Remote did not drive", async () => {

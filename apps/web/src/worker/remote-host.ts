@@ -77,6 +77,8 @@ export class RemoteHost implements RemoteDriverEvents {
   #isPaused = false;
   /** the page took the robot: what had been sent by then never runs, even where it comes only now */
   #swept: { upTo: number; reason: CancelReason } | null = null;
+  /** the first command that was ended so, until the relay knows: what is told before had been sent by then too */
+  #sweeping: number | null = null;
   /** rises with each open and close: what an older one still waits for is dropped */
   #attempt = 0;
 
@@ -110,6 +112,7 @@ export class RemoteHost implements RemoteDriverEvents {
     if (session === null || session.id !== this.#session?.id) {
       this.#commands.clear();
       this.#swept = null;
+      this.#sweeping = null;
     }
     this.#session = session;
     this.#tell({ kind: "connecting" });
@@ -150,6 +153,7 @@ export class RemoteHost implements RemoteDriverEvents {
   }
 
   ended(seq: number, ending: Ending): void {
+    if (ending.reason !== null && takenByPage.has(ending.reason)) this.#sweeping ??= seq;
     this.#link?.ended(seq, { ...ending, reason: this.#reasonFor(seq, ending) });
     this.#change(seq, ending);
   }
@@ -191,8 +195,15 @@ export class RemoteHost implements RemoteDriverEvents {
       onCancel: (seq, why) => this.#ports.takeBack(seq, recallReasons[why]),
       onGiveBack: () => this.#giveBack(),
       onYield: () => this.#ports.cancel("addressEnded"),
-      onState: (record, ttl) => this.#show({ ...record, ttl, reason: null }),
-      onRefused: ({ seq, state }) => this.#change(seq, { state, reason: null }),
+      onState: (record, ttl) => {
+        this.#sweepOn(record.seq);
+        this.#show({ ...record, ttl, reason: null });
+      },
+      onRefused: ({ seq, state }) => {
+        this.#sweptUntil(seq);
+        this.#change(seq, { state, reason: null });
+      },
+      onStored: (seq) => this.#sweptUntil(seq),
       onStatus: (status) => this.#linkChanged(status, trouble.troubleOf),
       onDrivers: (drivers, alive, { scripts, paused }) => {
         this.#drivers = drivers;
@@ -203,6 +214,17 @@ export class RemoteHost implements RemoteDriverEvents {
       },
       ...(platform === undefined ? {} : { platform }),
     });
+  }
+
+  /** A command waits at the relay: was it sent before the page took the robot? */
+  #sweepOn(seq: number): void {
+    if (this.#sweeping === null || this.#swept === null) return;
+    this.#swept.upTo = Math.max(this.#swept.upTo, seq);
+  }
+
+  /** The relay knows that this one has ended. */
+  #sweptUntil(seq: number): void {
+    if (seq === this.#sweeping) this.#sweeping = null;
   }
 
   /** For those who look on: the robot's snapshots do not say among which walls it is. */

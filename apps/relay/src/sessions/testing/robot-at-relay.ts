@@ -79,9 +79,9 @@ export async function page({ session }: Robot, resume: Partial<Resume> = {}, isS
     get isOpen() {
       return isOpen;
     },
-    send: (message) => {
-      told.push(message);
-      if (message.type === "yield" && !isSilent) void yielded();
+    send: (...messages) => {
+      told.push(...messages);
+      if (messages.some(({ type }) => type === "yield") && !isSilent) void yielded();
     },
     close: ({ code }) => {
       isOpen = false;

@@ -1,0 +1,84 @@
+/**
+ * Shows the page commands that it does not have: those that wait, and those that have ended without it. That is for
+ * people to see, so it is told at once where little happens, and once a second, all in one, where much does.
+ */
+import type { RelayToPage } from "@corridor/protocol";
+import type { Clock } from "../clock.ts";
+import type { SharedTimers, Sleeper } from "../shared-timers.ts";
+import type { TermedRecord } from "../store/session-store.ts";
+import { limits } from "./limits.ts";
+import type { PageLink } from "./page-link.ts";
+import type { PageSeat, SeatedPage } from "./page-seat.ts";
+
+export class PageDisplay implements Sleeper {
+  readonly #seat: PageSeat;
+  readonly #clock: Clock;
+  readonly #timers: SharedTimers;
+  /** epoch of the page that is shown this */
+  #epoch = 0;
+  #shownAt = -Infinity;
+  #held: TermedRecord[] = [];
+  /** it will be woken */
+  #isArmed = false;
+
+  constructor({ seat, clock, timers }: { seat: PageSeat; clock: Clock; timers: SharedTimers }) {
+    this.#seat = seat;
+    this.#clock = clock;
+    this.#timers = timers;
+  }
+
+  show(commands: readonly TermedRecord[]): void {
+    const page = this.#page();
+    if (page === null) return;
+    this.#held.push(...commands);
+    this.#showWhenDue(page.link);
+  }
+
+  /** Says this to the page, with what is held. */
+  sayWith(message: RelayToPage): void {
+    const page = this.#page();
+    if (page !== null) this.#send(page.link, message);
+  }
+
+  /** Shows what is held: before the page is given one of these. */
+  flush(): void {
+    const page = this.#page();
+    if (page !== null && this.#held.length > 0) this.#send(page.link);
+  }
+
+  wake(): void {
+    this.#isArmed = false;
+    this.show([]);
+  }
+
+  /** The page that is here; what was held for the one before it is not for this one. */
+  #page(): SeatedPage | null {
+    const { page } = this.#seat;
+    const epoch = page?.epoch ?? 0;
+    if (epoch === this.#epoch) return page;
+    this.#epoch = epoch;
+    this.#held = [];
+    this.#shownAt = -Infinity;
+    return page;
+  }
+
+  #showWhenDue(link: PageLink): void {
+    if (this.#held.length === 0) return;
+    const waitMs = this.#shownAt + limits.shownIntervalMs - this.#clock.now();
+    if (waitMs <= 0) return this.#send(link);
+    if (this.#isArmed) return;
+    this.#isArmed = true;
+    this.#timers.wakeAfter(waitMs, this);
+  }
+
+  #send(link: PageLink, ...more: RelayToPage[]): void {
+    const shown = this.#held.map(({ record, ttl }): RelayToPage => ({
+      type: "state",
+      record,
+      ttl,
+    }));
+    if (shown.length > 0) this.#shownAt = this.#clock.now();
+    this.#held = [];
+    link.send(...shown, ...more);
+  }
+}
