@@ -16,6 +16,7 @@ import { GroupCommit, type Memory } from "./group-commit.ts";
 import { OwnJournal } from "./journal.ts";
 import type { Entry } from "./journal-writer.ts";
 import { openDatabase, openForReading } from "./sqlite-schema.ts";
+import { ShorterWay } from "./shorter-way.ts";
 import { Statements } from "./statements.ts";
 import { ThreadedJournal } from "./threaded-journal.ts";
 
@@ -50,7 +51,7 @@ export interface SqliteFileParts {
   ballast?: Ballast;
   /** ms for another relay that has it to end */
   waitMs?: number;
-  /** the journal is written on a thread of its own */
+  /** much of the journal is written on a thread of its own */
   isThreaded?: boolean;
 }
 
@@ -84,8 +85,9 @@ export class SqliteFile {
       this.#lock.free();
       throw error;
     }
+    const own = new OwnJournal(this.#db);
     this.#commits = new GroupCommit(this.#db, {
-      journal: isThreaded ? new ThreadedJournal(path) : new OwnJournal(this.#db),
+      journal: isThreaded ? new ShorterWay(own, new ThreadedJournal(path)) : own,
       memory: this.#memoryWithRoom(),
     });
     this.writing = new Statements(this.#db);

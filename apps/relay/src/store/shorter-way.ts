@@ -1,0 +1,49 @@
+/**
+ * The shorter of two ways to the disk. To hand entries to a thread and be told takes longer than to write a few of
+ * them, where the disk is quick: both threads have to be woken. So few are written at once by whoever calls, and many,
+ * or any as long as the disk is slow, by the thread.
+ */
+import type { Journal, Told } from "./journal.ts";
+import type { Entry, Tidying } from "./journal-writer.ts";
+
+/** More come together only where much is going on; few right behind these have more behind them. */
+const FEW = 4;
+/** Whoever else is served meanwhile waits as long. */
+const SLOW_MS = 2;
+/** After so long it is tried again whether the disk is quick. */
+const TRY_AGAIN_MS = 10_000;
+
+export class ShorterWay implements Journal {
+  readonly #own: Journal;
+  readonly #thread: Journal;
+  readonly #now: () => number;
+  #slowUntil = -Infinity;
+  /** how many came last */
+  #before = 0;
+
+  /**
+   * @param own writes before it returns
+   * @param now ms by a clock that is never set back
+   */
+  constructor(own: Journal, thread: Journal, now: () => number = () => performance.now()) {
+    this.#own = own;
+    this.#thread = thread;
+    this.#now = now;
+  }
+
+  write(entries: readonly Entry[], tidying: Tidying | null, told: Told): void {
+    const begun = this.#now();
+    const isLittle = tidying === null && Math.max(entries.length, this.#before) <= FEW;
+    this.#before = entries.length;
+    const isOwn = isLittle && begun >= this.#slowUntil;
+    (isOwn ? this.#own : this.#thread).write(entries, tidying, (...how) => {
+      const now = this.#now();
+      if (isOwn && now - begun > SLOW_MS) this.#slowUntil = now + TRY_AGAIN_MS;
+      told(...how);
+    });
+  }
+
+  async close(): Promise<void> {
+    await this.#thread.close();
+  }
+}
