@@ -17,7 +17,7 @@
  * then, all of them do.
  */
 import type { DatabaseSync } from "node:sqlite";
-import { OwnJournal, type Journal } from "./journal.ts";
+import { InlineJournal, type Journal } from "./journal.ts";
 import { JournalWriter, type Entry, type Tidying } from "./journal-writer.ts";
 import { Statements } from "./statements.ts";
 
@@ -101,7 +101,7 @@ export class GroupCommit {
     db: DatabaseSync,
     {
       memory = NO_MEMORY,
-      journal = new OwnJournal(db),
+      journal = new InlineJournal(db),
       now = () => performance.now(),
     }: GroupCommitParts = {},
   ) {
@@ -314,7 +314,7 @@ export class GroupCommit {
     for (const { lost } of group.steps) lost(error);
   }
 
-  /** Nothing may be being written now: what waited is done, and what is done goes to the disk. */
+  /** Something is over: what waited for that is done, and what is done goes to the disk, as far as that is free. */
   #goOn(mayTidy = true): void {
     if (mayTidy && this.#memory.isUntidy) this.#tidySoon();
     // What this loop itself has led to is its next round, not a call within it: thousands may wait behind a slow disk.

@@ -19,7 +19,7 @@ export interface Journal {
 }
 
 /** Writes by the connection, and on the thread, of whoever calls. */
-export class OwnJournal implements Journal {
+export class InlineJournal implements Journal {
   readonly #writer: JournalWriter;
 
   constructor(db: DatabaseSync) {

@@ -73,7 +73,7 @@ export class LiveRobot {
   }
 
   /** Up to this number what has ended is to be deleted from the tables; 0: that was done. */
-  get isToForget(): number {
+  get toForget(): number {
     return this.#forgottenAt === 0 ? 0 : this.#forgotten;
   }
 

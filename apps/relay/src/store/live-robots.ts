@@ -73,12 +73,6 @@ export class LiveRobots implements Memory {
     this.#isUndone = true;
   }
 
-  /** @returns the robot, if its commands are at hand */
-  get(id: string): LiveRobot | null {
-    if (this.#isUndone) this.#restore();
-    return this.#live.get(id) ?? null;
-  }
-
   /** The robot as it is at this moment, outside of a step; null: that is not known without reading. */
   peek(id: string): LiveRobot | null {
     return this.#isUndone ? null : (this.#live.get(id) ?? null);
@@ -86,7 +80,8 @@ export class LiveRobots implements Memory {
 
   /** @returns the robot with its commands at hand from now on; null: there is no such robot */
   open(id: string): LiveRobot | null {
-    return this.get(id) ?? this.#load(id);
+    if (this.#isUndone) this.#restore();
+    return this.#load(id);
   }
 
   /** The robot's keys, or the scripts that were sent away, are others now. */
@@ -152,7 +147,7 @@ export class LiveRobots implements Memory {
       this.#unsettled.delete(id);
       this.#bringing.set(id, first);
       const { lastSeq } = robot.standing;
-      const { isToForget: forgotten } = robot;
+      const { toForget: forgotten } = robot;
       const { rows, gone } = robot.unsettled();
       bringing.push({ robot: id, entries: rows, gone, upTo: this.#next - 1, lastSeq, forgotten });
       left -= rows.length + gone.length;

@@ -13,10 +13,10 @@ import { BallastFile, type Ballast } from "./ballast.ts";
 import { isDiskFull, StoreFull, takeRoom } from "./disk-full.ts";
 import { FileLock } from "./file-lock.ts";
 import { GroupCommit, type Memory } from "./group-commit.ts";
-import { OwnJournal } from "./journal.ts";
+import { InlineJournal } from "./journal.ts";
 import type { Entry } from "./journal-writer.ts";
 import { openDatabase, openForReading } from "./sqlite-schema.ts";
-import { ShorterWay } from "./shorter-way.ts";
+import { AdaptiveJournal } from "./adaptive-journal.ts";
 import { Statements } from "./statements.ts";
 import { ThreadedJournal } from "./threaded-journal.ts";
 
@@ -85,9 +85,9 @@ export class SqliteFile {
       this.#lock.free();
       throw error;
     }
-    const own = new OwnJournal(this.#db);
+    const own = new InlineJournal(this.#db);
     this.#commits = new GroupCommit(this.#db, {
-      journal: isThreaded ? new ShorterWay(own, new ThreadedJournal(path)) : own,
+      journal: isThreaded ? new AdaptiveJournal(own, new ThreadedJournal(path)) : own,
       memory: this.#memoryWithRoom(),
     });
     this.writing = new Statements(this.#db);

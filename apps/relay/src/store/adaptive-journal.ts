@@ -13,7 +13,7 @@ const SLOW_MS = 2;
 /** After so long it is tried again whether the disk is quick. */
 const TRY_AGAIN_MS = 10_000;
 
-export class ShorterWay implements Journal {
+export class AdaptiveJournal implements Journal {
   readonly #own: Journal;
   readonly #thread: Journal;
   readonly #now: () => number;

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import type { Journal } from "./journal.ts";
 import type { Entry } from "./journal-writer.ts";
-import { ShorterWay } from "./shorter-way.ts";
+import { AdaptiveJournal } from "./adaptive-journal.ts";
 
 function withWays() {
   let time = 0;
@@ -15,7 +15,7 @@ function withWays() {
     },
     close: async () => void written.push(`${name} closed`),
   });
-  const shorter = new ShorterWay(way("own"), way("thread"), () => time);
+  const shorter = new AdaptiveJournal(way("own"), way("thread"), () => time);
   const write = (count: number, isTidying = false): string | undefined => {
     const entries = Array.from({ length: count }, (_, n): Entry => [n, "robot", "{}"]);
     const tidying = isTidying ? { bringing: [], deleted: 1, kept: [] } : null;
