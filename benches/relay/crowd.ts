@@ -22,7 +22,7 @@ const CROWD = { robots: 500, scripts: 50, isDurable: true };
 const PACE = { aSecond: 30, seconds: 4 };
 const COMMANDS_A_SECOND = 100;
 const FLOOD = { of: "snapshots", inFlight: 64, seconds: 2 } as const;
-const ROUNDS = 3;
+const ROUNDS = 5;
 
 type Rounds = ReadonlyMap<ContenderName, Seen[]>;
 

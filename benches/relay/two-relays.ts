@@ -11,7 +11,7 @@ import { printRow, type Section } from "./section.ts";
 const ROBOTS = 200;
 const CROWD = { contender: "corridor", scripts: 0 } as const;
 const PACE = { aSecond: 30, commandsASecond: 0, seconds: 4 };
-const ROUNDS = 3;
+const ROUNDS = 5;
 
 export const twoRelays: Section = {
   title: "Two relays",

@@ -1,4 +1,5 @@
 /** Entry of the relay: settings from the environment, start, and an orderly end. */
+import "./garbage.ts";
 import "./compiled-schemas.ts";
 import { join } from "node:path";
 import { pino } from "pino";

@@ -15,6 +15,7 @@ import { notAuthorised, Refusal, retryAfter } from "../problems.ts";
 import type { Patience } from "../sessions/audience.ts";
 import { limits } from "../sessions/limits.ts";
 import { verbOfRole } from "../sessions/rights.ts";
+import { Sweep } from "../sweep.ts";
 import { closeWith } from "./conversation.ts";
 import { closeFor, converse, introduced } from "./converse.ts";
 import { HttpLine } from "./http-line.ts";
@@ -24,11 +25,16 @@ export class HttpLines {
   readonly #options: Omit<GatewayOptions, "entrance">;
   /** by the hash of their keys */
   readonly #lines = new Map<string, HttpLine>();
-  #cancelTimer: () => void;
+  readonly #heartbeats: Sweep<HttpLine>;
 
   constructor(options: Omit<GatewayOptions, "entrance">) {
     this.#options = options;
-    this.#cancelTimer = options.clock.after(limits.heartbeatMs, () => this.#beat());
+    this.#heartbeats = new Sweep({
+      clock: options.clock,
+      everyMs: limits.heartbeatMs,
+      members: () => this.#lines.values(),
+      visit: (line) => line.heartbeat(),
+    });
   }
 
   /**
@@ -97,7 +103,7 @@ export class HttpLines {
 
   /** Closes every line because the relay stops. */
   close(): void {
-    this.#cancelTimer();
+    this.#heartbeats.close();
     for (const line of this.#lines.values()) closeWith(line, closeReasons.restart);
   }
 
@@ -113,10 +119,5 @@ export class HttpLines {
       "no-line",
       "It was silent for too long, or the relay was restarted. Open a new one.",
     );
-  }
-
-  #beat(): void {
-    for (const line of this.#lines.values()) line.heartbeat();
-    this.#cancelTimer = this.#options.clock.after(limits.heartbeatMs, () => this.#beat());
   }
 }

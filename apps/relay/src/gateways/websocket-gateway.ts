@@ -26,6 +26,7 @@ import { asRefusal, Refusal } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import { verbOfRole } from "../sessions/rights.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
+import { Sweep } from "../sweep.ts";
 import { closeWith, hear, type Conversation } from "./conversation.ts";
 import { closeFor, converse, introduced } from "./converse.ts";
 import { hearPlainTexts } from "./plain-texts.ts";
@@ -79,11 +80,16 @@ export class WebSocketGateway {
   readonly #guests = new Set<Guest>();
   /** how many come from each address */
   readonly #ofAddress = new Map<string, number>();
-  #cancelTimer: () => void;
+  readonly #heartbeats: Sweep<Guest>;
 
   constructor(options: GatewayOptions) {
     this.#options = options;
-    this.#cancelTimer = options.clock.after(limits.heartbeatMs, () => this.#beat());
+    this.#heartbeats = new Sweep({
+      clock: options.clock,
+      everyMs: limits.heartbeatMs,
+      members: () => this.#guests,
+      visit: (guest) => this.#beat(guest),
+    });
   }
 
   /** Takes an upgrade request of the HTTP server; a wrong one gets a problem document. */
@@ -103,7 +109,7 @@ export class WebSocketGateway {
 
   /** Closes every socket because the relay stops. */
   close(): void {
-    this.#cancelTimer();
+    this.#heartbeats.close();
     for (const { socket } of this.#guests) closeWith(socket, closeReasons.restart);
     this.#server.close();
   }
@@ -224,16 +230,12 @@ export class WebSocketGateway {
     closeFor(error, socket, this.#options);
   }
 
-  #beat(): void {
-    const now = this.#options.clock.now();
-    for (const guest of this.#guests) {
-      if (now - guest.heardAt > limits.silenceMs) {
-        guest.socket.terminate();
-      } else if (guest.socket.readyState === guest.socket.OPEN) {
-        guest.socket.ping();
-        guest.conversation?.heartbeat();
-      }
+  #beat(guest: Guest): void {
+    if (this.#options.clock.now() - guest.heardAt > limits.silenceMs) {
+      guest.socket.terminate();
+    } else if (guest.socket.readyState === guest.socket.OPEN) {
+      guest.socket.ping();
+      guest.conversation?.heartbeat();
     }
-    this.#cancelTimer = this.#options.clock.after(limits.heartbeatMs, () => this.#beat());
   }
 }

@@ -12,6 +12,7 @@ import { noRobot, notAuthorised, Refusal, retryAfter, restarting } from "../prob
 import type { SessionStore, StoredKey } from "../store/session-store.ts";
 import type { ReaderDoor } from "./audience.ts";
 import { SharedTimers } from "../shared-timers.ts";
+import { Sweep } from "../sweep.ts";
 import { limits } from "./limits.ts";
 import { checkRight, type Verb } from "./rights.ts";
 import { callerOf, unknownScript, type Caller, type Introduction } from "./script.ts";
@@ -52,10 +53,9 @@ export class SessionHub {
   readonly #sessions = new Map<string, Promise<Session | null>>();
   /** by address; kept in memory only */
   readonly #registrations = new Map<string, TokenBucket>();
-  #cancelTimer: () => void;
-  #expiryAt: number;
+  readonly #lives: Sweep<[id: string, found: Promise<Session | null>]>;
+  #cancelExpiry: () => void;
   #isClosing = false;
-  #isForgetting = false;
 
   constructor(store: SessionStore, clock: Clock, log: Logger, options: HubOptions = {}) {
     this.#store = store;
@@ -64,8 +64,13 @@ export class SessionHub {
     this.#log = log;
     this.#witness = options.witness ?? noWitness;
     this.#switchboard = options.switchboard ?? new LocalSwitchboard();
-    this.#expiryAt = clock.now();
-    this.#cancelTimer = clock.after(LIFE_CHECK_MS, () => void this.#check());
+    this.#lives = new Sweep({
+      clock,
+      everyMs: LIFE_CHECK_MS,
+      members: () => this.#sessions,
+      visit: ([id, found]) => this.#tried(this.#checkLife(id, found)),
+    });
+    this.#cancelExpiry = clock.after(LIFE_CHECK_MS, () => void this.#expire());
   }
 
   /**
@@ -152,7 +157,8 @@ export class SessionHub {
   /** Sends everyone away because the relay stops; what is stored stays. */
   async close(): Promise<void> {
     this.#isClosing = true;
-    this.#cancelTimer();
+    this.#lives.close();
+    this.#cancelExpiry();
     const sessions = [...this.#sessions.values()];
     this.#sessions.clear();
     for (const found of sessions) (await found.catch(() => null))?.close("restart");
@@ -183,17 +189,11 @@ export class SessionHub {
     });
   }
 
-  async #check(): Promise<void> {
-    const found = [...this.#sessions];
-    await Promise.all(found.map(([id, session]) => this.#tried(this.#checkLife(id, session))));
-    if (this.#clock.now() >= this.#expiryAt && !this.#isForgetting) {
-      this.#isForgetting = true;
-      // Not waited for: a store may take long to take out of its files what it forgets.
-      const forgotten = this.#tried(this.#checkExpiry());
-      void forgotten.then(() => (this.#isForgetting = false));
-    }
+  /** A store may take long to take out of its files what it forgets: the next time is counted from there. */
+  async #expire(): Promise<void> {
+    await this.#tried(this.#checkExpiry());
     if (this.#isClosing) return;
-    this.#cancelTimer = this.#clock.after(LIFE_CHECK_MS, () => void this.#check());
+    this.#cancelExpiry = this.#clock.after(EXPIRY_CHECK_MS, () => void this.#expire());
   }
 
   /** What fails for one session is tried again with the next sweep, and holds nobody else up. */
@@ -207,7 +207,7 @@ export class SessionHub {
 
   async #checkLife(id: string, found: Promise<Session | null>): Promise<void> {
     const session = await found.catch(() => null);
-    if (session === null) return;
+    if (session === null || session.isOver) return;
     await session.checkLife();
     await session.noteUse();
     if (!session.isQuiet || session.isOver) return;
@@ -217,7 +217,6 @@ export class SessionHub {
 
   async #checkExpiry(): Promise<void> {
     const now = this.#clock.now();
-    this.#expiryAt = now + EXPIRY_CHECK_MS;
     for (const [from, bucket] of this.#registrations) {
       if (bucket.isFull(now)) this.#registrations.delete(from);
     }

@@ -10,6 +10,8 @@ import type { Entry, Tidying } from "./journal-writer.ts";
 const FEW = 4;
 /** Whoever else is served meanwhile waits as long. */
 const SLOW_MS = 2;
+/** One that takes long can be that of a busy machine, which the thread would wait for as well. */
+const SLOW_IN_A_ROW = 3;
 /** After so long it is tried again whether the disk is quick. */
 const TRY_AGAIN_MS = 10_000;
 
@@ -17,6 +19,7 @@ export class AdaptiveJournal implements Journal {
   readonly #own: Journal;
   readonly #thread: Journal;
   readonly #now: () => number;
+  #slowInARow = 0;
   #slowUntil = -Infinity;
   /** how many came last */
   #before = 0;
@@ -37,10 +40,16 @@ export class AdaptiveJournal implements Journal {
     this.#before = entries.length;
     const isOwn = isLittle && begun >= this.#slowUntil;
     (isOwn ? this.#own : this.#thread).write(entries, tidying, (...how) => {
-      const now = this.#now();
-      if (isOwn && now - begun > SLOW_MS) this.#slowUntil = now + TRY_AGAIN_MS;
+      if (isOwn) this.#took(this.#now() - begun);
       told(...how);
     });
+  }
+
+  #took(ms: number): void {
+    this.#slowInARow = ms > SLOW_MS ? this.#slowInARow + 1 : 0;
+    if (this.#slowInARow < SLOW_IN_A_ROW) return;
+    this.#slowInARow = 0;
+    this.#slowUntil = this.#now() + TRY_AGAIN_MS;
   }
 
   async close(): Promise<void> {
