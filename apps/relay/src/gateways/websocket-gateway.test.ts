@@ -125,6 +125,21 @@ describe("the WebSocket: who may", () => {
   });
 });
 
+it("asks only those whether they live who have said nothing for a while", async () => {
+  const clock = new FakeClock();
+  const relay = await startTestRelay({ clock });
+  const script = await TestSocket.driver(relay, await relay.register());
+  await clock.pass(limits.heartbeatMs - 1);
+  script.send({ type: "command", command: { action: "stop" } });
+  await script.next("ack");
+  await clock.pass(1);
+  await script.next("heartbeat");
+  expect(script.pings).toBe(0);
+  await clock.pass(limits.heartbeatMs);
+  await script.next("heartbeat");
+  expect(script.pings).toBe(1);
+});
+
 describe("the WebSocket: messages", () => {
   it("carries commands, states and snapshots between a script and the page", async () => {
     const relay = await startTestRelay();

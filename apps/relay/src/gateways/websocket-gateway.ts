@@ -231,10 +231,12 @@ export class WebSocketGateway {
   }
 
   #beat(guest: Guest): void {
-    if (this.#options.clock.now() - guest.heardAt > limits.silenceMs) {
+    const silentMs = this.#options.clock.now() - guest.heardAt;
+    if (silentMs > limits.silenceMs) {
       guest.socket.terminate();
     } else if (guest.socket.readyState === guest.socket.OPEN) {
-      guest.socket.ping();
+      // Whoever speaks lives, and is not asked.
+      if (silentMs >= limits.heartbeatMs) guest.socket.ping();
       guest.conversation?.heartbeat();
     }
   }

@@ -68,7 +68,7 @@ export const limits = {
   unfinishedStops: 128,
   /** time for the first message of a socket */
   helloMs: 5_000,
-  /** a ping and a heartbeat each so often; silence of more than twice that closes the socket */
+  /** a heartbeat each so often, and a ping to whoever said nothing; silence of more than twice that closes the socket */
   heartbeatMs: 20_000,
   silenceMs: 45_000,
   /** a line by HTTPS on which no request waits, and none comes for so long, is closed */

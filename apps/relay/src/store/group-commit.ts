@@ -23,7 +23,7 @@ import { Statements } from "./statements.ts";
 
 const MOST_STEPS = 50;
 /** A journal that has nothing to write is given so many at once, and writes them while the next are done. */
-const ENOUGH_STEPS = 16;
+const ENOUGH_STEPS = 32;
 const LONGEST_MS = 5;
 /** Who was given nothing to write for so long is idle. */
 const IDLE_MS = 10;

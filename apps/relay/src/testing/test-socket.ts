@@ -15,6 +15,8 @@ export class TestSocket {
   readonly #inbox: Message[] = [];
   #line: Duplex | null = null;
   #wake: () => void = () => undefined;
+  /** how often the relay asked whether this side lives */
+  pings = 0;
   /** the code and the reason with which the socket was closed */
   readonly closed: Promise<{ code: number; reason: string }>;
 
@@ -30,6 +32,7 @@ export class TestSocket {
         this.#wake();
       });
     });
+    socket.on("ping", () => (this.pings += 1));
     socket.on("upgrade", ({ socket: line }) => (this.#line = line));
     onTestFinished(() => socket.terminate());
   }
