@@ -57,8 +57,29 @@ it("waits with the next sweep until what was done in this one is over", async ()
   expect(visits).toHaveLength(1);
   resolve();
   await settled();
-  await clock.pass(0);
+  await clock.pass(249);
+  expect(visits).toHaveLength(1);
+  await clock.pass(1);
   expect(visits).toHaveLength(2);
+});
+
+it("takes no longer for all where each turn comes late", async () => {
+  const { clock, visits } = withMembers(500);
+  const after = clock.after.bind(clock);
+  clock.after = (ms, call) => after(ms + 85, call);
+  await clock.pass(1_000 + 800);
+  expect(visits).toHaveLength(500);
+});
+
+it("begins no other sweep once it is closed while something is being done", async () => {
+  const { clock, visits, hold, sweep } = withMembers(1);
+  const { promise, resolve } = Promise.withResolvers<void>();
+  hold.until = promise;
+  await clock.pass(1_500);
+  sweep.close();
+  resolve();
+  await clock.pass(10_000);
+  expect(visits).toHaveLength(1);
 });
 
 it("visits nobody once it is closed, in the midst of a sweep as well", async () => {

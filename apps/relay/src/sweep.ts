@@ -11,7 +11,7 @@ const PAUSE_MS = 15;
 
 export interface SweepParts<T> {
   clock: Clock;
-  /** from the beginning of one to that of the next; longer where what is done in one takes longer */
+  /** from the beginning of one to that of the next; longer, with a pause of a quarter of it, where what is done in one takes long */
   everyMs: number;
   /** who is there as a sweep begins; some may be gone when their turn comes */
   members: () => Iterable<T>;
@@ -41,16 +41,20 @@ export class Sweep<T> {
     const all = [...members()];
     const inTurn = Math.max(FEW, Math.ceil(all.length / MOST_TURNS));
     const work: Promise<void>[] = [];
-    for (let at = 0; at < all.length && !this.#isClosed; at += inTurn) {
-      if (at > 0) await this.#passed(PAUSE_MS);
-      for (const member of all.slice(at, at + inTurn)) {
+    for (let visited = 0; visited < all.length;) {
+      if (visited > 0) await this.#passed(PAUSE_MS);
+      // A relay that is busy wakes late from each pause, and makes up for it.
+      const turns = 1 + Math.floor((clock.now() - begun) / PAUSE_MS);
+      const due = all.slice(visited, turns * inTurn);
+      visited += due.length;
+      for (const member of due) {
         const done = visit(member);
         if (done instanceof Promise) work.push(done);
       }
     }
     await Promise.all(work);
     if (this.#isClosed) return;
-    const leftMs = Math.max(0, begun + everyMs - clock.now());
+    const leftMs = Math.max(everyMs / 4, begun + everyMs - clock.now());
     this.#cancelTimer = clock.after(leftMs, () => void this.#run());
   }
 

@@ -125,7 +125,7 @@ describe("the WebSocket: who may", () => {
   });
 });
 
-it("asks only those whether they live who have said nothing for a while", async () => {
+it("asks whether they live those who have said nothing for a while, and nobody else", async () => {
   const clock = new FakeClock();
   const relay = await startTestRelay({ clock });
   const script = await TestSocket.driver(relay, await relay.register());
@@ -138,6 +138,21 @@ it("asks only those whether they live who have said nothing for a while", async 
   await clock.pass(limits.heartbeatMs);
   await script.next("heartbeat");
   expect(script.pings).toBe(1);
+});
+
+it("asks at each heartbeat whoever was last heard shortly after the one before", async () => {
+  const clock = new FakeClock();
+  const relay = await startTestRelay({ clock });
+  const script = await TestSocket.driver(relay, await relay.register());
+  for (let beat = 1; beat <= 3; beat++) {
+    // As late as the answer to a ping over a long line.
+    await clock.pass(200);
+    script.send({ type: "command", command: { action: "stop" } });
+    await script.next("ack");
+    await clock.pass(limits.heartbeatMs - 200);
+    await script.next("heartbeat");
+    expect(script.pings).toBe(beat);
+  }
 });
 
 describe("the WebSocket: messages", () => {

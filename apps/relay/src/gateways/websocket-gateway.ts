@@ -235,8 +235,8 @@ export class WebSocketGateway {
     if (silentMs > limits.silenceMs) {
       guest.socket.terminate();
     } else if (guest.socket.readyState === guest.socket.OPEN) {
-      // Whoever speaks lives, and is not asked.
-      if (silentMs >= limits.heartbeatMs) guest.socket.ping();
+      // Whoever speaks lives, and is not asked. An answer to the ping before came a while after that.
+      if (silentMs >= limits.heartbeatMs / 2) guest.socket.ping();
       guest.conversation?.heartbeat();
     }
   }

@@ -1,6 +1,6 @@
 /** The sweep over all sessions: what one of them, or the store, holds up holds up nobody else. */
 import { join } from "node:path";
-import { termsOf, type Resume } from "@corridor/protocol";
+import { termsOf, type Registration, type Resume } from "@corridor/protocol";
 import { pino } from "pino";
 import { expect, it, onTestFinished } from "vitest";
 import type { SessionStore } from "../store/session-store.ts";
@@ -23,11 +23,11 @@ async function withRobots(count: number) {
     },
   });
   const hub = new SessionHub(whole, clock, pino({ level: "silent" }));
-  const sessions: Grant[] = [];
-  for (let n = 0; n < count; n++) {
-    const robot = await hub.register("10.0.0.1", "http://localhost");
-    sessions.push(await hub.authorise(robot.id, robot.driverKey, "command"));
-  }
+  const robots: Registration[] = [];
+  for (let n = 0; n < count; n++) robots.push(await hub.register("10.0.0.1", "http://localhost"));
+  const enter = (): Promise<Grant[]> =>
+    Promise.all(robots.map(({ id, driverKey }) => hub.authorise(id, driverKey, "command")));
+  const sessions = await enter();
   /** A robot whose page begins a command and goes. */
   const leftAlone = async ({ session, key }: Grant): Promise<void> => {
     const link: PageLink = { isOpen: true, send: () => undefined, close: () => undefined };
@@ -37,7 +37,7 @@ async function withRobots(count: number) {
     await session.submit(key, command, () => undefined);
     session.leavePage(link, true);
   };
-  return { clock, store, instead, sessions, leftAlone };
+  return { clock, store, instead, sessions, enter, leftAlone };
 }
 
 it("sees to every robot though another one's step in the store fails", async () => {
@@ -60,4 +60,41 @@ it("sees to robots though the store takes long to forget others", async () => {
   if (only !== undefined) await leftAlone(only);
   await clock.pass(limits.pageAwayMs + 5_000);
   expect(await only?.session.commandsAfter(0)).toMatchObject([{ state: "cancelled" }]);
+});
+
+it("writes down over some seconds that many robots are in use, not all in the same", async () => {
+  const { clock, store, instead, sessions } = await withRobots(60);
+  const notedAt = new Map<string, number>();
+  const begun = clock.now();
+  instead.touch = async (id, ...rest) => {
+    notedAt.set(id, Math.floor((clock.now() - begun) / 1_000));
+    return store.touch(id, ...rest);
+  };
+  await clock.pass(limits.touchMs);
+  for (const { session, key } of sessions) session.heard(key)();
+  await clock.pass(10_000);
+  const perSecond = [...Map.groupBy(notedAt.values(), (second) => second).values()];
+  expect(notedAt.size).toBe(60);
+  expect(perSecond.map((noted) => noted.length)).toEqual([10, 10, 10, 10, 10, 10]);
+});
+
+it("forgets nobody who comes back at the last moment, however many there are", async () => {
+  const { clock, enter } = await withRobots(60);
+  await clock.pass(limits.sessionIdleMs + 500);
+  const sessions = await enter();
+  for (const { session, key } of sessions) session.heard(key)();
+  await clock.pass(3 * 60_000);
+  expect(sessions.filter(({ session }) => session.isOver)).toEqual([]);
+});
+
+it("forgets nobody who is in use though it cannot be written down for another", async () => {
+  const { clock, store, instead, sessions } = await withRobots(5);
+  const [stuck] = sessions;
+  instead.touch = (id, ...rest) =>
+    id === stuck?.session.id ? new Promise(() => undefined) : store.touch(id, ...rest);
+  for (let passed = 0; passed < limits.sessionIdleMs + 5 * 60_000; passed += 60_000) {
+    for (const { session, key } of sessions) session.heard(key)();
+    await clock.pass(60_000);
+  }
+  expect(sessions.filter(({ session }) => session.isOver)).toEqual([]);
 });

@@ -22,6 +22,12 @@ import { noWitness, type Witness } from "./witness.ts";
 
 const LIFE_CHECK_MS = 1_000;
 const EXPIRY_CHECK_MS = 60_000;
+/**
+ * Of all robots so many a second at most are written down to be in use, and some in any case: where a class begins to
+ * use all of its robots at once, their commands are not to wait for that.
+ */
+const NOTED_SHARE = 1 / 30;
+const NOTED_AT_LEAST = 10;
 
 /** Who is there at this moment. */
 export interface Census {
@@ -56,6 +62,8 @@ export class SessionHub {
   readonly #lives: Sweep<[id: string, found: Promise<Session | null>]>;
   #cancelExpiry: () => void;
   #isClosing = false;
+  /** how many more may be written down to be in use before the next look */
+  #notesLeft = 0;
 
   constructor(store: SessionStore, clock: Clock, log: Logger, options: HubOptions = {}) {
     this.#store = store;
@@ -67,7 +75,7 @@ export class SessionHub {
     this.#lives = new Sweep({
       clock,
       everyMs: LIFE_CHECK_MS,
-      members: () => this.#sessions,
+      members: () => this.#all(),
       visit: ([id, found]) => this.#tried(this.#checkLife(id, found)),
     });
     this.#cancelExpiry = clock.after(LIFE_CHECK_MS, () => void this.#expire());
@@ -205,11 +213,21 @@ export class SessionHub {
     }
   }
 
+  /** All sessions, as a look at each of them begins. */
+  #all(): Iterable<[id: string, found: Promise<Session | null>]> {
+    this.#notesLeft = Math.max(NOTED_AT_LEAST, Math.ceil(this.#sessions.size * NOTED_SHARE));
+    return this.#sessions;
+  }
+
   async #checkLife(id: string, found: Promise<Session | null>): Promise<void> {
     const session = await found.catch(() => null);
     if (session === null || session.isOver) return;
     await session.checkLife();
-    await session.noteUse();
+    if (session.isUseDue) {
+      if (this.#notesLeft <= 0) return;
+      this.#notesLeft -= 1;
+      await session.noteUse();
+    }
     if (!session.isQuiet || session.isOver) return;
     if (this.#sessions.get(id) === found) this.#sessions.delete(id);
     session.leave();
@@ -220,6 +238,7 @@ export class SessionHub {
     for (const [from, bucket] of this.#registrations) {
       if (bucket.isFull(now)) this.#registrations.delete(from);
     }
+    await this.#noteUrgent();
     const ids = await this.#store.removeExpired({
       lastUsedAt: now - limits.sessionIdleMs,
       createdAt: now - limits.sessionLifeMs,
@@ -230,5 +249,15 @@ export class SessionHub {
       this.#sessions.delete(id);
     }
     if (ids.length > 0) this.#log.info({ count: ids.length }, "forgot sessions that ran out");
+  }
+
+  /** Nobody who came back just now is forgotten. */
+  async #noteUrgent(): Promise<void> {
+    const urgent: Promise<void>[] = [];
+    for (const found of this.#sessions.values()) {
+      const session = await found.catch(() => null);
+      if (session?.isUseUrgent === true) urgent.push(session.noteUse());
+    }
+    await Promise.all(urgent);
   }
 }

@@ -33,11 +33,22 @@ export class SessionUse {
     this.#lastAt = Math.max(this.#lastAt, this.#parts.clock.now());
   }
 
-  /** Writes down what has changed, at most once a minute. */
+  /** Whether what has changed is to be written down: once a minute. */
+  get isDue(): boolean {
+    const isLong = this.#lastAt - this.#notedAt >= limits.touchMs;
+    return isLong || this.#parts.keys.dueUses().length > 0;
+  }
+
+  /** Whether the store takes for unused what is in use, or soon would. */
+  isUrgent(now: number): boolean {
+    const isOld = now - this.#notedAt >= limits.sessionIdleMs - 2 * limits.touchMs;
+    return isOld && this.#lastAt > this.#notedAt;
+  }
+
+  /** Writes down what has changed. */
   async note(): Promise<void> {
     const { store, keys } = this.#parts;
     const uses = keys.dueUses();
-    if (this.#lastAt - this.#notedAt < limits.touchMs && uses.length === 0) return;
     const lastAt = this.#lastAt;
     await store.touch(this.#robot, lastAt, uses);
     this.#notedAt = lastAt;

@@ -334,7 +334,17 @@ export class Session {
     if (this.#seat.awayMs(now) >= limits.pageAwayMs) await this.#life.pageIsGone();
   }
 
-  /** Writes down that the session and its keys are in use: see `SessionUse.note`. */
+  /** Whether it is to be written down that the session or its keys are in use. */
+  get isUseDue(): boolean {
+    return this.#use.isDue;
+  }
+
+  /** Whether the store may soon take it for unused, and it is in use. */
+  get isUseUrgent(): boolean {
+    return this.#use.isUrgent(this.#clock.now());
+  }
+
+  /** Writes down that the session and its keys are in use. */
   async noteUse(): Promise<void> {
     await this.#use.note();
   }

@@ -10,8 +10,8 @@ import type { Entry, Tidying } from "./journal-writer.ts";
 const FEW = 4;
 /** Whoever else is served meanwhile waits as long. */
 const SLOW_MS = 2;
-/** One that takes long can be that of a busy machine, which the thread would wait for as well. */
-const SLOW_IN_A_ROW = 3;
+/** So many more slow writes than quick ones: one alone is that of a busy machine, which the thread would wait for as well. */
+const MANY_SLOW = 3;
 /** After so long it is tried again whether the disk is quick. */
 const TRY_AGAIN_MS = 10_000;
 
@@ -19,7 +19,8 @@ export class AdaptiveJournal implements Journal {
   readonly #own: Journal;
   readonly #thread: Journal;
   readonly #now: () => number;
-  #slowInARow = 0;
+  /** slow writes, less the quick ones since */
+  #slow = 0;
   #slowUntil = -Infinity;
   /** how many came last */
   #before = 0;
@@ -46,10 +47,8 @@ export class AdaptiveJournal implements Journal {
   }
 
   #took(ms: number): void {
-    this.#slowInARow = ms > SLOW_MS ? this.#slowInARow + 1 : 0;
-    if (this.#slowInARow < SLOW_IN_A_ROW) return;
-    this.#slowInARow = 0;
-    this.#slowUntil = this.#now() + TRY_AGAIN_MS;
+    this.#slow = ms > SLOW_MS ? Math.min(this.#slow + 1, MANY_SLOW) : Math.max(this.#slow - 1, 0);
+    if (this.#slow === MANY_SLOW) this.#slowUntil = this.#now() + TRY_AGAIN_MS;
   }
 
   async close(): Promise<void> {
