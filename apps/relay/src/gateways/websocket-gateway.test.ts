@@ -123,36 +123,36 @@ describe("the WebSocket: who may", () => {
     alive.send({ type: "command", command: { action: "stop" } });
     expect(await alive.next("ack")).toMatchObject({ record: { seq: 4 } });
   });
-});
 
-it("asks whether they live those who have said nothing for a while, and nobody else", async () => {
-  const clock = new FakeClock();
-  const relay = await startTestRelay({ clock });
-  const script = await TestSocket.driver(relay, await relay.register());
-  await clock.pass(limits.heartbeatMs - 1);
-  script.send({ type: "command", command: { action: "stop" } });
-  await script.next("ack");
-  await clock.pass(1);
-  await script.next("heartbeat");
-  expect(script.pings).toBe(0);
-  await clock.pass(limits.heartbeatMs);
-  await script.next("heartbeat");
-  expect(script.pings).toBe(1);
-});
-
-it("asks at each heartbeat whoever was last heard shortly after the one before", async () => {
-  const clock = new FakeClock();
-  const relay = await startTestRelay({ clock });
-  const script = await TestSocket.driver(relay, await relay.register());
-  for (let beat = 1; beat <= 3; beat++) {
-    // As late as the answer to a ping over a long line.
-    await clock.pass(200);
+  it("asks whether they live those who have said nothing for a while, and nobody else", async () => {
+    const clock = new FakeClock();
+    const relay = await startTestRelay({ clock });
+    const script = await TestSocket.driver(relay, await relay.register());
+    await clock.pass(limits.heartbeatMs - 1);
     script.send({ type: "command", command: { action: "stop" } });
     await script.next("ack");
-    await clock.pass(limits.heartbeatMs - 200);
+    await clock.pass(1);
     await script.next("heartbeat");
-    expect(script.pings).toBe(beat);
-  }
+    expect(script.pings).toBe(0);
+    await clock.pass(limits.heartbeatMs);
+    await script.next("heartbeat");
+    expect(script.pings).toBe(1);
+  });
+
+  it("asks at each heartbeat whoever was last heard shortly after the one before", async () => {
+    const clock = new FakeClock();
+    const relay = await startTestRelay({ clock });
+    const script = await TestSocket.driver(relay, await relay.register());
+    for (let beat = 1; beat <= 3; beat++) {
+      // As late as the answer to a ping over a long line.
+      await clock.pass(200);
+      script.send({ type: "command", command: { action: "stop" } });
+      await script.next("ack");
+      await clock.pass(limits.heartbeatMs - 200);
+      await script.next("heartbeat");
+      expect(script.pings).toBe(beat);
+    }
+  });
 });
 
 describe("the WebSocket: messages", () => {

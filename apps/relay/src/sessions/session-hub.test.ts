@@ -37,7 +37,7 @@ async function withRobots(count: number) {
     await session.submit(key, command, () => undefined);
     session.leavePage(link, true);
   };
-  return { clock, store, instead, sessions, enter, leftAlone };
+  return { clock, store, hub, instead, sessions, enter, leftAlone };
 }
 
 it("sees to every robot though another one's step in the store fails", async () => {
@@ -97,4 +97,32 @@ it("forgets nobody who is in use though it cannot be written down for another", 
     await clock.pass(60_000);
   }
   expect(sessions.filter(({ session }) => session.isOver)).toEqual([]);
+});
+
+it("looks no more at a robot that is deleted before its turn comes", async () => {
+  const { clock, hub, instead, sessions } = await withRobots(15);
+  // A sweep has begun: the first ten have had their turn, and the next have it in a moment.
+  await clock.pass(limits.touchMs);
+  const last = sessions[14];
+  if (last === undefined) throw new Error("there are 15");
+  last.session.heard(last.key)();
+  const noted: string[] = [];
+  instead.touch = async (id) => void noted.push(id);
+  await hub.remove(last.session);
+  await clock.pass(5_000);
+  expect(noted).toEqual([]);
+});
+
+it("forgets nothing any more once it is closed", async () => {
+  const { clock, hub, instead } = await withRobots(1);
+  let asked = 0;
+  instead.removeExpired = async () => {
+    asked += 1;
+    return [];
+  };
+  await clock.pass(1_000);
+  expect(asked).toBe(1);
+  await hub.close();
+  await clock.pass(10 * 60_000);
+  expect(asked).toBe(1);
 });

@@ -75,7 +75,10 @@ export class SessionHub {
     this.#lives = new Sweep({
       clock,
       everyMs: LIFE_CHECK_MS,
-      members: () => this.#all(),
+      members: () => {
+        this.#rationNotes();
+        return this.#sessions;
+      },
       visit: ([id, found]) => this.#tried(this.#checkLife(id, found)),
     });
     this.#cancelExpiry = clock.after(LIFE_CHECK_MS, () => void this.#expire());
@@ -213,10 +216,8 @@ export class SessionHub {
     }
   }
 
-  /** All sessions, as a look at each of them begins. */
-  #all(): Iterable<[id: string, found: Promise<Session | null>]> {
+  #rationNotes(): void {
     this.#notesLeft = Math.max(NOTED_AT_LEAST, Math.ceil(this.#sessions.size * NOTED_SHARE));
-    return this.#sessions;
   }
 
   async #checkLife(id: string, found: Promise<Session | null>): Promise<void> {
