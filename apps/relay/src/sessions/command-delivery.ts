@@ -22,7 +22,7 @@ export interface Due {
 
 export interface CommandDeliveryParts {
   robot: string;
-  store: Pick<SessionStore, "deliver">;
+  store: Pick<SessionStore, "deliver" | "hasAll">;
   clock: Clock;
   seat: PageSeat;
   handover: PageHandover;
@@ -46,7 +46,7 @@ export class CommandDelivery {
   /**
    * Marks what the page may have now as delivered. Asked for in the same turn as the step before it, both
    * are one commit, and the page has a command as soon as its sender has the answer.
-   * @returns what is to be sent, whatever became of that step; null: there is no page for it
+   * @returns what is to be sent, whatever became of that step; null: nothing, or there is no page for it
    */
   async take(): Promise<Due | null> {
     const { robot, store, clock, seat, handover } = this.#parts;
@@ -54,6 +54,8 @@ export class CommandDelivery {
     const { link, epoch } = seat.page;
     const now = clock.now();
     try {
+      // With each command that comes it is asked what the page may have now: mostly nothing more.
+      if (store.hasAll(robot, limits.deliveredWindow)) return null;
       return {
         link,
         commands: await store.deliver(robot, epoch, limits.deliveredWindow, now),

@@ -57,7 +57,7 @@ export class CommandLife {
   readonly #seat: PageSeat;
   readonly #line: RobotLine;
   readonly #delivery: CommandDelivery;
-  readonly #allowance: DriverAllowance;
+  readonly #allowance = new DriverAllowance();
   readonly #work = new OrderedWork();
   /** pages that come, one after the other */
   readonly #arrivals = new OrderedWork();
@@ -92,7 +92,6 @@ export class CommandLife {
     const display = new PageDisplay({ seat, clock, timers });
     this.display = display;
     this.#delivery = new CommandDelivery({ robot, store, clock, seat, handover, display, sent });
-    this.#allowance = new DriverAllowance(clock);
     this.log = new CommandLog(robot, store, audience, this.#work);
     this.recall = new CommandRecall({
       robot,
@@ -318,7 +317,7 @@ export class CommandLife {
   ): Promise<void> {
     const cameAt = this.#clock.now();
     const isStop = request.command.action === "stop";
-    const tooFast = this.#allowance.take(grant.hash, isStop);
+    const tooFast = this.#allowance.take(grant.hash, isStop, cameAt);
     if (tooFast !== null && !isStop) throw tooFast;
     await this.#work.run(async () => {
       if (this.#end !== null) throw this.#end === "restart" ? restarting() : noRobot();

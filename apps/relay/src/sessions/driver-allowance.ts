@@ -1,29 +1,26 @@
 /** How fast each driver key may send: a bucket for commands, and one for stops, which never wait behind them. */
-import type { Clock } from "../clock.ts";
 import { Refusal, retryAfter } from "../problems.ts";
 import { limits } from "./limits.ts";
 import { TokenBucket } from "./token-bucket.ts";
 
 export class DriverAllowance {
-  readonly #clock: Clock;
   readonly #buckets = new Map<string, { commands: TokenBucket; stops: TokenBucket }>();
-
-  constructor(clock: Clock) {
-    this.#clock = clock;
-  }
 
   /**
    * Takes one command's worth.
    * @param driver hash of the key
+   * @param now when it came
    * @returns the refusal when the key sends too fast
    */
-  take(driver: string, isStop: boolean): Refusal | null {
-    const now = this.#clock.now();
-    const buckets = this.#buckets.get(driver) ?? {
-      commands: new TokenBucket(limits.commandRate, now),
-      stops: new TokenBucket(limits.stopRate, now),
-    };
-    this.#buckets.set(driver, buckets);
+  take(driver: string, isStop: boolean, now: number): Refusal | null {
+    let buckets = this.#buckets.get(driver);
+    if (buckets === undefined) {
+      buckets = {
+        commands: new TokenBucket(limits.commandRate, now),
+        stops: new TokenBucket(limits.stopRate, now),
+      };
+      this.#buckets.set(driver, buckets);
+    }
     const waitMs = (isStop ? buckets.stops : buckets.commands).take(now);
     if (waitMs === 0) return null;
     const { perSecond, burst } = isStop ? limits.stopRate : limits.commandRate;

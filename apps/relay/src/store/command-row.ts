@@ -1,9 +1,9 @@
 /**
- * One command as a store on disk keeps it, in the order of its columns. What stands in a row was checked before
- * it was written: to check it again at each step took a third of what a command costs.
+ * One command as a store on disk keeps it. What stands in a row was checked before it was written: to check it
+ * again at each step took a third of what a command costs.
  */
-import type { SQLInputValue } from "node:sqlite";
 import type { Command, CommandRecord, CommandState } from "@corridor/protocol";
+import { commandIn } from "./known-commands.ts";
 import type { TermedRecord } from "./session-store.ts";
 
 export interface CommandRow {
@@ -31,7 +31,8 @@ export interface CommandRow {
   epoch: number | null;
 }
 
-type TermColumns = [
+/** What of a row is where in an entry, by which the tables read it, too: nothing changes its place. */
+type Entry = [
   seq: number,
   driver: string,
   script: string | null,
@@ -42,14 +43,14 @@ type TermColumns = [
   deadline: number,
   replaces: 0 | 1,
   lease: number | null,
-];
-type StateColumns = [
   state: CommandState,
   reason: string | null,
   recalled: string | null,
   pose: string | null,
   distance: number | null,
   epoch: number | null,
+  /** entries of the first journals end before it */
+  forgotten?: number,
 ];
 
 /** A stop, as JSON. */
@@ -59,44 +60,14 @@ export function isStop(text: string): boolean {
   return text === STOP;
 }
 
-/** The columns of a row, without its robot's. */
-export const ROW_COLUMNS =
-  "seq, driver, script, key, command, accepted_at, ttl, deadline, replaces, lease, " +
-  "state, reason, recalled, pose, distance, epoch";
-const COLUMNS = ROW_COLUMNS.split(", ").length;
-const STATE = ROW_COLUMNS.split(", ").indexOf("state");
-
 /**
- * An entry of the journal: a row as a step has left it.
+ * A row as a step has left it, as the journal and the tables have it.
  * @param forgotten up to which number the robot's commands that have ended are forgotten by that step; 0: none is
  */
 export function entryOf(row: CommandRow, forgotten: number): string {
-  const columns: unknown[] = columnsOf(row);
-  columns.push(forgotten);
-  return JSON.stringify(columns);
-}
-
-/** @throws SyntaxError when it is no entry */
-export function rowIn(entry: string): { row: CommandRow; forgotten: number } {
-  const columns = JSON.parse(entry) as unknown[];
-  // Entries of the first journals end with the row.
-  return { row: rowOf(columns), forgotten: Number(columns[COLUMNS] ?? 0) };
-}
-
-/** What an entry has for each of the columns. @throws SyntaxError when it is no entry */
-export function columnsIn(entry: string): SQLInputValue[] {
-  return (JSON.parse(entry) as SQLInputValue[]).slice(0, COLUMNS);
-}
-
-export function stateIn(columns: readonly SQLInputValue[]): CommandState {
-  return columns[STATE] as CommandState;
-}
-
-/** What of a row is in each of its columns. */
-function columnsOf(row: CommandRow): SQLInputValue[] {
   const { seq, driver, script, key, text, acceptedAt, ttl, deadline, replace, lease } = row;
   const { state, reason, recalled, pose, distance, epoch } = row;
-  return [
+  const entry: Entry = [
     seq,
     driver,
     script,
@@ -113,21 +84,22 @@ function columnsOf(row: CommandRow): SQLInputValue[] {
     pose === null ? null : JSON.stringify(pose),
     distance,
     epoch,
+    forgotten,
   ];
+  return JSON.stringify(entry);
 }
 
-/** @param columns as `columnsOf` gives them */
-export function rowOf(columns: readonly unknown[]): CommandRow {
-  const [seq, driver, script, key, text, acceptedAt, ttl, deadline, replaces, lease] =
-    columns as TermColumns;
-  const [state, reason, recalled, pose, distance, epoch] = columns.slice(10) as StateColumns;
-  return {
+/** @throws SyntaxError when it is no entry */
+export function rowIn(entry: string): { row: CommandRow; forgotten: number } {
+  const [seq, driver, script, key, text, acceptedAt, ttl, deadline, replaces, lease, ...rest] =
+    JSON.parse(entry) as Entry;
+  const [state, reason, recalled, pose, distance, epoch, forgotten = 0] = rest;
+  const row: CommandRow = {
     seq,
     driver,
     script,
     key,
-    command: JSON.parse(text) as Command,
-    text,
+    ...commandIn(text),
     acceptedAt,
     ttl,
     deadline,
@@ -141,6 +113,7 @@ export function rowOf(columns: readonly unknown[]): CommandRow {
     distance,
     epoch,
   };
+  return { row, forgotten };
 }
 
 const newest = { at: Number.NaN, text: "" };

@@ -1,13 +1,13 @@
 /** Finds the commands of a robot, wherever they are: at hand, and only then in the tables. To be called in a step. */
 import type { CommandRecord } from "@corridor/protocol";
-import { isStop, recordOfRow, ROW_COLUMNS, STOP, type CommandRow } from "./command-row.ts";
+import { isStop, recordOfRow, STOP, type CommandRow } from "./command-row.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { numberIn, rowsIn } from "./sqlite-rows.ts";
 import type { Statements } from "./statements.ts";
 
-const BY_KEY = `SELECT ${ROW_COLUMNS} FROM commands WHERE robot = ? AND driver = ? AND key = ?`;
-const BY_SEQ = `SELECT ${ROW_COLUMNS} FROM commands WHERE robot = ? AND seq = ?`;
-const AFTER = `SELECT ${ROW_COLUMNS} FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?`;
+const BY_KEY = "SELECT entry FROM commands WHERE robot = ? AND driver = ? AND key = ?";
+const BY_SEQ = "SELECT entry FROM commands WHERE robot = ? AND seq = ?";
+const AFTER = "SELECT entry FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?";
 
 export function rowWith(
   statements: Statements,

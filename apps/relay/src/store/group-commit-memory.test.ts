@@ -191,6 +191,26 @@ describe("tidying", () => {
     expect(journal.writing).toBeNull();
   });
 
+  it("goes on without a pause as long as there is nothing else to write", async () => {
+    const { journal, step, parts } = withJournal();
+    Object.assign(parts, { isUntidy: true, due: NOTHING });
+    void step("a");
+    await turn();
+    journal.tell();
+    await expect.poll(() => journal.writing).not.toBeNull();
+    for (let times = 0; times < 3; times++) {
+      journal.tell();
+      await turn();
+      expect(journal.writing).toMatchObject({ entries: [], tidying: NOTHING });
+    }
+    journal.tell();
+    parts.due = null;
+    void step("b");
+    await turn();
+    expect(journal.writing).toMatchObject({ tidying: null });
+    expect(journal.writing?.entries).toHaveLength(1);
+  });
+
   it("is not tried for ever where it fails, but with what is written next", async () => {
     const { journal, step, parts } = withJournal();
     Object.assign(parts, { isUntidy: true, due: NOTHING });

@@ -295,7 +295,9 @@ export class GroupCommit {
       if (lost === null) for (const { kept } of group.steps) kept();
       else this.#undoSince(group, lost);
       // What could not be tidied now is tried again with what is written next, and not for ever meanwhile.
-      this.#goOn(lost === null && untidied === null);
+      const isWell = lost === null && untidied === null;
+      this.#goOn(isWell);
+      if (isIdle && isWell) this.#tidyOn();
     });
   }
 
@@ -361,9 +363,21 @@ export class GroupCommit {
     const sent = this.#sent;
     this.#timer = setTimeout(() => {
       this.#timer = null;
-      const isIdle = this.#sent === sent && this.#open === null && this.#writing === null;
-      if (isIdle) this.#send(this.#newGroup(), true);
+      if (this.#isIdleSince(sent)) this.#send(this.#newGroup(), true);
       else if (this.#memory.isUntidy) this.#tidySoon();
     }, IDLE_MS).unref();
+  }
+
+  /** As long as there still is nothing else to write, what is next is tidied without a pause. */
+  #tidyOn(): void {
+    const sent = this.#sent;
+    setImmediate(() => {
+      if (this.#isClosed || !this.#memory.isUntidy || !this.#isIdleSince(sent)) return;
+      this.#send(this.#newGroup(), true);
+    });
+  }
+
+  #isIdleSince(sent: number): boolean {
+    return this.#sent === sent && this.#open === null && this.#writing === null;
   }
 }

@@ -111,4 +111,23 @@ describe("the journal", () => {
     live.deleteOrphans();
     expect([...(live.open(id)?.open ?? [])].map(({ seq }) => seq)).toEqual([1, 2, 3]);
   });
+
+  it("forgets a robot wholly that has more in it than a call can be given", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const [id = ""] = ROBOTS;
+    const before = new SqliteStore(file);
+    await withRobots(before);
+    await before.add(id, { ...sent, driver: "d" });
+    await before.close();
+    const db = new DatabaseSync(file);
+    onTestFinished(() => db.close());
+    const count = (): unknown => db.prepare("SELECT count(*) AS n FROM journal").get()?.["n"];
+    db.exec(`WITH RECURSIVE more (id) AS (SELECT 1000 UNION ALL SELECT id + 1 FROM more WHERE id < 151000)
+      INSERT INTO journal SELECT more.id, robot, entry FROM more, journal WHERE journal.id = 1`);
+    expect(count()).toBeGreaterThan(150_000);
+    const store = new SqliteStore(file, 1_000_000);
+    onTestFinished(() => store.close());
+    expect(await store.remove(id)).toBe(true);
+    expect(count()).toBe(0);
+  });
 });

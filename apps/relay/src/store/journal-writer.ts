@@ -4,19 +4,14 @@
  * another thread do all of it.
  */
 import type { DatabaseSync } from "node:sqlite";
-import { hasEnded } from "@corridor/protocol";
-import { columnsIn, ROW_COLUMNS, stateIn } from "./command-row.ts";
 import { Statements } from "./statements.ts";
 
-const KEEP_ROW = `INSERT INTO commands (robot, is_open, ${ROW_COLUMNS})
-  VALUES (?, ?, ${ROW_COLUMNS.replaceAll(/\w+/g, "?")})
-  ON CONFLICT (robot, seq) DO UPDATE SET is_open = excluded.is_open, state = excluded.state,
-    reason = excluded.reason, recalled = excluded.recalled, pose = excluded.pose,
-    distance = excluded.distance, epoch = excluded.epoch`;
+/** In the order in which they are given: CROSS keeps SQLite from another. */
+const KEEP_ROWS = `INSERT INTO commands (robot, entry)
+  SELECT robot, entry FROM json_each(?) AS given CROSS JOIN journal ON journal.id = given.value WHERE true
+  ON CONFLICT (robot, seq) DO UPDATE SET entry = excluded.entry`;
 const FORGET_ENDED = "DELETE FROM commands WHERE robot = ? AND seq <= ? AND is_open = 0";
 const FORGET_ONE = "DELETE FROM commands WHERE robot = ? AND seq = ?";
-
-type Columns = ReturnType<typeof columnsIn>;
 
 /** A row as a step has left it. */
 export type Entry = [id: number, robot: string, text: string];
@@ -31,6 +26,8 @@ export interface Bringing {
   /** number of the newest of its entries */
   upTo: number;
   lastSeq: number;
+  /** before this number, all of it has ended */
+  openFrom: number;
   /** what of it has ended up to this number is deleted, but for what comes in now; 0: nothing is */
   forgotten: number;
 }
@@ -89,21 +86,15 @@ export class JournalWriter {
     this.#statements.run(sql, [deleted, JSON.stringify(kept)]);
   }
 
-  #bringIn({ robot, entries, gone, upTo, lastSeq, forgotten }: Bringing): void {
+  #bringIn({ robot, entries, gone, upTo, lastSeq, openFrom, forgotten }: Bringing): void {
     // First, since another may have come with the key of one that is forgotten.
     if (forgotten > 0) this.#statements.run(FORGET_ENDED, [robot, forgotten]);
     for (const seq of gone) this.#statements.run(FORGET_ONE, [robot, seq]);
-    for (const entry of entries) {
-      const columns = this.#columnsOf(entry);
-      this.#statements.run(KEEP_ROW, [robot, hasEnded(stateIn(columns)) ? 0 : 1, ...columns]);
-    }
-    const sql = "UPDATE sessions SET last_seq = max(last_seq, ?), settled = ? WHERE id = ?";
-    this.#statements.run(sql, [lastSeq, upTo, robot]);
-  }
-
-  #columnsOf(id: number): Columns {
-    const [found] = this.#statements.all("SELECT entry FROM journal WHERE id = ?", [id]);
-    return columnsIn(String(found?.["entry"]));
+    if (this.#statements.run(KEEP_ROWS, [JSON.stringify(entries)]) !== entries.length)
+      throw new Error("The journal does not have what is to be brought into the tables.");
+    const sql =
+      "UPDATE sessions SET last_seq = max(last_seq, ?), open_from = ?, settled = ? WHERE id = ?";
+    this.#statements.run(sql, [lastSeq, openFrom, upTo, robot]);
   }
 
   #commit(work: () => void): void {

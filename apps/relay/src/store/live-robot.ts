@@ -57,6 +57,12 @@ export class LiveRobot {
     return this.#open.values();
   }
 
+  /** Before this number, all of it has ended. */
+  get openFrom(): number {
+    const [first] = this.#open.keys();
+    return first ?? this.standing.lastSeq + 1;
+  }
+
   /** The tables have all of it, and nothing is open. */
   get isAtRest(): boolean {
     return this.#open.size === 0 && this.#unsettled.size === 0;

@@ -10,12 +10,12 @@
  * All of it is to be called in steps of the file, but for `peek`, `due` and `tidied`, and nobody else may change commands
  * in the tables.
  */
-import { entryOf, ROW_COLUMNS, rowIn, type CommandRow } from "./command-row.ts";
+import { entryOf, rowIn, type CommandRow } from "./command-row.ts";
+import { EntryOwners } from "./entry-owners.ts";
 import type { Memory } from "./group-commit.ts";
 import type { Bringing, Entry, Tidying } from "./journal-writer.ts";
 import { LiveRobot, type Standing } from "./live-robot.ts";
 import { numberIn, rowsIn } from "./sqlite-rows.ts";
-import { IS_OPEN, OPEN_COMMANDS } from "./sqlite-schema.ts";
 import type { Statements } from "./statements.ts";
 
 /** Entries that the journal has before rows are brought into the tables: some 5 MB. */
@@ -32,7 +32,15 @@ const ROWS_AT_A_TIME = 64;
 /** Entries that are deleted at a time: more than come with them, as a rule, so that the journal gets no longer. */
 const ENTRIES_AT_A_TIME = 256;
 
-const OPEN_ROWS = `SELECT ${ROW_COLUMNS} FROM ${OPEN_COMMANDS} WHERE robot = ? AND ${IS_OPEN} ORDER BY seq`;
+const OPEN_ROWS =
+  "SELECT entry FROM commands WHERE robot = ? AND seq >= ? AND is_open = 1 ORDER BY seq";
+
+interface SessionRow {
+  epoch: number;
+  last_seq: number;
+  paused: 0 | 1;
+  open_from: number;
+}
 
 export class LiveRobots implements Memory {
   readonly #statements: Statements;
@@ -43,8 +51,7 @@ export class LiveRobots implements Memory {
   readonly #unsettled = new Map<string, number>();
   /** the same of those that are being brought into the tables */
   readonly #bringing = new Map<string, number>();
-  /** whose each entry of the journal is, in order */
-  readonly #owners = new Map<number, string>();
+  readonly #owners = new EntryOwners();
   /** number of the next entry */
   #next = 1;
   /** those of which much has ended */
@@ -100,16 +107,17 @@ export class LiveRobots implements Memory {
     if (this.#isUndone) this.#restore();
     const gone = new Set(ids);
     for (const id of gone) {
-      this.#orphans.push(...(this.#broken.get(id)?.entries ?? []));
+      this.#orphan(this.#broken.get(id)?.entries ?? []);
       this.#live.delete(id);
       this.#unsettled.delete(id);
       this.#broken.delete(id);
     }
-    for (const [entry, owner] of this.#owners) {
-      if (!gone.has(owner)) continue;
-      this.#orphans.push(entry);
-      this.#owners.delete(entry);
-    }
+    this.#orphan(this.#owners.deleteOf(gone));
+  }
+
+  /** There may be more of them than a call can be given. */
+  #orphan(entries: readonly number[]): void {
+    for (const entry of entries) this.#orphans.push(entry);
   }
 
   /** Whether the journal still has entries of robots that are gone. */
@@ -147,9 +155,10 @@ export class LiveRobots implements Memory {
       this.#unsettled.delete(id);
       this.#bringing.set(id, first);
       const { lastSeq } = robot.standing;
-      const { toForget: forgotten } = robot;
+      const { openFrom, toForget: forgotten } = robot;
       const { rows, gone } = robot.unsettled();
-      bringing.push({ robot: id, entries: rows, gone, upTo: this.#next - 1, lastSeq, forgotten });
+      const upTo = this.#next - 1;
+      bringing.push({ robot: id, entries: rows, gone, upTo, lastSeq, openFrom, forgotten });
       left -= rows.length + gone.length;
       if (left <= 0) break;
     }
@@ -167,10 +176,7 @@ export class LiveRobots implements Memory {
         robot?.settled(upTo);
         if (robot !== undefined) this.#release(id, robot);
       }
-      for (const entry of this.#owners.keys()) {
-        if (entry > deleted) break;
-        this.#owners.delete(entry);
-      }
+      this.#owners.deleteUpTo(deleted);
     } else {
       const all = [...new Map([...this.#unsettled, ...this.#bringing])];
       this.#unsettled.clear();
@@ -191,12 +197,12 @@ export class LiveRobots implements Memory {
     if (known !== undefined) return known;
     const broken = this.#broken.get(id);
     if (broken !== undefined) throw broken.error;
-    const sql = "SELECT epoch, last_seq AS lastSeq, paused FROM sessions WHERE id = ?";
-    const [session] = this.#statements.all(sql, [id]);
+    const sql = "SELECT epoch, last_seq, paused, open_from FROM sessions WHERE id = ?";
+    const [session] = this.#statements.all(sql, [id]) as unknown as SessionRow[];
     if (session === undefined) return null;
-    const { epoch, lastSeq, paused } = session as { epoch: number; lastSeq: number; paused: 0 | 1 };
+    const { epoch, last_seq: lastSeq, paused, open_from: openFrom } = session;
     const standing = { epoch, lastSeq, isPaused: paused === 1, ...this.#whoMay(id) };
-    const open = rowsIn(this.#statements, OPEN_ROWS, [id]);
+    const open = rowsIn(this.#statements, OPEN_ROWS, [id, openFrom]);
     const robot = new LiveRobot(standing, open, (...kept) => this.#keep(id, ...kept));
     this.#live.set(id, robot);
     return robot;
@@ -221,7 +227,6 @@ export class LiveRobots implements Memory {
     for (const { id, robot, settled: until, entry } of entries) {
       this.#next = Math.max(this.#next, id + 1);
       if (until === null) this.#orphans.push(id);
-      else this.#owners.set(id, robot);
       if (until === null || id <= until || this.#broken.has(robot)) continue;
       try {
         this.#load(robot)?.restore(rowIn(entry), id);
@@ -233,12 +238,12 @@ export class LiveRobots implements Memory {
         this.#unsettled.delete(robot);
       }
     }
-    // What the tables do not have of it stays, whatever becomes of the rest of the journal.
     for (const { id, robot, settled: until } of entries) {
+      if (until === null) continue;
       const broken = this.#broken.get(robot);
-      if (broken === undefined || id <= (until ?? id)) continue;
-      broken.entries.push(id);
-      this.#owners.delete(id);
+      // What the tables do not have of it stays, whatever becomes of the rest of the journal.
+      if (broken !== undefined && id > until) broken.entries.push(id);
+      else this.#owners.add(id, robot);
     }
     this.#isUndone = false;
   }
@@ -246,7 +251,7 @@ export class LiveRobots implements Memory {
   #keep(id: string, row: CommandRow, forgotten: number): number {
     const entry = this.#next++;
     this.#append([entry, id, entryOf(row, forgotten)]);
-    this.#owners.set(entry, id);
+    this.#owners.add(entry, id);
     this.#note(id, entry);
     return entry;
   }
@@ -258,14 +263,7 @@ export class LiveRobots implements Memory {
   /** The newest of the oldest entries, of which the tables have all that they say. */
   #settledEntries(most: number): number {
     const [unsettled = this.#next] = this.#unsettled.values();
-    const first = Math.min(unsettled, ...this.#bringing.values());
-    let newest = 0;
-    let left = most;
-    for (const entry of this.#owners.keys()) {
-      if (entry >= first || left-- === 0) break;
-      newest = entry;
-    }
-    return newest;
+    return this.#owners.lastOfOldest(most, Math.min(unsettled, ...this.#bringing.values()));
   }
 
   #release(id: string, robot: LiveRobot): void {

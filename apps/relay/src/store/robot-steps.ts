@@ -4,6 +4,7 @@
  */
 import type { CommandRecord, Ending } from "@corridor/protocol";
 import { isStop, recordOfRow, termedOfRow, type CommandRow } from "./command-row.ts";
+import type { KnownCommand } from "./known-commands.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import {
   CLOCK_TOLERANCE_MS,
@@ -21,11 +22,11 @@ export function refusal({ standing }: LiveRobot, { driver, script }: NewCommand)
   return script !== null && standing.away.has(script) ? { outcome: "sent-away" } : null;
 }
 
-/** Stores a command whose key is not known. @param text the command as JSON */
-export function add(robot: LiveRobot, command: NewCommand, text: string): AddResult {
+/** Stores a command whose key is not known. @param known what it is */
+export function add(robot: LiveRobot, command: NewCommand, known: KnownCommand): AddResult {
   const { standing } = robot;
   const { driver, script, key, acceptedAt, ttl, deadline, replace, lease } = command;
-  const stops = isStop(text);
+  const stops = isStop(known.text);
   if (standing.isPaused && !stops) return { outcome: "paused" };
   if (deadline <= acceptedAt) return { outcome: "late" };
   const seq = standing.lastSeq + 1;
@@ -37,8 +38,8 @@ export function add(robot: LiveRobot, command: NewCommand, text: string): AddRes
     driver,
     script,
     key,
-    command: command.command,
-    text,
+    command: known.command,
+    text: known.text,
     acceptedAt,
     ttl: Math.round(ttl),
     deadline: Math.round(deadline),
@@ -177,7 +178,8 @@ export function meetPage(
   }
   // What was delivered when something overtook it may wait again now; it was overtaken all the same.
   for (const what of ["stop", "replace"] as const) {
-    const seq = newest(what);
+    // It takes long to look for among ten thousand.
+    const seq = waiting(robot).length === 0 ? null : newest(what);
     if (seq === null) continue;
     for (const { record } of overtake(robot, { seq, stops: what === "stop" }))
       changed.set(record.seq, record);

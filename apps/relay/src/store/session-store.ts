@@ -230,6 +230,8 @@ export interface SessionStore {
    * expire stays where it is.
    */
   deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]>;
+  /** Whether it is known, without asking for it, that `deliver` would find nothing now. */
+  hasAll(id: string, window: number): boolean;
   /**
    * accepted → expired, for all whose deadline is past, and for those from a time that is yet to come:
    * then the clock was set back, and nobody knows how late it is.

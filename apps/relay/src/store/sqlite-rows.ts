@@ -1,6 +1,6 @@
 /** Rows of commands in SQLite. */
 import type { SQLInputValue } from "node:sqlite";
-import { rowOf, type CommandRow } from "./command-row.ts";
+import { rowIn, type CommandRow } from "./command-row.ts";
 import type { Statements } from "./statements.ts";
 
 /** The column `found` of the first row; null where there is none. */
@@ -13,7 +13,7 @@ export function numberIn(
   return typeof found === "number" ? found : null;
 }
 
-/** Rows of `ROW_COLUMNS`. */
+/** What is in the column `entry`. */
 export function rowsIn(statements: Statements, sql: string, values: SQLInputValue[]): CommandRow[] {
-  return statements.all(sql, values).map((row) => rowOf(Object.values(row)));
+  return statements.all(sql, values).map(({ entry }) => rowIn(String(entry)).row);
 }

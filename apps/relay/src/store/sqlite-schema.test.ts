@@ -1,5 +1,6 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
+import { commandRecordSchema, hasEnded } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { testFolder } from "../testing/test-relay.ts";
 import { openDatabase } from "./sqlite-schema.ts";
@@ -95,15 +96,27 @@ describe("a file of an earlier Corridor", () => {
     const file = fileOfBefore();
     openDatabase(file).close();
     expect(() => openDatabase(file, BY_ROBOT)).toThrow(
-      /newer Corridor \(schema 12, this one knows 10\)/,
+      /newer Corridor \(schema 13, this one knows 10\)/,
     );
   });
 
-  it("does not take a command for open that has ended, nor the other way round", () => {
+  it("has every state for open but those that have ended", () => {
     const db = openDatabase(fileOfBefore());
     onTestFinished(() => db.close());
-    for (const set of ["state = 'completed'", "is_open = 0"]) {
-      expect(() => db.exec(`UPDATE commands SET ${set} WHERE seq = 3`)).toThrow(/CHECK constraint/);
-    }
+    const isOpen = db.prepare("SELECT is_open FROM commands WHERE robot = ? AND seq = 3");
+    const states = commandRecordSchema.shape.state.options.filter((state) => {
+      db.prepare("UPDATE commands SET entry = json_replace(entry, '$[10]', ?)").run(state);
+      return isOpen.get(ID)?.["is_open"] === (hasEnded(state) ? 0 : 1);
+    });
+    expect(states).toEqual(commandRecordSchema.shape.state.options);
+  });
+
+  it("says from which number on a robot may have commands that are open", () => {
+    const db = openDatabase(fileOfBefore());
+    onTestFinished(() => db.close());
+    expect(db.prepare("SELECT open_from FROM sessions").all()).toEqual([
+      { open_from: 3 },
+      { open_from: 3 },
+    ]);
   });
 });

@@ -1,13 +1,6 @@
 /** Tables of the SQLite stores, and the pragmas that their promises rest on. */
 import { DatabaseSync } from "node:sqlite";
 
-/**
- * The commands that have not ended: the table by their index, and the condition of that index. A query
- * needs both, word for word; otherwise SQLite reads through all commands that a robot ever had.
- */
-export const OPEN_COMMANDS = "commands INDEXED BY commands_open";
-export const IS_OPEN = "is_open = 1";
-
 const SESSIONS = `
 CREATE TABLE sessions (
   id TEXT PRIMARY KEY,
@@ -171,6 +164,38 @@ CREATE TABLE journal (
 ALTER TABLE sessions ADD COLUMN settled INTEGER NOT NULL DEFAULT 0;
 `;
 
+// A row is its entry, as the journal had it: it is moved, and nobody takes it apart and puts it together again.
+// What is asked for stands in the indexes, read from the entry. No index of what has not ended, which each command
+// would be written to and deleted from: `open_from` says before which number a robot's have ended, in the tables. A state that nobody knows is open: it is read, not deleted.
+const COMMANDS_AS_ENTRIES = `
+ALTER TABLE sessions ADD COLUMN open_from INTEGER NOT NULL DEFAULT 0;
+UPDATE sessions SET open_from = coalesce(
+  (SELECT min(seq) FROM commands INDEXED BY commands_open WHERE robot = id AND is_open = 1), last_seq + 1);
+ALTER TABLE commands RENAME TO commands_before;
+DROP INDEX commands_by_seq;
+DROP INDEX commands_by_key;
+DROP INDEX commands_open;
+CREATE TABLE commands (
+  n INTEGER PRIMARY KEY,
+  robot TEXT NOT NULL REFERENCES sessions (id) ON DELETE CASCADE,
+  entry TEXT NOT NULL,
+  seq INTEGER NOT NULL AS (entry ->> 0),
+  driver TEXT NOT NULL AS (entry ->> 1),
+  key TEXT AS (entry ->> 3),
+  command TEXT NOT NULL AS (entry ->> 4),
+  replaces INTEGER NOT NULL AS (entry ->> 8),
+  is_open INTEGER NOT NULL AS
+    (entry ->> 10 NOT IN ('completed', 'collided', 'cancelled', 'superseded', 'expired'))
+) STRICT;
+INSERT INTO commands (robot, entry)
+  SELECT robot, json_array(seq, driver, script, key, command, accepted_at, ttl, deadline, replaces, lease,
+    state, reason, recalled, pose, distance, epoch, 0)
+  FROM commands_before ORDER BY n;
+DROP TABLE commands_before;
+CREATE UNIQUE INDEX commands_by_seq ON commands (robot, seq);
+CREATE UNIQUE INDEX commands_by_key ON commands (robot, driver, key) WHERE key IS NOT NULL;
+`;
+
 // FULL: an acknowledged command survives a power cut. secure_delete: deleted means gone from the file.
 const PROMISES = `
   PRAGMA journal_mode = WAL;
@@ -194,6 +219,7 @@ const STEPS: readonly string[] = [
   KEY_TIMES,
   COMMANDS_BY_TIME,
   JOURNAL,
+  COMMANDS_AS_ENTRIES,
 ];
 
 /**

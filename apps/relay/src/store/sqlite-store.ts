@@ -10,6 +10,7 @@ import { hasEnded, type CommandRecord, type Ending } from "@corridor/protocol";
 import { z } from "zod";
 import { isStop, recordOfRow } from "./command-row.ts";
 import { newestOvertaking, recordOf, recordsAfter, rowWith, withKey } from "./commands-of-robot.ts";
+import { commandIn } from "./known-commands.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { LiveRobots, LONG } from "./live-robots.ts";
 import * as steps from "./robot-steps.ts";
@@ -184,7 +185,7 @@ export class SqliteStore implements SessionStore {
   }
 
   add(id: string, command: NewCommand): Promise<AddResult> {
-    const text = JSON.stringify(command.command);
+    const known = commandIn(JSON.stringify(command.command));
     const { driver, key } = command;
     const work = (): AddResult =>
       this.#of<AddResult>(id, { outcome: "no-session" }, (robot) => {
@@ -192,22 +193,25 @@ export class SqliteStore implements SessionStore {
         if (refused !== null) return refused;
         const earlier = key === null ? null : withKey(this.#writing, id, robot, { driver, key });
         if (earlier !== null) {
-          const same = JSON.stringify(earlier.command) === text;
+          const same = JSON.stringify(earlier.command) === known.text;
           return { outcome: same ? "duplicate" : "conflict", record: earlier };
         }
-        return steps.add(robot, command, text);
+        return steps.add(robot, command, known);
       });
     // A robot can be stopped on a full disk, too.
-    return isStop(text) ? this.#file.step(work, "memory") : this.#file.growingStep(work, "memory");
+    return isStop(known.text)
+      ? this.#file.step(work, "memory")
+      : this.#file.growingStep(work, "memory");
   }
 
   deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]> {
-    // With each command that comes it is asked what the page may have now: mostly nothing more.
-    if (this.#file.isPrompt && this.#live.peek(id)?.hasAll(window) === true)
-      return Promise.resolve([]);
     return this.#decide<TermedRecord[]>(id, [], (robot) =>
       steps.deliver(robot, { epoch, window, now }),
     );
+  }
+
+  hasAll(id: string, window: number): boolean {
+    return this.#file.isPrompt && this.#live.peek(id)?.hasAll(window) === true;
   }
 
   expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }> {

@@ -56,7 +56,7 @@ describe("the journal's thread", () => {
   it("writes entries also where it cannot tidy, and says why", async () => {
     const { write, onDisk } = withThread();
     const bringing = [
-      { robot: "robot", entries: [99], gone: [], upTo: 99, lastSeq: 1, forgotten: 0 },
+      { robot: "robot", entries: [99], gone: [], upTo: 99, lastSeq: 1, openFrom: 1, forgotten: 0 },
     ];
     const { lost, untidied } = await write([entry(1)], { bringing, deleted: 1, kept: [] });
     expect(lost).toBeNull();

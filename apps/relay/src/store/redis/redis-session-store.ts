@@ -188,6 +188,11 @@ export class RedisSessionStore implements SessionStore {
     return z.array(termedRow).parse(await this.#step("deliver", id, values));
   }
 
+  /** Another relay may have changed what this one knows. */
+  hasAll(): boolean {
+    return false;
+  }
+
   async expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }> {
     const values = { now, tolerance: CLOCK_TOLERANCE_MS };
     return expireAnswer.parse(await this.#step("expire", id, values));
