@@ -8,6 +8,7 @@ import type { Ballast } from "./ballast.ts";
 import { isDiskFull } from "./disk-full.ts";
 import { SqliteFile, withRoom } from "./sqlite-file.ts";
 import { SqliteStore } from "./sqlite-store.ts";
+import { NOW, pageState, sent } from "./testing/robot-in-store.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const LONG_REASON = "x".repeat(200);
@@ -94,6 +95,26 @@ async function onFullDisk() {
 }
 
 describe("a full disk", () => {
+  it("brings the page the first command that there is room for again, with those behind it in order", async () => {
+    const path = join(testFolder(), "corridor.sqlite");
+    const before = new SqliteStore(path);
+    await before.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
+    await before.takeOver(ID, pageState());
+    await before.close();
+    let hasRoom = false;
+    const ballast: Ballast = { hold: () => hasRoom, giveUp: () => false };
+    const store = new SqliteStore(new SqliteFile(path, { ballast }));
+    onTestFinished(() => store.close());
+    hasRoom = true;
+    const first = store.add(ID, sent);
+    const due = store.deliver(ID, 1, 8, NOW);
+    const second = store.add(ID, sent);
+    expect(store.hasAll(ID, 0)).toBe(false);
+    expect(await first).toMatchObject({ outcome: "stored", record: { seq: 1 } });
+    expect(await second).toMatchObject({ outcome: "stored", record: { seq: 2 } });
+    expect((await due)[0]).toMatchObject({ record: { seq: 1, state: "delivered" } });
+  });
+
   it("refuses what is new, and says so when it is asked", async () => {
     const { store, add, fails } = await onFullDisk();
     expect(isDiskFull(fails)).toBe(true);

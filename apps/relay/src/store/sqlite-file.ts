@@ -67,6 +67,8 @@ export class SqliteFile {
   readonly reading: Statements;
   #memory: Memory | null = null;
   #isFull: boolean;
+  /** whether there is room again: what is asked for meanwhile comes after the step that asked for that */
+  #finding: Promise<boolean> | null = null;
   #lookedAt = -Infinity;
   #closed: Promise<void> | null = null;
 
@@ -118,7 +120,7 @@ export class SqliteFile {
 
   /** Whether what is in memory is what the next step in memory would find. */
   get isPrompt(): boolean {
-    return this.#commits.isPrompt;
+    return this.#finding === null && this.#commits.isPrompt;
   }
 
   /** Adds an entry to the journal, in a step. */
@@ -131,6 +133,7 @@ export class SqliteFile {
    * @param kind memory: it changes no rows
    */
   step<T>(work: () => T, kind: "rows" | "memory" = "rows"): Promise<T> {
+    if (this.#finding !== null) return this.#stepAfter(this.#finding, work, kind);
     return this.#commits.run(work, kind).catch((error: unknown) => {
       if (!isDiskFull(error)) throw error;
       // Once, whoever of its group was first to give the ballast up: the room is there for all of them.
@@ -151,10 +154,42 @@ export class SqliteFile {
         throw error;
       });
     if (!this.#isFull) return grow();
-    return this.#findRoom().then((hasRoom) => {
+    return this.#findRoomFirst().then((hasRoom) => {
       if (hasRoom) return grow();
       throw new StoreFull();
     });
+  }
+
+  async #stepAfter<T>(
+    finding: Promise<boolean>,
+    work: () => T,
+    kind: "rows" | "memory",
+  ): Promise<T> {
+    try {
+      await finding;
+    } catch {
+      // Whoever asked for room is told.
+    }
+    return this.step(work, kind);
+  }
+
+  /** Finds room, with those behind it that are asked for meanwhile. */
+  #findRoomFirst(): Promise<boolean> {
+    if (this.#finding !== null) return this.#finding;
+    const finding = this.#findRoom();
+    this.#finding = finding;
+    void this.#letGo(finding);
+    return finding;
+  }
+
+  /** To be the first that waits for it, so that those after it find it over. */
+  async #letGo(finding: Promise<boolean>): Promise<void> {
+    try {
+      await finding;
+    } catch {
+      // Whoever asked for room is told.
+    }
+    this.#finding = null;
   }
 
   /**
