@@ -16,8 +16,12 @@ import { mintStream } from "../keys.ts";
 export class EventLog {
   readonly stream = mintStream();
   readonly #clock: Clock;
-  /** oldest first, without holes */
-  #kept: { event: StateEvent; at: number }[] = [];
+  /**
+   * Oldest first, without holes: no more than the records themselves, and when each came. A thousand of each of
+   * thousands of robots are most of what the relay has in memory, and goes through whenever it looks for garbage.
+   */
+  #records: CommandRecord[] = [];
+  #times: number[] = [];
   #n = 0;
 
   constructor(clock: Clock) {
@@ -36,31 +40,40 @@ export class EventLog {
 
   add(record: CommandRecord): StateEvent {
     this.#n += 1;
-    const event: StateEvent = { n: this.#n, record };
-    this.#kept.push({ event, at: this.#clock.now() });
-    if (this.#kept.length > MAX_KEPT_EVENTS) this.#kept.shift();
-    return event;
+    this.#records.push(record);
+    this.#times.push(this.#clock.now());
+    if (this.#records.length > MAX_KEPT_EVENTS) {
+      this.#records.shift();
+      this.#times.shift();
+    }
+    return { n: this.#n, record };
   }
 
   /** States may have come that nobody here heard of: whoever reads is told of a gap. */
   lose(): void {
     this.#n += 1;
-    this.#kept = [];
+    this.#forget(this.#records.length);
   }
 
   /** Lets go of what is too old. */
   forgetOld(): void {
     const oldest = this.#clock.now() - KEPT_EVENTS_MS;
-    if ((this.#kept[0]?.at ?? oldest) >= oldest) return;
-    const first = this.#kept.findIndex(({ at }) => at >= oldest);
-    this.#kept = first < 0 ? [] : this.#kept.slice(first);
+    if ((this.#times[0] ?? oldest) >= oldest) return;
+    const first = this.#times.findIndex((at) => at >= oldest);
+    this.#forget(first < 0 ? this.#records.length : first);
   }
 
   /** The events after `n`, in order; null when some of them are not kept. */
   after(n: number): StateEvent[] | null {
     const missed = this.#n - n;
-    if (missed < 0 || missed > this.#kept.length) return null;
-    return missed === 0 ? [] : this.#kept.slice(-missed).map(({ event }) => event);
+    if (missed < 0 || missed > this.#records.length) return null;
+    const first = this.#records.length - missed;
+    return this.#records.slice(first).map((record, at) => ({ n: n + 1 + at, record }));
+  }
+
+  #forget(count: number): void {
+    this.#records.splice(0, count);
+    this.#times.splice(0, count);
   }
 
   /** The number in a `since`; null when it belongs to another stream. */

@@ -1,0 +1,64 @@
+import { KEPT_EVENTS_MS, MAX_KEPT_EVENTS, type CommandRecord } from "@corridor/protocol";
+import fc from "fast-check";
+import { expect, it } from "vitest";
+import type { Clock } from "../clock.ts";
+import { EventLog } from "./event-log.ts";
+
+const record = (seq: number): CommandRecord => ({
+  seq,
+  key: null,
+  action: "stop",
+  command: { action: "stop" },
+  state: "completed",
+  reason: null,
+  acceptedAt: "2026-01-01T00:00:00.000Z",
+  pose: null,
+  distance: null,
+  duplicate: false,
+});
+
+const step = fc.oneof(
+  { weight: 4, arbitrary: fc.record({ add: fc.integer({ min: 1, max: 400 }) }) },
+  fc.record({ passMs: fc.integer({ min: 1, max: KEPT_EVENTS_MS }) }),
+  fc.constant("forget" as const),
+  fc.constant("lose" as const),
+);
+
+it("has every event that is neither too old nor one too many, by its number, and says what is missing", () => {
+  fc.assert(
+    fc.property(fc.array(step, { maxLength: 20 }), (steps) => {
+      let now = 0;
+      const clock: Clock = { now: () => now, after: () => () => undefined };
+      const log = new EventLog(clock);
+      let n = 0;
+      let kept: { n: number; at: number }[] = [];
+      for (const each of steps) {
+        if (each === "forget") {
+          log.forgetOld();
+          kept = kept.filter(({ at }) => at >= now - KEPT_EVENTS_MS);
+        } else if (each === "lose") {
+          log.lose();
+          n += 1;
+          kept = [];
+        } else if ("passMs" in each) now += each.passMs;
+        else {
+          for (let times = 0; times < each.add; times++) {
+            n += 1;
+            log.add(record(n));
+            kept = [...kept, { n, at: now }].slice(-MAX_KEPT_EVENTS);
+          }
+        }
+        const oldest = kept[0]?.n ?? n + 1;
+        expect(log.n).toBe(n);
+        expect(log.after(n + 1)).toBeNull();
+        expect(log.after(n)).toEqual([]);
+        expect(log.after(oldest - 2)).toBeNull();
+        expect(log.after(oldest - 1)).toEqual(
+          kept.map((one) => ({ n: one.n, record: record(one.n) })),
+        );
+        expect(log.numberOf(log.since)).toBe(n);
+      }
+    }),
+    { numRuns: 50 },
+  );
+});
