@@ -19,7 +19,7 @@ const FREE = { robots: 400, scripts: 400 };
 const BUSY = { robots: 1500, scripts: 1500, isBusy: true };
 const IN_FLIGHT = 64;
 const SECONDS = 2;
-/** Until V8 has compiled all of a command's way for good, some 100,000 have gone it. */
+/** The first ones are slower, while new code is compiled: these are some 100,000 commands. */
 const FIRST_ROUNDS = 4;
 const ROUNDS = 5;
 

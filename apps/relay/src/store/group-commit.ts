@@ -7,10 +7,10 @@
  * until nothing is being written, and its group is one transaction of this connection, entries and all. Steps
  * are done in the order in which they come, so those after one that waits wait with it.
  *
- * A group ends with the turn of the event loop in which it began, after 50 steps (32 for an idle journal), or after 5 ms, whatever
- * comes first, and is written once the one before it is: then it has what came meanwhile, however much that is. So a lone step waits for nobody, and what arrives while
- * the disk works is the next group. To wait the 5 ms in any case would let one who sends one by one do 230 steps
- * a second, not 21,000.
+ * A group ends with the turn of the event loop in which it began, after 50 steps (32 for an idle journal), or after
+ * 5 ms, whatever comes first, and is written once the one before it is: then it has what came meanwhile, however much
+ * that is. So a lone step waits for nobody, and what arrives while the disk works is the next group. To wait the 5 ms
+ * in any case would let one who sends one by one do 230 steps a second, not 21,000.
  *
  * A step that throws is undone alone. Where rows were changed, the group is rolled back, and the steps before it are
  * done once more: that is rare, and a savepoint around each step costs each of them. Should one of those fail

@@ -8,9 +8,8 @@ import type { Ballast } from "./ballast.ts";
 import { isDiskFull } from "./disk-full.ts";
 import { SqliteFile, withRoom } from "./sqlite-file.ts";
 import { SqliteStore } from "./sqlite-store.ts";
-import { NOW, pageState, sent } from "./testing/robot-in-store.ts";
+import { ID, NOW, pageState, sent } from "./testing/robot-in-store.ts";
 
-const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const LONG_REASON = "x".repeat(200);
 
 describe("a database that a newer Corridor has to write anew", () => {
