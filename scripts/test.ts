@@ -1,11 +1,12 @@
 /**
- * `npm test`: types, lint, format, unused code, unit tests, Python tests, build, end-to-end tests.
+ * `npm test`: types, lint, format, unused code, audit, unit tests, Python tests, build, end-to-end tests.
  * Every stage runs even when one before it failed; the last line counts all of them.
  */
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { audit } from "./audit.ts";
 import { requireChromium } from "./chromium.ts";
 import { offerJava } from "./java.ts";
 import { pythonTests, requirePython, requirePythonTools } from "./python.ts";
@@ -33,6 +34,7 @@ stage("types", ["tsc", "-b"]);
 stage("lint", ["oxlint", "--max-warnings", "0"]);
 stage("format", ["oxfmt", "--check"]);
 stage("unused code", ["knip"]);
+audited();
 counted("unit", ["vitest", "run", "--reporter=default", "--reporter=json"], vitestCounts);
 if (check("what the Python tests need", requirePythonTools)) {
   counted("python", [...pythonTests], junitCounts);
@@ -49,7 +51,9 @@ if (requirements && isBuilt) {
 rmSync(folder, { recursive: true });
 
 if (total.skipped > 0) {
-  process.stdout.write(`\n${total.skipped} skipped: this machine lacks what they need\n`);
+  process.stdout.write(
+    `\n${total.skipped} skipped: this machine or its registry lacks what they need\n`,
+  );
 }
 if (total.flaky > 0) {
   process.stdout.write(`\n${total.flaky} passed at the second try only: look at them above\n`);
@@ -62,6 +66,16 @@ function stage(name: string, words: string[]): boolean {
   const isGood = run(name, words, {}) === 0;
   add(name, { passed: isGood ? 1 : 0, failed: isGood ? 0 : 1, skipped: 0 });
   return isGood;
+}
+
+/** Not every registry tells what is known of what it has. */
+function audited(): void {
+  const { verdict, words } = audit();
+  process.stdout.write(`\n== audit: ${words}\n`);
+  const counts = { passed: 0, failed: 0, skipped: 0 };
+  if (verdict === "unknown") counts.skipped = 1;
+  else counts[verdict] = 1;
+  add("audit", counts);
 }
 
 /** A test runner that writes its report to a file, from which its tests are counted. */
