@@ -12,15 +12,16 @@ import {
 } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import { mintStream } from "../keys.ts";
+import { PackedTexts } from "./packed-texts.ts";
 
 export class EventLog {
   readonly stream = mintStream();
   readonly #clock: Clock;
   /**
-   * Oldest first, without holes: no more than the records themselves, and when each came. A thousand of each of
-   * thousands of robots are most of what the relay has in memory, and goes through whenever it looks for garbage.
+   * Oldest first, without holes, and when each came. Few are ever read again, and a thousand of each of thousands of
+   * robots would be most of the objects that the relay has.
    */
-  #records: CommandRecord[] = [];
+  readonly #kept = new PackedTexts();
   #times: number[] = [];
   #n = 0;
 
@@ -40,10 +41,10 @@ export class EventLog {
 
   add(record: CommandRecord): StateEvent {
     this.#n += 1;
-    this.#records.push(record);
+    this.#kept.push(packed(record));
     this.#times.push(this.#clock.now());
-    if (this.#records.length > MAX_KEPT_EVENTS) {
-      this.#records.shift();
+    if (this.#kept.length > MAX_KEPT_EVENTS) {
+      this.#kept.shift(1);
       this.#times.shift();
     }
     return { n: this.#n, record };
@@ -52,7 +53,7 @@ export class EventLog {
   /** States may have come that nobody here heard of: whoever reads is told of a gap. */
   lose(): void {
     this.#n += 1;
-    this.#forget(this.#records.length);
+    this.#forget(this.#kept.length);
   }
 
   /** Lets go of what is too old. */
@@ -60,20 +61,18 @@ export class EventLog {
     const oldest = this.#clock.now() - KEPT_EVENTS_MS;
     if ((this.#times[0] ?? oldest) >= oldest) return;
     const first = this.#times.findIndex((at) => at >= oldest);
-    this.#forget(first < 0 ? this.#records.length : first);
+    this.#forget(first < 0 ? this.#kept.length : first);
   }
 
-  /** The events after `n`, in order; null when some of them are not kept. */
-  after(n: number): StateEvent[] | null {
+  /** Whether all events after `n` are kept. */
+  hasAfter(n: number): boolean {
     const missed = this.#n - n;
-    if (missed < 0 || missed > this.#records.length) return null;
-    const first = this.#records.length - missed;
-    return this.#records.slice(first).map((record, at) => ({ n: n + 1 + at, record }));
+    return missed >= 0 && missed <= this.#kept.length;
   }
 
-  #forget(count: number): void {
-    this.#records.splice(0, count);
-    this.#times.splice(0, count);
+  /** The events after `n`, in order, each read when it is its turn; null when some of them are not kept. */
+  after(n: number): Iterable<StateEvent> | null {
+    return this.hasAfter(n) ? this.#from(n + 1) : null;
   }
 
   /** The number in a `since`; null when it belongs to another stream. */
@@ -81,4 +80,40 @@ export class EventLog {
     const dash = since.lastIndexOf("-");
     return since.slice(0, dash) === this.stream ? Number(since.slice(dash + 1)) : null;
   }
+
+  *#from(first: number): Iterable<StateEvent> {
+    const oldest = this.#n - this.#kept.length + 1;
+    for (let n = first; n <= this.#n; n++) yield { n, record: unpacked(this.#kept.at(n - oldest)) };
+  }
+
+  #forget(count: number): void {
+    this.#kept.shift(count);
+    this.#times.splice(0, count);
+  }
+}
+
+/** What a record says, without the names of its fields, which would be half of it. */
+type Packed = [
+  seq: CommandRecord["seq"],
+  key: CommandRecord["key"],
+  command: CommandRecord["command"],
+  state: CommandRecord["state"],
+  reason: CommandRecord["reason"],
+  acceptedAt: CommandRecord["acceptedAt"],
+  pose: CommandRecord["pose"],
+  distance: CommandRecord["distance"],
+  duplicate: CommandRecord["duplicate"],
+];
+
+function packed(record: CommandRecord): string {
+  const { seq, key, command, state, reason, acceptedAt, pose, distance, duplicate } = record;
+  const all: Packed = [seq, key, command, state, reason, acceptedAt, pose, distance, duplicate];
+  return JSON.stringify(all);
+}
+
+function unpacked(text: string): CommandRecord {
+  const all = JSON.parse(text) as Packed;
+  const [seq, key, command, state, reason, acceptedAt, pose, distance, duplicate] = all;
+  const { action } = command;
+  return { seq, key, action, command, state, reason, acceptedAt, pose, distance, duplicate };
 }

@@ -23,12 +23,12 @@ export async function nextEvents(
   const page = (told: number, gap: EventGap | null): EventPage => ({
     since: events.since,
     gap,
-    states: events.after(told) ?? [],
+    states: [...(events.after(told) ?? [])],
     snapshot: source.newest()?.value ?? null,
   });
   if (since === undefined) return page(events.n, null);
   const told = events.numberOf(since);
-  if (told === null || events.after(told) === null) return afterGap(source, page);
+  if (told === null || !events.hasAfter(told)) return afterGap(source, page);
   const before = source.newest();
   const isKnown = after === undefined || (before?.seq ?? -1) <= after;
   if (events.n === told && isKnown) {
@@ -42,7 +42,7 @@ export async function nextEvents(
     }));
   }
   // A burst while this waited may have been more than is kept.
-  return events.after(told) === null ? afterGap(source, page) : page(told, null);
+  return events.hasAfter(told) ? page(told, null) : afterGap(source, page);
 }
 
 async function afterGap(

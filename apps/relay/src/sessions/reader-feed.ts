@@ -100,7 +100,7 @@ export class ReaderFeed implements Sleeper {
   begin(since: string | null): void {
     const { events } = this.#source;
     const told = since === null ? events.n : events.numberOf(since);
-    const isMissing = told === null || events.after(told) === null;
+    const isMissing = told === null || !events.hasAfter(told);
     this.#n = told ?? 0;
     const snapshot = this.#source.newest();
     this.#sink.began({ stream: events.stream, n: isMissing ? null : this.#n, snapshot });

@@ -1,0 +1,31 @@
+import fc from "fast-check";
+import { expect, it } from "vitest";
+import { PackedTexts } from "./packed-texts.ts";
+
+const step = fc.oneof(
+  { weight: 3, arbitrary: fc.record({ push: fc.string({ unit: "grapheme", maxLength: 300 }) }) },
+  fc.record({ shift: fc.nat({ max: 5 }) }),
+  fc.record({ times: fc.nat({ max: 200 }), push: fc.constant("again and again") }),
+);
+
+it("has every text as it came, in order, until it is let go of", () => {
+  fc.assert(
+    fc.property(fc.array(step, { maxLength: 60 }), (steps) => {
+      const packed = new PackedTexts();
+      const kept: string[] = [];
+      for (const each of steps) {
+        if ("shift" in each) {
+          const count = Math.min(each.shift, kept.length);
+          packed.shift(count);
+          kept.splice(0, count);
+        } else {
+          const texts = Array<string>("times" in each ? each.times : 1).fill(each.push);
+          for (const text of texts) packed.push(text);
+          kept.push(...texts);
+        }
+        expect(packed.length).toBe(kept.length);
+        expect(kept.map((_, at) => packed.at(at))).toEqual(kept);
+      }
+    }),
+  );
+});
