@@ -1,9 +1,9 @@
 /**
- * Scripts to copy: short, complete, without anything to install. Python and JavaScript follow the
- * right wall in steps of one block until the goal.
+ * Scripts to copy: short, complete, without anything to install. Python, JavaScript and Java follow
+ * the right wall in steps of one block until the goal.
  */
 
-export const snippetLanguages = ["python", "javascript", "curl"] as const;
+export const snippetLanguages = ["python", "javascript", "java", "curl"] as const;
 export type SnippetLanguage = (typeof snippetLanguages)[number];
 
 /**
@@ -11,7 +11,7 @@ export type SnippetLanguage = (typeof snippetLanguages)[number];
  * @param key the driver key, or a mask where it is only shown
  */
 export function snippet(language: SnippetLanguage, api: string, key: string): string {
-  const texts = { python, javascript, curl };
+  const texts = { python, javascript, java, curl };
   return texts[language](api, key);
 }
 
@@ -74,6 +74,53 @@ while (!(await ask("/sensors")).goalReached) {
   await act("move", { distance: 100 });
 }
 console.log("Goal reached");
+`;
+}
+
+function java(api: string, key: string): string {
+  return `import java.net.URI;
+import java.net.http.*;
+import java.util.regex.Pattern;
+
+public class Robot {
+  static final String ROBOT = "${api}";
+  static final String KEY = "${key}";
+  static final HttpClient WEB = HttpClient.newHttpClient();
+
+  static String ask(String path, String... command) throws Exception {
+    var request = HttpRequest.newBuilder(URI.create(ROBOT + path))
+        .headers("Authorization", "Bearer " + KEY, "Content-Type", "application/json");
+    for (var body : command) request.POST(HttpRequest.BodyPublishers.ofString(body));
+    var answer = WEB.send(request.build(), HttpResponse.BodyHandlers.ofString());
+    if (answer.statusCode() >= 400) throw new Exception(answer.body());
+    return answer.body();
+  }
+
+  static String find(String name, String text) {
+    var found = Pattern.compile('"' + name + "\\":\\"?([\\\\w.]+)").matcher(text);
+    return found.find() ? found.group(1) : "";
+  }
+
+  static void act(String command) throws Exception {
+    var told = ask("/commands", command.replace('\\'', '"'));
+    while (find("state", told).matches("accepted|delivered|started"))
+      told = ask("/commands/" + find("seq", told) + "?wait=20");
+  }
+
+  public static void main(String[] args) throws Exception {
+    while (!find("goalReached", ask("/sensors")).equals("true")) {
+      var sensors = ask("/sensors");
+      if (Double.parseDouble(find("right", sensors)) > 60) {
+        act("{'action':'right 90'}");
+      } else if (Double.parseDouble(find("front", sensors)) < 60) {
+        act("{'action':'left 90'}");
+        continue;
+      }
+      act("{'action':'move','distance':100}");
+    }
+    System.out.println("Goal reached");
+  }
+}
 `;
 }
 

@@ -7,7 +7,7 @@ export interface Catalogue {
 
 /** Names and units that are the same in every language. */
 const names = new Set(
-  `Corridor Python JavaScript curl HTTP QR PNG SVG JSON URL
+  `Corridor Python JavaScript Java curl HTTP QR PNG SVG JSON URL
    Ctrl Alt Shift Tab Enter Space Esc Delete Home End Page Up Down W A S D C X
    cm MB`.split(/\s+/),
 );
