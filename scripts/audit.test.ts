@@ -22,7 +22,12 @@ it("names what is bad", () => {
 
 it.each([
   ["the registry tells nothing", '{"message":"405 Method Not Allowed","statusCode":405}'],
+  ["npm tells nothing", '{"error":{"code":"ENOLOCK","summary":"no lockfile"}}'],
   ["npm printed nothing", ""],
 ])("does not pass for good where %s", (_, report) => {
   expect(auditOf(report).verdict).toBe("unknown");
+});
+
+it("fails where npm printed something else", () => {
+  expect(auditOf('{"vulnerabilities":{"bad":').verdict).toBe("failed");
 });

@@ -70,8 +70,9 @@ function stage(name: string, words: string[]): boolean {
 
 /** Not every registry tells what is known of what it has. */
 function audited(): void {
+  process.stdout.write("\n== audit: npm audit\n");
   const { verdict, words } = audit();
-  process.stdout.write(`\n== audit: ${words}\n`);
+  process.stdout.write(`${words}\n`);
   const counts = { passed: 0, failed: 0, skipped: 0 };
   if (verdict === "unknown") counts.skipped = 1;
   else counts[verdict] = 1;

@@ -4,17 +4,18 @@ import { expect, it } from "vitest";
 import type { Clock } from "../clock.ts";
 import { EventLog } from "./event-log.ts";
 
+/** Every field says something else, and something else each time. */
 const record = (seq: number): CommandRecord => ({
   seq,
-  key: null,
-  action: "stop",
-  command: { action: "stop" },
-  state: "completed",
-  reason: null,
+  key: seq % 2 === 0 ? null : `key-of-${seq}`,
+  action: "move",
+  command: { action: "move", distance: seq },
+  state: seq % 3 === 0 ? "accepted" : "collided",
+  reason: seq % 5 === 0 ? null : `It met wall ${seq}, »hard« 🧱.`,
   acceptedAt: "2026-01-01T00:00:00.000Z",
-  pose: null,
-  distance: null,
-  duplicate: false,
+  pose: seq % 7 === 0 ? null : { x: seq, y: 0.5, heading: 90 },
+  distance: seq % 11 === 0 ? null : seq + 0.25,
+  duplicate: seq % 13 === 0,
 });
 
 const step = fc.oneof(
@@ -61,4 +62,21 @@ it("has every event that is neither too old nor one too many, by its number, and
     }),
     { numRuns: 50 },
   );
+});
+
+it("tells no event under another's number, whatever happens while it is read", () => {
+  const clock: Clock = { now: () => 0, after: () => () => undefined };
+  for (const happens of ["add", "lose"] as const) {
+    const log = new EventLog(clock);
+    for (let n = 1; n <= MAX_KEPT_EVENTS; n++) log.add(record(n));
+    const told: number[] = [];
+    for (const event of log.after(0) ?? []) {
+      expect(event.record).toEqual(record(event.n));
+      told.push(event.n);
+      if (event.n === 500 && happens === "lose") log.lose();
+      else if (event.n > 500) log.add(record(log.n + 1));
+    }
+    const last = happens === "lose" ? 500 : MAX_KEPT_EVENTS;
+    expect(told).toEqual(Array.from({ length: last }, (_, at) => at + 1));
+  }
 });

@@ -70,9 +70,12 @@ export class EventLog {
     return missed >= 0 && missed <= this.#kept.length;
   }
 
-  /** The events after `n`, in order, each read when it is its turn; null when some of them are not kept. */
+  /**
+   * The events after `n` that there are now, in order, each read when it is its turn: those that are not kept any more by
+   * then are left out. Null when some of them are not kept now.
+   */
   after(n: number): Iterable<StateEvent> | null {
-    return this.hasAfter(n) ? this.#from(n + 1) : null;
+    return this.hasAfter(n) ? this.#from(n + 1, this.#n) : null;
   }
 
   /** The number in a `since`; null when it belongs to another stream. */
@@ -81,9 +84,11 @@ export class EventLog {
     return since.slice(0, dash) === this.stream ? Number(since.slice(dash + 1)) : null;
   }
 
-  *#from(first: number): Iterable<StateEvent> {
-    const oldest = this.#n - this.#kept.length + 1;
-    for (let n = first; n <= this.#n; n++) yield { n, record: unpacked(this.#kept.at(n - oldest)) };
+  *#from(first: number, last: number): Iterable<StateEvent> {
+    for (let n = first; n <= last; n++) {
+      const at = n - this.#n + this.#kept.length - 1;
+      if (at >= 0) yield { n, record: unpacked(this.#kept.at(at)) };
+    }
   }
 
   #forget(count: number): void {

@@ -29,3 +29,22 @@ it("has every text as it came, in order, until it is let go of", () => {
     }),
   );
 });
+
+it("takes little more than its texts need, and gives back what was needed once", () => {
+  const packed = new PackedTexts();
+  const text = "x".repeat(132);
+  for (let count = 0; count < 1_000; count++) packed.push(text);
+  for (let count = 0; count < 3_000; count++) {
+    packed.push(text);
+    packed.shift(1);
+  }
+  expect(packed.bytes).toBeLessThanOrEqual(2 * 132 * 1_001);
+  packed.shift(999);
+  for (let count = 0; count < 3_000; count++) {
+    packed.push(text);
+    packed.shift(1);
+  }
+  expect(packed.bytes).toBeLessThanOrEqual(1_024);
+  packed.shift(1);
+  expect(packed.bytes).toBe(0);
+});

@@ -1,10 +1,12 @@
 /**
- * Texts in order, as bytes: new ones come at one end, old ones go at the other. However many there are, they are one
- * object, and nothing that V8 has to go through when it looks for garbage.
+ * Texts in order, as bytes: new ones come at one end, old ones go at the other. However many there are, they are no
+ * objects that V8 goes through when it looks for garbage. Half a surrogate pair does not come back as it was; JSON
+ * has none.
  */
 
-/** Bytes for the first texts; doubled whenever they are full. */
 const FIRST_BYTES = 1_024;
+/** Bytes are moved to others, half again what is needed, where these are too few or too many times that. */
+const ROOM = { least: 1.25, made: 1.5, most: 2 };
 
 const nothing = Buffer.alloc(0);
 
@@ -32,6 +34,11 @@ export class PackedTexts {
     return this.#bytes.toString("utf8", this.#ends[at - 1] ?? this.#start, this.#ends[at]);
   }
 
+  /** What they take, with what is free for more. */
+  get bytes(): number {
+    return this.#bytes.length;
+  }
+
   /** Lets go of the oldest ones. */
   shift(count: number): void {
     this.#start = this.#ends[count - 1] ?? this.#start;
@@ -42,12 +49,13 @@ export class PackedTexts {
     this.#start = 0;
   }
 
-  /** Moves what is kept to the front, of more bytes where they were not half empty. @returns where it ends */
+  /** Moves what is kept to the front, so that so many bytes more have room. @returns where it ends */
   #makeRoom(size: number): number {
     const kept = this.#bytes.subarray(this.#start, this.#ends.at(-1) ?? this.#start);
-    let room = Math.max(this.#bytes.length, FIRST_BYTES);
-    while (room < 2 * kept.length || room < kept.length + size) room *= 2;
-    const bytes = room === this.#bytes.length ? this.#bytes : Buffer.allocUnsafeSlow(room);
+    const needed = Math.max(kept.length + size, FIRST_BYTES / ROOM.made);
+    const now = this.#bytes.length;
+    const isRight = now >= needed * ROOM.least && now <= needed * ROOM.most;
+    const bytes = isRight ? this.#bytes : Buffer.allocUnsafeSlow(Math.ceil(needed * ROOM.made));
     kept.copy(bytes);
     this.#ends = this.#ends.map((end) => end - this.#start);
     this.#bytes = bytes;

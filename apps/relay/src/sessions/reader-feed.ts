@@ -208,6 +208,8 @@ export class ReaderFeed implements Sleeper {
     if (events === null) return this.#missed();
     this.#isHeld = false;
     for (const event of events) {
+      // What was told before may have ended it.
+      if (this.#isClosed) return;
       if (this.#isFull) {
         this.#isHeld = true;
         return this.#arm();

@@ -74,7 +74,7 @@ const mostLines: Record<SnippetLanguage, number> = {
   curl: 32,
 };
 
-const hasJava = spawnSync("java", ["-version"]).status === 0;
+const hasJava = spawnSync(programs.java[0], ["-version"]).status === 0;
 
 /** Runs a script to its end. @returns what it printed */
 async function run(language: keyof typeof programs, port: number): Promise<string> {
