@@ -21,7 +21,7 @@ const IN_FLIGHT = 64;
 const SECONDS = 2;
 /** The first ones are slower, while new code is compiled: these are some 100,000 commands. */
 const FIRST_ROUNDS = 4;
-const ROUNDS = 5;
+const ROUNDS = 7;
 
 export const commands: Section = {
   title: "Commands",
