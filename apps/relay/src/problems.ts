@@ -33,6 +33,7 @@ export const problemKinds = {
   "code-used": { status: 409, title: "This pairing code was used" },
   "driving-paused": { status: 409, title: "Remote driving is paused" },
   "no-snapshot": { status: 409, title: "The robot has not reported yet" },
+  "nothing-to-replace": { status: 409, title: "The key to replace is not there" },
   "too-many-keys": { status: 409, title: "The robot has too many keys" },
   "too-many-away": { status: 409, title: "Too many scripts are away" },
   "too-large": { status: 413, title: "The body is too large" },

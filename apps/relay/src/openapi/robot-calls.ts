@@ -56,7 +56,14 @@ export const robotCalls: ZodOpenApiPathsObject = {
       requestBody: { required: true, content: { "application/json": { schema: keyWishSchema } } },
       responses: {
         201: answer("The key, with the address for whoever uses it.", madeKeySchema, location),
-        ...refusals(...keyed, "no-key", "too-many-keys", "too-large", "not-json", "storage-full"),
+        ...refusals(
+          ...keyed,
+          "nothing-to-replace",
+          "too-many-keys",
+          "too-large",
+          "not-json",
+          "storage-full",
+        ),
       },
     },
     get: {

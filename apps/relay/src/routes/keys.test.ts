@@ -216,8 +216,8 @@ describe("a new driver key", () => {
     const wish = { kind: "drive", replace: await replace(relay, robot) };
     const request = { method: "POST", key: robot.ownerKey, body: wish };
     const refused = await relay.ask(robot, "/keys", request);
-    expect(refused.status).toBe(404);
-    expect(await refused.json()).toMatchObject({ type: "/problems/no-key" });
+    expect(refused.status).toBe(409);
+    expect(await refused.json()).toMatchObject({ type: "/problems/nothing-to-replace" });
     expect(await driveKeys(relay, robot)).toHaveLength(1);
   });
 

@@ -217,7 +217,7 @@ export class KeyRing {
     const key = await this.#storedKey(id);
     if (key?.kind === kind) return key.hash;
     const detail = `There is no such key of the kind ${kind} to replace. GET .../keys lists all.`;
-    throw new Refusal("no-key", detail);
+    throw new Refusal("nothing-to-replace", detail);
   }
 
   async #change(change: Pick<KeyChange, "add" | "remove" | "removeKind">): Promise<void> {

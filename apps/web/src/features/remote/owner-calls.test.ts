@@ -44,7 +44,7 @@ describe("a new key for scripts", () => {
   it("is made also where the old one is gone: an earlier answer was lost", async () => {
     const address = `https://host/r/${id}#drv_new`;
     const made = { id: "k3J9x2", kind: "drive", key: "drv_new", address };
-    const answers = [Response.json({}, { status: 404 }), Response.json(made, { status: 201 })];
+    const answers = [Response.json({}, { status: 409 }), Response.json(made, { status: 201 })];
     const { asked, ask } = service(() => answers.shift() ?? Response.error());
     expect(await withNewKey(ask, session)).toMatchObject({ driverKey: "drv_new" });
     expect(asked[1]).toBe(`POST /api/v1/robots/${id}/keys Bearer own_secret {"kind":"drive"}`);

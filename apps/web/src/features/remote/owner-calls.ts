@@ -42,7 +42,7 @@ export async function withNewKey(ask: Ask, session: RemoteSession): Promise<Remo
   const wish: KeyWish = { kind: "drive", replace: keyIdOf(session.driverKey) };
   let answer = await makeKey(ask, session, wish);
   // The old one is gone already: the answer to an earlier wish may have been lost.
-  if (answer.status === 404) answer = await makeKey(ask, session, { kind: "drive" });
+  if (answer.status === 409) answer = await makeKey(ask, session, { kind: "drive" });
   const { made } = answer;
   return made === null ? null : { ...session, driverKey: made.key, address: made.address };
 }
