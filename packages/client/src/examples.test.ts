@@ -12,6 +12,7 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { beforeAll, describe, expect, it, onTestFinished } from "vitest";
 import { registerRobot } from "./register-robot.ts";
 import { startCuttingProxy } from "./testing/cutting-proxy.ts";
+import { startForwardProxy } from "./testing/forward-proxy.ts";
 import { GridRobot } from "./testing/grid-robot.ts";
 import { startRelayProcess } from "./testing/relay-process.ts";
 
@@ -23,8 +24,8 @@ const DOTNET = {
   DOTNET_CLI_HOME: tmpdir(),
 };
 const env = { ...process.env, ...DOTNET };
-const run = (program: string, words: readonly string[]) =>
-  promisify(execFile)(program, words, { env });
+const run = (program: string, words: readonly string[], more: NodeJS.ProcessEnv = {}) =>
+  promisify(execFile)(program, words, { env: { ...env, ...more } });
 const EXAMPLES = join(import.meta.dirname, "../../../examples");
 const TREE = ["#######", "#.#...#", "#.#.#.#", "#...#.#", "#######"];
 
@@ -171,6 +172,18 @@ describe.each(examples)("the right-wall follower in $language", (example) => {
     expect(scripts.map(({ name, client }) => ({ name, client }))).toEqual([
       { name: "Right wall", client: example.language },
     ]);
+  });
+
+  it.skipIf(isMissing)("goes by the network's proxy", async () => {
+    const { relay, robot, registration } = await robotIn(TREE);
+    const proxy = await startForwardProxy(relay.origin);
+    const { hash, pathname } = new URL(registration.address);
+    const cells = String(robot.openCells);
+    const address = `${proxy.service}${pathname}${hash}`;
+    await run(program, [...words, address, "--until-cells", cells], proxy.env);
+    expect(robot.visited.size).toBe(robot.openCells);
+    expect(robot.snapshot().bumps).toBe(0);
+    expect(proxy.passed).toBeGreaterThan(0);
   });
 
   it.skipIf(isMissing)("does not take a command that ran out of time for done", async () => {
