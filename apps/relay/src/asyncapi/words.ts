@@ -34,7 +34,7 @@ A page speaks in this order:
 ${PAGE_ORDER}
 
 Both hear \`heartbeat\` every 20 s; 45 s of silence mean that the line is lost. Reconnect after a random pause of up to
-0.25 s that doubles up to 10 s.
+0.25 s that doubles up to 10 s, but is never more than twice the time since the line was lost.
 
 ${closeCodes()}`,
 };
@@ -63,7 +63,7 @@ export const MESSAGE_WORDS: {
 } = {
   script: {
     hello:
-      "The first message: who speaks, and by what right. `role` is `drive` with a driver key, `watch` with a watch key. " +
+      "The first message: who speaks, and by what right. `role` is `drive` with a driver key, `watch` with a watch key (or a driver key). " +
       "`since` is the last state that it was told, STREAM-n, to go on from there; `name` is what the robot's owner sees.",
     command:
       "A command. The same `key` with the same command gives the first record again, so a retry never moves the robot twice; it says how old it " +
