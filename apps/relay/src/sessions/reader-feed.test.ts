@@ -32,7 +32,8 @@ function robotWithReaders() {
   const events = new EventLog(clock);
   let newest: CarriedSnapshot | null = null;
   const feeds: ReaderFeed[] = [];
-  const join = (since: string | null = null) => {
+  /** @param heard is called after each state, as a line that breaks while it is written to may do */
+  const join = (since: string | null = null, heard?: (feed: ReaderFeed) => void) => {
     const said: string[] = [];
     const flow = { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined };
     const say = (text: string, bytes: number): void => {
@@ -45,7 +46,10 @@ function robotWithReaders() {
         flow,
         began: ({ n }) => say(`welcome ${n}`, 100),
         snapshot: ({ seq }) => say(`snapshot ${seq}`, 400),
-        state: ({ n }) => say(`state ${n}`, STATE_BYTES),
+        state: ({ n }) => {
+          say(`state ${n}`, STATE_BYTES);
+          heard?.(feed);
+        },
         gap: ({ n, open }) => say(`gap ${n} ${open.map(({ seq }) => seq).join()}`, 200),
         maze: (version) => say(`maze ${version}`, 50),
         over: (reason) => say(reason, 0),
@@ -84,6 +88,15 @@ describe("a reader that comes back", () => {
     const { said } = join(since);
     happen();
     expect(said).toEqual(["welcome 2", "state 3", "state 4", "state 5", "state 6"]);
+  });
+
+  it("is told no more once its line breaks under what it missed", () => {
+    const { events, join, happen } = robotWithReaders();
+    happen(2);
+    const since = events.since;
+    happen(3);
+    const { said } = join(since, (feed) => feed.close());
+    expect(said).toEqual(["welcome 2", "state 3"]);
   });
 
   it("is told of nothing old when it is new", () => {
