@@ -1,3 +1,4 @@
+export { dailyMaze, dayAfter, dayNumber, type Day } from "./daily.ts";
 export { CELL, gridOf, type Grid } from "./grid.ts";
 export { countOpenCells, distancesFromStart, isReachable, UNREACHABLE } from "./flood-fill.ts";
 export {

@@ -1,0 +1,99 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { dailyMaze, dayAfter, dayNumber, type Day } from "./daily.ts";
+import { countOpenCells, distancesFromStart, UNREACHABLE } from "./flood-fill.ts";
+import { parseMaze } from "./maze-document.ts";
+
+const DAY_MS = 86_400_000;
+const anyNumber = fc.integer({ min: -30_000, max: 100_000 });
+
+/** The same date by the engine's own calendar. */
+function byEngine(number: number): Day {
+  const date = new Date(number * DAY_MS);
+  return { year: date.getUTCFullYear(), month: date.getUTCMonth() + 1, day: date.getUTCDate() };
+}
+
+describe("the calendar", () => {
+  it("agrees with the engine's", () => {
+    fc.assert(
+      fc.property(anyNumber, fc.integer({ min: -800, max: 800 }), (number, days) => {
+        expect(dayNumber(byEngine(number))).toBe(number);
+        expect(dayAfter(byEngine(number), days)).toEqual(byEngine(number + days));
+      }),
+    );
+  });
+
+  it("refuses a date that does not exist", () => {
+    expect(() => dayNumber({ year: 2026, month: 2, day: 29 })).toThrow(RangeError);
+    expect(() => dayNumber({ year: 2028, month: 13, day: 1 })).toThrow(RangeError);
+    expect(dayNumber({ year: 2028, month: 2, day: 29 })).toBe(21_243);
+  });
+});
+
+describe("the maze of the day", () => {
+  it("is a legal maze whose goal can be reached, on every day", () => {
+    fc.assert(
+      fc.property(anyNumber, (number) => {
+        const maze = dailyMaze(byEngine(number), "Day");
+        expect(parseMaze(maze).ok).toBe(true);
+        const distances = distancesFromStart(maze);
+        const reached = distances.filter((each) => each !== UNREACHABLE).length;
+        expect(reached).toBe(countOpenCells(maze));
+        expect(maze.goals).toHaveLength(1);
+      }),
+      { numRuns: 50 },
+    );
+  });
+
+  it("is never that of the day before", () => {
+    fc.assert(
+      fc.property(anyNumber, (number) => {
+        const today = dailyMaze(byEngine(number), "Day");
+        expect(today.blocks).not.toEqual(dailyMaze(byEngine(number - 1), "Day").blocks);
+      }),
+      { numRuns: 50 },
+    );
+  });
+
+  it("stays what it was: links, results and friends rely on it", () => {
+    const maze = dailyMaze({ year: 2026, month: 1, day: 5 }, "Maze of 5 January 2026");
+    expect(maze).toMatchInlineSnapshot(`
+      {
+        "blocks": [
+          "#########",
+          "#.......#",
+          "#.###.#.#",
+          "#.....#.#",
+          "#######.#",
+          "#.....#.#",
+          "#.###.#.#",
+          "#...#...#",
+          "#########",
+        ],
+        "format": "corridor/maze",
+        "goals": [
+          {
+            "column": 3,
+            "row": 7,
+          },
+        ],
+        "name": "Maze of 5 January 2026",
+        "start": {
+          "column": 1,
+          "heading": "south",
+          "row": 1,
+        },
+        "version": 1,
+      }
+    `);
+  });
+
+  it("grows from Monday to Sunday", () => {
+    const monday = { year: 2026, month: 1, day: 5 };
+    const sizes = Array.from(
+      { length: 8 },
+      (_, at) => dailyMaze(dayAfter(monday, at), "").blocks.length,
+    );
+    expect(sizes).toEqual([9, 11, 11, 13, 13, 15, 17, 9]);
+  });
+});
