@@ -4,6 +4,7 @@ import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { expectNoBarriers } from "./support/axe.ts";
 import { stickingOut, tooSmallToTouch } from "./support/layout.ts";
+import { openMore } from "./support/remote-panel.ts";
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
@@ -30,6 +31,8 @@ test("meets no barrier in Me and in Remote, waiting and off", async ({ corridor,
   await corridor.letDrive("Remote");
   await expect(corridor.connection).toHaveText("Waiting for a script");
   await expectNoBarriers(page, "Remote, waiting");
+  await openMore(page);
+  await expectNoBarriers(page, "Remote, more");
   await page.getByRole("button", { name: "Disconnect" }).click();
   await expect(corridor.connection).toHaveText("Off");
   await expectNoBarriers(page, "Remote, off");
@@ -51,7 +54,7 @@ test("meets no barrier in the dialogs", async ({ corridor, page }) => {
 });
 
 test("meets no barrier in the menus", async ({ corridor, page }) => {
-  for (const menu of ["View", "Load an algorithm", "Theme"]) {
+  for (const menu of ["View", "Show an algorithm", "Theme"]) {
     await page.getByRole("button", { name: menu, exact: true }).click();
     await expect(corridor.dialog(menu)).toBeVisible();
     await expectNoBarriers(page, menu);
@@ -70,7 +73,7 @@ test("meets no barrier among mazes and messages", async ({ corridor, page }) => 
   await expectNoBarriers(page, "maze menu");
   await page.keyboard.press("Escape");
   await page.evaluate(() => (location.hash = "1cut"));
-  await expect(corridor.message("This link is cut off.")).toBeVisible();
+  await expect(corridor.message("A part of this link is missing.")).toBeVisible();
   await expectNoBarriers(page, "message");
 });
 
@@ -80,11 +83,11 @@ test("meets no barrier in the past, at a bump, at the goal, with advice and a de
 }) => {
   test.slow();
   await corridor.program.action(2).selectOption("delayed left 90");
-  await expect(corridor.spoken).toContainText("Advice on line 2");
+  await expect(corridor.spoken).toContainText("Advice for line 2");
   await expectNoBarriers(page, "advice");
   await corridor.speed.selectOption("4×");
   await corridor.run.click();
-  await expect(page.getByRole("region", { name: /^Bump: line 2/ })).toBeVisible();
+  await expect(page.getByRole("region", { name: "Bump: look at line 2" })).toBeVisible();
   await expectNoBarriers(page, "bump card");
   await corridor.timeline.slider.focus();
   await page.keyboard.press("ArrowLeft");
@@ -165,6 +168,8 @@ for (const [width, height] of [
       await corridor.letDrive("Remote");
       await expect(corridor.connection).toHaveText("Waiting for a script");
       expect(await stickingOut(page), "Remote").toEqual([]);
+      await openMore(page);
+      expect(await stickingOut(page), "Remote, more").toEqual([]);
       await corridor.letDrive("Program");
     }
     await corridor.program.condition(1).selectOption("left > right +");
@@ -203,6 +208,8 @@ for (const [width, height] of [
       await corridor.driver("Remote").tap();
       await expect(corridor.connection).toHaveText("Waiting for a script");
       expect(await tooSmallToTouch(page), "Remote").toEqual([]);
+      await openMore(page);
+      expect(await tooSmallToTouch(page), "Remote, more").toEqual([]);
     }
     await corridor.mazeMenu.tap();
     expect(await tooSmallToTouch(page), "maze menu").toEqual([]);
@@ -274,7 +281,8 @@ test("goes through everything with Tab in the order of the screen", async ({ cor
     "Tool",
     "Maze",
     "maze",
-    // Describe, below the maze
+    // below the maze, and Describe beside it
+    "Zoom",
     "Maze",
     "Who drives?",
     // the invitation to the first mission
@@ -351,9 +359,8 @@ test("never touches the mouse: chooses a maze, builds a program, runs it, hears 
   await expect(corridor.mazeMenu).toHaveAccessibleName("Comb, Maze menu");
   await expect(corridor.dialog("Presets")).toBeHidden();
 
-  await tabTo(page, corridor.program.line(1));
-  await keyboard.press("Delete");
-  await keyboard.press("Delete");
+  // A ready-made maze opens with an empty program.
+  await expect(corridor.program.line(1)).toBeHidden();
   await tabTo(page, corridor.program.button("Add line"));
   await keyboard.press("Enter");
   await typeLine(page, "right >", "60", "delayed right");

@@ -56,7 +56,7 @@ test("edits the same work in two tabs and loses neither", async ({ corridor, con
   await second.program.name.fill("Second tab");
   await expect(second.saveState).toHaveText("Saved on this device");
   await corridor.program.name.fill("First tab");
-  await expect(corridor.message("Another tab changed this maze too. Both are kept")).toBeVisible();
+  await expect(corridor.message("You changed this maze in another tab too.")).toBeVisible();
 
   await corridor.reload();
   await expect(corridor.program.name).toHaveValue("First tab");
@@ -79,7 +79,7 @@ test("is told when the device keeps nothing, and works on", async ({ openWindow 
   await reader.open();
   await reader.maze.click(square);
   await expect(reader.saveState).toHaveText("Not saved");
-  await expect(reader.message("This device does not keep your work")).toBeVisible();
+  await expect(reader.message("Your work is not saved")).toBeVisible();
   await reader.maze.expectSquare(square, "block");
   await reader.maze.click(square);
   await reader.speed.selectOption("max");
@@ -103,7 +103,7 @@ test("is told when the storage is full, and saved again once there is room", asy
   });
   await corridor.maze.click(square);
   await expect(corridor.saveState).toHaveText("Not saved");
-  await expect(corridor.message("its storage is full or switched off")).toBeVisible();
+  await expect(corridor.message("the storage of this device is full or turned off")).toBeVisible();
   await page.evaluate(() => localStorage.clear());
   await corridor.maze.click({ column: 3, row: 6 });
   await expect(corridor.saveState).toHaveText("Saved on this device");
@@ -125,7 +125,9 @@ test("finds a saved work that was damaged put aside, and a maze to begin with", 
     }
   });
   await corridor.reload();
-  await expect(corridor.message("A saved work cannot be read and was put aside")).toBeVisible();
+  await expect(
+    corridor.message("A saved maze cannot be opened. It was not deleted."),
+  ).toBeVisible();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
   await corridor.maze.expectSquare(square, "open");
 });

@@ -21,6 +21,7 @@ for (const colorScheme of ["light", "dark"] as const) {
     await page.emulateMedia({ contrast: "more", colorScheme, reducedMotion: "reduce" });
     await expect(page.locator("html")).toHaveAttribute("data-contrast", "more");
     await corridor.step.click();
+    await expect(corridor.run).toBeVisible();
     expect(await faint(page), "program").toEqual([]);
     await corridor.share.click();
     await expect(corridor.dialog("Share this maze")).toBeVisible();
@@ -64,7 +65,7 @@ test("reads the number of the sensor that touches a wall in forced colours", asy
   await corridor.program.action(2).selectOption("delayed left 90");
   await corridor.speed.selectOption("4×");
   await corridor.run.click();
-  await expect(page.getByRole("region", { name: /^Bump: line 2/ })).toBeVisible();
+  await expect(corridor.bumpCard(2)).toBeVisible();
   const reading = corridor.sensor("front");
   await expect(reading).toHaveText("25");
   const [text, ground] = await reading.evaluate((element) => {

@@ -4,10 +4,9 @@ import { expect, test } from "./fixtures.ts";
 
 const start = "Robot at 50, 650, facing right";
 
-/** An empty maze at the lowest speed: the far wall is 40 s away, however slow the machine is. */
+/** An empty maze: the far wall is 10 s away. */
 async function takeTheWheel(corridor: CorridorPage): Promise<void> {
   await corridor.choosePreset("Empty");
-  await corridor.speed.selectOption("0.25×");
   await corridor.letDrive("Me");
 }
 
@@ -113,7 +112,7 @@ test("types into a field and walks in the maze without driving", async ({ corrid
   await page.keyboard.down("w");
   await corridor.robotStands();
   await page.keyboard.up("w");
-  await expect(corridor.program.name).toHaveValue("Right wallw");
+  await expect(corridor.program.name).toHaveValue("w");
   await corridor.maze.goTo({ column: 3, row: 3 });
   await page.keyboard.down("w");
   await corridor.robotStands();
@@ -126,19 +125,47 @@ test("types into a field and walks in the maze without driving", async ({ corrid
   await expect(corridor.clock).toHaveText("Time 0:00.0");
 });
 
-test("presses the drive keys in vain while the program drives", async ({ corridor, page }) => {
+for (const key of ["w", "ArrowUp"]) {
+  test(`takes over with ${key} on the first screen, and is told so once`, async ({
+    corridor,
+    page,
+  }) => {
+    const told = corridor.messages.getByText("You drive now. Press Run to let the program drive");
+    const before = await corridor.robotPlace.textContent();
+    await page.keyboard.press(key, { delay: 120 });
+    await expect(corridor.driver("Me")).toBeChecked();
+    await expect(corridor.robotPlace).not.toHaveText(before ?? "");
+    await expect(told).toHaveCount(1);
+    await corridor.messages.getByRole("button", { name: "Dismiss" }).click();
+    await page.keyboard.press(key, { delay: 120 });
+    await corridor.robotStands();
+    await expect(told).toHaveCount(0);
+  });
+}
+
+test("takes over from a running program, and the key that is still down does not take it back", async ({
+  corridor,
+  page,
+}) => {
   await corridor.choosePreset("Empty");
-  await page.keyboard.down("w");
-  await corridor.robotStands();
-  await page.keyboard.up("w");
-  await expect(corridor.robotPlace).toHaveText(start);
+  await corridor.run.click();
+  await page.keyboard.down("a");
+  await expect(corridor.driver("Me")).toBeChecked();
+  await expect(corridor.robotPlace).toHaveText(/facing up/);
+  await corridor.run.click();
+  await expect(corridor.driver("Program")).toBeChecked();
+  // The keyboard repeats a key that is held.
+  await page.keyboard.down("a");
+  await expect(corridor.pause).toBeVisible();
+  await expect(corridor.driver("Program")).toBeChecked();
+  await page.keyboard.up("a");
+  await page.keyboard.press("Space");
+  await expect(corridor.run).toBeVisible();
   await expect(corridor.driver("Program")).toBeChecked();
 });
 
 test("drives into a wall and is told so", async ({ corridor, page }) => {
   await takeTheWheel(corridor);
-  await corridor.speed.selectOption("16×");
-  await corridor.speed.blur();
   await page.keyboard.down("w");
   // After 615 ticks of 5/3 cm it touches the wall, in the next it pushes.
   await expect(corridor.story).toHaveText(
@@ -153,18 +180,26 @@ test("drives into a wall and is told so", async ({ corridor, page }) => {
   await page.keyboard.up("s");
 });
 
-test("lets a program bump and is told which line it was", async ({ corridor }) => {
+test("lets a program bump and is told which line caused it", async ({ corridor }) => {
   await corridor.program.loadAlgorithm("Back and forth");
   await corridor.program.number(1).fill("10");
   await corridor.run.click();
   await expect(corridor.story).toHaveText(
-    /^Bump: “otherwise” drove into a block at 2\.2 s \(tick 13\d\), in row 7, column 3\.$/,
+    /^Bump: the program drove into a block at 2\.2 s \(tick 13\d\), in row 7, column 3\.$/,
   );
+  // “otherwise” drove, because line 1 was not true in time.
+  await expect(corridor.bumpCard(1)).toBeVisible();
+  await expect(corridor.program.line(1)).toHaveAccessibleName(/^Line 1, bumped/);
   // A bump of the program pauses it, so that it can be explained.
   await expect(corridor.run).toBeVisible();
   await corridor.program.number(1).fill("300");
   await corridor.program.action(1).selectOption("forward");
   await corridor.reset.click();
   await corridor.run.click();
-  await expect(corridor.story).toHaveText(/^Bump: line 1 drove into a block/);
+  await expect(corridor.story).toHaveText(/^Bump: the program drove into a block/);
+  // No line is blamed where one is missing, but the line that decided is named.
+  await expect(corridor.page.getByRole("region", { name: "Bump", exact: true })).toContainText(
+    "line 1 chose “forward”. A line for this place is missing.",
+  );
+  await expect(corridor.program.line(1)).not.toHaveAccessibleName(/bumped/);
 });

@@ -69,17 +69,27 @@ async function choose(corridor: CorridorPage, files: readonly TextFile[]): Promi
 
 test("opens a maze by dropping its file", async ({ corridor, page }) => {
   await corridor.maze.click({ column: 2, row: 6 });
+  await corridor.program.makeOwn();
   const drag = await dragOver(page, [spiralFile]);
   await expect(page.getByText("Drop a maze, a program or a run to open it")).toBeVisible();
   await drag.drop();
   await expect(page.getByText("Drop a maze, a program or a run to open it")).toBeHidden();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
   await expect(corridor.message("“Spiral” is open, with your program.")).toBeVisible();
-  await expect(corridor.program.name).toHaveValue("Right wall");
+  await expect(corridor.program.name).toHaveValue("Mine");
   // What was open is kept, with the edit that was made in it.
-  await corridor.messages.getByRole("button", { name: "Back to it" }).click();
+  await corridor.messages.getByRole("button", { name: "Go back to it" }).click();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
   await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
+});
+
+test("opens a maze file with an empty program where nobody has written one", async ({
+  corridor,
+  page,
+}) => {
+  await (await dragOver(page, [spiralFile])).drop();
+  await expect(corridor.message("Your program is empty: get the robot to the goal.")).toBeVisible();
+  await expect(corridor.program.lines).toHaveCount(0);
 });
 
 test("lets a file pass over the page without opening it", async ({ corridor, page }) => {
@@ -100,7 +110,7 @@ test("opens a maze and a program together as one work", async ({ corridor }) => 
 test("pastes a text maze", async ({ corridor, page }) => {
   await corridor.run.focus();
   await paste(page, "#######\r\n#>....#\r\n#####G#\r\n#######");
-  await expect(corridor.message("“Clipboard” is open, with your program.")).toBeVisible();
+  await expect(corridor.message("“Clipboard” is in place. Your program is empty")).toBeVisible();
   await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "7");
   await expect(corridor.robotPlace).toHaveText("Robot at 150, 150, facing right");
   await corridor.maze.expectSquare({ column: 5, row: 2 }, "open, goal");
@@ -121,7 +131,7 @@ test("is told in a message, not in the way, that a stray text opens nothing", as
 }) => {
   await corridor.run.focus();
   await paste(page, "Dear Anna, see you at eight.");
-  await expect(corridor.message("The clipboard holds no maze, program or run")).toBeVisible();
+  await expect(corridor.message("The text you pasted is not a maze")).toBeVisible();
   await expect(page.getByRole("dialog")).toBeHidden();
   await expect(corridor.run).toBeFocused();
 });
@@ -143,7 +153,7 @@ test("is told what is wrong with a broken file and keeps the work", async ({ cor
     leftWallFile,
   ]);
   const dialog = corridor.dialog("These files cannot be opened");
-  await expect(dialog.getByText("Nothing was changed")).toBeVisible();
+  await expect(dialog.getByText("Nothing changed.")).toBeVisible();
   const first = dialog.getByRole("region", { name: "broken.maze.json" });
   await expect(first.getByRole("listitem")).toHaveCount(2);
   await expect(first).toContainText('start.headingFound: "up"Expected: one of north, east');
@@ -156,7 +166,7 @@ test("is told what is wrong with a broken file and keeps the work", async ({ cor
   await expectNoBarriers(page, "broken files");
   await page.keyboard.press("Escape");
   await expect(dialog).toBeHidden();
-  await expect(corridor.program.name).toHaveValue("Right wall");
+  await expect(corridor.program.name).toHaveValue("Example: right wall");
   await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
 });
 
@@ -174,10 +184,10 @@ test("saves the maze as a file and opens it again", async ({ corridor }) => {
 
 test("saves the program, and the maze as text", async ({ corridor }) => {
   const program = await save(corridor, "Save program");
-  expect(program.suggestedFilename()).toBe("right-wall.program.json");
+  expect(program.suggestedFilename()).toBe("example-right-wall.program.json");
   expect(JSON.parse(await readFile(await program.path(), "utf8"))).toMatchObject({
     format: "corridor/program",
-    name: "Right wall",
+    name: "Example: right wall",
   });
   await corridor.choosePreset("Spiral");
   const drawing = await save(corridor, "Save maze as text");
@@ -267,5 +277,5 @@ test("opens and saves files on a phone", async ({ openWindow }) => {
   await phone.page.getByRole("button", { name: "More" }).tap();
   const download = phone.page.waitForEvent("download");
   await phone.dialog("More").getByRole("button", { name: "Save program" }).tap();
-  expect((await download).suggestedFilename()).toBe("right-wall.program.json");
+  expect((await download).suggestedFilename()).toBe("program.program.json");
 });

@@ -7,7 +7,8 @@ import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
 
 const KIB = 1024;
-const SCRIPT_BUDGET = 150 * KIB;
+/** The goal is 152.7: docs/performance.md says what could wait. */
+const SCRIPT_BUDGET = 156 * KIB;
 const WHOLE_BUDGET = 230 * KIB;
 
 interface Loaded {

@@ -8,7 +8,7 @@ test("finds a robot in a maze, with a program that drives it", async ({ corridor
   await expect(page).toHaveTitle("Corridor: a robot in a maze");
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
   await expect(corridor.driver("Program")).toBeChecked();
-  await expect(corridor.program.name).toHaveValue("Right wall");
+  await expect(corridor.program.name).toHaveValue("Example: right wall");
   await expect(corridor.program.lines).toHaveCount(2);
   await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
   await expect(corridor.clock).toHaveText("Time 0:00.0");
@@ -56,19 +56,24 @@ test("pauses, and goes on from the same place", async ({ corridor }) => {
   await expect(corridor.story).toHaveText(solved);
 });
 
-test("takes one decision at a time with Step, and puts the robot back with Reset", async ({
+test("goes by ticks and decisions with Step, and puts the robot back with Reset", async ({
   corridor,
 }) => {
   // 100 cm/s are 5/3 cm a tick: 51.67, 53.33, 55, then 60 after six ticks, a tenth of a second.
   for (const x of [52, 53, 55]) {
-    await corridor.step.click();
+    await corridor.step.click({ modifiers: ["Shift"] });
     await expect(corridor.robotPlace).toHaveText(`Robot at ${x}, 650, facing right`);
   }
+  // A long press is the same for a finger.
   for (const x of [57, 58, 60]) {
-    await corridor.step.click();
+    await corridor.step.click({ delay: 600 });
     await expect(corridor.robotPlace).toHaveText(`Robot at ${x}, 650, facing right`);
   }
   await expect(corridor.clock).toHaveText("Time 0:00.1");
+  // The next change of decision: the first wall ahead.
+  await corridor.step.click();
+  await expect(corridor.program.line(2)).toHaveAttribute("aria-current", "step");
+  await expect(corridor.run).toBeVisible();
   await corridor.maze.click({ column: 5, row: 6 });
   await corridor.reset.click();
   await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
@@ -87,6 +92,59 @@ test("takes a whole turn with one Step", async ({ corridor }) => {
   await expect(corridor.run).toBeVisible();
 });
 
+test("begins a program of its own with one press, and takes that back", async ({
+  corridor,
+  page,
+}) => {
+  const { program } = corridor;
+  const writeOwn = corridor.transport.getByRole("button", { name: "Write my own" });
+  await corridor.step.click();
+  await writeOwn.click();
+  await expect(program.name).toHaveValue("");
+  await expect(program.lines).toHaveCount(0);
+  await expect(program.region.getByText("Get the robot to the goal.")).toBeVisible();
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
+  await expect(writeOwn).toHaveCount(0);
+  await expect(program.button("Add line")).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(program.lines).toHaveCount(1);
+  await expect(program.region.getByText("Get the robot to the goal.")).toBeVisible();
+  for (let step = 0; step < 2; step++) await program.button("Undo").click();
+  await expect(program.name).toHaveValue("Example: right wall");
+  await expect(writeOwn).toBeVisible();
+});
+
+for (const width of [390, 320]) {
+  test(`begins a program of its own on a phone of ${width} px`, async ({ openWindow }) => {
+    const phone = await openWindow({
+      viewport: { width, height: 640 },
+      hasTouch: true,
+      isMobile: true,
+    });
+    await phone.open();
+    const writeOwn = phone.transport.getByRole("button", { name: "Write my own" });
+    const own = await writeOwn.boundingBox();
+    const run = await phone.run.boundingBox();
+    expect(own?.y).toBe(run?.y);
+    await writeOwn.tap();
+    await expect(phone.program.region.getByText("Get the robot to the goal.")).toBeInViewport();
+    await expect(phone.reset).toBeVisible();
+  });
+}
+
+test("opens a maze with an empty program, unless it has written one", async ({ corridor }) => {
+  const { program } = corridor;
+  await corridor.choosePreset("Comb");
+  await expect(corridor.message("Your program is empty: get the robot to the goal.")).toBeVisible();
+  await expect(program.lines).toHaveCount(0);
+  await expect(program.region.getByText("Get the robot to the goal.")).toBeVisible();
+  await program.addLine("front <", "50", "left 90");
+  await corridor.choosePreset("Spiral");
+  await expect(program.lines).toHaveCount(1);
+  await corridor.choosePreset("Empty");
+  await expect(program.region.getByText("This maze has no goal yet.")).toBeVisible();
+});
+
 /** Where the right-wall program ends in each maze of the menu; null: it has no goal. */
 const presets = [
   { title: "First steps", end: "tick 478" },
@@ -100,6 +158,7 @@ const presets = [
 ];
 
 test("chooses every maze of the menu and solves those that have a goal", async ({ corridor }) => {
+  await corridor.program.makeOwn();
   await corridor.speed.selectOption("max");
   for (const { title, end } of presets) {
     await corridor.choosePreset(title);

@@ -41,9 +41,7 @@ test("builds, programs, runs, bumps, mends, goes back in time, solves and shares
   await keys.key("End", "PageUp", "Enter");
   await expect(maze.cursor).toHaveAccessibleName(/goal$/);
 
-  // The program: one line by its menus, which turns too late.
-  await keys.goTo(program.line(1));
-  for (let left = await program.lines.count(); left > 0; left--) await keys.key("Delete");
+  // The program, which is empty in a new maze: one line by its menus, which turns too late.
   await expect(program.lines).toHaveCount(0);
   await keys.press(program.button("Add line"));
   await expect(program.condition(1)).toBeFocused();
@@ -54,10 +52,10 @@ test("builds, programs, runs, bumps, mends, goes back in time, solves and shares
   await keys.key("Control+Enter");
 
   // It bumps; the card says why and mends it.
-  const card = page.getByRole("region", { name: "Bump: line 1 ran out of room" });
+  const card = corridor.bumpCard(1);
   await expect(card).toBeVisible({ timeout: 30_000 });
   await keys.goTo(card.getByRole("button", { name: /^Change/ }).first());
-  await expect(card).toContainText("drives on for 50 cm");
+  await expect(card).toContainText("It drives on first and needs 75 cm");
   await keys.key("Enter");
   await expect(card).toBeHidden();
   await expect(program.action(1)).toHaveValue("left 90");
@@ -99,8 +97,9 @@ test("opens a mission and solves it by keys alone", async ({ corridor, page }) =
   await keys.choose(corridor.program.action(1), "turn 180");
   await keys.choose(corridor.speed, "16×");
   await keys.key("Control+Enter");
-  await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
-  await keys.press(lessons.button("Next mission"));
+  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
+  const solved = page.getByRole("region", { name: "Solved!" });
+  await keys.press(solved.getByRole("button", { name: "Next mission" }));
   await lessons.expectMission(4);
   await keys.expectFocus();
   await keys.press(lessons.button("Back to my maze"));
@@ -128,7 +127,7 @@ test("keeps the focus where something goes or is switched off", async ({ corrido
   await keys.expectFocusSeen();
   // Back to now, which goes with the past.
   await keys.press(corridor.step);
-  await keys.press(corridor.step);
+  await expect(corridor.run).toBeVisible();
   await keys.press(timeline.oneBack);
   await keys.press(timeline.backToNow);
   await expect(timeline.backToNow).toBeHidden();

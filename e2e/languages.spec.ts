@@ -81,6 +81,8 @@ for (const { name, tag, words, isMade } of languages) {
         }
         await page.getByRole("radio", { name: words.t("drive.remote"), exact: true }).click();
         await look("remote");
+        await page.locator("summary").click();
+        await look("remote, more");
         await page.getByRole("radio", { name: words.t("drive.program"), exact: true }).click();
       }
       await page.getByRole("textbox", { name: words.t("program.numberOf", { line: 1 }) }).fill("x");

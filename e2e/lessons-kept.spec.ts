@@ -9,14 +9,14 @@ test("keeps progress after a reload", async ({ corridor, page }) => {
   await corridor.program.action(1).selectOption("turn 180");
   await corridor.speed.selectOption("16×");
   await corridor.run.click();
-  await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
   await corridor.open();
   await lessons.expectMission(3);
   await expect(corridor.program.action(1)).toHaveValue("turn 180");
   await lessons.openPath();
   await expect(lessons.path.getByRole("button", { name: /^3\. / })).toContainText("Done");
   await expect(lessons.path).toContainText("1 of 14 done");
-  await lessons.path.getByRole("button", { name: "Forget my progress" }).click();
+  await lessons.path.getByRole("button", { name: "Delete my progress" }).click();
   await expect(lessons.path).toContainText("0 of 14 done");
 });
 
@@ -57,12 +57,12 @@ test("keeps what is done in two tabs", async ({ corridor, page, context }) => {
   await other.page.keyboard.press("Alt+ArrowUp");
   await other.speed.selectOption("16×");
   await other.run.click();
-  await expect(theirs.outcome).toHaveText("Challenge met: 2 of 2 lines used");
+  await expect(theirs.outcome).toHaveText("Challenge solved. Lines used: 2 of 2");
   await page.bringToFront();
   await corridor.program.action(1).selectOption("turn 180");
   await corridor.speed.selectOption("16×");
   await corridor.run.click();
-  await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
   await lessons.openPath();
   await expect(lessons.path).toContainText("2 of 14 done");
   await other.page.bringToFront();

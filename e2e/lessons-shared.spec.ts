@@ -28,7 +28,7 @@ test("shares a challenge, and who opens the link has its bar, its rules and the 
   await reader.program.action(1).selectOption("delayed right 90");
   await reader.speed.selectOption("16×");
   await reader.run.click();
-  await expect(theirs.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+  await expect(theirs.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
   await reader.open();
   await expect(theirs.card).toContainText("The side opening");
   await theirs.button("Back to my maze").click();
@@ -82,8 +82,10 @@ test("meets a teacher's challenge from a link: every square in one line", async 
   await expect(corridor.message("You opened a shared challenge.")).toBeVisible();
   await corridor.program.addLine("front <", "50", "right 90");
   await lessons.button("Check the program").click();
-  await expect(lessons.outcome).toHaveText("Challenge met: 1 of 1 lines used");
+  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
   await corridor.program.number(1).fill("20");
   await lessons.button("Check the program").click();
-  await expect(lessons.outcome).toHaveText(/^Bump at 2\.\d s, row 1, column 6: no line was true/);
+  await expect(lessons.outcome).toHaveText(
+    /^Bump at 2\.\d s\. Line 1 was never true\. It was needed at 2\.0 s, when front was 50 cm\.$/,
+  );
 });

@@ -15,10 +15,11 @@ test("a new student solves the first mission within a minute of the first visit"
   await expect(corridor.driver("Me")).toBeChecked();
   await expect(lessons.card).toContainText("or hold W or ↑.");
   await page.keyboard.down("w");
-  await expect(lessons.outcome).toHaveText(/^Challenge met after \d\.\d s$/);
+  await expect(lessons.outcome).toHaveText(/^Challenge solved after \d\.\d s$/);
   await page.keyboard.up("w");
-  await expect(page.getByRole("main").getByText(/^Challenge met after/)).toBeVisible();
-  await lessons.button("Next mission").click();
+  await expect(page.getByRole("main").getByText(/^Challenge solved after/)).toBeVisible();
+  const solved = page.getByRole("region", { name: "Solved!" });
+  await solved.getByRole("button", { name: "Next mission" }).click();
   await lessons.expectMission(2);
 });
 
@@ -29,7 +30,7 @@ test("rests where the mission is solved while the key is held, and drives on by 
   const lessons = new LessonsPanel(page);
   await lessons.openMission(1);
   await page.keyboard.down("w");
-  await expect(lessons.outcome).toHaveText(/^Challenge met after/);
+  await expect(lessons.outcome).toHaveText(/^Challenge solved after/);
   // As a keyboard repeats what is held.
   await page.keyboard.down("w");
   await corridor.robotStands();
@@ -47,7 +48,7 @@ test("a new student who presses Run first has made it move too", async ({ corrid
   await lessons.expectMission(1);
   await corridor.run.click();
   // There is no line to count here.
-  await expect(lessons.outcome).toHaveText(/^Challenge met after \d\.\d s$/);
+  await expect(lessons.outcome).toHaveText(/^Challenge solved after \d\.\d s$/);
   const solved = page.getByRole("region", { name: "Solved!" });
   await expect(solved.getByRole("term")).toHaveText(["run time", "bumps"]);
   await solved.getByRole("button", { name: "Next mission" }).click();
@@ -87,7 +88,26 @@ test("does a mission with the keyboard alone", async ({ corridor, page }) => {
   await corridor.program.line(2).focus();
   await page.keyboard.press("Alt+ArrowUp");
   await page.keyboard.press("Control+Enter");
-  await expect(lessons.outcome).toHaveText("Challenge met: 2 of 2 lines used", { timeout: 20_000 });
+  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 2 of 2", {
+    timeout: 20_000,
+  });
+});
+
+test("finds the missions in chapters, each with what is done of it", async ({ corridor, page }) => {
+  await page.evaluate(() => {
+    const done = { "make-it-move": { lines: 0, ticks: 240 }, "own-line": { lines: 1, ticks: 400 } };
+    localStorage.setItem("corridor.lessons", JSON.stringify({ done, works: {}, home: null }));
+  });
+  await corridor.open();
+  const lessons = new LessonsPanel(page);
+  await lessons.openPath();
+  const chapter = (name: string) => lessons.path.getByRole("region", { name });
+  await expect(chapter("Meet the robot")).toContainText("1 of 2 done");
+  await expect(chapter("Write lines")).toContainText("1 of 4 done");
+  await expect(chapter("Write lines").getByRole("button")).toHaveCount(4);
+  await expect(chapter("Turns and the order of lines")).toContainText("0 of 4 done");
+  await expect(chapter("Solve whole mazes")).toContainText("0 of 4 done");
+  await expect(lessons.path.getByText("2 of 14 done")).toBeVisible();
 });
 
 test("meets no barrier in the path, in a mission and in its verdict", async ({
@@ -101,7 +121,7 @@ test("meets no barrier in the path, in a mission and in its verdict", async ({
   await lessons.openMission(12);
   await lessons.button("Show a hint").click();
   await lessons.button("Check in all 3 mazes").click();
-  await expect(lessons.card).toContainText("Passes in 1 of 3 mazes.");
+  await expect(lessons.card).toContainText("Works in 1 of 3 mazes.");
   await expectNoBarriers(page, "a mission that does not pass yet");
   await corridor.dismissMessages();
 });
@@ -118,7 +138,7 @@ test("finds nothing beyond the edges in a mission at 320 x 700", async ({ openWi
   expect(await stickingOut(page), "path").toEqual([]);
   await lessons.path.getByRole("button", { name: /^12\. / }).click();
   await lessons.button("Check in all 3 mazes").click();
-  await expect(lessons.card).toContainText("Passes in 1 of 3 mazes.");
+  await expect(lessons.card).toContainText("Works in 1 of 3 mazes.");
   expect(await stickingOut(page), "mission").toEqual([]);
   await page.getByRole("tab", { name: "Drive" }).click();
   expect(await stickingOut(page), "slim").toEqual([]);

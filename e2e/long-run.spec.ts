@@ -9,7 +9,7 @@ test("opens the link of a run of a day, drives meanwhile, and declines it", asyn
 }) => {
   const corridor = await openWindow();
   await corridor.open(day);
-  const message = corridor.message(/^The run is being opened\./);
+  const message = corridor.message(/^The run is opening\./);
   await expect(message).toBeVisible();
   await expect(corridor.messages.getByRole("progressbar")).toBeVisible();
   // A reload meanwhile begins again.

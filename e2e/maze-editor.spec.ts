@@ -48,7 +48,7 @@ test("is told why the squares of the robot and the start cannot be filled", asyn
   await expect(corridor.story).toContainText("Goal reached");
   await maze.click({ column: 10, row: 0 });
   await expect(
-    corridor.message("The robot stands here. Drive it away or press Reset first."),
+    corridor.message("The robot is on this square. Drive it away or press Reset first."),
   ).toBeVisible();
   await maze.expectSquare({ column: 10, row: 0 }, "open, goal, robot here, facing up");
   await maze.click({ column: 0, row: 6 });

@@ -67,8 +67,8 @@ test("opens a link while an edit is not saved yet, and goes back to it", async (
   await corridor.program.name.fill("Mine, and not saved yet");
   // At once, within the time that autosave waits.
   await page.evaluate((address) => (location.hash = new URL(address).hash), link);
-  await expect(corridor.program.name).toHaveValue("Right wall");
-  await expect(corridor.message("Your own work is kept.")).toBeVisible();
+  await expect(corridor.program.name).toHaveValue("Example: right wall");
+  await expect(corridor.message("Your own work is saved.")).toBeVisible();
   await corridor.messages.getByRole("button", { name: "Back to my maze" }).click();
   await expect(corridor.program.name).toHaveValue("Mine, and not saved yet");
 });
@@ -165,7 +165,7 @@ test("asks for a part that does not come, is told so, and gets it with Try again
   await reader.open();
   await reader.program.name.fill("Kept");
   await reader.maze.button("Resize").click();
-  const failure = reader.dialog("Not there yet");
+  const failure = reader.dialog("This part did not load");
   await expect(failure).toContainText("Nothing is lost.");
   // Still down, and the service too: the page stays.
   await reader.page.route("**/healthz", (route) => (isDown ? route.abort() : route.continue()));

@@ -7,7 +7,7 @@ import { RelayProcess } from "./support/relay-process.ts";
 
 test.use({ serviceWorkers: "allow" });
 
-const OFFLINE = "You are offline. Driving and programs still work; Remote does not.";
+const OFFLINE = "You are offline. Driving and programs still work, but Remote does not.";
 
 /** Waits until the device has every file of the page. */
 async function isKept(page: Page): Promise<void> {

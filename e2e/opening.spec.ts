@@ -17,7 +17,7 @@ for (const { what, file, status } of [
     await page.route(file, (route) => route.fulfill({ status, body: '{"cut' }));
     await page.goto("/?lang=de#a-link");
     const alert = page.getByRole("alert");
-    await expect(alert).toContainText("Corridor is not all there yet");
+    await expect(alert).toContainText("Corridor did not load");
     await expect(page).toHaveURL(/\?lang=de#a-link$/);
     await page.unroute(file);
     await alert.getByRole("button", { name: "Try again" }).click();
@@ -96,7 +96,7 @@ test("opens a link, and sees nothing of the own work before it", async ({ openWi
   letGo();
   await expect(corridor.mazeMenu).toHaveAccessibleName("From my teacher, Maze menu");
   await expect(page.getByText("Opening", { exact: true })).toHaveCount(0);
-  await expect(corridor.message("Your own work is kept.")).toBeVisible();
+  await expect(corridor.message("Your own work is saved.")).toBeVisible();
   // Its program stays the reader's: the link brought none.
   await expect(corridor.program.name).toHaveValue("Mine alone");
   expect(await hasShownOwn(page)).toBe(false);
@@ -111,6 +111,6 @@ test("opens a link that is cut off, and sees the own work once that is told", as
   await makeOwnWork(corridor);
   const { page } = corridor;
   await page.goto(`/#${shared.text.slice(0, -4)}`);
-  await expect(corridor.message("This link is cut off.")).toBeVisible();
+  await expect(corridor.message("A part of this link is missing.")).toBeVisible();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Comb, Maze menu");
 });

@@ -7,6 +7,7 @@ import { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoBarriers } from "./support/axe.ts";
 import { atRest } from "./support/at-rest.ts";
 import { boxOf, phone, smallest, tab } from "./support/phone.ts";
+import { commandRow, openMore } from "./support/remote-panel.ts";
 import { exampleOf, runScript } from "./support/script.ts";
 
 const library = fileURLToPath(new URL("../packages/client-python/src/", import.meta.url));
@@ -32,10 +33,11 @@ const codeText = /^[BCDFGHJKLMNPQRSTVWXZ]{4} [BCDFGHJKLMNPQRSTVWXZ]{4}$/;
 async function showCode(page: Page): Promise<string> {
   await page.goto("/");
   await page.getByRole("radio", { name: "Remote" }).click();
+  await openMore(page);
   await page.getByRole("button", { name: "Show a code to type" }).click();
   const code = page.getByText(codeText);
   await expect(code).toBeVisible();
-  await expect(page.getByText(/Counts for 9:\d\d|Counts for 10:00/)).toBeVisible();
+  await expect(page.getByText(/Valid for 9:\d\d|Valid for 10:00/)).toBeVisible();
   return (await code.textContent()) ?? "";
 }
 
@@ -57,10 +59,10 @@ test("a script that types the code drives once the page says yes", async ({ page
   const { code: exit, output } = await running;
   expect([exit, output.trim()]).toEqual([0, "completed"]);
   await expect(
-    page.getByText("Right wall (Python script) may drive now, with a key of its own."),
+    page.getByText("Right wall (Python script) can drive now. It has its own key."),
   ).toBeVisible();
   await expect(page.getByRole("button", { name: "Show a code to type" })).toBeFocused();
-  await expect(page.getByRole("row", { name: /right 90/ })).toContainText("completed");
+  await expect(commandRow(page, /right 90/)).toContainText("completed");
   const scripts = page.getByRole("region", { name: "Scripts" }).getByRole("listitem");
   await expect(scripts).toHaveText([/Right wall/]);
   // Its key is listed, and can be taken back without harm to the one in the address.
@@ -90,10 +92,10 @@ test("a paired script goes on when the address gets a new key", async ({ page })
 
   await page.getByRole("button", { name: "New key" }).click();
   const dialog = page.getByRole("dialog");
-  await expect(dialog).toContainText("Scripts that were paired by a code have keys of their own");
+  await expect(dialog).toContainText("Scripts that use a code have their own keys");
   await expectNoBarriers(page, "a new key is asked for");
   await dialog.getByRole("button", { name: "New key" }).click();
-  await expect(page.getByText("The new key counts now: copy the address again.")).toBeVisible();
+  await expect(page.getByText("The new key is ready. Copy the address again.")).toBeVisible();
   const authorised = { ...headers, authorization: `Bearer ${key}` };
   const found = await fetch(`${origin}/api/v1/pairing`, { headers: authorised });
   const { address } = (await found.json()) as { address: string };
@@ -101,7 +103,7 @@ test("a paired script goes on when the address gets a new key", async ({ page })
   const turn = JSON.stringify({ action: "left 90" });
   const sent = await fetch(commands, { method: "POST", headers: authorised, body: turn });
   expect(sent.status).toBe(202);
-  await expect(page.getByRole("row", { name: /left 90/ })).toContainText("completed");
+  await expect(commandRow(page, /left 90/)).toContainText("completed");
   // The younger one is the address's own.
   await expect(keys.getByRole("listitem")).toHaveText([
     /Key of the address above.*never used/,
@@ -123,7 +125,11 @@ test("a script that the page says no to is told so, also after a reload of the p
   await page.getByRole("button", { name: "No", exact: true }).click();
   const { code: exit, output } = await running;
   expect([exit, output.trim()]).toEqual([1, "pairing-refused"]);
-  await expect(page.getByText("Right wall (Python script) was told no.")).toBeVisible();
+  await expect(
+    new CorridorPage(page).messages.getByText(
+      "Right wall (Python script) cannot drive: you said no.",
+    ),
+  ).toBeVisible();
 });
 
 test.describe("asks its owner wherever they are on the page:", () => {
@@ -141,7 +147,7 @@ test.describe("asks its owner wherever they are on the page:", () => {
     const corridor = new CorridorPage(page);
     const code = await showCode(page);
     await corridor.letDrive("Program");
-    await expect(page.getByRole("button", { name: "Take back" })).toBeHidden();
+    await expect(page.getByRole("button", { name: "Cancel code" })).toBeHidden();
     await corridor.speed.focus();
     const running = runPaired(new URL(page.url()).origin, code);
     await expect(corridor.messages.getByRole("status").filter({ hasText: question })).toBeVisible();
@@ -153,7 +159,7 @@ test.describe("asks its owner wherever they are on the page:", () => {
     await expect(page.getByRole("button", yes)).toBeHidden();
     await expect(page.getByText(question)).toHaveCount(0);
     await expect(corridor.messages).toContainText(
-      "Right wall (Python script) may drive now, with a key of its own. Remote does not drive: choose Remote first.",
+      "Right wall (Python script) can drive now. It has its own key. Remote does not drive: choose Remote first.",
     );
     const { output } = await running;
     expect(output).toContain("cancelled");
@@ -198,6 +204,7 @@ test.describe("on a phone", () => {
     await page.getByRole("button", { name: "Remote" }).tap();
     const dialog = page.getByRole("dialog", { name: "Remote" });
     await dialog.getByRole("radio", { name: "Remote" }).check({ force: true });
+    await openMore(dialog);
     await dialog.getByRole("button", { name: "Show a code to type" }).tap();
     const code = await dialog.getByText(codeText).textContent();
     await dialog.getByRole("button", { name: "Close" }).tap();
@@ -280,7 +287,7 @@ test.describe("a question on a phone leaves in reach what stops the robot:", () 
 
 test("a code that was taken back counts no more", async ({ page }) => {
   const code = await showCode(page);
-  await page.getByRole("button", { name: "Take back" }).click();
+  await page.getByRole("button", { name: "Cancel code" }).click();
   await expect(page.getByRole("button", { name: "Show a code to type" })).toBeFocused();
   const { output } = await runPaired(new URL(page.url()).origin, code);
   expect(output.trim()).toBe("wrong-code");

@@ -77,7 +77,7 @@ test("does the missions of the hand with a thumb, and every button is there whol
   );
   const fingers = await Fingers.of(page);
   await fingers.down(await middleOf(corridor.driveKey("forward")));
-  await expect(page.getByRole("note")).toHaveText(/^Challenge met after/);
+  await expect(page.getByRole("note")).toHaveText(/^Challenge solved after/);
   // The thumb is still down: the robot rests where it is whole on the goal, and no button looks held.
   await expect(corridor.driveKey("forward")).toHaveAttribute("aria-pressed", "false");
   await corridor.robotStands();

@@ -1,4 +1,4 @@
-/** Writes a program on a phone, mends it where it bumped, and goes back in its run. */
+/** Writes a program on a phone, fixes it where it bumped, and goes back in its run. */
 import { expect, test } from "./fixtures.ts";
 import { Fingers } from "./support/fingers.ts";
 import { stickingOut } from "./support/layout.ts";
@@ -45,26 +45,28 @@ test("moves and deletes a line behind its one button", async ({ openWindow }) =>
 
 for (const device of [phone, smallest]) {
   const { width, height } = device.viewport;
-  test(`reads the bump card and takes the mend at ${width} x ${height}`, async ({ openWindow }) => {
+  test(`reads the bump card and takes the fix at ${width} x ${height}`, async ({ openWindow }) => {
     const corridor = await openWindow(device);
     await corridor.open();
     const { page, program } = corridor;
     await program.action(2).selectOption("delayed left 90");
     await corridor.speed.selectOption("4×");
     await corridor.run.tap();
-    const card = page.getByRole("region", { name: "Bump: line 2 ran out of room" });
+    const card = corridor.bumpCard(2);
     await expect(card).toBeVisible();
-    await expect(card).toContainText(/Only 2\d cm were free/);
+    await expect(card).toContainText(
+      /with (4\d|50) cm in front\. It drives on first and needs 75 cm\./,
+    );
     // The whole maze stays in sight above it, and all of the card can be pressed.
     const maze = await boxOf(corridor.maze.grid);
     await expect
       .poll(async () => (await boxOf(card)).y)
       .toBeGreaterThanOrEqual(maze.y + maze.height);
     await expect(card.getByRole("button", { name: "Close" })).toBeInViewport({ ratio: 1 });
-    const mend = card.getByRole("button", { name: "Change to left 90" });
-    await expect(mend).toBeInViewport({ ratio: 1 });
+    const fix = card.getByRole("button", { name: "Change to left 90" });
+    await expect(fix).toBeInViewport({ ratio: 1 });
     expect(await stickingOut(page)).toEqual([]);
-    await mend.tap();
+    await fix.tap();
     await expect(card).toBeHidden();
     await expect(program.action(2)).toHaveValue("left 90");
   });

@@ -30,9 +30,9 @@ for (const device of [phone, smallest]) {
       .poll(async () => (await boxOf(page.getByRole("tabpanel"))).height)
       .toBeGreaterThan(lines.height);
     await pull(60);
-    await expect(bar).toHaveAccessibleName("Panel is half open. Open it all");
+    await expect(bar).toHaveAccessibleName("Panel is half open. Open it fully");
     await pull(60);
-    await expect(bar).toHaveAccessibleName("Panel is closed. Open it by half");
+    await expect(bar).toHaveAccessibleName("Panel is closed. Open it halfway");
     await expect(corridor.program.button("Add line")).toBeHidden();
     await bar.click();
     await expect(corridor.program.button("Add line")).toBeVisible();
@@ -40,7 +40,7 @@ for (const device of [phone, smallest]) {
     await bar.click();
     await expect(bar).toHaveAccessibleName("Panel is open. Close it");
     await bar.click();
-    await expect(bar).toHaveAccessibleName("Panel is closed. Open it by half");
+    await expect(bar).toHaveAccessibleName("Panel is closed. Open it halfway");
     await tab(page, "Drive").click();
     await expect(corridor.driveKey("forward")).toBeVisible();
   });

@@ -65,6 +65,7 @@ test("solves a ready-made maze and finds it marked, after a reload too", async (
   corridor,
   page,
 }) => {
+  await corridor.program.makeOwn();
   await corridor.choosePreset("First steps");
   await corridor.speed.selectOption("max");
   await corridor.run.click();
@@ -78,12 +79,31 @@ test("solves a ready-made maze and finds it marked, after a reload too", async (
 
 test("loads an algorithm from the presets", async ({ corridor, page }) => {
   await page.getByRole("button", { name: "Presets", exact: true }).click();
-  await corridor
-    .dialog("Presets")
-    .getByRole("button", { name: /^Left wall/ })
-    .click();
+  const presets = corridor.dialog("Presets");
+  const leftWall = presets.getByRole("button", { name: /^Left wall/ });
+  // A solution is shown to those who ask for it.
+  await expect(leftWall).toBeHidden();
+  await presets.getByText("Show an algorithm").click();
+  await leftWall.click();
   await expect(corridor.program.name).toHaveValue("Left wall");
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+});
+
+test("is asked before an algorithm replaces lines of its own", async ({ corridor, page }) => {
+  const { program } = corridor;
+  await corridor.transport.getByRole("button", { name: "Write my own" }).click();
+  await program.addLine("front <", "40", "left 90");
+  await program.loadAlgorithm("Farthest distance");
+  const menu = page.getByRole("dialog", { name: "Show an algorithm" });
+  await expect(menu.getByRole("alert")).toHaveText("“Farthest distance” would replace your line.");
+  await expectNoBarriers(page, "the question");
+  await menu.getByRole("button", { name: "Keep my lines" }).click();
+  await menu.getByRole("button", { name: /^Farthest distance/ }).click();
+  await expect(program.number(1)).toHaveValue("40");
+  await menu.getByRole("button", { name: "Replace my lines" }).click();
+  await expect(menu).toBeHidden();
+  await expect(program.name).toHaveValue("Farthest distance");
+  await expect(program.lines).toHaveCount(3);
 });
 
 test("has no barriers in the presets, in either theme", async ({ corridor, page }) => {

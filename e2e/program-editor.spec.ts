@@ -11,7 +11,9 @@ test("builds the right-wall program from nothing with the mouse, runs it, reache
   await program.empty();
   await expect(program.lines).toHaveCount(0);
   await program.button("Add line").click();
-  await expect(program.line(1)).toHaveAccessibleName("Line 1: does nothing, skipped.");
+  await expect(program.line(1)).toHaveAccessibleName(
+    "Line 1: choose a condition. Skipped until then.",
+  );
   await program.condition(1).selectOption("right >");
   await program.number(1).fill("60");
   await program.action(1).selectOption("delayed right 90");
@@ -143,8 +145,10 @@ test("sees each line's truth with its numbers, and which line decides", async ({
   await expect(corridor.sensor("right")).toHaveText("50");
   await expect(corridor.sensor("back")).toHaveText("50");
 
-  await program.condition(1).selectOption("[Do nothing]");
-  await expect(program.line(1)).toHaveAccessibleName("Line 1: does nothing, skipped.");
+  await program.condition(1).selectOption("choose a condition");
+  await expect(program.line(1)).toHaveAccessibleName(
+    "Line 1: choose a condition. Skipped until then.",
+  );
   await expect(program.number(1)).toBeHidden();
   await program.condition(1).selectOption("left > right +");
   await expect(program.number(1)).toHaveValue("40");
@@ -159,7 +163,7 @@ test("is told what is wrong with a number, and the last good one comes back", as
   for (const text of ["", "sixty", "-1", "100001", "1e3x"]) {
     await number.fill(text);
     await expect(number).toHaveAttribute("aria-invalid", "true");
-    await expect(program.region.getByText("Type a distance from 0 to 100000.")).toBeVisible();
+    await expect(program.region.getByText("Type a distance from 0 to 100000 cm.")).toBeVisible();
     await expect(program.line(1)).toHaveAccessibleName(/if right is more than 60/);
   }
   await number.blur();

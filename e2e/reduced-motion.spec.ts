@@ -8,7 +8,7 @@ test("sees a bump and the goal stand still, and can go step by step", async ({
   await page.emulateMedia({ reducedMotion: "reduce" });
   await corridor.program.action(2).selectOption("delayed left 90");
   await corridor.run.click();
-  await expect(page.getByRole("region", { name: /^Bump: line 2/ })).toBeVisible({
+  await expect(corridor.bumpCard(2)).toBeVisible({
     timeout: 30_000,
   });
   // The picture of the robot that has just bumped is the same from frame to frame.

@@ -1,9 +1,13 @@
 /** Scripts on the network drive the robot in the page. */
 import { encodeLink } from "@corridor/link";
 import { countOpenCells, generateTree } from "@corridor/maze";
+import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { expectNoBarriers } from "./support/axe.ts";
+import { commandRow, openMore } from "./support/remote-panel.ts";
 import { exampleOf, runScript } from "./support/script.ts";
 
 const tree = generateTree({ columns: 11, rows: 11, seed: 3, name: "Tree" });
@@ -77,8 +81,10 @@ for (const tab of ["Python", "JavaScript"] as const) {
     await page.goto(linkTo(tree));
     await setSpeed(page, "16");
     const address = await copyAddress(page);
-    await page.getByRole("radio", { name: tab }).click();
-    await page.getByRole("button", { name: "Copy", exact: true }).click();
+    await openMore(page);
+    const other = page.getByRole("region", { name: "Script in another language" });
+    await other.getByRole("radio", { name: tab }).click();
+    await other.getByRole("button", { name: "Copy", exact: true }).click();
     const snippet = await page.evaluate(() => navigator.clipboard.readText());
     const [interpreter = ""] = exampleOf(tab);
     const words = tab === "Python" ? ["-"] : ["--input-type=module", "-"];
@@ -94,6 +100,69 @@ for (const tab of ["Python", "JavaScript"] as const) {
   });
 }
 
+test("the first script runs as it is copied, with the file beside it that the panel links", async ({
+  page,
+}) => {
+  test.setTimeout(60_000);
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.goto(linkTo(tree));
+  await setSpeed(page, "16");
+  const address = await copyAddress(page);
+  const starter = page.getByRole("region", { name: "Python" });
+  await starter.getByRole("button", { name: "Copy", exact: true }).click();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  expect(copied.trim().split("\n")).toHaveLength(6);
+  expect(copied).toContain("from corridor import Robot");
+  const displayed = await starter.getByRole("textbox").inputValue();
+  expect(displayed).not.toContain(new URL(address).hash.slice(1));
+  const download = page.waitForEvent("download");
+  await starter.getByRole("link", { name: "Save corridor.py" }).click();
+  const library = await download;
+  expect(library.suggestedFilename()).toBe("corridor.py");
+  const folder = await mkdtemp(join(tmpdir(), "corridor-first-script-"));
+  await library.saveAs(join(folder, "corridor.py"));
+  await writeFile(join(folder, "script.py"), copied);
+  const [python = ""] = exampleOf("Python");
+  const { code, output } = await runScript([python, join(folder, "script.py")]);
+  await rm(folder, { recursive: true });
+  expect([code, Number(output.trim()) > 0]).toEqual([0, true]);
+  await expect(commandRow(page, /turn|left 90/).first()).toContainText("completed");
+});
+
+test("shows the address, the script and the last commands without scrolling at 1440 x 900", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.goto("/");
+  await setSpeed(page, "16");
+  const address = await copyAddress(page);
+  for (let count = 0; count < 8; count++) await api(address, "/commands", { action: "left 90" });
+  await api(address, "/commands/8?wait=20");
+  await setSpeed(page, "0.25");
+  await api(address, "/commands", { action: "move", distance: 100 });
+  await api(address, "/commands", { action: "right 90" });
+  const commands = page.getByRole("region", { name: "Commands", exact: true });
+  await expect(commandRow(page, /move 100/)).toContainText("running");
+  await expect(commands).toContainText("1 waiting");
+  await expect(commands.getByRole("cell", { name: /^\d+$/ })).toHaveText([
+    "9",
+    "8",
+    "7",
+    "6",
+    "5",
+    "4",
+  ]);
+  for (const cell of await commands.getByRole("cell", { name: /^\d+$/ }).all()) {
+    await expect(cell).toBeInViewport({ ratio: 0.9 });
+  }
+  await expect(page.getByRole("button", { name: "Show key" })).toHaveCount(0);
+  await openMore(page);
+  await expect(page.getByRole("button", { name: "Show key" })).toBeVisible();
+  const log = page.getByRole("region", { name: "All commands" });
+  await expect(log.getByRole("cell", { name: /^\d+$/ })).toHaveCount(10);
+  await expectNoBarriers(page, "all of Remote");
+});
+
 test("the panel lists every command with its state, newest first", async ({ page }) => {
   await page.goto("/");
   await setSpeed(page, "16");
@@ -105,7 +174,7 @@ test("the panel lists every command with its state, newest first", async ({ page
   ]) {
     expect((await api(address, "/commands", command)).status).toBe(202);
   }
-  const rows = page.getByRole("region", { name: "Commands" }).getByRole("row");
+  const rows = page.getByRole("region", { name: "Commands", exact: true }).getByRole("row");
   await expect(rows.filter({ hasText: "move 100" })).toContainText("completed");
   await expect(rows.filter({ hasText: "left 90" })).toContainText("completed");
   await expect(rows.filter({ hasText: "move 900" })).toContainText("collided");
@@ -129,7 +198,7 @@ test("a robot keeps its address over a reload, and a running command ends cancel
     return Math.hypot(pose.x - x, pose.y - y);
   };
   await api(address, "/commands", { action: "move", distance: 200 });
-  await expect(page.getByRole("row", { name: /move 200/ })).toContainText("running");
+  await expect(commandRow(page, /move 200/)).toContainText("running");
   await expect.poll(() => wayFrom(start)).toBeGreaterThan(5);
   await page.reload();
   const record = await (await api(address, "/commands/1?wait=20")).json();
@@ -153,7 +222,7 @@ test("the robot drives on while its script waits, and stops when the script fall
   await api(address, "/commands", { action: "forward" });
   const waiting = await (await api(address, "/commands/1?wait=5")).json();
   expect(waiting).toMatchObject({ state: "started" });
-  await expect(page.getByRole("row", { name: /forward/ })).toContainText("cancelled", {
+  await expect(commandRow(page, /forward/)).toContainText("cancelled", {
     timeout: 10_000,
   });
   const record = await (await api(address, "/commands/1")).json();
@@ -168,7 +237,7 @@ test("what the robot cannot start in time is listed as expired", async ({ page }
   await api(address, "/commands", { action: "left 90", ttl: 400 });
   const record = await (await api(address, "/commands/2?wait=10")).json();
   expect(record).toMatchObject({ state: "expired", reason: "older than 0.4 s" });
-  const row = page.getByRole("row", { name: /left 90/ });
+  const row = commandRow(page, /left 90/);
   await expect(row).toContainText("older than 0.4 s");
   await expect(row).toContainText("expired");
 });
@@ -181,19 +250,20 @@ test("a new key cuts off who has the old one, and the page goes on with the new 
   const panel = page.getByRole("region", { name: "Remote" }).locator("..");
   await expect(panel).toContainText(/Ends in 23 h \d+ min\./);
   const waiting = api(address, "/sensors?after=999999999&wait=25");
+  await openMore(page);
   await page.getByRole("button", { name: "New key" }).click();
   await page.getByRole("dialog").getByRole("button", { name: "Keep the old key" }).click();
   expect((await api(address, "/sensors")).status).toBe(200);
   await page.getByRole("button", { name: "New key" }).click();
   await page.getByRole("dialog").getByRole("button", { name: "New key" }).click();
-  await expect(panel).toContainText("The new key counts now");
+  await expect(page.getByText(/^The new key is ready/)).toBeVisible();
   expect((await waiting).status).toBe(401);
   expect((await api(address, "/commands", { action: "left 90" })).status).toBe(401);
   await page.getByRole("button", { name: "Copy address with key" }).click();
   const next = await page.evaluate(() => navigator.clipboard.readText());
   expect(next.split("#")[0]).toBe(address.split("#")[0]);
   expect((await api(next, "/commands", { action: "left 90" })).status).toBe(202);
-  await expect(page.getByRole("row", { name: /left 90/ })).toContainText("completed");
+  await expect(commandRow(page, /left 90/)).toContainText("completed");
   // For a reload.
   expect(await page.evaluate(() => sessionStorage.getItem("corridor.remote"))).toContain(next);
 });
@@ -201,7 +271,8 @@ test("a new key cuts off who has the old one, and the page goes on with the new 
 test("an address to watch reads the robot and cannot drive it", async ({ page }) => {
   await page.goto("/");
   await copyAddress(page);
-  await page.getByRole("button", { name: "Make an address that only reads" }).click();
+  await openMore(page);
+  await page.getByRole("button", { name: "Make a watch address" }).click();
   await expect(page.getByRole("button", { name: "Copy address to watch" })).toBeFocused();
   await page.keyboard.press("Enter");
   const copied = () => page.evaluate(() => navigator.clipboard.readText());
@@ -221,15 +292,14 @@ test("scripts are listed by name, and one is sent away while the others go on", 
   const as = (name: string, path: string, body?: unknown) => api(address, path, body, name);
   await as("Anna", "/commands", { action: "move", distance: 200 });
   await as("Ben", "/commands?after=0");
+  await openMore(page);
   const scripts = page.getByRole("region", { name: "Scripts" }).getByRole("listitem");
   await expect(scripts).toHaveText([/Anna.*last: move.*running/, /Ben.*only reads/]);
   const anna = scripts.filter({ hasText: "Anna" });
-  await anna.getByRole("button", { name: "Send away" }).click();
-  await expect(anna).toContainText("sent away");
-  await expect(page.getByRole("row", { name: /move 200/ })).toContainText("cancelled");
-  await expect(page.getByRole("row", { name: /move 200/ })).toContainText(
-    "The script was sent away.",
-  );
+  await anna.getByRole("button", { name: "Block", exact: true }).click();
+  await expect(anna).toContainText("blocked");
+  await expect(commandRow(page, /move 200/)).toContainText("cancelled");
+  await expect(commandRow(page, /move 200/)).toContainText("The script was blocked.");
   const refused = await as("Anna", "/commands", { action: "left 90" });
   expect([refused.status, (await refused.json()).detail]).toEqual([
     403,
@@ -237,10 +307,11 @@ test("scripts are listed by name, and one is sent away while the others go on", 
   ]);
   expect((await as("Ben", "/commands", { action: "left 90" })).status).toBe(202);
   await expectNoBarriers(page, "scripts by name");
-  // Still away after a reload of the page.
+  // Still blocked after a reload of the page.
   await page.reload();
-  await anna.getByRole("button", { name: "Let back" }).click();
-  await expect(anna.getByRole("button", { name: "Send away" })).toBeVisible();
+  await openMore(page);
+  await anna.getByRole("button", { name: "Unblock" }).click();
+  await expect(anna.getByRole("button", { name: "Block", exact: true })).toBeVisible();
   expect((await as("Anna", "/commands", { action: "left 90" })).status).toBe(202);
 });
 
@@ -286,8 +357,9 @@ test("paused scripts drive no more until they are let, over a reload as well", a
   const address = await copyAddress(page);
   await setSpeed(page, "0.25");
   await api(address, "/commands", { action: "move", distance: 200 });
-  const row = page.getByRole("row", { name: /move 200/ });
+  const row = commandRow(page, /move 200/);
   await expect(row).toContainText("running");
+  await openMore(page);
   const scripts = page.getByRole("region", { name: "Scripts" });
   await scripts.getByRole("button", { name: "Pause scripts" }).click();
   await expect(scripts.getByRole("status").first()).toContainText("Paused");
@@ -300,9 +372,12 @@ test("paused scripts drive no more until they are let, over a reload as well", a
   ]);
   expect((await api(address, "/commands", { action: "stop" })).status).toBe(202);
   await page.reload();
-  await expect(scripts.getByRole("status").first()).toContainText("Paused");
+  // Said without a further step, since no command is carried out.
+  await expect(page.getByText(/^Paused: scripts can read/)).toBeVisible();
   await setSpeed(page, "16");
-  await scripts.getByRole("button", { name: "Let scripts drive" }).click();
+  await page.getByRole("button", { name: "Let scripts drive" }).click();
+  await expect(page.getByText(/^Paused: scripts can read/)).toHaveCount(0);
+  await openMore(page);
   await expect(scripts.getByRole("button", { name: "Pause scripts" })).toBeVisible();
   const sent = await (await api(address, "/commands", { action: "left 90" })).json();
   const record = await (await api(address, `/commands/${sent.seq}?wait=20`)).json();
@@ -314,7 +389,7 @@ test("taking over by hand cancels what the script asked for and says why", async
   const address = await copyAddress(page);
   await setSpeed(page, "0.25");
   await api(address, "/commands", { action: "move", distance: 200 });
-  await expect(page.getByRole("row", { name: /move 200/ })).toContainText("running");
+  await expect(commandRow(page, /move 200/)).toContainText("running");
   await page.getByRole("radio", { name: "Me", exact: true }).click();
   const record = await (await api(address, "/commands/1?wait=20")).json();
   expect(record).toMatchObject({ state: "cancelled" });

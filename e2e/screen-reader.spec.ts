@@ -128,26 +128,26 @@ test("builds, programs, bumps, mends, goes back and solves by ear", async ({ cor
 
   // The line that is chosen wrong is told with its reason, and says so by its own name.
   await keys.choose(program.action(2), "delayed left 90");
-  await expect(corridor.spoken).toHaveText(/^Advice on line 2: front < 50 leaves too little room/);
+  await expect(corridor.spoken).toHaveText(/^Advice for line 2: front < 50 leaves too little room/);
   await expect(program.line(2)).toHaveAccessibleName(
     /^Line 2: if front is less than 50, delayed left 90\. Front is 250, false.* Advice: /,
   );
 
   await keys.press(corridor.run);
   await expect(corridor.spoken).toHaveText(
-    "Bump: line 2 ran out of room. delayed left 90 drives on for 50 cm, then turns. Only 23 cm were free. The bump card offers 1 mend.",
+    /^Bump: look at line 2\. Bump at \d+\.\d s\. Line 2 chose “delayed left 90” at \d+\.\d s with (4\d|50) cm in front\. It drives on first and needs 75 cm\. The bump card offers \d fix(es)?\.$/,
     { timeout: 30_000 },
   );
   await expect(program.line(2)).toHaveAccessibleName(/^Line 2, bumped: /);
-  const card = page.getByRole("region", { name: "Bump: line 2 ran out of room" });
+  const card = corridor.bumpCard(2);
   await keys.press(card.getByRole("button", { name: "Change to left 90" }));
-  await expect(corridor.spoken).toHaveText(/^Mended\./);
+  await expect(corridor.spoken).toHaveText(/^Fixed\./);
 
   // The slider says its moments itself; the voice only that it is the past.
   await keys.goTo(timeline.slider);
   await keys.key("Home");
   await expect(timeline.slider).toHaveAttribute("aria-valuetext", /^0\.0 s/);
-  await expect(corridor.spoken).toHaveText("An earlier moment is shown.");
+  await expect(corridor.spoken).toHaveText("You see an earlier moment of the run.");
   await keys.press(timeline.backToNow);
   await expect(corridor.spoken).toHaveText(/^Back to now, \d+\.\d s\.$/);
 
@@ -175,7 +175,7 @@ test("asks where the robot is, and is told once, in words that can be read too",
 }) => {
   const heard = await listen(page);
   const description =
-    "At 0.0 s the robot is in row 7, column 1, facing right. Front is 250 cm, right 50 cm, back 50 cm, left 50 cm. No line is true: otherwise, forward.";
+    "At 0.0 s the robot is in row 7, column 1, facing right. Front is 250 cm, right 50 cm, back 50 cm, left 50 cm. No line is true, so “otherwise” decides: forward.";
   await page.keyboard.press("i");
   await expect(corridor.spoken).toHaveText(description);
   await expect(corridor.message(description)).toBeVisible();
@@ -204,7 +204,7 @@ test("switches the spoken run off, still hears answers, and finds it off after a
 }) => {
   await page.keyboard.press("?");
   const list = corridor.dialog("Keyboard shortcuts");
-  await list.getByRole("checkbox", { name: /^Speak the run/ }).uncheck();
+  await list.getByRole("checkbox", { name: /^Read the run aloud/ }).uncheck();
   await page.keyboard.press("Escape");
   await corridor.reload();
   const heard = await listen(page);
@@ -229,13 +229,14 @@ test("does a mission by ear: its task, its hint, its outcome", async ({ corridor
   await keys.choose(corridor.program.action(1), "turn 180");
   await keys.choose(corridor.speed, "16×");
   await keys.key("Control+Enter");
-  await expect(corridor.spoken).toHaveText("Challenge met: 1 of 1 lines used");
+  await expect(corridor.spoken).toHaveText("Challenge solved. Lines used: 1 of 1");
   const texts = (await heard()).map(({ text }) => text);
-  expect(texts.filter((text) => text.startsWith("Challenge met"))).toHaveLength(1);
+  expect(texts.filter((text) => text.startsWith("Challenge solved"))).toHaveLength(1);
 });
 
 test("hears of the transport whole names, and no number without a word", async ({ corridor }) => {
   await corridor.step.click();
+  await expect(corridor.run).toBeVisible();
   await expect(corridor.timeline.slider).toBeVisible();
   const heard = await corridor.transport.ariaSnapshot();
   expect(heard).not.toMatch(/text: "?\d+"?$/m);

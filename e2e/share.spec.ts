@@ -5,11 +5,11 @@ import { generateTree } from "@corridor/maze";
 import { expect, test } from "./fixtures.ts";
 
 const sentences = {
-  empty: "This link holds nothing.",
-  "unknown-version": "This is no link of this Corridor; perhaps a newer one made it.",
-  "cut-off": "This link is cut off.",
-  damaged: "This link was changed on its way.",
-  "too-long": "This link is longer than any that Corridor makes.",
+  empty: "This link is empty.",
+  "unknown-version": "Corridor cannot open this link. Maybe a newer version made it.",
+  "cut-off": "A part of this link is missing.",
+  damaged: "This link was changed, so it cannot be opened.",
+  "too-long": "This link is too long for Corridor.",
 };
 
 test("copies a link, and another reader opens the maze from it with their own program", async ({
@@ -32,7 +32,9 @@ test("copies a link, and another reader opens the maze from it with their own pr
   await expect(reader.message(/^You opened a shared maze\.$/)).toBeVisible();
   await expect(reader.messages.getByRole("button", { name: "Back to my maze" })).toHaveCount(0);
   await reader.maze.expectSquare({ column: 2, row: 6 }, "block");
-  await expect(reader.program.name).toHaveValue("Right wall");
+  // The link brings no program, so that there is something to solve.
+  await expect(reader.program.lines).toHaveCount(0);
+  await expect(reader.program.region.getByText("Get the robot to the goal.")).toBeVisible();
   // The address is clean again, so that a reload keeps what the reader changes.
   expect(new URL(reader.page.url()).hash).toBe("");
 });
@@ -59,7 +61,7 @@ test("opens a link, keeps the own work, and goes back to it", async ({ corridor,
   await expect(reader.saveState).toHaveText("Saved on this device");
   await reader.open(link);
   await expect(reader.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
-  await expect(reader.message("You opened a shared maze. Your own work is kept.")).toBeVisible();
+  await expect(reader.message("You opened a shared maze. Your own work is saved.")).toBeVisible();
   await reader.messages.getByRole("button", { name: "Back to my maze" }).click();
   await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
   await reader.maze.expectSquare({ column: 2, row: 6 }, "block");
@@ -143,7 +145,7 @@ test("comes with a cut link, is told so, and opens an empty maze instead", async
 test("opens a robot's address in a browser and never shows its key", async ({ openWindow }) => {
   const { page } = await openWindow();
   await page.goto("/r/abcdefghijklmnop#a-key-that-nobody-should-see");
-  await expect(page.getByRole("alert")).toContainText("This link is not whole");
+  await expect(page.getByRole("alert")).toContainText("A part of this link is missing");
   expect(page.url()).not.toContain("key");
 });
 

@@ -12,7 +12,7 @@ test("makes a short link, and another reader opens the maze from it", async ({
   const dialog = corridor.dialog("Share this maze");
   const field = dialog.getByRole("textbox", { name: "Link" });
   await dialog.getByRole("button", { name: "Short link", exact: true }).click();
-  await expect(field).toHaveValue(/\/m\/[\w-]{12}$/);
+  await expect(field).toHaveValue(/\/m\/[A-Z]{4,6}$/);
   await dialog.getByRole("button", { name: "Copy link" }).click();
   await expect(dialog.getByText("Link copied")).toBeAttached();
   const link = await page.evaluate(() => navigator.clipboard.readText());
@@ -24,7 +24,7 @@ test("makes a short link, and another reader opens the maze from it", async ({
   await expect(reader.saveState).toHaveText("Saved on this device");
   await reader.open(link);
   await expect(reader.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
-  await expect(reader.message("You opened a shared maze. Your own work is kept.")).toBeVisible();
+  await expect(reader.message("You opened a shared maze. Your own work is saved.")).toBeVisible();
   expect(new URL(reader.page.url()).pathname).toBe("/");
   await reader.messages.getByRole("button", { name: "Back to my maze" }).click();
   await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
@@ -43,7 +43,9 @@ test("says that a program does not go along, and gives the long link for it", as
   await dialog.getByRole("checkbox", { name: /^My program/ }).check();
   await expect(field).toHaveValue(/#/);
   await expect(make).toBeDisabled();
-  await expect(dialog.getByText("A short link carries the maze or challenge alone.")).toBeVisible();
+  await expect(
+    dialog.getByText("A short link contains only the maze or the challenge."),
+  ).toBeVisible();
   await dialog.getByRole("checkbox", { name: /^My program/ }).uncheck();
   await expect(field).toHaveValue(/\/m\//);
 });
@@ -69,7 +71,7 @@ test("deletes a short link, and whoever opens it then is told so", async ({
   const context = await browser.newContext();
   const reader = new CorridorPage(await context.newPage());
   await reader.open(link);
-  await expect(reader.message(/^This short link leads nowhere/)).toBeVisible();
+  await expect(reader.message(/^This short link no longer works/)).toBeVisible();
   await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
   await reader.messages.getByRole("button", { name: "Open an empty maze" }).click();
   await expect(reader.mazeMenu).toHaveAccessibleName("New maze, Maze menu");

@@ -219,7 +219,7 @@ test("shares a run by link and another reader watches it", async ({ corridor, op
   await expect(reader.timeline.inThePast).toBeHidden();
   await expect(reader.clock).toHaveText(now);
   await expect(reader.robotPlace).toHaveText(place);
-  await expect(reader.program.name).toHaveValue("Right wall");
+  await expect(reader.program.name).toHaveValue("Example: right wall");
 });
 
 test("saves a run as a file", async ({ corridor, page }) => {

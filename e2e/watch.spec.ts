@@ -4,6 +4,7 @@ import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoBarriers } from "./support/axe.ts";
 import { FrontDoor } from "./support/front-door.ts";
+import { openMore } from "./support/remote-panel.ts";
 
 interface Addresses {
   drive: string;
@@ -17,7 +18,8 @@ async function takeAddresses({ page }: CorridorPage): Promise<Addresses> {
   await page.getByRole("button", { name: "Copy address with key" }).click();
   await expect.poll(copied).toContain("#drv_");
   const drive = await copied();
-  await page.getByRole("button", { name: "Make an address that only reads" }).click();
+  await openMore(page);
+  await page.getByRole("button", { name: "Make a watch address" }).click();
   await page.getByRole("button", { name: "Copy address to watch" }).click();
   await expect.poll(copied).toContain("#wch_");
   return { drive, watch: await copied() };
@@ -85,7 +87,7 @@ test("shows the robot where it is, whoever drives it, and its maze as it changes
   const stage = page.getByRole("main");
   const before = await stage.screenshot();
   await corridor.letDrive("Me");
-  await expect(news).toContainText("Somebody drives by hand.");
+  await expect(news).toContainText("A person drives the robot.");
   await corridor.page.keyboard.down("s");
   await expect.poll(() => corridor.robotX()).toBeLessThan(190);
   await corridor.page.keyboard.up("s");
@@ -146,7 +148,7 @@ test("is told when the robot's page leaves and when it comes back", async ({
   const { news, place } = seen(page);
   await expect(place).toBeVisible();
   await corridor.page.goto("about:blank");
-  await expect(news).toContainText("The robot's page is closed or has no network.");
+  await expect(news).toContainText("The robot’s page is closed or offline.");
   await expectNoBarriers(page, "an onlooker whose robot is gone");
   await corridor.page.goBack();
   await expect(news).toContainText("The robot waits for a script.", { timeout: 15_000 });
@@ -191,10 +193,14 @@ for (const { name, end, says } of [
   {
     name: "of a robot that is gone",
     end: `${"A".repeat(22)}#wch_${"A".repeat(22)}`,
-    says: "This robot is no longer there",
+    says: "This robot was deleted",
   },
-  { name: "without a key", end: "A".repeat(22), says: "This link is not whole" },
-  { name: "that is cut off", end: `${"A".repeat(22)}#wch_AAAA`, says: "This link is not whole" },
+  { name: "without a key", end: "A".repeat(22), says: "A part of this link is missing" },
+  {
+    name: "that is cut off",
+    end: `${"A".repeat(22)}#wch_AAAA`,
+    says: "A part of this link is missing",
+  },
 ]) {
   test(`says in words what is wrong with a link ${name}, and shows a way on`, async ({ page }) => {
     await page.goto(`/r/${end}`);

@@ -105,7 +105,7 @@ test("finds every line in its place, and no words at rest, while one after the o
           for (const line of all) {
             const words = line.querySelector("progress")?.parentElement;
             if (!words || line.ariaCurrent !== null) continue;
-            const isSeen = getComputedStyle(words).color !== getComputedStyle(line).backgroundColor;
+            const isSeen = getComputedStyle(words).visibility === "visible";
             if (isSeen) atRest.add(words.textContent);
           }
           // Line 1, line 2 and otherwise.
@@ -152,7 +152,7 @@ test("takes the advice on a line that can never decide, and takes it back", asyn
   await expect(program.line(2)).toHaveAccessibleName(
     /Advice: Never decides: whenever front > 100, line 1 decides first\.$/,
   );
-  await expect(corridor.spoken).toHaveText(/^Advice on line 2: Never decides: /);
+  await expect(corridor.spoken).toHaveText(/^Advice for line 2: Never decides: /);
   await program.line(2).getByRole("button", { name: "Delete line 2" }).last().click();
   await expect(program.lines).toHaveCount(1);
   await program.button("Undo").click();
@@ -193,7 +193,7 @@ const mends = [
     condition: "front >",
     number: "60",
     action: "delayed right 90",
-    reason: /^front > 60 does not tell whether the right is open/,
+    reason: /^This line turns right, but front > 60 does not check/,
     mend: "Change to right > 60",
     after: /if right is more than 60, delayed right 90\./,
   },
@@ -202,7 +202,7 @@ const mends = [
     condition: "right >",
     number: "60",
     action: "right 90",
-    reason: /^right > 60 begins at the edge of an opening.* drives on for 50 cm first\.$/,
+    reason: /^right > 60 becomes true at the edge of an opening.* drives on for 50 cm first\.$/,
     mend: "Change to delayed right 90",
     after: /if right is more than 60, delayed right 90\./,
   },
@@ -227,7 +227,7 @@ test("runs a program in spite of its advice, hides the advice, and it stays away
   const { program } = corridor;
   await program.empty();
   await program.addLine("right >", "60", "right 90");
-  const advice = program.line(1).getByText(/begins at the edge of an opening/);
+  const advice = program.line(1).getByText(/becomes true at the edge of an opening/);
   await expect(advice).toBeVisible();
   await corridor.run.click();
   await expect(corridor.robotPlace).not.toHaveText(/^Robot at 50, 650/);

@@ -119,7 +119,7 @@ test("shows focus, choice and state in forced colours", async ({ corridor, page 
   await corridor.program.action(2).selectOption("delayed left 90");
   await corridor.speed.selectOption("4×");
   await corridor.run.click();
-  const card = page.getByRole("region", { name: /^Bump: line 2/ });
+  const card = corridor.bumpCard(2);
   await expect(card).toBeVisible();
   // What is a surface without colours has an edge.
   const edges = await card.evaluate((element) => {

@@ -47,6 +47,7 @@ const allowed: Record<string, readonly string[]> = {
     "matter-js",
   ],
   "apps/cli": [
+    "@corridor/coach",
     "@corridor/maze",
     "@corridor/program",
     "@corridor/protocol",

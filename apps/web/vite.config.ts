@@ -60,7 +60,7 @@ export default defineConfig({
           "assets/inter-latin-*.woff2",
           "mark.svg",
         ],
-        globIgnores: ["assets/inter-latin-ext-*.woff2", "sw.js"],
+        globIgnores: ["assets/inter-latin-ext-*.woff2", "sw.js", "404.html"],
         navigateFallback: "/index.html",
         navigateFallbackAllowlist: [PAGE],
         runtimeCaching: [

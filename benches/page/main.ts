@@ -8,11 +8,12 @@ import { RelayProcess } from "../../e2e/support/relay-process.ts";
 import { chromiumArguments, requireChromium } from "../../scripts/chromium.ts";
 import { goalLine, isMet, type Goal } from "../core/goals.ts";
 import { firstVisit } from "./first-visit.ts";
+import { otherMazes } from "./other-mazes.ts";
 import { frames } from "./frames.ts";
 import { scrubbing } from "./scrubbing.ts";
 import type { Section } from "./section.ts";
 
-const sections: readonly Section[] = [frames, scrubbing, firstVisit];
+const sections: readonly Section[] = [frames, scrubbing, firstVisit, otherMazes];
 
 const wanted = process.argv.slice(2).map((word) => word.toLowerCase());
 const chosen = sections.filter(

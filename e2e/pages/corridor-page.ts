@@ -147,6 +147,11 @@ export class CorridorPage {
       .getByRole("definition");
   }
 
+  /** The card of a bump that was caused by a line, counted from 1. */
+  bumpCard(line: number): Locator {
+    return this.page.getByRole("region", { name: `Bump: look at line ${line}` });
+  }
+
   message(text: string | RegExp): Locator {
     return this.messages.getByText(text);
   }

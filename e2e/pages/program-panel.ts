@@ -66,11 +66,17 @@ export class ProgramPanel {
     }
   }
 
+  /** Gives the program a name, so that it is the reader's own and stays with any maze. */
+  async makeOwn(): Promise<void> {
+    await this.name.fill("Mine");
+    await this.name.press("Enter");
+  }
+
   /** Loads a ready-made algorithm by its name. */
   async loadAlgorithm(name: string): Promise<void> {
-    await this.button("Load an algorithm").click();
+    await this.button("Show an algorithm").click();
     await this.#page
-      .getByRole("dialog", { name: "Load an algorithm" })
+      .getByRole("dialog", { name: "Show an algorithm" })
       .getByRole("button", { name: new RegExp(`^${name}`) })
       .click();
   }

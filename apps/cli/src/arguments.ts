@@ -23,6 +23,8 @@ export interface GradeArguments {
   programs: string[];
   limits: RunLimits;
   csv: boolean;
+  /** adds why each run failed */
+  why: boolean;
 }
 
 export function simulateArguments(words: readonly string[]): SimulateArguments {
@@ -65,6 +67,7 @@ export function gradeArguments(words: readonly string[]): GradeArguments {
     seconds: { type: "string", default: "300" },
     until: { type: "string", default: "time" },
     csv: { type: "boolean", default: false },
+    why: { type: "boolean", default: false },
   });
   const problems: string[] = [];
   if (values.program.length === 0) {
@@ -74,8 +77,11 @@ export function gradeArguments(words: readonly string[]): GradeArguments {
     problems.push("--maze: found nothing, expected one or more maze files");
   }
   const limits = limitsOf(values.seconds, values.until, problems);
+  const { csv, why } = values;
+  if (csv && why)
+    problems.push("--why: found beside --csv, expected without it: a diagnosis is JSON");
   if (problems.length > 0) throw new InputError(problems);
-  return { mazes: values.maze, programs: values.program, limits, csv: values.csv };
+  return { mazes: values.maze, programs: values.program, limits, csv, why };
 }
 
 function parse<T extends NonNullable<Parameters<typeof parseArgs>[0]>["options"] & object>(

@@ -2,8 +2,10 @@
  * What all cores share of a grading: the job, and a counter from which each takes its next pair. No
  * core waits for another, and none is left with a long rest.
  */
+import { diagnoseProgram, freePlayTask, type Diagnosis } from "@corridor/coach";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
+import { Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
 import type { RunLimits } from "./run-limits.ts";
 import { runProgram, type RunResult } from "./run-result.ts";
 
@@ -11,6 +13,8 @@ export interface GradeJob {
   mazes: MazeDocument[];
   programs: ProgramDocument[];
   limits: RunLimits;
+  /** whether to say why a run failed */
+  why: boolean;
 }
 
 export interface GradeShare {
@@ -23,6 +27,8 @@ export interface GradedPair {
   /** program * mazes + maze */
   pair: number;
   result: RunResult;
+  /** null where the run did not fail, or nobody asked */
+  diagnosis: Diagnosis | null;
 }
 
 /**
@@ -30,7 +36,7 @@ export interface GradedPair {
  * do before it settles how to run the loop.
  */
 export function gradeShare({ job, taken }: GradeShare): GradedPair[] {
-  const { mazes, programs, limits } = job;
+  const { mazes, programs, limits, why } = job;
   const graded: GradedPair[] = [];
   for (;;) {
     const turn = Atomics.add(taken, 0, 1);
@@ -40,6 +46,18 @@ export function gradeShare({ job, taken }: GradeShare): GradedPair[] {
     const maze = mazes[mazeIndex];
     if (program === undefined || maze === undefined) return graded;
     const pair = programIndex * mazes.length + mazeIndex;
-    graded.push({ pair, result: runProgram(maze, program, limits) });
+    const diagnosis = why ? diagnosisOf(maze, program, limits) : null;
+    graded.push({ pair, result: runProgram(maze, program, limits), diagnosis });
   }
+}
+
+/** The same as the page says of a run of this program alone. */
+function diagnosisOf(
+  maze: MazeDocument,
+  program: ProgramDocument,
+  { seconds }: RunLimits,
+): Diagnosis | null {
+  const state = new Simulation(maze).save();
+  const until = Math.round(seconds * TICKS_PER_SECOND);
+  return diagnoseProgram({ maze, program, state }, freePlayTask(maze, until));
 }

@@ -14,21 +14,24 @@ const WORTH_WORKERS_SECONDS = 20_000;
 /** @returns the lines to print; throws InputError for bad input */
 export async function grade(words: readonly string[]): Promise<string[]> {
   const request = gradeArguments(words);
-  const { programs: programFiles, mazes: mazeFiles, limits, csv } = request;
+  const { programs: programFiles, mazes: mazeFiles, limits, csv, why } = request;
   // They load their modules while this thread loads its own, hence the late imports.
   const workers = startWorkers(request);
   try {
     const { readFiles } = await import("./read-files.ts");
     const { csvTable, jsonLine, summaryLine } = await import("./report.ts");
     const documents = readFiles({ mazes: mazeFiles, programs: programFiles });
-    const graded = await gradeOnAll(workers, { ...documents, limits });
-    const runs = graded.map(({ pair, result }): GradedRun => ({
+    const graded = await gradeOnAll(workers, { ...documents, limits, why });
+    const runs = graded.map(({ pair, result, diagnosis }): GradedRun => ({
       program: programFiles[Math.floor(pair / mazeFiles.length)] ?? "",
       maze: mazeFiles[pair % mazeFiles.length] ?? "",
       result,
+      diagnosis,
     }));
     if (csv) return csvTable(runs);
-    const lines = runs.map(({ program, maze, result }) => jsonLine(result, { program, maze }));
+    const lines = runs.map(({ program, maze, result, diagnosis }) =>
+      jsonLine(result, { program, maze }, why ? { diagnosis } : {}),
+    );
     return [...lines, summaryLine(runs)];
   } finally {
     await Promise.all(workers.map((worker) => worker.terminate()));

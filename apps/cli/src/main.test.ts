@@ -73,6 +73,17 @@ describe("simulate", () => {
 });
 
 describe("grade", () => {
+  it("says with --why what caused a failure, and nothing of a run that did not fail", () => {
+    const words = ["--program", rightWall, wrong, "--maze", maze, "--why"];
+    const lines = corridor("grade", ...words)
+      .out.trim()
+      .split("\n");
+    const [good, bad] = lines.map((line): unknown => JSON.parse(line));
+    expect(good).toMatchObject({ diagnosis: null });
+    expect(bad).toMatchObject({ diagnosis: { event: { kind: "bump" }, fixes: expect.any(Array) } });
+    expect(corridor("grade", ...words, "--csv").code).toBe(2);
+  });
+
   it("prints a line a pair in the order of the files, then a summary", () => {
     const { code, out } = corridor("grade", "--program", rightWall, wrong, "--maze", maze);
     const lines = out

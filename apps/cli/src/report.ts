@@ -1,4 +1,5 @@
 /** A run's result as a line of JSON or of CSV. Lengths are rounded to what a reader can use. */
+import type { Diagnosis } from "@corridor/coach";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
 import type { RunResult } from "./run-result.ts";
 
@@ -7,10 +8,15 @@ export interface GradedRun {
   program: string;
   maze: string;
   result: RunResult;
+  diagnosis: Diagnosis | null;
 }
 
-/** One line of JSON; `names` come first. */
-export function jsonLine(result: RunResult, names: Record<string, string> = {}): string {
+/** One line of JSON; `names` come first, `more` last. */
+export function jsonLine(
+  result: RunResult,
+  names: Record<string, string> = {},
+  more: { diagnosis?: Diagnosis | null } = {},
+): string {
   const { ticks, bumps, visitedCells, openCells, distance, goalTick, pose } = result;
   const head = JSON.stringify({
     ...names,
@@ -26,7 +32,8 @@ export function jsonLine(result: RunResult, names: Record<string, string> = {}):
   // By hand: an object would put the keys "0", "1" before "default".
   const { decisions } = result;
   const rules = decisions.rules.map((count, rule) => `,"${rule}":${count}`).join("");
-  return `${head.slice(0, -1)},"lines":{"default":${decisions.default}${rules}}}`;
+  const tail = more.diagnosis === undefined ? "" : `,"diagnosis":${JSON.stringify(more.diagnosis)}`;
+  return `${head.slice(0, -1)},"lines":{"default":${decisions.default}${rules}}${tail}}`;
 }
 
 /** The last line of a grading. */

@@ -1,6 +1,6 @@
 /** Ids and bearer keys: random bits, 128 for robots and keys. Keys are stored only as their SHA-256. */
 import { createHash, randomBytes, randomInt, timingSafeEqual } from "node:crypto";
-import { PAIRING_LENGTH, PAIRING_LETTERS } from "@corridor/protocol";
+import { PAIRING_LENGTH, PAIRING_LETTERS, SHORT_CODE_LENGTHS } from "@corridor/protocol";
 import type { KeyKind, StoredKey } from "./store/session-store.ts";
 
 /** delete: take back what a short link leads to. line: go on with a line by HTTPS. */
@@ -21,14 +21,29 @@ export function mintId(): string {
   return randomText();
 }
 
-/** A new id of a short link: 72 bits as 12 characters, short enough to be written on a board. */
-export function mintLinkId(): string {
-  return randomBytes(9).toString("base64url");
+/** Codes of one length that are tried before a longer one. */
+const CODES_PER_LENGTH = 3;
+
+/**
+ * New ids of a short link, in the order in which they are to be tried: random codes, shortest first. The last one,
+ * of 72 bits as 12 characters, is free even where no code is.
+ */
+export function mintLinkIds(): string[] {
+  const codes = SHORT_CODE_LENGTHS.flatMap((length) =>
+    Array.from({ length: CODES_PER_LENGTH }, () => letters(length)),
+  );
+  return [...codes, randomBytes(9).toString("base64url")];
 }
 
 /** A name for a series of events: 32 bits as 8 characters, so that two are taken for one by no accident. */
 export function mintStream(): string {
   return randomBytes(4).toString("hex");
+}
+
+/** Random consonants that are not mistaken for each other or for digits. */
+function letters(count: number): string {
+  const letter = (): string => PAIRING_LETTERS.charAt(randomInt(PAIRING_LETTERS.length));
+  return Array.from({ length: count }, letter).join("");
 }
 
 /** A new key, with a prefix that names its kind. */
@@ -38,8 +53,7 @@ export function mintKey(kind: keyof typeof PREFIX): string {
 
 /** A new pairing code: one of 20 to the power of 8, 25,600,000,000. */
 export function mintCode(): string {
-  const letter = (): string => PAIRING_LETTERS.charAt(randomInt(PAIRING_LETTERS.length));
-  return Array.from({ length: PAIRING_LENGTH }, letter).join("");
+  return letters(PAIRING_LENGTH);
 }
 
 /** What is stored of a key. */

@@ -25,8 +25,8 @@ export function firstWords(tag: string) {
   const { controls, run, pause, step, max } = read(tag, "shell").run;
   const { invitation, begin } = read(tag, "lessons");
   const maze = read(tag, "presets")["long-way-round"].title;
-  const program = read(tag, "program").preset["right-wall"].name;
-  return { controls, run, pause, step, max, invitation, begin, maze, program };
+  const { writeOwn: own, example: program } = read(tag, "program");
+  return { controls, run, own, pause, step, max, invitation, begin, maze, program };
 }
 
 function told(html: string, attribute: string, value: string): string {

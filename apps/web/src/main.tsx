@@ -1,5 +1,6 @@
 /** Entry of the page: builds the services, mounts React. */
 import type { i18n } from "i18next";
+import { startTransition } from "react";
 import { createRoot } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
 import { App } from "./app/App.tsx";
@@ -9,7 +10,7 @@ import type { LanguageChoice } from "./app/language.ts";
 import { LanguageProvider } from "./app/language-context.ts";
 import { guardLeaving } from "./app/guard-leaving.ts";
 import { keepSwitches } from "./app/kept-switches.ts";
-import { createServices, ServicesProvider } from "./app/services.ts";
+import { createServices, ServicesProvider, type Services } from "./app/services.ts";
 import { whenSettled } from "./app/settled.ts";
 import { heardBefore, onSimulatorFailure, startSimulator } from "./app/simulator-start.ts";
 import { takeOver } from "./app/take-over.ts";
@@ -120,17 +121,17 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   window.addEventListener("hashchange", () => void followOrTell());
 
   screen.setState({ isOpening: isAsked() });
-  await takeOver(house, () =>
-    root.render(
-      <I18nextProvider i18n={words}>
-        <ServicesProvider value={services}>
-          <LanguageProvider value={language}>
-            <App />
-          </LanguageProvider>
-        </ServicesProvider>
-      </I18nextProvider>,
-    ),
+  const page = (
+    <I18nextProvider i18n={words}>
+      <ServicesProvider value={services}>
+        <LanguageProvider value={language}>
+          <App />
+        </LanguageProvider>
+      </ServicesProvider>
+    </I18nextProvider>
   );
+  // In pieces of 5 ms, between which the house of index.html answers.
+  await takeOver(house, () => startTransition(() => root.render(page)));
 
   // The page stands before what its address asks for: a link may take long, or never come to an end.
   void followOrTell().finally(() => {
@@ -143,6 +144,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
 
   await whenSettled(services.run);
   await Promise.allSettled([reader.load(), preloadParts()]);
+  if (device.getItem("corridor.sound") !== null) void resumeSound(services);
   if (!import.meta.env.PROD) return;
   try {
     const { offerUpdates } = await import("./features/offline/offer-update.ts");
@@ -150,6 +152,12 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   } catch {
     // Private windows and full storages refuse a service worker: the page needs a network, as before.
   }
+}
+
+/** Sounds that were on when the page was left. A file that does not come leaves the page silent. */
+async function resumeSound({ run }: Services): Promise<void> {
+  const sounds = await import("./features/sound/sounds.ts").catch(() => null);
+  sounds?.soundsOf(run).resume();
 }
 
 function requireHouse(): HTMLElement {

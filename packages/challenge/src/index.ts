@@ -1,4 +1,4 @@
-export { startingProgram } from "./allowed-program.ts";
+export { brokenRight, startingProgram } from "./allowed-program.ts";
 export {
   AttemptJudge,
   termsOf,
@@ -28,5 +28,6 @@ export {
   type EditKind,
 } from "./challenge-limits.ts";
 export { checkChallenge, type Attempt } from "./check-challenge.ts";
+export { GoalWatch } from "./goal-watch.ts";
 export { rightsOf, type Rights } from "./rights.ts";
 export type { Decision, Failure, FailureCode, MazeOutcome, Verdict } from "./verdict.ts";

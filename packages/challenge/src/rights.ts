@@ -1,7 +1,13 @@
 /**
  * What the editor may offer while a challenge is open. Without a challenge, everything.
  */
-import { conditionKinds, MAX_RULES, menuActions, type ConditionKind } from "@corridor/program";
+import {
+  conditionKinds,
+  MAX_RULES,
+  menuActions,
+  paperActions,
+  type ConditionKind,
+} from "@corridor/program";
 import type { DriverName, PlainAction } from "@corridor/protocol";
 import type { ChallengeDocument } from "./challenge-document.ts";
 import { conditionNameOf, type EditKind } from "./challenge-limits.ts";
@@ -12,7 +18,7 @@ export interface Rights {
   maxLines: number;
   /** entries of `conditionKinds`, in the menu's order */
   conditions: readonly ConditionKind[];
-  /** entries of the menu, in its order, and "stop" where it is allowed by name */
+  /** entries of the menu, in its order; "stop" only where it is allowed by name */
   actions: readonly PlainAction[];
   edits: ReadonlySet<EditKind>;
   maze: boolean;
@@ -29,9 +35,7 @@ export function rightsOf({ allowed }: Pick<ChallengeDocument, "allowed">): Right
         ? conditionKinds
         : conditionKinds.filter((kind) => conditions.includes(conditionNameOf(kind))),
     actions:
-      actions === null
-        ? menuActions
-        : [...menuActions, "stop" as const].filter((action) => actions.includes(action)),
+      actions === null ? paperActions : menuActions.filter((action) => actions.includes(action)),
     edits: new Set(allowed.edits),
     maze: allowed.maze,
   };

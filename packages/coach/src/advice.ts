@@ -13,7 +13,7 @@ export type Side = "left" | "right";
  * `to` is the index that the moved line has afterwards.
  */
 export type Mend =
-  | { kind: "action"; line: number; action: PlainAction }
+  | { kind: "action"; line: LineRef; action: PlainAction }
   | { kind: "number"; line: number; number: number }
   | { kind: "condition"; line: number; when: Condition }
   | { kind: "move"; line: number; to: number }

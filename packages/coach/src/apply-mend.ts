@@ -3,6 +3,7 @@ import {
   moveRule,
   removeRule,
   setAction,
+  setDefault,
   setNumber,
   type ProgramDocument,
   type ProgramEdit,
@@ -16,7 +17,9 @@ import type { Mend } from "./advice.ts";
 export function applyMend(program: ProgramDocument, mend: Mend): ProgramDocument {
   switch (mend.kind) {
     case "action":
-      return accepted(setAction(program, mend.line, mend.action));
+      return mend.line === "default"
+        ? setDefault(program, mend.action)
+        : accepted(setAction(program, mend.line, mend.action));
     case "number":
       return accepted(setNumber(program, mend.line, mend.number));
     case "condition":

@@ -9,8 +9,19 @@ export type {
   NeverTrueHere,
   Side,
 } from "./advice.ts";
-export type { Blame } from "./blame.ts";
-export { mendOfEarlierTurn, mendsForBump, type BumpScene } from "./bump-mends.ts";
-export { storyOfBump, type BumpFacts, type BumpStory } from "./bump-story.ts";
 export { LoopWatch, type LoopNotice } from "./loop-watch.ts";
-export { findBlame, type FailedAttempt } from "./find-blame.ts";
+export {
+  bumpEvent,
+  diagnoseProgram,
+  diagnoseStretch,
+  freePlayTask,
+  type DiagnosisTask,
+} from "./diagnosis/diagnose.ts";
+export {
+  causeLine,
+  type BumpEvent,
+  type Cause,
+  type Diagnosis,
+  type FailureEvent,
+} from "./diagnosis/diagnosis.ts";
+export type { SolvedCheck } from "./diagnosis/run-trace.ts";

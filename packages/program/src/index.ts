@@ -1,4 +1,5 @@
 export { conditionOf, kindOf, numberOf, numberRange } from "./condition-parts.ts";
+export { emptyProgram } from "./empty-program.ts";
 export { truthOf, type Truth } from "./explain.ts";
 export { programPresets, type ProgramPreset, type ProgramPresetId } from "./presets.ts";
 export { CompiledProgram } from "./compiled-program.ts";
@@ -31,6 +32,7 @@ export {
   MAX_RULES,
   MAX_THAN,
   menuActions,
+  paperActions,
   type Comparator,
   type ConditionKind,
 } from "./vocabulary.ts";

@@ -1,6 +1,6 @@
 /**
  * The one table of the menus: what a line may ask and what it may do.
- * Conditions: Figure 15 of the 2013 thesis; actions: Figure 16; defaults: Figure 14.
+ * Conditions: Figure 15 of the 2013 thesis; actions: Figure 16 and `stop`; defaults: Figure 14.
  */
 import type { PlainAction, SensorName } from "@corridor/protocol";
 
@@ -25,8 +25,8 @@ export const conditionKinds: readonly ConditionKind[] = [
   { sensor: "left", is: ">", than: "right" },
 ];
 
-/** The actions of the menu in the order of Figure 16. */
-export const menuActions: readonly PlainAction[] = [
+/** The actions of the paper in the order of Figure 16: what a challenge offers that names no others. */
+export const paperActions: readonly PlainAction[] = [
   "forward",
   "reverse",
   "delayed left 90",
@@ -35,6 +35,9 @@ export const menuActions: readonly PlainAction[] = [
   "right 90",
   "turn 180",
 ];
+
+/** The actions of the menu: those of the paper, and `stop`. */
+export const menuActions: readonly PlainAction[] = [...paperActions, "stop"];
 
 /** The number that a new line starts with. */
 export const DEFAULT_NUMBER = 50;

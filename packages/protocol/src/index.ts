@@ -100,6 +100,8 @@ export {
   shortLinkIdSchema,
   shortLinkSchema,
   type ShortLink,
+  readShortCode,
+  SHORT_CODE_LENGTHS,
 } from "./short-link.ts";
 export { snapshotSchema, type LineRef, type RobotReport, type Snapshot } from "./snapshot.ts";
 export {

@@ -1,16 +1,31 @@
 /** What the service answers when it has stored a document under a short link. */
 import { z } from "zod";
+import { PAIRING_LETTERS } from "./pairing.ts";
 import { keySchema } from "./registration.ts";
 
 /** Largest body that stores a maze, program or challenge, in bytes. */
 export const MAX_DOCUMENT_BYTES = 64 * 1024;
 
-const idError = "the 12 characters of a short link's id";
+/** Lengths of the codes that the service gives, shortest first: the shortest free one is used. */
+export const SHORT_CODE_LENGTHS = [4, 5, 6] as const;
 
-/** 72 random bits as 12 characters of base64url. */
-export const shortLinkIdSchema = z.string({ error: idError }).regex(/^[A-Za-z0-9_-]{12}$/, {
-  error: idError,
-});
+const idError = "the 4 to 6 letters of a short link, or the 12 characters of an older one";
+const [least, , most] = SHORT_CODE_LENGTHS;
+const code = `[${PAIRING_LETTERS}${PAIRING_LETTERS.toLowerCase()}]{${least},${most}}`;
+const shortCode = new RegExp(`^${code}$`);
+
+/**
+ * The id of a short link: a code of 4 to 6 consonants in capital or small letters, or, of links from before there
+ * were codes, 72 random bits as 12 characters of base64url.
+ */
+export const shortLinkIdSchema = z
+  .string({ error: idError })
+  .regex(new RegExp(`^(?:${code}|[A-Za-z0-9_-]{12})$`), { error: idError });
+
+/** @returns the code in capital letters; null for an older id, which cannot be guessed, and for anything else */
+export function readShortCode(id: string): string | null {
+  return shortCode.test(id) ? id.toUpperCase() : null;
+}
 
 export const shortLinkSchema = z.strictObject({
   id: shortLinkIdSchema,

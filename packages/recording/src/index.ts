@@ -1,4 +1,3 @@
-export type { BumpCause } from "./approach.ts";
 export { openRun, Replay } from "./open-run.ts";
 export type { PlaceLog } from "./place-log.ts";
 export type { Playback } from "./playback.ts";

@@ -62,6 +62,11 @@ export class Recording {
     return this.#inputs.revision;
   }
 
+  /** Tick of the newest input up to the end of a tick; 0 where none came since the start. */
+  newestInputUpTo(tick: number): number {
+    return this.#inputs.at(this.#inputs.indexAt(tick + 1) - 1)?.tick ?? 0;
+  }
+
   /** Bytes held, roughly. */
   get byteLength(): number {
     const { timeline, corners, bumps } = this;

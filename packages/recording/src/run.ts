@@ -10,15 +10,17 @@ import type { MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { Command, DriverName, LineRef, Pose, RobotReport } from "@corridor/protocol";
 import {
+  Approach,
   ProgramRun,
   Simulation,
   SnapshotDigest,
+  type ApproachState,
+  type BumpCause,
   type MotionEnding,
   type Progress,
   type ProgramRunState,
   type SimulationState,
 } from "@corridor/simulation";
-import { Approach, type ApproachState, type BumpCause } from "./approach.ts";
 import type { RunInput } from "./run-input.ts";
 import type { Who } from "./timeline.ts";
 

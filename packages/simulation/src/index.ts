@@ -1,3 +1,5 @@
+export { Approach, type ApproachState, type BumpCause } from "./approach.ts";
+export { contactOf, type Contact } from "./contact.ts";
 export { FixedTimestep } from "./fixed-timestep.ts";
 export type { Progress } from "./motion/progress.ts";
 export type { MotionEnding } from "./motion/motion-controller.ts";

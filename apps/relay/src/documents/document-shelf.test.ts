@@ -17,12 +17,12 @@ it("forgets a document 180 days after its last use, and no other", async () => {
   const { id: used } = await shelf.add(maze, "here", "http://host");
   const { id: unused } = await shelf.add(program, "here", "http://host");
   await clock.pass(170 * DAY_MS);
-  expect(JSON.parse(await shelf.read(used))).toEqual(maze);
+  expect(JSON.parse(await shelf.read(used, "there"))).toEqual(maze);
   await clock.pass(11 * DAY_MS);
-  await expect(shelf.read(unused)).rejects.toMatchObject({ kind: "no-document" });
-  expect(JSON.parse(await shelf.read(used))).toEqual(maze);
+  await expect(shelf.read(unused, "there")).rejects.toMatchObject({ kind: "no-document" });
+  expect(JSON.parse(await shelf.read(used, "there"))).toEqual(maze);
   await clock.pass(179 * DAY_MS);
-  expect(JSON.parse(await shelf.read(used))).toEqual(maze);
+  expect(JSON.parse(await shelf.read(used, "there"))).toEqual(maze);
   await clock.pass(181 * DAY_MS);
-  await expect(shelf.read(used)).rejects.toMatchObject({ kind: "no-document" });
+  await expect(shelf.read(used, "there")).rejects.toMatchObject({ kind: "no-document" });
 });

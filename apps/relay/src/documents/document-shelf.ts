@@ -2,10 +2,11 @@
  * The documents behind short links: stored for whoever asks, shown to whoever has the link, deleted
  * by whoever has the key, forgotten when nobody has used them for long.
  */
-import type { ShortLink } from "@corridor/protocol";
+import { readShortCode, type ShortLink } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../clock.ts";
-import { hashKey, mintKey, mintLinkId } from "../keys.ts";
+import { hashKey, mintKey, mintLinkIds } from "../keys.ts";
+import { GuessGuard } from "../pairing/guess-guard.ts";
 import { notAuthorised, Refusal, retryAfter } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import { TokenBucket } from "../sessions/token-bucket.ts";
@@ -18,6 +19,8 @@ export class DocumentShelf {
   readonly #store: DocumentStore;
   readonly #clock: Clock;
   readonly #log: Logger;
+  /** of short codes; the older ids are too long to be guessed */
+  readonly #guesses = new GuessGuard("short links", false);
   /** by address; kept in memory only */
   readonly #stored = new Map<string, TokenBucket>();
   #cancelTimer: () => void;
@@ -41,7 +44,7 @@ export class DocumentShelf {
     const text = JSON.stringify(document);
     const deleteKey = mintKey("delete");
     const id = await this.#store.add({
-      id: mintLinkId(),
+      ids: mintLinkIds(),
       hash: hashKey(text),
       text,
       keyHash: hashKey(deleteKey),
@@ -50,17 +53,23 @@ export class DocumentShelf {
     return { id, address: `${origin}/m/${id}`, deleteKey };
   }
 
-  /** The document as JSON text. @throws Refusal no-document */
-  async read(id: string): Promise<string> {
-    const text = await this.#store.read(id, this.#clock.now(), limits.documentNoteMs);
-    if (text === null) throw noDocument();
-    return text;
+  /**
+   * The document as JSON text.
+   * @param id a code in capital or small letters, or an older id
+   * @param from address of who asks, for the limit of guesses only
+   * @throws Refusal no-document, or too-fast after too many wrong codes
+   */
+  async read(id: string, from: string): Promise<string> {
+    const now = this.#clock.now();
+    return this.#tried(id, from, (known) => this.#store.read(known, now, limits.documentNoteMs));
   }
 
   /** Takes back what was stored with this key. @throws Refusal no-document or not-authorised */
-  async remove(id: string, key: string | null): Promise<void> {
-    const result = await this.#store.remove(id, hashKey(key ?? ""));
-    if (result === "no-document") throw noDocument();
+  async remove(id: string, key: string | null, from: string): Promise<void> {
+    const result = await this.#tried(id, from, async (known) => {
+      const removed = await this.#store.remove(known, hashKey(key ?? ""));
+      return removed === "no-document" ? null : removed;
+    });
     if (result === "wrong-key") {
       throw notAuthorised(
         "Send the deleteKey that came with the short link, as: Authorization: Bearer KEY",
@@ -71,6 +80,23 @@ export class DocumentShelf {
   async close(): Promise<void> {
     this.#cancelTimer();
     await this.#store.close();
+  }
+
+  /** @param look gives null where there is no document: of a short code, that is a wrong guess */
+  async #tried<T>(id: string, from: string, look: (id: string) => Promise<T | null>): Promise<T> {
+    const code = readShortCode(id);
+    const right = code === null ? null : this.#guesses.begin(from, this.#clock.now());
+    let found: T | null;
+    try {
+      found = await look(code ?? id);
+    } catch (error) {
+      // A store that does not answer is nobody's wrong guess.
+      right?.();
+      throw error;
+    }
+    if (found === null) throw noDocument();
+    right?.();
+    return found;
   }
 
   #take(from: string, now: number): void {
@@ -90,6 +116,7 @@ export class DocumentShelf {
     for (const [from, bucket] of this.#stored) {
       if (bucket.isFull(now)) this.#stored.delete(from);
     }
+    this.#guesses.forget(now);
     try {
       const count = await this.#store.removeUnused(now - limits.documentIdleMs);
       if (count > 0) this.#log.info({ count }, "forgot documents that nobody used");

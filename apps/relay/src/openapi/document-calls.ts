@@ -13,6 +13,7 @@ export const documentCalls: ZodOpenApiPathsObject = {
       operationId: "storeDocument",
       summary: "Make a short link for a maze, program or challenge",
       description:
+        "The shortest free code of 4 to 6 letters. " +
         "The same document gets the same link, and each time a key of its own that deletes it. It is " +
         "kept until nobody has used it for 180 days.",
       security: [],
@@ -31,7 +32,7 @@ export const documentCalls: ZodOpenApiPathsObject = {
       security: [],
       responses: {
         200: answer("The document.", documentSchema),
-        ...refusals("bad-request", "no-document"),
+        ...refusals("bad-request", "no-document", "too-fast"),
       },
     },
     delete: {
@@ -41,7 +42,7 @@ export const documentCalls: ZodOpenApiPathsObject = {
       security: [{ deleteKey: [] }],
       responses: {
         204: { description: "What was stored with this key is deleted." },
-        ...refusals("bad-request", "not-authorised", "no-document", "storage-full"),
+        ...refusals("bad-request", "not-authorised", "no-document", "too-fast", "storage-full"),
       },
     },
   },

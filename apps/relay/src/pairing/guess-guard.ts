@@ -1,11 +1,23 @@
-/** Keeps pairing codes from being guessed: limits for one address and for everybody, in memory only. */
+/** Keeps codes from being guessed: limits for one address and, where asked for, for everybody; in memory only. */
 import { Refusal, retryAfter } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import { TryLimit } from "./try-limit.ts";
 
 export class GuessGuard {
   readonly #byAddress = new Map<string, TryLimit>();
-  readonly #all = new TryLimit({ wrong: limits.wrongCodes, delay: limits.wrongCodeDelayForAll });
+  readonly #all: TryLimit | null;
+  readonly #codes: string;
+
+  /**
+   * @param codes what is guessed, in words for the client, such as "pairing codes"
+   * @param isForAll whether wrong tries of everybody count together as well
+   */
+  constructor(codes: string, isForAll: boolean) {
+    this.#codes = codes;
+    this.#all = isForAll
+      ? new TryLimit({ wrong: limits.wrongCodes, delay: limits.wrongCodeDelayForAll })
+      : null;
+  }
 
   /**
    * Counts a try, before anything is looked up.
@@ -16,14 +28,14 @@ export class GuessGuard {
     const own = this.#byAddress.get(from) ?? ownLimit();
     const ownWaitMs = own.waitMs(now);
     if (ownWaitMs > 0) {
-      throw tooMany("Too many wrong pairing codes came from this network.", ownWaitMs);
+      throw tooMany(`Too many wrong ${this.#codes} came from this network.`, ownWaitMs);
     }
-    const waitMs = this.#all.waitMs(now);
-    if (waitMs > 0) throw tooMany("Too many wrong pairing codes came to this service.", waitMs);
+    const waitMs = this.#all?.waitMs(now) ?? 0;
+    if (waitMs > 0) throw tooMany(`Too many wrong ${this.#codes} came to this service.`, waitMs);
     this.#byAddress.set(from, own);
-    const rights = [own.begin(now), this.#all.begin(now)];
+    const rights = [own.begin(now), this.#all?.begin(now)];
     return () => {
-      for (const right of rights) right();
+      for (const right of rights) right?.();
     };
   }
 

@@ -42,7 +42,7 @@ export interface Asking {
 
 export class PairingDesk {
   readonly #parts: PairingDeskParts;
-  readonly #guard = new GuessGuard();
+  readonly #guard = new GuessGuard("pairing codes", true);
   readonly #waits: Waits;
   #cancelTimer: () => void;
 

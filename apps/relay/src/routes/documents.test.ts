@@ -133,6 +133,38 @@ describe("a short link", () => {
   });
 });
 
+describe("a short code", () => {
+  it("has 4 letters, and is read in small ones too", async () => {
+    const relay = await startTestRelay();
+    const { id, address } = await store(relay, maze);
+    expect(id).toMatch(/^[BCDFGHJKLMNPQRSTVWXZ]{4}$/);
+    expect(address).toBe(`${relay.origin}/m/${id}`);
+    expect(await (await get(relay, id.toLowerCase())).json()).toEqual(maze);
+  });
+
+  it("cannot be guessed: who sends too many wrong ones has to wait", async () => {
+    const clock = new FakeClock();
+    const relay = await startTestRelay({ clock });
+    const { id } = await store(relay, maze);
+    const wrong = id === "BBBB" ? "CCCC" : "BBBB";
+    for (let n = 0; n < 60; n++) expect((await get(relay, wrong)).status).toBe(404);
+    const refused = await get(relay, wrong);
+    expect(Number(refused.headers.get("retry-after"))).toBeGreaterThan(0);
+    expect(await problemOf(refused)).toMatchObject({ type: "/problems/too-fast", status: 429 });
+    // Not the right one either, or the answer would tell it.
+    expect((await get(relay, id)).status).toBe(429);
+    expect((await remove(relay, id, "del_AAAAAAAAAAAAAAAAAAAAAA")).status).toBe(429);
+    await clock.pass(20 * 60 * 1000);
+    expect((await get(relay, id)).status).toBe(200);
+  });
+
+  it("is read any number of times", async () => {
+    const relay = await startTestRelay();
+    const { id } = await store(relay, maze);
+    for (let n = 0; n < 150; n++) expect((await get(relay, id)).status).toBe(200);
+  });
+});
+
 describe("a wrong document", () => {
   it.each(badDocuments)("is refused with its field: $name", async ({ body, path }) => {
     const relay = await startTestRelay();

@@ -28,10 +28,11 @@ export function documentRoutes(shelf: DocumentShelf, entrance: Entrance): Router
   router
     .route("/mazes/:id")
     .get(async (request, response) => {
-      response.type("json").send(await shelf.read(request.params.id));
+      const text = await shelf.read(request.params.id, entrance.addressOf(request));
+      response.type("json").send(text);
     })
     .delete(async (request, response) => {
-      await shelf.remove(request.params.id, readBearer(request));
+      await shelf.remove(request.params.id, readBearer(request), entrance.addressOf(request));
       response.status(204).end();
     })
     .all(methodNotAllowed("GET, DELETE"));

@@ -7,8 +7,8 @@
  * Each method is one atomic step. Every implementation passes `testing/document-store.cases.ts`.
  */
 export interface NewDocument {
-  /** the id that it gets if it is not stored yet */
-  id: string;
+  /** ids that it may get if it is not stored yet, at least one: it gets the first that is free */
+  ids: readonly string[];
   /** SHA-256 of the text: by it the same text is found again */
   hash: string;
   text: string;
@@ -20,7 +20,11 @@ export interface NewDocument {
 export type RemoveResult = "removed" | "no-document" | "wrong-key";
 
 export interface DocumentStore {
-  /** Stores a text, or adds the key to what is stored already. @returns the id under which it is found */
+  /**
+   * Stores a text, or adds the key to what is stored already.
+   * @returns the id under which it is found
+   * @throws Error when none of the ids is free
+   */
   add(document: NewDocument): Promise<string>;
   /** Reads a text. A use is noted when the last note is older than `noteMs`. */
   read(id: string, now: number, noteMs: number): Promise<string | null>;

@@ -47,3 +47,22 @@ it("brings a file from before there were short links and deadlines to this schem
   expect(await sessions.find(id)).toMatchObject({ id });
   expect(await sessions.expire(id, 5_000)).toEqual({ ended: [], next: 15_000 });
 });
+
+it("opens a link from before there were short codes, and gives the same text a code now", async () => {
+  const path = join(testFolder(), "corridor.sqlite");
+  const before = 13;
+  const db = openDatabase(path, before);
+  db.exec(`
+    INSERT INTO documents (id, hash, text, last_used_at) VALUES ('abcdefghijkl', 'h', '{}', 1);
+    INSERT INTO document_keys (document, hash) VALUES ('abcdefghijkl', 'old');
+  `);
+  db.close();
+  const store = new SqliteDocumentStore(path);
+  onTestFinished(() => store.close());
+  expect(await store.read("abcdefghijkl", 1, 1)).toBe("{}");
+  const again = { ids: ["BCDF"], hash: "h", text: "{}", keyHash: "new", now: 2 };
+  expect(await store.add(again)).toBe("BCDF");
+  expect(await store.add({ ...again, keyHash: "newer", ids: ["GHJK"] })).toBe("BCDF");
+  expect(await store.remove("abcdefghijkl", "old")).toBe("removed");
+  expect(await store.read("BCDF", 2, 1)).toBe("{}");
+});

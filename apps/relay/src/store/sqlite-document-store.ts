@@ -12,16 +12,19 @@ export class SqliteDocumentStore implements DocumentStore {
     this.#file = typeof file === "string" ? new SqliteFile(file) : file;
   }
 
-  async add({ id, hash, text, keyHash, now }: NewDocument): Promise<string> {
+  async add({ ids, hash, text, keyHash, now }: NewDocument): Promise<string> {
     const { writing } = this.#file;
     return this.#file.growingStep(() => {
+      const known = found(writing, "SELECT id AS found FROM documents WHERE hash = ?", hash);
+      const isFree = (id: string): boolean =>
+        found(writing, "SELECT id AS found FROM documents WHERE id = ?", id) === null;
+      const stored = known ?? ids.find(isFree);
+      if (stored === undefined) throw new Error("none of the ids is free");
       writing.run(
         `INSERT INTO documents (id, hash, text, last_used_at) VALUES (?, ?, ?, ?)
          ON CONFLICT (hash) DO UPDATE SET last_used_at = max(last_used_at, excluded.last_used_at)`,
-        [id, hash, text, now],
+        [stored, hash, text, now],
       );
-      const stored = found(writing, "SELECT id AS found FROM documents WHERE hash = ?", hash);
-      if (stored === null) throw new Error("SQLite did not keep the document");
       writing.run("INSERT INTO document_keys (document, hash) VALUES (?, ?)", [stored, keyHash]);
       return stored;
     });

@@ -205,6 +205,11 @@ const PROMISES = `
   PRAGMA busy_timeout = 2000;
 `;
 
+// A document from before there were short codes keeps its id; stored again, the same text gets a code.
+const SHORT_CODES = `
+UPDATE documents SET hash = 'before:' || hash;
+`;
+
 /** What each version added to the one before it: the first leads from an empty file to version 1. */
 const STEPS: readonly string[] = [
   SESSIONS,
@@ -220,6 +225,7 @@ const STEPS: readonly string[] = [
   COMMANDS_BY_TIME,
   JOURNAL,
   COMMANDS_AS_ENTRIES,
+  SHORT_CODES,
 ];
 
 /**

@@ -46,8 +46,9 @@ export function App() {
 function Page() {
   const { t } = useTranslation();
   const isPhone = useMediaQuery("(max-width: 37.49em)");
-  const [opened, setOpened] = useState<"keys" | "remote" | "lessons" | null>(null);
-  const { camera, run } = useServices();
+  const [opened, setOpened] = useState<"keys" | "remote" | null>(null);
+  const { camera, run, challenge } = useServices();
+  const isPathOpen = useStore(challenge, (state) => state.isPathOpen);
   const isDriving = useStore(camera, (state) => state.isDriving);
   const isNow = useStore(run, ({ view }) => view === "now");
   const hold = useKeyboard(() => setOpened("keys"));
@@ -59,7 +60,7 @@ function Page() {
         isPhone={isPhone}
         onKeys={() => setOpened("keys")}
         onRemote={() => setOpened("remote")}
-        onLessons={() => setOpened("lessons")}
+        onLessons={() => challenge.setState({ isPathOpen: true })}
       />
       <main className={styles["stage"]}>
         <Later>
@@ -92,7 +93,10 @@ function Page() {
       )}
       <Later>
         <SpokenRun />
-        <LessonsDialog isOpen={opened === "lessons"} onClose={close} />
+        <LessonsDialog
+          isOpen={isPathOpen}
+          onClose={() => challenge.setState({ isPathOpen: false })}
+        />
         <ShortcutsDialog isOpen={opened === "keys"} onClose={close} />
         <Dialog isOpen={opened === "remote"} onClose={close} title={t("drive.remote")}>
           <div className={styles["remote"]}>

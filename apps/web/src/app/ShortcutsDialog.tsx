@@ -18,8 +18,10 @@ const rows = [
   ["shell.keys.maze", ["↑", "←", "↓", "→", "Space", "Enter"]],
   ["speech.keys.mazeFar", ["Home", "End", "Page Up", "Page Down", "Ctrl+Home", "Ctrl+End"]],
   ["speech.keys.tape", ["Esc"]],
+  ["runDetails:stageZoom.keys", ["+", "-", "0"]],
   ["shell.keys.line", ["Alt+↑", "Alt+↓", "Delete"]],
   ["shell.keys.timeline", ["←", "→", "Home", "End"]],
+  ["speech.keys.timelineTick", ["Shift+←", "Shift+→"]],
   ["speech.keys.timelineFar", ["Page Down", "Page Up"]],
   ["shell.keys.undo", ["Ctrl+Z"]],
   ["shell.keys.redo", ["Ctrl+Shift+Z"]],
@@ -29,7 +31,7 @@ const rows = [
 ] as const;
 
 export function ShortcutsDialog({ isOpen, onClose }: { isOpen: boolean; onClose: () => void }) {
-  const { t } = useTranslation();
+  const { t } = useTranslation(["words", "runDetails"], { useSuspense: false });
   const { screen } = useServices();
   const singleKeys = useStore(screen, (state) => state.singleKeys);
   const speakRun = useStore(screen, (state) => state.speakRun);

@@ -3,5 +3,5 @@ import type { i18n } from "i18next";
 import { firstWork as work, type FirstWork } from "../worker/first-work.ts";
 
 export function firstWork(words: Pick<i18n, "t">): FirstWork {
-  return work(words.t("presets.long-way-round.title"), words.t("program.preset.right-wall.name"));
+  return work(words.t("presets.long-way-round.title"), words.t("program.example"));
 }

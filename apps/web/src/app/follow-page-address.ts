@@ -1,10 +1,13 @@
 /** Follows the browser's own address: `url-sync.ts` on the real page. Comes only where the address asks for something. */
 import type { i18n } from "i18next";
+import { missionHash } from "../features/lessons/mission-address.ts";
+import { programForMaze } from "../features/program/own-program.ts";
 import { openEmptyMaze } from "../features/works/empty-maze.ts";
+import { dismiss, tell } from "../stores/screen-store.ts";
 import type { Services } from "./services.ts";
 import { followAddress } from "./url-sync.ts";
 
-export async function followPageAddress(services: Services, words: i18n): Promise<void> {
+export async function followPageAddress(services: Services, words: Pick<i18n, "t">): Promise<void> {
   await followAddress({
     ...services,
     words,
@@ -14,6 +17,7 @@ export async function followPageAddress(services: Services, words: i18n): Promis
       return readShortLink(id, (url) => fetch(url));
     },
     maze: () => services.workspace.getState().maze,
+    programForMaze: () => programForMaze(services.workspace.getState().program, words),
     location,
     replaceAddress: (address) => history.replaceState(history.state, "", address),
     openEmptyMaze: () => openEmptyMaze(services, words),
@@ -22,5 +26,23 @@ export async function followPageAddress(services: Services, words: i18n): Promis
       return openRun(services, words, run);
     },
     openChallenge: (challenge, program) => services.lessons.openShared(challenge, program),
+    openMission: async (id) => (await services.lessons.load()).follow(id),
+    refuseMission: () => {
+      const { mission } = services.challenge.getState();
+      const { pathname, search } = location;
+      const hash = mission === null ? "" : missionHash(mission);
+      history.replaceState(null, "", pathname + search + hash);
+      const message = tell(services.screen, {
+        tone: "bad",
+        text: words.t("missions:path.unknown"),
+        action: {
+          label: words.t("missions:path.all"),
+          run: () => {
+            dismiss(services.screen, message);
+            services.challenge.setState({ isPathOpen: true });
+          },
+        },
+      });
+    },
   });
 }

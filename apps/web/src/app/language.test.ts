@@ -48,7 +48,7 @@ describe("the language at the start", () => {
     const page = openPage({ search: "?lang=tlh&x=1", preferred: ["en"] });
     await page.choice.start();
     expect(page.messages()).toEqual([
-      "The address asks for the language “tlh”, which Corridor does not speak.",
+      "The link asks for the language “tlh”, but Corridor does not have it.",
     ]);
     expect(page.location).toMatchObject({ search: "?x=1", hash: "#1maze" });
   });

@@ -3,15 +3,18 @@ import { createScreenStore } from "../stores/screen-store.ts";
 import { en } from "../text/en/index.ts";
 import { createI18n } from "../text/i18n.ts";
 import type { WorkerPort } from "../worker/simulator-client.ts";
+import { snapshotOf } from "@corridor/protocol/testing";
+import { frameOf } from "../worker/testing/frame-of.ts";
 import { momentAt } from "../worker/testing/moment-at.ts";
-import type { FromWorker } from "../worker/worker-messages.ts";
+import type { FromWorker, ToWorker } from "../worker/worker-messages.ts";
 import { createServices } from "./services.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 import { WorkReader } from "./work-reader.ts";
 
 /** The page's services, and the worker's end of them. */
 function openPage() {
-  const worker: WorkerPort = { postMessage: () => undefined, onmessage: null };
+  const sent: ToWorker[] = [];
+  const worker: WorkerPort = { postMessage: (message) => sent.push(message), onmessage: null };
   const services = createServices({
     worker,
     device: new MemoryStorage(),
@@ -22,8 +25,21 @@ function openPage() {
     nextFrame: (work) => work(),
   });
   const hear = (data: FromWorker) => worker.onmessage?.({ data } as MessageEvent<FromWorker>);
-  return { ...services, hear };
+  return { ...services, hear, sent };
 }
+
+it("displays the numbers of one tick everywhere: the stage writes those that the page has written", () => {
+  const { hear, run, sent } = openPage();
+  const snapshot = snapshotOf({ tick: 77, state: "running", line: 0 });
+  let written = -1;
+  run.subscribe((state) => {
+    written = state.snapshot?.tick ?? -1;
+    expect(sent.some(({ type }) => type === "stage-numbers")).toBe(false);
+  });
+  hear({ type: "frame", frame: frameOf({ snapshot }), timeline: null });
+  expect(written).toBe(77);
+  expect(sent).toContainEqual({ type: "stage-numbers", snapshot });
+});
 
 describe("a run that went on from an earlier moment", () => {
   it("leaves nothing on the page that came after it", () => {

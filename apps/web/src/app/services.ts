@@ -14,6 +14,7 @@ import { createCardStore, explain, forgetAfter, type CardStore } from "../stores
 import { createChallengeStore, type ChallengeStore } from "../stores/challenge-store.ts";
 import { createMomentTeller } from "../stores/moment-teller.ts";
 import { LateRun } from "../stores/late-run.ts";
+import { createRaceStore, type RaceStore } from "../stores/race-store.ts";
 import { createRemoteStore, type RemoteStore } from "../stores/remote-store.ts";
 import { createRunStore, type RunStore } from "../stores/run-store.ts";
 import { tell, type ScreenStore } from "../stores/screen-store.ts";
@@ -42,7 +43,7 @@ export interface Browser {
   /** sessionStorage: what stays in this tab */
   tab: KeyValueStorage;
   /** already in the reader's language */
-  words: Pick<i18n, "t" | "loadNamespaces">;
+  words: Pick<i18n, "t" | "language" | "loadNamespaces">;
   screen: ScreenStore;
   /** reads stored works; loaded already where something is stored */
   reader: WorkReader;
@@ -52,13 +53,13 @@ export interface Services {
   simulator: SimulatorClient;
   workspace: WorkspaceStore;
   run: RunStore;
-  /** the run for numbers, and for what comes after them: see late-run.ts */
-  numbersRun: RunStore;
+  /** the run for what is not urgent and has no numbers: see late-run.ts */
   lateRun: RunStore;
   /** what there is to explain of the run */
   cards: CardStore;
   timeline: TimelineStore;
   remote: RemoteStore;
+  race: RaceStore;
   screen: ScreenStore;
   /** the run as the screen shows it, with its trail */
   shownRun: ShownRun;
@@ -95,6 +96,7 @@ export function createServices(browser: Browser): Services {
   const run = createRunStore();
   const late = new LateRun(run, nextFrame);
   const cards = createCardStore();
+  const challenge = createChallengeStore();
   const camera = createCameraStore();
   const remote = createRemoteStore();
   const shownRun = new ShownRun();
@@ -110,6 +112,7 @@ export function createServices(browser: Browser): Services {
         const { snapshot, progress, view, nowTick, nowDriver } = message.frame;
         shownRun.add(message.frame);
         run.setState({ snapshot, progress, view, nowTick, nowDriver });
+        simulator.send({ type: "stage-numbers", snapshot });
         const news = message.timeline;
         if (news !== null) late.after(() => timeline.take(news));
         return;
@@ -122,9 +125,12 @@ export function createServices(browser: Browser): Services {
         moments.tell(message.moment);
         explain(cards, message.moment, workspace.getState().program);
         return;
-      case "notice":
-        void import("../features/cards/tell-notice.ts").then(
-          ({ tellNotice }) => tellNotice({ screen, workspace, run, words }, message.notice),
+      case "diagnosed":
+        // In a challenge its own card says it.
+        if (challenge.getState().challenge !== null) return;
+        void import("../features/cards/tell-diagnosis.ts").then(
+          ({ tellDiagnosis }) =>
+            tellDiagnosis({ screen, workspace, run, words }, message.diagnosis),
           () => undefined,
         );
         return;
@@ -143,6 +149,7 @@ export function createServices(browser: Browser): Services {
       case "stage-scroll-to":
       case "run-saved":
       case "run-loading":
+      case "ghost-added":
       case "run-loaded":
         return;
     }
@@ -175,7 +182,6 @@ export function createServices(browser: Browser): Services {
     await settled;
     return import("../features/program/coach.ts");
   };
-  const challenge = createChallengeStore();
   const advice = createAdviceStore({
     workspace,
     load,
@@ -200,10 +206,10 @@ export function createServices(browser: Browser): Services {
     simulator,
     workspace,
     run,
-    numbersRun: late.numbers,
     lateRun: late.words,
     timeline,
     remote,
+    race: createRaceStore(),
     screen,
     shownRun,
     works,

@@ -22,6 +22,7 @@ export interface KeyPress {
 
 export type Shortcut =
   | { kind: "run-or-pause" | "step" | "undo" | "redo" | "help" | "describe" | "escape" }
+  | { kind: "zoom"; by: "in" | "out" | "fit" }
   | { kind: "drive"; key: DriveKey };
 
 const letters: Readonly<Record<string, DriveKey>> = {
@@ -37,6 +38,14 @@ const arrows: Readonly<Record<string, DriveKey>> = {
   ArrowRight: "right",
 };
 
+const zooms: Readonly<Record<string, "in" | "out" | "fit">> = {
+  "+": "in",
+  // The plus of many keyboards without Shift.
+  "=": "in",
+  "-": "out",
+  "0": "fit",
+};
+
 /**
  * @param singleKeys false when the user switched off the keys that work without Ctrl
  * @returns what it asks for, or null when the press belongs to the focused element or to nobody
@@ -47,6 +56,8 @@ export function shortcutOf(press: KeyPress, place: Place, singleKeys: boolean): 
   if (press.key === "Escape") return { kind: "escape" };
   if (!singleKeys || place === "text" || place === "choice") return null;
   if (press.key === "?") return { kind: "help" };
+  const by = zooms[press.key];
+  if (by !== undefined) return { kind: "zoom", by };
   if (press.shift) return null;
   if (letterOf(press) === "i") return { kind: "describe" };
   if (place === "grid") return null;

@@ -7,11 +7,17 @@
 export async function takeOver(house: HTMLElement, moveIn: () => void): Promise<void> {
   const isPressed = () => house.querySelector("button:active") !== null;
   while (isPressed()) await new Promise((later) => setTimeout(later, 20));
+  let focused: EventTarget | null = house.querySelector("button:focus");
+  const follow = ({ target }: FocusEvent): void => {
+    focused = target;
+  };
+  house.addEventListener("focusin", follow);
   const watch = new MutationObserver(() => {
     watch.disconnect();
-    if (hadFocus) house.querySelector<HTMLElement>("[data-does]")?.focus({ preventScroll: true });
+    house.removeEventListener("focusin", follow);
+    if (focused === null || document.activeElement !== document.body) return;
+    house.querySelector<HTMLElement>("[data-does]")?.focus({ preventScroll: true });
   });
   watch.observe(house, { childList: true });
-  const hadFocus = house.querySelector("button:focus") !== null;
   moveIn();
 }

@@ -1,12 +1,14 @@
 import type { ChallengeDocument } from "@corridor/challenge";
 import { decodeLink, encodeLink, type LinkContent } from "@corridor/link";
+import { emptyProgram } from "@corridor/program";
 import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it, vi } from "vitest";
 import { createScreenStore } from "../stores/screen-store.ts";
-import { createWorkspaceStore, setMaze } from "../stores/workspace-store.ts";
+import { createWorkspaceStore, setMaze, setProgram } from "../stores/workspace-store.ts";
 import { en } from "../text/en/index.ts";
 import { createI18n } from "../text/i18n.ts";
 import { CurrentWork } from "./current-work.ts";
+import { programForMaze } from "../features/program/own-program.ts";
 import { firstMaze, firstProgram } from "../worker/first-work.ts";
 import { readWork } from "./read-work.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
@@ -54,6 +56,8 @@ function openPage(
   /** what the address was replaced by before the run was there */
   const runAddresses: string[] = [];
   const challenges: [string, string | null][] = [];
+  const missions: string[] = [];
+  const refused: string[] = [];
   const go = (pathname: string, hash: string) =>
     followAddress({
       works,
@@ -68,6 +72,7 @@ function openPage(
       screen,
       words,
       maze: () => workspace.getState().maze,
+      programForMaze: () => programForMaze(workspace.getState().program, words),
       location: { pathname, search: "", hash },
       replaceAddress: (address) => addresses.push(address),
       openEmptyMaze: () => emptied.push("empty"),
@@ -80,6 +85,12 @@ function openPage(
         challenges.push([challenge.name, program?.name ?? null]);
         return Promise.resolve(challenge.name !== "Offline");
       },
+      openMission: (id) => {
+        missions.push(id);
+        if (id === "offline") return Promise.reject(new Error("offline"));
+        return Promise.resolve(id === "side-opening");
+      },
+      refuseMission: () => refused.push(hash),
     });
   const rename = (name: string) => {
     setMaze(workspace, { ...workspace.getState().maze, name });
@@ -103,6 +114,8 @@ function openPage(
     asked,
     shelved,
     challenges,
+    missions,
+    refused,
     go,
     rename,
     shown,
@@ -120,7 +133,7 @@ describe("opening a shared link", () => {
     expect(page.shown()).toBe("Shared");
     expect(page.workspace.getState().program.name).toBe("Shared rules");
     expect(page.names()).toEqual(["Mine", "Shared"]);
-    expect(page.message()?.text).toBe("You opened a shared maze. Your own work is kept.");
+    expect(page.message()?.text).toBe("You opened a shared maze. Your own work is saved.");
     page.message()?.action?.run();
     expect(page.shown()).toBe("Mine");
     expect(page.screen.getState().messages).toEqual([]);
@@ -141,7 +154,7 @@ describe("opening a shared link", () => {
     page.rename("Changed");
     await page.go("/", `#${fullLink}`);
     const message = page.message();
-    expect(message?.text).toBe("You opened a shared maze. Your own work is kept.");
+    expect(message?.text).toBe("You opened a shared maze. Your own work is saved.");
     message?.action?.run();
     expect(page.shown()).toBe("Changed");
   });
@@ -156,10 +169,21 @@ describe("opening a shared link", () => {
     expect(page.shown()).toBe("Unsaved");
   });
 
-  it("keeps the reader's program when the link has none", async () => {
+  it("opens with an empty program when the link has none and the reader has only the example", async () => {
     const page = openPage(new MemoryStorage());
     await page.go("/", `#${mazeLink}`);
-    expect(page.workspace.getState().program).toBe(firstProgram);
+    expect(page.workspace.getState().program).toEqual(emptyProgram());
+    // Opened once more it is the same work.
+    await page.go("/", `#${mazeLink}`);
+    expect(page.names()).toEqual(["Shared"]);
+  });
+
+  it("keeps the program that the reader has written when the link has none", async () => {
+    const page = openPage(new MemoryStorage());
+    const mine = { ...firstProgram, name: "Mine" };
+    setProgram(page.workspace, mine);
+    await page.go("/", `#${mazeLink}`);
+    expect(page.workspace.getState().program).toBe(mine);
   });
 
   it("takes the link out of the address, so that a reload keeps the reader's edits", async () => {
@@ -200,10 +224,14 @@ describe("opening a shared link", () => {
   });
 
   it.each([
-    { name: "cut off", link: fullLink.slice(0, -8), text: "This link is cut off." },
+    { name: "cut off", link: fullLink.slice(0, -8), text: "A part of this link is missing." },
     { name: "changed", link: `${fullLink.slice(0, -1)}~`, text: "This link was changed" },
-    { name: "of another version", link: `9${fullLink.slice(1)}`, text: "This is no link" },
-    { name: "too long", link: "1".repeat(9_000), text: "This link is longer" },
+    {
+      name: "of another version",
+      link: `9${fullLink.slice(1)}`,
+      text: "Corridor cannot open this link",
+    },
+    { name: "too long", link: "1".repeat(9_000), text: "This link is too long" },
   ])(
     "keeps what it had when the link is $name, and offers an empty maze",
     async ({ link, text }) => {
@@ -275,7 +303,7 @@ describe("opening the link of a run", () => {
     expect(page.message()?.text).toBe("You opened a shared challenge.");
     page.rename("Mine");
     await page.go("/", `#${linkOf({ challenge, program: sharedProgram })}`);
-    expect(page.message()?.text).toBe("You opened a shared challenge. Your own work is kept.");
+    expect(page.message()?.text).toBe("You opened a shared challenge. Your own work is saved.");
     expect(page.challenges).toEqual([
       ["Find the way", null],
       ["Find the way", "Shared rules"],
@@ -293,7 +321,7 @@ describe("opening the link of a run", () => {
     await page.go("/", `#${linkOf({ run: { ...run, ticks: 0 } })}`);
     expect(page.message()).toMatchObject({
       tone: "bad",
-      text: "This run cannot be repeated: found a, expected b. Ask for it again.",
+      text: "This run cannot be opened: found a, expected b. Ask for a new link.",
     });
   });
 });
@@ -328,7 +356,7 @@ describe("opening a short link", () => {
     page.rename("Mine");
     page.shelved.set("AAAAAAAAAAAA", { ok: false, sentence: "share.shortLink.gone" });
     await page.go(address, "");
-    expect(page.message()?.text).toContain("nobody opened it for 180 days");
+    expect(page.message()?.text).toContain("not opened for 180 days");
     expect(page.shown()).toBe("Mine");
     expect(page.addresses).toEqual(["/"]);
     page.message()?.action?.run();
@@ -369,5 +397,27 @@ describe("a damaged work", () => {
     const texts = page.screen.getState().messages.map(({ text }) => text);
     expect(texts).toHaveLength(1);
     expect(texts[0]).toContain("maze.version: found 9");
+  });
+});
+
+describe("opening the address of a mission", () => {
+  it("opens it, and the address stays", async () => {
+    const page = openPage(new MemoryStorage());
+    await page.go("/", "#mission/side-opening");
+    expect(page.missions).toEqual(["side-opening"]);
+    expect([page.addresses, page.refused]).toEqual([[], []]);
+  });
+
+  it("says so where there is no such mission", async () => {
+    const page = openPage(new MemoryStorage());
+    await page.go("/", "#mission/no-such");
+    expect(page.refused).toEqual(["#mission/no-such"]);
+  });
+
+  it("offers another try where the lessons do not load", async () => {
+    const page = openPage(new MemoryStorage());
+    await page.go("/", "#mission/offline");
+    expect(page.refused).toEqual([]);
+    expect(page.message()?.action?.label).toBe("Try again");
   });
 });

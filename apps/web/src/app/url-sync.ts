@@ -10,6 +10,7 @@ import type { ProgramDocument } from "@corridor/program";
 import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import { dismiss, tell, type ScreenStore } from "../stores/screen-store.ts";
+import { missionOfHash } from "../features/lessons/mission-address.ts";
 import type { ShortLinkResult } from "./short-link.ts";
 import type { WorksService } from "./works-service.ts";
 
@@ -21,6 +22,8 @@ export interface UrlPorts {
   readShortLink: (id: string) => Promise<ShortLinkResult>;
   /** the maze on the screen, for links that bring only a program */
   maze: () => MazeDocument;
+  /** the program for links that bring only a maze: empty, or null where the reader has written one */
+  programForMaze: () => ProgramDocument | null;
   screen: ScreenStore;
   words: Pick<i18n, "t">;
   location: Pick<Location, "pathname" | "search" | "hash">;
@@ -37,6 +40,10 @@ export interface UrlPorts {
     challenge: ChallengeDocument,
     program: ProgramDocument | null,
   ) => Promise<boolean>;
+  /** opens the mission of this id; gives whether there is one; may fail as files may */
+  openMission: (id: string) => Promise<boolean>;
+  /** replaces an address that names no mission by that of what is open, and says so */
+  refuseMission: () => void;
 }
 
 /**
@@ -48,6 +55,8 @@ export async function followAddress(ports: UrlPorts): Promise<void> {
   if (location.pathname.startsWith("/m/")) return followShortLink(ports);
   const { hash } = location;
   if (hash === "" || hash === "#") return;
+  const mission = missionOfHash(hash);
+  if (mission !== null) return followMission(ports, mission);
   const { pathname, search } = location;
   let links: Awaited<ReturnType<UrlPorts["loadLinks"]>>;
   try {
@@ -73,6 +82,17 @@ export async function followAddress(ports: UrlPorts): Promise<void> {
   replaceAddress(pathname + search);
   if (result.ok) openShared(ports, result.value);
   else tellBadLink(ports, words.t(`share.linkProblems.${result.code}`));
+}
+
+/** The address stays: it is that of the mission. */
+async function followMission(ports: UrlPorts, id: string): Promise<void> {
+  let isThere: boolean;
+  try {
+    isThere = await ports.openMission(id);
+  } catch {
+    return tellNotLoaded(ports);
+  }
+  if (!isThere) ports.refuseMission();
 }
 
 async function followShortLink(ports: UrlPorts): Promise<void> {
@@ -151,8 +171,8 @@ function openShared(ports: UrlPorts, content: LinkContent): void {
   const isOwner = hasOwnWork(ports);
   const back = ports.works.beginShared(
     content.maze ?? ports.maze(),
-    // A maze alone is to be solved with whatever program the reader has.
-    content.program ?? null,
+    // A maze alone is to be solved: only a program that the reader has written comes along.
+    content.program ?? ports.programForMaze(),
   );
   if (!isOwner) {
     tell(screen, { tone: "info", text: words.t("share.opened") });

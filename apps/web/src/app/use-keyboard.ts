@@ -5,10 +5,12 @@
 import type { i18n } from "i18next";
 import { useEffect, useEffectEvent, useState } from "react";
 import { useTranslation } from "react-i18next";
+import { handAction } from "../features/drive/hand-control.ts";
 import { createHoldStore, type HoldStore } from "../features/drive/hold-store.ts";
 import { describeRobot } from "../features/speech/describe-later.ts";
 import { runOrPause, stepOn } from "../features/transport/run-button.ts";
 import { redo, undo } from "../stores/workspace-store.ts";
+import type { DriveKey } from "../worker/worker-messages.ts";
 import { useServices, type Services } from "./services.ts";
 import { shortcutOf, type Place, type Shortcut } from "./shortcuts.ts";
 
@@ -20,7 +22,10 @@ export function useKeyboard(openHelp: () => void): HoldStore {
   const services = useServices();
   const { i18n } = useTranslation();
   const [hold] = useState(() =>
-    createHoldStore((key) => services.simulator.send({ type: "hold", key })),
+    createHoldStore(
+      (key) => services.simulator.send({ type: "hold", key }),
+      (key) => mayPress(services, i18n, key),
+    ),
   );
   // Listening anew lets go of what is held: not each time that the page is drawn with another `openHelp`.
   const help = useEffectEvent(openHelp);
@@ -36,7 +41,7 @@ function listen(
 ): () => void {
   const end = new AbortController();
   const { signal } = end;
-  const { run, screen } = services;
+  const { run, screen, challenge, camera } = services;
 
   window.addEventListener(
     "keydown",
@@ -57,12 +62,15 @@ function listen(
       // What lies on top of the page has the keys to itself; Escape closes it.
       if (shortcut === null || isCovered) return;
       if (shortcut.kind === "drive") {
-        if (run.getState().snapshot?.driver !== "me") return;
+        const { rights } = challenge.getState();
+        if (handAction(shortcut.key, run.getState(), rights) === "none") return;
         event.preventDefault();
-        hold.press(event.code, shortcut.key);
+        // A key that is still down when another driver takes over does not take the robot back.
+        if (!event.repeat) hold.press(event.code, shortcut.key);
         return;
       }
       if (shortcut.kind !== "escape") event.preventDefault();
+      if (shortcut.kind === "zoom") return camera.getState().zoom(shortcut.by, null);
       if (event.repeat) return;
       if (shortcut.kind === "describe") void describeRobot(services, words);
       else obey(services, hold, shortcut.kind, openHelp);
@@ -94,10 +102,26 @@ function listen(
   };
 }
 
+/** Whether a press drives; says so where the hand takes over with it, or may not. */
+function mayPress(services: Services, words: i18n, key: DriveKey): boolean {
+  const { simulator, run, challenge, screen } = services;
+  const action = handAction(key, run.getState(), challenge.getState().rights);
+  if (action === "pause") simulator.send({ type: "pause" });
+  if (action === "take-over" || action === "refuse") {
+    const driver = run.getState().snapshot?.driver ?? "program";
+    void import("../features/drive/tell-take-over.ts").then(
+      ({ tellTakeOver }) => tellTakeOver(screen, words, action === "refuse" ? null : driver),
+      // Without its file nothing is said; "Who drives?" shows it all the same.
+      () => undefined,
+    );
+  }
+  return action === "drive" || action === "take-over";
+}
+
 function obey(
   { simulator, workspace, run }: Services,
   hold: HoldStore,
-  kind: Exclude<Shortcut["kind"], "drive" | "describe">,
+  kind: Exclude<Shortcut["kind"], "drive" | "describe" | "zoom">,
   openHelp: () => void,
 ): void {
   switch (kind) {

@@ -27,6 +27,7 @@ const view = { width: 1028, height: 644 };
 
 const scene: Scene = {
   layout: layOut({ columns: 3, rows: 3 }, view, padding, 30),
+  scroll: { x: 0, y: 0 },
   pixelRatio: 1,
   palette: readPalette(() => "black"),
   maze,
@@ -55,6 +56,7 @@ function snapshotAt(x: number, y: number, state: Snapshot["state"] = "running"):
 /** A canvas that counts how often it is emptied as a whole and in part, clipped for a picture, and stroked. */
 function recordingCanvas() {
   const counts = { cleared: 0, wiped: 0, strokes: 0, pictures: 0 };
+  const texts: string[] = [];
   const canvas = { width: 0, height: 0, getContext: () => context };
   const wipe = (x: number, y: number, width: number): void => {
     const isWhole = x === 0 && y === 0 && width >= Math.min(canvas.width, view.width);
@@ -67,13 +69,14 @@ function recordingCanvas() {
         if (name === "clearRect") return wipe;
         if (name === "clip") return () => counts.pictures++;
         if (name === "stroke") return () => counts.strokes++;
+        if (name === "fillText") return (text: string) => texts.push(text);
         if (name === "measureText") return () => ({ width: 20 });
         return () => undefined;
       },
       set: () => true,
     },
   );
-  return { canvas: canvas as unknown as LayerCanvas, counts };
+  return { canvas: canvas as unknown as LayerCanvas, counts, texts };
 }
 
 function newStage() {
@@ -127,7 +130,7 @@ function newStage() {
     for (const { counts } of Object.values(layers)) counts.cleared = counts.pictures = 0;
     return now;
   };
-  return { renderer, layers, canvases, requestFrame, paint, drive, rest, redrawn, scrolls };
+  return { renderer, layers, canvases, requestFrame, paint, show, drive, rest, redrawn, scrolls };
 }
 
 beforeEach(() => {
@@ -263,11 +266,12 @@ describe("a maze larger than the stage", () => {
   };
 
   it("follows the robot out of sight, and stands still while it is well in sight", () => {
-    const { renderer, drive, scrolls } = newStage();
+    const { renderer, paint, drive, scrolls } = newStage();
     renderer.show(large);
     drive(12_000, 12_000, true);
     expect(scrolls).toHaveLength(1);
-    renderer.scrollTo(scrolls[0] ?? { x: 0, y: 0 });
+    renderer.show({ ...large, scroll: scrolls[0] ?? { x: 0, y: 0 } });
+    paint();
     drive(12_001, 12_000);
     expect(scrolls).toHaveLength(1);
   });
@@ -282,13 +286,50 @@ describe("a maze larger than the stage", () => {
     expect(scrolls).toHaveLength(1);
   });
 
+  it("asks again where the page answered with another place, as it does for an older layout", () => {
+    const { renderer, paint, drive, scrolls } = newStage();
+    renderer.show(large);
+    drive(12_000, 12_000, true);
+    renderer.show({ ...large, scroll: { x: 0, y: 0 } });
+    paint();
+    expect(scrolls).toHaveLength(2);
+    expect(scrolls[1]).toEqual(scrolls[0]);
+  });
+
   it("draws every layer again where it has been scrolled", () => {
     const { renderer, paint, redrawn } = newStage();
     renderer.show(large);
     paint();
     redrawn();
-    renderer.scrollTo({ x: 100, y: 0 });
+    renderer.show({ ...large, scroll: { x: 100, y: 0 } });
     paint();
     expect(redrawn()).toEqual({ maze: 1, trail: 1, live: 1 });
+  });
+});
+
+describe("the readings on the beams", () => {
+  const readings = (layer: ReturnType<typeof recordingCanvas>): string[] =>
+    layer.texts.splice(0).filter((text) => /^\d{2,}$/.test(text));
+
+  it("are those that the page displays, however far the robot has driven since", () => {
+    const { renderer, layers, paint, show } = newStage();
+    const told = (front: number, tick: number) => {
+      const sensors = { front, right: 50, back: 50, left: 50 };
+      return { ...snapshotAt(50, 50), sensors, tick };
+    };
+    renderer.show({ ...scene, program: { ...scene.program, rules: [] } });
+    show(told(250, 1), [50, 50], true);
+    renderer.showNumbersOf(told(250, 1));
+    paint();
+    expect(readings(layers.live)).toContain("250");
+    for (let tick = 2; tick < 12; tick++) {
+      show(told(252 - tick, tick), [], false);
+      expect(readings(layers.live)).toContain("250");
+    }
+    renderer.showNumbersOf(told(240, 12));
+    paint();
+    const next = readings(layers.live);
+    expect(next).toContain("240");
+    expect(next).not.toContain("250");
   });
 });

@@ -43,10 +43,20 @@ type Layer = keyof LayerCanvases;
 
 /** Fields of the scene that make each layer's picture. */
 const parts: Record<Layer, readonly (keyof Scene)[]> = {
-  maze: ["layout", "pixelRatio", "palette", "maze", "startWord", "goalWord", "showRulers"],
-  trail: ["layout", "pixelRatio", "palette", "showTrail"],
+  maze: [
+    "layout",
+    "scroll",
+    "pixelRatio",
+    "palette",
+    "maze",
+    "startWord",
+    "goalWord",
+    "showRulers",
+  ],
+  trail: ["layout", "scroll", "pixelRatio", "palette", "showTrail"],
   live: [
     "layout",
+    "scroll",
     "pixelRatio",
     "palette",
     "maze",
@@ -66,18 +76,19 @@ export class StageRenderer {
   readonly #trail = new Trail();
   readonly #stale = new Set<Layer>();
   #scene: Scene | null = null;
-  #scroll: Scroll = { x: 0, y: 0 };
   readonly #camera = new Camera();
   /** where the camera stands; null while the stage is scrolled */
   #panned: Scroll | null = null;
   #frame: Frame | null = null;
+  /** the snapshot whose numbers the page displays; null until the page has displayed one */
+  #numbers: Snapshot | null = null;
   #hit: Hit | null = null;
   #nudge: Nudge | null = null;
   #bumps: BumpMark[] = [];
   #request: number | null = null;
   /** the division of the stage in which the robot was last brought into sight */
   #followed: Layout | null = null;
-  /** where the stage was asked to scroll to, until it is there */
+  /** the requested scroll position, until the page answers with a scene */
   #asked: Scroll | null = null;
 
   constructor(port: RendererPort) {
@@ -107,6 +118,11 @@ export class StageRenderer {
   show(scene: Scene): void {
     const before = this.#scene;
     this.#scene = scene;
+    if (before !== null && (before.layout !== scene.layout || before.scroll !== scene.scroll)) {
+      // The answer may be for an older layout, so the robot's place is checked again.
+      if (this.#asked !== null) this.#followed = null;
+      this.#asked = null;
+    }
     for (const layer of layers) {
       if (before === null || parts[layer].some((part) => before[part] !== scene[part])) {
         this.#stale.add(layer);
@@ -115,12 +131,11 @@ export class StageRenderer {
     if (this.#stale.size > 0) this.#ask();
   }
 
-  /** Shows another part of a maze that is larger than the view. */
-  scrollTo(scroll: Scroll): void {
-    this.#asked = null;
-    if (scroll.x === this.#scroll.x && scroll.y === this.#scroll.y) return;
-    this.#scroll = scroll;
-    this.repaint();
+  /** The page displays the numbers of this snapshot: the stage writes the same ones. */
+  showNumbersOf(snapshot: Snapshot): void {
+    this.#numbers = snapshot;
+    this.#stale.add("live");
+    this.#ask();
   }
 
   /** The font that was waited for is there. */
@@ -152,12 +167,16 @@ export class StageRenderer {
     const scene = this.#scene;
     const surfaces = this.#surfaces;
     if (scene === null || surfaces === null) return;
-    this.#takeFrame(scene, this.#viewport(scene.layout), surfaces.trail);
+    this.#takeFrame(scene, this.#viewport(scene), surfaces.trail);
     this.#pan(scene);
-    const viewport = this.#viewport(scene.layout);
+    const viewport = this.#viewport(scene);
+    if (this.#followed !== null && isZoomOf(this.#followed, scene.layout)) {
+      // The reader chose what to see.
+      this.#followed = scene.layout;
+    }
     if (this.#frame !== null && this.#followed !== scene.layout) {
       // A maze that no longer fits begins where the robot is, even while it stands still.
-      this.#follow(scene.layout, this.#frame.snapshot.pose);
+      this.#follow(scene, this.#frame.snapshot.pose);
     }
     if (this.#stale.has("maze")) paintMaze(surfaces.maze, scene, viewport);
     if (this.#stale.has("trail")) {
@@ -180,7 +199,8 @@ export class StageRenderer {
     if (frame === null) return null;
     const nudge = this.#nudge === null ? null : nudgeOffset(this.#nudge, this.#port.now());
     if (nudge === null) this.#nudge = null;
-    return { frame, hit: this.#hit, nudge: nudge ?? { x: 0, y: 0 } };
+    const numbers = this.#numbers ?? frame.snapshot;
+    return { frame, numbers, hit: this.#hit, nudge: nudge ?? { x: 0, y: 0 } };
   }
 
   #takeFrame(scene: Scene, viewport: Viewport, surface: Surface): void {
@@ -208,7 +228,7 @@ export class StageRenderer {
     const hasStopped = before?.snapshot.state === "running" && frame.snapshot.state !== "running";
     if (hasStopped && scene.showTrail) this.#stale.add("trail");
     if (change.kind === "none") return;
-    this.#follow(scene.layout, frame.snapshot.pose);
+    this.#follow(scene, frame.snapshot.pose);
     if (change.kind === "replaced") {
       this.#stale.add("trail");
     } else if (scene.showTrail && !this.#stale.has("trail")) {
@@ -228,8 +248,8 @@ export class StageRenderer {
     }
   }
 
-  #viewport(layout: Layout): Viewport {
-    return viewportAt(layout, this.#panned ?? this.#scroll);
+  #viewport({ layout, scroll }: Scene): Viewport {
+    return viewportAt(layout, this.#panned ?? scroll);
   }
 
   /** Moves the camera with the robot; whatever it shows is drawn anew then. */
@@ -244,16 +264,14 @@ export class StageRenderer {
     for (const layer of layers) this.#stale.add(layer);
   }
 
-  #follow(layout: Layout, pose: Snapshot["pose"]): void {
+  #follow({ layout, scroll }: Scene, pose: Snapshot["pose"]): void {
     this.#followed = layout;
     if (!layout.overflows) return;
-    const scroll = followScroll(layout, this.#scroll, pose.x, pose.y);
-    if (isSame(scroll, this.#scroll) || (this.#asked !== null && isSame(scroll, this.#asked))) {
-      return;
-    }
-    // The stage may take a moment to get there; it is asked once.
-    this.#asked = scroll;
-    this.#port.scrollTo(scroll);
+    const next = followScroll(layout, scroll, pose.x, pose.y);
+    if (isSame(next, scroll) || (this.#asked !== null && isSame(next, this.#asked))) return;
+    // The page may take a moment to get there; it is asked once.
+    this.#asked = next;
+    this.#port.scrollTo(next);
   }
 }
 
@@ -296,4 +314,17 @@ function hitOf({ bumps, snapshot }: Frame, before: Frame | null): Hit {
   return { pose: { x, y, heading: snapshot.pose.heading }, wanted };
 }
 
-const isSame = (a: Scroll, b: Scroll): boolean => a.x === b.x && a.y === b.y;
+/** Whether two layouts differ in the size of their squares alone. */
+function isZoomOf(a: Layout, b: Layout): boolean {
+  return (
+    a.columns === b.columns &&
+    a.rows === b.rows &&
+    a.view.width === b.view.width &&
+    a.view.height === b.view.height &&
+    a.cellPx !== b.cellPx
+  );
+}
+
+/** Browsers round scroll positions to pixels of the device. */
+const isSame = (a: Scroll, b: Scroll): boolean =>
+  Math.abs(a.x - b.x) < 1 && Math.abs(a.y - b.y) < 1;

@@ -5,11 +5,13 @@ import type { Ghost } from "./layers/ghost.ts";
 import type { Measured } from "./layers/measure.ts";
 import type { PlaceWords } from "./layers/places.ts";
 import type { Palette } from "./palette.ts";
-import type { Layout } from "./viewport.ts";
+import type { Layout, Scroll } from "./viewport.ts";
 
 /** All that is drawn besides the robot; compared field by field, so an unchanged field stays the same object. */
 export interface Scene extends PlaceWords {
   layout: Layout;
+  /** always one of this layout: both change in one message, so neither is drawn with another's */
+  scroll: Scroll;
   /** device pixels per CSS pixel */
   pixelRatio: number;
   palette: Palette;

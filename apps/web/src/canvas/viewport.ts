@@ -8,12 +8,14 @@
 
 /** Units along one side of a cell. */
 export const CELL = 100;
-/** Below this the robot and its readings can no longer be told apart: 0.3 px per unit. */
+/** Squares of a maze that is too large for the stage: 0.3 px per unit. */
 export const MIN_CELL_PX = 30;
+/** A maze opens whole down to this size: one of 21 by 21 squares fits a screen of 1440 by 900. */
+export const MIN_WHOLE_CELL_PX = 24;
 /** On short phones the whole of a maze, its goal included, is worth more than large squares. */
 export const MIN_CELL_PX_COMPACT = 12;
 /** A tiny maze does not blow the robot up to the size of the screen: 2 px per unit. */
-const MAX_CELL_PX = 200;
+export const MAX_CELL_PX = 200;
 
 /** Free pixels around the maze: for rulers, and for the reader's eye. */
 export interface Padding {
@@ -76,12 +78,13 @@ export function layOut(
   view: { width: number; height: number },
   padding: Padding,
   minCellPx: number,
+  maxCellPx = MAX_CELL_PX,
 ): Layout {
   const { columns, rows } = maze;
   const roomX = Math.max(1, view.width - padding.left - padding.right);
   const roomY = Math.max(1, view.height - padding.top - padding.bottom);
   const fitting = Math.floor(Math.min(roomX / columns, roomY / rows));
-  const cellPx = Math.min(MAX_CELL_PX, Math.max(minCellPx, fitting));
+  const cellPx = Math.min(maxCellPx, Math.max(minCellPx, fitting));
   const width = columns * cellPx;
   const height = rows * cellPx;
   const isWide = width > roomX;
@@ -210,6 +213,15 @@ export function followScroll(layout: Layout, scroll: Scroll, x: number, y: numbe
   };
 }
 
+/** The nearest scroll position at which the layout shows no more than its content. */
+export function clampScroll({ content, view }: Layout, scroll: Scroll): Scroll {
+  const within = (at: number, most: number): number => Math.min(Math.max(0, most), Math.max(0, at));
+  return {
+    x: within(scroll.x, content.width - view.width),
+    y: within(scroll.y, content.height - view.height),
+  };
+}
+
 /**
  * Where a camera stands that has a point in its middle, but never shows more than the padding beyond the
  * maze: near the maze's edges the point leaves the middle and the camera stands still.
@@ -217,12 +229,27 @@ export function followScroll(layout: Layout, scroll: Scroll, x: number, y: numbe
  * @param y position in units
  */
 export function centredScroll(layout: Layout, x: number, y: number): Scroll {
-  const scale = layout.cellPx / CELL;
-  const along = (at: number, length: number, whole: number): number =>
-    Math.min(whole - length, Math.max(0, at - length / 2));
-  const { origin, content, view } = layout;
-  return {
-    x: along(origin.x + x * scale, view.width, content.width),
-    y: along(origin.y + y * scale, view.height, content.height),
-  };
+  return clampScroll(layout, unboundedCentre(layout, x, y));
+}
+
+/** Share of the view between two places of a camera that cuts instead of moving. */
+const CUT_SHARE = 0.6;
+
+/**
+ * Where a camera stands that cuts: the nearest of fixed places to the one that has the point in its
+ * middle. The point is never nearer to an edge of the view than a fifth of it, but at the maze's edges.
+ */
+export function steppedScroll(layout: Layout, x: number, y: number): Scroll {
+  const middle = unboundedCentre(layout, x, y);
+  const nearest = (at: number, step: number): number => Math.round(at / step) * step;
+  const { view } = layout;
+  return clampScroll(layout, {
+    x: nearest(middle.x, view.width * CUT_SHARE),
+    y: nearest(middle.y, view.height * CUT_SHARE),
+  });
+}
+
+function unboundedCentre({ cellPx, origin, view }: Layout, x: number, y: number): Scroll {
+  const scale = cellPx / CELL;
+  return { x: origin.x + x * scale - view.width / 2, y: origin.y + y * scale - view.height / 2 };
 }

@@ -9,9 +9,14 @@ export interface CameraState {
   isDriving: boolean;
   /** whether the reader wants to see the whole maze while driving */
   isWhole: boolean;
+  /** zooms the stage, around a pixel of its view or around the robot; does nothing while there is no stage */
+  zoom: (
+    by: "in" | "out" | "fit" | { factor: number },
+    at: { x: number; y: number } | null,
+  ) => void;
 }
 
 export function createCameraStore() {
-  return createStore<CameraState>()(() => ({ isDriving: false, isWhole: false }));
+  return createStore<CameraState>()(() => ({ isDriving: false, isWhole: false, zoom: () => {} }));
 }
 export type CameraStore = ReturnType<typeof createCameraStore>;

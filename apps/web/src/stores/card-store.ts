@@ -1,8 +1,8 @@
 /**
- * What there is to explain: the newest bump of the program, and the goal. A card belongs to a moment of
+ * What there is to explain: the newest bump of a program or a script, and the goal. A card belongs to a moment of
  * the run; whether it shows is seen from the moment on the screen.
  */
-import type { Mend } from "@corridor/coach";
+import type { Diagnosis } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import { createStore } from "zustand/vanilla";
 import type { Moment } from "../worker/worker-messages.ts";
@@ -11,8 +11,8 @@ export interface Explanation {
   moment: Moment;
   /** the program that drove */
   program: ProgramDocument;
-  /** edits that would have kept the robot from this bump, each tried; none for a goal */
-  mends: readonly Mend[];
+  /** why the robot bumped; null for the goal */
+  diagnosis: Diagnosis | null;
 }
 
 export interface CardState {
@@ -30,12 +30,12 @@ export type CardStore = ReturnType<typeof createCardStore>;
  * @param newest the program that stands on the page, which may have been edited in the same moment
  */
 export function explain(store: CardStore, moment: Moment, newest: ProgramDocument): void {
-  const { kind, mends } = moment;
+  const { kind, diagnosis } = moment;
   const drove = moment.program ?? newest;
   // What is equal is the page's own, so that an edit from here on is seen by the object.
   const program = JSON.stringify(drove) === JSON.stringify(newest) ? newest : drove;
-  if (kind === "goal") store.setState({ goal: { moment, program, mends: [] } });
-  else if (mends !== null) store.setState({ bump: { moment, program, mends } });
+  if (kind === "goal") store.setState({ goal: { moment, program, diagnosis } });
+  else if (diagnosis !== null) store.setState({ bump: { moment, program, diagnosis } });
 }
 
 /** The run no longer goes further than to this tick: what came after it has not happened. */

@@ -3,7 +3,7 @@
  * by the lessons, which come in a file of their own; everything else only reads it.
  */
 import type { ChallengeDocument, FailureCode, Rights, Verdict } from "@corridor/challenge";
-import type { Blame } from "@corridor/coach";
+import type { Diagnosis } from "@corridor/coach";
 import type { DriverName } from "@corridor/protocol";
 import { createStore } from "zustand/vanilla";
 
@@ -29,11 +29,17 @@ export interface ChallengeState {
   result: ChallengeResult;
   /** what the newest check of all mazes said of the program as it is; null when there was none */
   verdict: Verdict | null;
-  /** beside the verdict, for each maze: the line that led the robot astray */
-  blames: readonly (Blame | null)[];
+  /** beside the verdict, for each maze: why the program fails there */
+  diagnoses: readonly (Diagnosis | null)[];
+  /** why the run on the screen failed; null while it has not, and once a check says something newer */
+  failedRun: Diagnosis | null;
+  /** whether the card beside the robot offers the way on, so that nothing else has to */
+  isCardShown: boolean;
   isChecking: boolean;
   /** a reader who has never been here is asked whether to begin with mission 1 */
   isInvited: boolean;
+  /** whether the dialog with all missions is open */
+  isPathOpen: boolean;
 }
 
 export const noChallenge = {
@@ -43,12 +49,18 @@ export const noChallenge = {
   rights: null,
   result: { state: "open" },
   verdict: null,
-  blames: [],
+  diagnoses: [],
+  failedRun: null,
+  isCardShown: false,
   isChecking: false,
 } as const satisfies Partial<ChallengeState>;
 
 export function createChallengeStore() {
-  return createStore<ChallengeState>()(() => ({ ...noChallenge, isInvited: false }));
+  return createStore<ChallengeState>()(() => ({
+    ...noChallenge,
+    isInvited: false,
+    isPathOpen: false,
+  }));
 }
 export type ChallengeStore = ReturnType<typeof createChallengeStore>;
 

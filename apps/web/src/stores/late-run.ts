@@ -1,21 +1,16 @@
 /**
- * The run for what is shown later than what decides. Marks come at once: which line drives, what is true.
- * Numbers follow one frame later, and at a turn of the program words and timeline after them: on a slow
- * computer all together are longer than a frame, and the stage would stand still.
+ * The run for what is displayed one frame later than the marks and numbers: the timeline, and the words for a
+ * screen reader. Every number of the run comes from the run store itself, so that all of them belong to one tick.
+ * On a slow computer all together take longer than a frame.
  */
 import { createRunStore, type RunState, type RunStore } from "./run-store.ts";
 
-/** What is done in one frame. */
-type Works = (() => void)[];
-
 export class LateRun {
-  /** for numbers, wherever they stand */
-  readonly numbers: RunStore = createRunStore();
-  /** for the words below a line, and whatever else is no hurry */
+  /** for words without numbers, and whatever else is not urgent */
   readonly words: RunStore = createRunStore();
   readonly #later: (work: () => void) => void;
-  /** frame by frame */
-  #waiting: Works[] = [];
+  /** null while nothing waits */
+  #waiting: (() => void)[] | null = null;
 
   /**
    * @param later does something one frame later. By a timer: a frame that is asked for costs, though nothing
@@ -25,48 +20,34 @@ export class LateRun {
     this.#later = later;
     run.subscribe((state, before) => {
       this.#catchUp();
-      const numbers = () => this.numbers.setState(state, true);
       const words = () => this.words.setState(state, true);
-      if (isTurn(before, state)) this.#wait([[numbers], [words]]);
-      else if (isGoingOn(before, state)) this.#wait([[numbers, words]]);
-      else for (const work of [numbers, words]) work();
+      if (isGoingOn(before, state)) this.#wait(words);
+      else words();
     });
   }
 
   /** Does what belongs to the newest state: where its words wait, with them. */
   after(work: () => void): void {
-    const last = this.#waiting.at(-1);
-    if (last === undefined) work();
-    else last.push(work);
+    if (this.#waiting === null) work();
+    else this.#waiting.push(work);
   }
 
-  /** @param frames what waits now: when other news come they do it, and wait for themselves */
-  #wait(frames: Works[]): void {
-    this.#waiting = frames;
+  #wait(work: () => void): void {
+    const waiting = [work];
+    this.#waiting = waiting;
     this.#later(() => {
-      if (this.#waiting !== frames) return;
-      for (const work of frames.shift() ?? []) work();
-      if (frames.length > 0) this.#wait(frames);
+      if (this.#waiting === waiting) this.#catchUp();
     });
   }
 
-  /** News are told in their order: what waits for older ones does not wait any longer. */
+  /** Does what waits; newer news are told after it. */
   #catchUp(): void {
-    const waiting = this.#waiting;
-    this.#waiting = [];
-    for (const work of waiting.flat()) work();
+    const waiting = this.#waiting ?? [];
+    this.#waiting = null;
+    for (const work of waiting) work();
   }
 }
 
 function isGoingOn(before: RunState, { snapshot }: RunState): boolean {
   return snapshot?.state === "running" && before.snapshot?.state === "running";
-}
-
-/** Whether another line drives, or a manoeuvre begins or ends, in a run that goes on. */
-function isTurn(before: RunState, state: RunState): boolean {
-  return (
-    isGoingOn(before, state) &&
-    (state.snapshot?.line !== before.snapshot?.line ||
-      (state.progress === null) !== (before.progress === null))
-  );
 }

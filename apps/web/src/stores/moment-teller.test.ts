@@ -14,7 +14,7 @@ function moment(kind: Moment["kind"]): Moment {
     driver: "program",
     bumps: 1,
     cause: null,
-    mends: null,
+    diagnosis: null,
     program: null,
   };
 }

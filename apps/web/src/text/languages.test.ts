@@ -1,4 +1,4 @@
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { languageOf, languages, matchLanguage } from "./languages.ts";
 
 const tags = ["en", "ar", "de", "es", "fr", "ja", "pt", "zh-Hans"];
@@ -20,6 +20,16 @@ describe("the language for a reader", () => {
     { wanted: [], tag: null },
   ])("who wants $wanted gets $tag", ({ wanted, tag }) => {
     expect(matchLanguage(wanted, tags)).toBe(tag);
+  });
+
+  it("is found without asking Intl where the tag names it", () => {
+    const locale = vi.spyOn(Intl, "Locale");
+    expect(matchLanguage(["en-GB"], tags)).toBe("en");
+    expect(matchLanguage(["pt"], tags)).toBe("pt");
+    expect(locale).not.toHaveBeenCalled();
+    expect(matchLanguage(["zh-CN"], tags)).toBe("zh-Hans");
+    expect(locale).toHaveBeenCalled();
+    locale.mockRestore();
   });
 
   it("is never one that is not among those to choose from", () => {

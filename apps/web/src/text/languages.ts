@@ -45,6 +45,10 @@ export function matchLanguage<Tag extends string>(
   among: readonly Tag[],
 ): Tag | null {
   for (const tag of wanted) {
+    // "en-GB" is English, wherever that is read: only the rest asks Intl, which takes 3 ms to wake.
+    const plain = /^([a-z]{2})(?:-[A-Z]{2})?$/.exec(tag)?.[1];
+    const own = among.find((each) => each === plain);
+    if (own !== undefined) return own;
     const writing = writingOf(tag);
     const found = among.find((each) => writing !== null && writingOf(each) === writing);
     if (found !== undefined) return found;

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { languages } from "./languages.ts";
 import { formatClock, formatReading, formatSeconds, localNumber } from "./numbers.ts";
 
 describe("formatReading", () => {
@@ -47,6 +48,15 @@ describe("the decimal sign", () => {
     expect(formatReading(250.5, language)).toBe(reading);
     expect(formatClock(1063, language)).toBe(clock);
     expect(formatSeconds(2352, language)).toBe(seconds);
+  });
+});
+
+describe("the signs of a number", () => {
+  it.each(languages)("are those that Intl has for $name", ({ tag }) => {
+    const intl = new Intl.NumberFormat(tag, { numberingSystem: "latn" });
+    for (const number of [-0.5, 12.5, -48.25]) {
+      expect(localNumber(String(number), tag)).toBe(intl.format(number));
+    }
   });
 });
 

@@ -110,18 +110,27 @@ interface MenuItemProps {
   /** second, quieter line */
   note?: string;
   disabled?: boolean;
+  /** whether the menu stays open when it is taken: it has something to ask first */
+  staysOpen?: boolean;
   onSelect: () => void;
 }
 
 /** One choice of a menu in a Popover; the menu closes itself when it is taken. */
-export function MenuItem({ icon, children, note, disabled = false, onSelect }: MenuItemProps) {
+export function MenuItem({
+  icon,
+  children,
+  note,
+  disabled = false,
+  staysOpen = false,
+  onSelect,
+}: MenuItemProps) {
   return (
     <button
       type="button"
       className={styles["item"]}
       disabled={disabled}
       onClick={(event) => {
-        event.currentTarget.closest<HTMLElement>("[popover]")?.hidePopover();
+        if (!staysOpen) event.currentTarget.closest<HTMLElement>("[popover]")?.hidePopover();
         onSelect();
       }}
     >

@@ -1,29 +1,26 @@
-/** Checks a program against a challenge, and finds the line to blame in each maze where it fails. */
+/** Checks a program against a challenge, and says in each maze where it fails why it does. */
 import { checkChallenge, type ChallengeDocument } from "@corridor/challenge";
-import { findBlame, type Blame } from "@corridor/coach";
+import { diagnoseProgram, type Diagnosis } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
-import { TICKS_PER_SECOND } from "@corridor/simulation";
+import { Simulation } from "@corridor/simulation";
 import type { CheckAnswer, CheckRequest } from "./check-request.ts";
+import { diagnosisTask } from "./diagnosis-task.ts";
 
 export function checkProgram({ challenge, program }: CheckRequest): CheckAnswer {
   const verdict = checkChallenge(challenge, program);
-  const blames = verdict.mazes.map(({ failure }, at) =>
-    failure === null ? null : blameIn(challenge, program, at),
+  const diagnoses = verdict.mazes.map(({ failure }, at) =>
+    failure === null ? null : diagnosisIn(challenge, program, at),
   );
-  return { verdict, blames };
+  return { verdict, diagnoses };
 }
 
-function blameIn(challenge: ChallengeDocument, program: ProgramDocument, at: number): Blame | null {
+function diagnosisIn(
+  challenge: ChallengeDocument,
+  program: ProgramDocument,
+  at: number,
+): Diagnosis | null {
   const maze = challenge.mazes[at];
   if (maze === undefined) return null;
-  const alone = { ...challenge, mazes: [maze] };
-  const { bumps, seconds } = challenge.checks;
-  return findBlame({
-    program,
-    maze,
-    ticks: seconds * TICKS_PER_SECOND,
-    // With some bumps allowed, which one is to blame is no longer clear.
-    endsAtBump: bumps === 0,
-    passes: (other) => checkChallenge(alone, other).passed,
-  });
+  const state = new Simulation(maze).save();
+  return diagnoseProgram({ maze, program, state }, diagnosisTask(challenge, at));
 }

@@ -1,6 +1,6 @@
 /** What the page asks of the worker that checks challenges, and what it hears. */
 import type { ChallengeDocument, Verdict } from "@corridor/challenge";
-import type { Blame } from "@corridor/coach";
+import type { Diagnosis } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 
 export interface CheckRequest {
@@ -10,6 +10,6 @@ export interface CheckRequest {
 
 export interface CheckAnswer {
   verdict: Verdict;
-  /** for each maze which line led the robot astray; null where it passes, and where none can be named */
-  blames: readonly (Blame | null)[];
+  /** for each maze why the program fails there; null where it passes */
+  diagnoses: readonly (Diagnosis | null)[];
 }

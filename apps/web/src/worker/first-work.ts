@@ -30,7 +30,7 @@ export const firstMaze: MazeDocument = {
 export const firstProgram: ProgramDocument = {
   format: "corridor/program",
   version: 1,
-  name: "Right wall",
+  name: "Example: right wall",
   default: "forward",
   rules: [
     { when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" },

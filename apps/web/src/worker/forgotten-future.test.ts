@@ -1,6 +1,7 @@
 import type { ProgramDocument } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-work.ts";
+import * as diagnostics from "./diagnose-run.ts";
 import { RunLoop } from "./run-loop.ts";
 import { loadRun } from "./testing/load-run.ts";
 import type { Moment } from "./worker-messages.ts";
@@ -11,6 +12,7 @@ const straight: ProgramDocument = { ...firstProgram, rules: [] };
 function newBench(program = straight) {
   let time = 0;
   const loop = new RunLoop(firstMaze, program, () => time);
+  loop.useDiagnostics(diagnostics);
   const forgotten: number[] = [];
   const news = (): Moment[] => {
     const taken = loop.takeNews();
@@ -67,7 +69,7 @@ describe("a run that goes on from an earlier moment", () => {
     loop.run();
     const [again] = pass(5);
     expect(again).toEqual(first);
-    expect(again?.mends).not.toBeNull();
+    expect(again?.diagnosis).not.toBeNull();
     expect(loop.isRunning).toBe(false);
   });
 });

@@ -1,7 +1,7 @@
 /** What happened in the ticks since the last news and is worth telling: the newest bump, and the goal. */
 import type { Run } from "@corridor/recording";
 import type { DriverName, LineRef } from "@corridor/protocol";
-import type { Explained } from "./run-coach.ts";
+import type { DiagnosedRun } from "./diagnose-run.ts";
 import type { Moment } from "./worker-messages.ts";
 
 export class Moments {
@@ -13,15 +13,15 @@ export class Moments {
     run: Run,
     line: LineRef | null,
     driver: DriverName,
-    explained: Explained | null = null,
+    explained: DiagnosedRun | null = null,
   ): void {
     const { tick, pose, bumps } = run;
     const cause = kind === "bump" ? run.cause : null;
     // Many bumps in one frame are one to a watcher; the goal is told in any case.
     this.#waiting = this.#waiting.filter((each) => each.kind !== kind);
-    const mends = explained?.mends ?? null;
+    const diagnosis = explained?.diagnosis ?? null;
     const program = kind === "goal" ? run.program : (explained?.program ?? null);
-    this.#waiting.push({ kind, tick, pose, line, driver, bumps, cause, mends, program });
+    this.#waiting.push({ kind, tick, pose, line, driver, bumps, cause, diagnosis, program });
   }
 
   /** What came after the end of `tick` has not happened. */

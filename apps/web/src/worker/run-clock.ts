@@ -1,4 +1,7 @@
-/** From real time to ticks at the chosen speed. "max" is as many as a share of the time allows. */
+/**
+ * From real time to ticks at the chosen speed. "max" is as many as a share of the time allows. The speed is for
+ * programs, scripts and replays: under a hand a second of the robot always takes a second.
+ */
 import { FixedTimestep } from "@corridor/simulation";
 import type { Speed } from "./worker-messages.ts";
 
@@ -30,15 +33,17 @@ export class RunClock {
 
   /**
    * Asks for the ticks of the time since the last call.
+   * @param flow standing: none; by-hand: as many as in real time; at-speed: as many as the chosen speed says
    * @param runTicks runs so many. @returns false when time has stopped flowing
    */
-  advance(isFlowing: boolean, runTicks: (count: number) => boolean): void {
+  advance(flow: "standing" | "by-hand" | "at-speed", runTicks: (count: number) => boolean): void {
     const now = this.#now();
     const elapsed = now - this.#lastAt;
     this.#lastAt = now;
-    if (!isFlowing) return;
-    if (this.#speed !== "max") {
-      runTicks(this.#timestep.ticksFor(elapsed, this.#speed));
+    if (flow === "standing") return;
+    const speed = flow === "by-hand" ? 1 : this.#speed;
+    if (speed !== "max") {
+      runTicks(this.#timestep.ticksFor(elapsed, speed));
       return;
     }
     while (this.#now() - now < MAX_SPEED_BUDGET_MS && runTicks(MAX_SPEED_CHUNK));

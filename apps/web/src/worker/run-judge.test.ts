@@ -1,6 +1,5 @@
 import {
   checkChallenge,
-  termsOf,
   type Attempt,
   type ChallengeDocument,
   type Judgement,
@@ -38,7 +37,7 @@ function judged(challenge: ChallengeDocument, maze: number, attempt: Attempt): O
   if (document === undefined) throw new Error("no such maze");
   const isHand = !("rules" in attempt);
   const recording = new Recording(document, isHand ? nothing : attempt);
-  const judge = new RunJudge(termsOf(challenge, maze));
+  const judge = new RunJudge(challenge, maze);
   judge.begin(recording);
   const { run } = recording;
   if (isHand) recording.input({ do: "driver", driver: "me" });
@@ -86,7 +85,7 @@ class Bench {
     const document = challenge.mazes[maze];
     if (document === undefined) throw new Error("no such maze");
     this.loop = new RunLoop(document, program, () => (this.time += 0.5));
-    this.loop.judgeBy(new RunJudge(termsOf(challenge, maze)));
+    this.loop.judgeBy(new RunJudge(challenge, maze));
   }
 
   pass(milliseconds: number, each = 100): Judgement {
@@ -214,7 +213,7 @@ describe("the judge of the run", () => {
     bench.loop.judgeBy(null);
     bench.loop.run();
     bench.pass(3000);
-    bench.loop.judgeBy(new RunJudge(termsOf(lap, 0)));
+    bench.loop.judgeBy(new RunJudge(lap, 0));
     expect(bench.runThrough("max")).toMatchObject({ kind: "met", tick: outcome?.ticks });
   });
 

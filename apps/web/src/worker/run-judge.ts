@@ -2,8 +2,16 @@
  * Judges the run by the challenge that is open: each tick as it is driven, and all of them again where the
  * run is another one or begins anew from an earlier moment. Loaded when a challenge opens.
  */
-import { AttemptJudge, type AttemptTerms, type Judgement } from "@corridor/challenge";
+import {
+  AttemptJudge,
+  termsOf,
+  type AttemptTerms,
+  type ChallengeDocument,
+  type Judgement,
+} from "@corridor/challenge";
+import type { DiagnosisTask } from "@corridor/coach";
 import type { Recording, Run } from "@corridor/recording";
+import { diagnosisTask } from "./diagnosis-task.ts";
 
 const open: Judgement = { kind: "open" };
 
@@ -17,9 +25,26 @@ export class RunJudge {
   #rested: Extract<Judgement, { kind: "met" }> | null = null;
   #told: Judgement = open;
 
-  constructor(terms: AttemptTerms) {
-    this.#terms = terms;
-    this.#judge = new AttemptJudge(terms);
+  readonly #challenge: ChallengeDocument;
+  readonly #maze: number;
+
+  /** @param maze index of the maze on the screen */
+  constructor(challenge: ChallengeDocument, maze: number) {
+    this.#challenge = challenge;
+    this.#maze = maze;
+    this.#terms = termsOf(challenge, maze);
+    this.#judge = new AttemptJudge(this.#terms);
+  }
+
+  /** What a changed program would have to do. @param isWhole whether the program alone drove so far */
+  task(isWhole: boolean): DiagnosisTask {
+    return diagnosisTask(this.#challenge, this.#maze, isWhole);
+  }
+
+  /** Whether the time of the challenge ended with the newest tick. */
+  isLate({ tick }: Run): boolean {
+    const { judgement } = this.#judge;
+    return judgement.kind === "failed" && judgement.code === "late" && judgement.tick === tick;
   }
 
   /** Another run: judges what there is of it. */

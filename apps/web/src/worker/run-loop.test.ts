@@ -5,6 +5,7 @@ import { beforeEach, describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-work.ts";
 import type { Ending } from "../drivers/remote-driver.ts";
 import { RemoteDriver } from "../drivers/remote-driver.ts";
+import * as diagnostics from "./diagnose-run.ts";
 import { RunLoop } from "./run-loop.ts";
 import { deliveryOf } from "./testing/bench.ts";
 import type { Moment } from "./worker-messages.ts";
@@ -30,6 +31,7 @@ beforeEach(() => {
 function loopOf(maze: MazeDocument = firstMaze, program: ProgramDocument = firstProgram): RunLoop {
   const loop = new RunLoop(maze, program, () => time);
   loop.connect((robot) => new RemoteDriver(events, robot, () => time));
+  loop.useDiagnostics(diagnostics);
   return loop;
 }
 
@@ -183,23 +185,6 @@ describe("time", () => {
     time += 3_600_000;
     loop.advance();
     expect(loop.snapshot().tick - tick).toBeLessThanOrEqual(15);
-  });
-});
-
-describe("Step", () => {
-  it("takes one decision of one tick and pauses", () => {
-    const loop = loopOf();
-    loop.step();
-    pass(loop, 500);
-    expect(loop.snapshot()).toMatchObject({ tick: 1, state: "paused" });
-  });
-
-  it("takes a whole manoeuvre where the decision is one", () => {
-    const loop = loopOf(firstMaze, { ...firstProgram, rules: [], default: "turn 180" });
-    loop.step();
-    pass(loop, 3000);
-    expect(loop.snapshot()).toMatchObject({ tick: 72, state: "paused" });
-    expect(loop.snapshot().pose.heading).toBe(270);
   });
 });
 

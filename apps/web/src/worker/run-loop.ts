@@ -7,9 +7,8 @@
  * happens is the recording's; while an earlier moment is shown, the live run waits.
  */
 import type { Judgement } from "@corridor/challenge";
-import type { LoopNotice } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
-import type { DeliveredCommand, DriverName, Snapshot } from "@corridor/protocol";
+import type { DeliveredCommand, DriverName, Pose, Snapshot } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import type { Recording, TimelineNews, WrittenRun } from "@corridor/recording";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
@@ -17,13 +16,22 @@ import { commandOfKey } from "../drivers/hand-driver.ts";
 import type { RemoteDriver, RemoteRobot } from "../drivers/remote-driver.ts";
 import { LiveRun } from "./live-run.ts";
 import { RunClock } from "./run-clock.ts";
+import type { DiagnosedRun } from "./diagnose-run.ts";
+import type { Diagnostics } from "./run-diagnosis.ts";
 import type { RunJudge } from "./run-judge.ts";
 import { RunWatch } from "./run-watch.ts";
 import { ScreenMoment } from "./screen-moment.ts";
-import type { DriveKey, Frame, Moment, Speed } from "./worker-messages.ts";
+import type { DriveKey, Frame, GhostPose, Moment, Speed, StepLength } from "./worker-messages.ts";
+
+/** Where the ghosts of a race are at the end of a tick. */
+interface Ghosts {
+  posesAt(tick: number): readonly GhostPose[];
+}
 
 export class RunLoop {
   #remote: RemoteDriver | null = null;
+  /** null while no race is on */
+  #ghosts: Ghosts | null = null;
   readonly #clock: RunClock;
   readonly #watch = new RunWatch();
   readonly #live: LiveRun;
@@ -31,8 +39,8 @@ export class RunLoop {
   /** a script's robot goes on as soon as the newest moment is shown again */
   #resumesNow = false;
   #isRunning = false;
-  /** pause as soon as the decision that is being taken is done */
-  #isStepping = false;
+  /** pause after the next tick, or at the next change of decision */
+  #stepping: StepLength | null = null;
   #isDirty = true;
 
   /** @param now monotonic milliseconds */
@@ -83,26 +91,30 @@ export class RunLoop {
   run(): void {
     this.#cutHere();
     if (this.driver === "me") this.setDriver("program");
-    this.#isStepping = false;
+    this.#stepping = null;
     this.#start();
   }
 
   pause(): void {
     this.#screen.pause();
     this.#isRunning = false;
-    this.#isStepping = false;
+    this.#stepping = null;
     this.#resumesNow = false;
     this.#isDirty = true;
   }
 
-  /** Takes one decision (one tick, or one whole manoeuvre) and pauses; in the past, shows the next one. */
-  step(): void {
+  /**
+   * Goes on to the next change of decision and pauses: another line decides, or a manoeuvre begins or ends. A bump
+   * and a robot that stands end the step as well. In the past, the recorded change is displayed.
+   */
+  step(length: StepLength = "decision"): void {
     if (this.#screen.isPast) {
-      this.seekStep(1);
+      if (length === "tick") this.seek(this.#screen.tick + 1);
+      else this.seekStep(1);
       return;
     }
     this.run();
-    this.#isStepping = true;
+    this.#stepping = length;
   }
 
   /** Robot to start; maze, program, driver and speed stay. A new run begins. */
@@ -134,6 +146,8 @@ export class RunLoop {
   /** A drive key goes down or up; whoever drove before, the hand drives now, from the shown moment on. */
   hold(key: DriveKey): void {
     const isLettingGo = key === "stop";
+    // What was held until now counts up to this moment.
+    this.advance();
     if (isLettingGo && (this.driver !== "me" || this.#screen.isPast)) return;
     this.#cutHere();
     this.setDriver("me");
@@ -214,7 +228,9 @@ export class RunLoop {
   /** Runs the ticks that real time asks for since the last call. */
   advance(): void {
     this.#remote?.tend();
-    this.#clock.advance(this.isRunning, (count) => this.#runTicks(count));
+    const isByHand = this.driver === "me" && !this.#screen.isPast;
+    const flow = !this.isRunning ? "standing" : isByHand ? "by-hand" : "at-speed";
+    this.#clock.advance(flow, (count) => this.#runTicks(count));
   }
 
   /** What there is to draw and to tell since the last call; null when nothing changed. */
@@ -222,13 +238,26 @@ export class RunLoop {
     if (!this.#isDirty) return null;
     this.#isDirty = false;
     const frame = this.#screen.frame(this.#isRunning);
+    if (this.#ghosts !== null) frame.ghosts = this.#ghosts.posesAt(frame.snapshot.tick);
     const forgottenAfter = this.#watch.takeForgottenAfter();
     return { frame, moments: this.#watch.takeMoments(), forgottenAfter };
   }
 
-  /** That the program's robot gets nowhere; null when there is nothing to say since the last call. */
-  takeNotice(): LoopNotice | null {
-    return this.#watch.takeNotice();
+  /** From now on frames carry the ghosts of a race, each at the displayed tick. Called again when they change. */
+  raceWith(ghosts: Ghosts): void {
+    this.#ghosts = ghosts;
+    this.#isDirty = true;
+  }
+
+  /** The module that says why a run failed has come. */
+  useDiagnostics(diagnostics: Diagnostics): void {
+    this.#watch.useDiagnostics(diagnostics, this.#recording);
+    this.#isDirty = true;
+  }
+
+  /** Why the program's robot does not get to the goal; null when nothing is new since the last call. */
+  takeDiagnosed(): DiagnosedRun | null {
+    return this.#watch.takeDiagnosed();
   }
 
   /** Judges the run by a challenge from its first tick on; null: by none. */
@@ -270,7 +299,7 @@ export class RunLoop {
   #waitForPast(): void {
     if (!this.#screen.isPast) this.#resumesNow = this.#isRunning && this.driver === "remote";
     this.#isRunning = false;
-    this.#isStepping = false;
+    this.#stepping = null;
     this.#isDirty = true;
   }
 
@@ -322,12 +351,16 @@ export class RunLoop {
     const isRemote = run.driver === "remote";
     if (isRemote) this.#remote?.begin();
     this.#watch.before(run);
+    const { bumps, pose } = run;
     recording.step();
     const isToWait = this.#watch.after(recording);
     if (isRemote) this.#remote?.finish();
     if (isToWait) this.pause();
-    const isDecisionDone = !run.isManoeuvring || run.decidedAt === run.tick;
-    if (this.#isStepping && isDecisionDone) this.pause();
+    if (this.#stepping === null) return;
+    // Readings that stay as they are choose the same line for ever.
+    const isStanding = !run.isManoeuvring && isSamePose(run.pose, pose);
+    const isChange = run.decidedAt === run.tick || run.bumps !== bumps || isStanding;
+    if (isChange || this.#stepping === "tick") this.pause();
   }
 
   /** A new run of the newest documents; the driver stays, and a script's robot is live at once. */
@@ -347,3 +380,6 @@ export class RunLoop {
     this.pause();
   }
 }
+
+const isSamePose = (one: Pose, other: Pose): boolean =>
+  one.x === other.x && one.y === other.y && one.heading === other.heading;

@@ -1,20 +1,29 @@
 /**
- * Who watches the live run tick by tick: notes what is worth telling, what the coach has to say and how
- * an attempt at a challenge stands, and says when the robot waits for the reader.
+ * Observes the live run tick by tick: collects what is worth reporting, why the run failed and how an
+ * attempt at a challenge stands, and decides when the robot waits for the student.
  */
 import type { Judgement } from "@corridor/challenge";
-import type { LoopNotice } from "@corridor/coach";
 import type { DriverName, LineRef } from "@corridor/protocol";
 import type { Recording, Run } from "@corridor/recording";
 import { Moments } from "./moments.ts";
-import { RunCoach } from "./run-coach.ts";
+import type { DiagnosedRun, TaskOf } from "./diagnose-run.ts";
+import { RunDiagnosis, type Diagnostics } from "./run-diagnosis.ts";
 import type { RunJudge } from "./run-judge.ts";
 import type { Moment } from "./worker-messages.ts";
 
+/** The program does not get to the goal, since this tick. */
+interface NoGoal {
+  kind: "stuck" | "late";
+  tick: number;
+}
+
 export class RunWatch {
   readonly #moments = new Moments();
-  readonly #coach = new RunCoach();
-  #notice: LoopNotice | null = null;
+  readonly #coach = new RunDiagnosis();
+  #diagnosed: DiagnosedRun | null = null;
+  /** what waits for its diagnosis, because the module has not come yet: no way to the goal, and a bump */
+  #noGoal: NoGoal | null = null;
+  #waiting: { tick: number; line: LineRef | null; driver: DriverName } | null = null;
   /** the last tick that stays of what was told before; null while all of it does */
   #forgottenAfter: number | null = null;
   /** null while no challenge is open */
@@ -58,7 +67,7 @@ export class RunWatch {
     this.#judge?.after(run);
     const line = this.#line;
     const driver = this.#driver;
-    if (driver === "program" && line !== null) this.#notice ??= this.#coach.look(run, line);
+    if (driver === "program" && line !== null) this.#lookForNoGoal(recording, line);
     const isExplained = run.bumps > this.#bumps && this.#bumped(recording);
     if (run.goalTick === this.#goalTick) return isExplained;
     this.#moments.add("goal", run, line, driver);
@@ -70,11 +79,11 @@ export class RunWatch {
     return this.#moments.take();
   }
 
-  /** That the program's robot gets nowhere; null when there is nothing to say since the last call. */
-  takeNotice(): LoopNotice | null {
-    const notice = this.#notice;
-    this.#notice = null;
-    return notice;
+  /** Why the program's robot does not get to the goal; null when nothing is new since the last call. */
+  takeDiagnosed(): DiagnosedRun | null {
+    const diagnosed = this.#diagnosed;
+    this.#diagnosed = null;
+    return diagnosed;
   }
 
   /** After which tick all that was told before is forgotten; null where nothing is since the last call. */
@@ -93,10 +102,46 @@ export class RunWatch {
   #bumped(recording: Recording): boolean {
     const line = this.#line;
     const driver = this.#driver;
-    const isProgram = driver === "program" && line !== null;
-    const explained = isProgram ? this.#coach.explain(recording, line) : null;
-    this.#moments.add("bump", recording.run, line, driver, explained);
-    return explained !== null;
+    const explained = this.#coach.bump(recording, driver, line, this.#task);
+    const isLater = explained === "later";
+    this.#waiting = isLater ? { tick: recording.run.tick, line, driver } : null;
+    this.#moments.add("bump", recording.run, line, driver, isLater ? null : explained);
+    return explained !== null && driver === "program";
+  }
+
+  /** The module that diagnoses has come: explains the bump at which the robot waits. */
+  useDiagnostics(diagnostics: Diagnostics, recording: Recording): void {
+    this.#coach.use(diagnostics);
+    if (this.#noGoal !== null) this.#diagnoseNoGoal(recording, this.#noGoal);
+    const waiting = this.#waiting;
+    this.#waiting = null;
+    const { run } = recording;
+    if (waiting === null || waiting.tick !== run.tick) return;
+    const { line, driver } = waiting;
+    const cause = driver === "program" ? line : null;
+    const explained = this.#coach.explain(recording, cause, this.#task);
+    if (explained === null || explained === "later") return;
+    this.#moments.add("bump", run, line, driver, explained);
+  }
+
+  #lookForNoGoal(recording: Recording, line: LineRef): void {
+    const { run } = recording;
+    const isStuck = this.#coach.look(run, line) !== null;
+    const isLate = this.#judge?.isLate(run) === true;
+    if (!isStuck && !isLate) return;
+    this.#diagnoseNoGoal(recording, { kind: isLate ? "late" : "stuck", tick: run.tick });
+  }
+
+  #diagnoseNoGoal(recording: Recording, failure: NoGoal): void {
+    const { kind, tick } = failure;
+    const diagnosed = this.#coach.noGoal(recording, kind, tick, this.#task);
+    this.#noGoal = diagnosed === "later" ? failure : null;
+    if (diagnosed !== "later") this.#diagnosed = diagnosed ?? this.#diagnosed;
+  }
+
+  get #task(): TaskOf | null {
+    const judge = this.#judge;
+    return judge && ((isWhole) => judge.task(isWhole));
   }
 
   /** What happened later is no part of the run: nobody tells it, and what was said of it may be said again. */
@@ -104,6 +149,8 @@ export class RunWatch {
     this.#forgottenAfter = Math.min(this.#forgottenAfter ?? tick, tick);
     this.#moments.forgetAfter(tick);
     this.#coach.begin();
-    this.#notice = null;
+    this.#diagnosed = null;
+    this.#waiting = null;
+    this.#noGoal = null;
   }
 }

@@ -3,8 +3,9 @@
  * they keep going while the page is hidden. A thin shell; the logic is in `run-loop.ts` and
  * `remote-host.ts`.
  */
-import type { AttemptTerms } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
+import type { Race } from "./race.ts";
+import { loadRaceGhosts } from "../canvas/layers/lazy-race-ghosts.ts";
 import { describeFault } from "./describe-fault.ts";
 import { earlyWork, type FirstWork } from "./first-work.ts";
 import { FramePace } from "./frame-pace.ts";
@@ -12,7 +13,7 @@ import type { RemoteHost } from "./remote-host.ts";
 import type { RunLoader } from "./run-loader.ts";
 import { RunLoop } from "./run-loop.ts";
 import { StagePainter } from "./stage-painter.ts";
-import type { FromWorker, SavedRun, ToWorker } from "./worker-messages.ts";
+import type { AddGhost, FromWorker, SavedRun, ToWorker } from "./worker-messages.ts";
 
 /** Twice as often as a screen repaints, so that no frame waits for a whole interval. */
 const INTERVAL_MS = 8;
@@ -136,6 +137,43 @@ async function loadLoader(): Promise<RunLoader> {
   return loader;
 }
 
+/** The ghosts of a race come in a file of its own with the first of them. */
+let raceLoading: Promise<Race> | null = null;
+
+function withRace(use: (race: Race) => void, orElse: () => void): void {
+  raceLoading ??= loadRace();
+  void raceLoading.then(
+    (race) => guarded(() => use(race)),
+    () => {
+      raceLoading = null;
+      orElse();
+    },
+  );
+}
+
+async function loadRace(): Promise<Race> {
+  const [{ Race: Ghosts }] = await Promise.all([import("./race.ts"), loadRaceGhosts()]);
+  const slices = new MessageChannel();
+  const race = new Ghosts({
+    now,
+    later: () => slices.port2.postMessage(null),
+    post,
+    onChange: () => {
+      loop?.raceWith(race);
+      tellNews();
+    },
+  });
+  slices.port1.onmessage = () => guarded(() => race.goOn());
+  return race;
+}
+
+function addGhost(message: AddGhost): void {
+  withRace(
+    (race) => race.add(message),
+    () => post({ type: "ghost-added", id: message.id, added: { ok: false, problems: [] } }),
+  );
+}
+
 worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   try {
     handle(data);
@@ -202,7 +240,7 @@ function handle(message: ToWorker): void {
     case "pause":
       return loop.pause();
     case "step":
-      return loop.step();
+      return loop.step(message.length);
     case "reset":
       if (loaderLoading !== null)
         withLoader(
@@ -211,7 +249,7 @@ function handle(message: ToWorker): void {
         );
       return loop.reset();
     case "judge":
-      return judge(message.id, message.terms);
+      return judge(message.id, message.attempt);
     case "speed":
       return loop.setSpeed(message.speed);
     case "driver":
@@ -232,6 +270,13 @@ function handle(message: ToWorker): void {
       return loop.run();
     case "save-run":
       return saveRun(loop, message.id);
+    case "add-ghost":
+      return addGhost(message);
+    case "remove-ghost":
+      return withRace(
+        (race) => race.remove(message.id),
+        () => undefined,
+      );
     case "cancel-load":
       return withLoader(
         (runs) => runs.cancel(message.id),
@@ -246,7 +291,7 @@ function handle(message: ToWorker): void {
     case "stage-mount":
     case "stage-mount-here":
     case "stage-scene":
-    case "stage-scroll":
+    case "stage-numbers":
     case "stage-unmount":
       return painter.handle(message);
   }
@@ -271,19 +316,37 @@ function saveRun(run: RunLoop, id: number): void {
 }
 
 /** The ticks that run until the judge is there are judged when it is. */
-function judge(id: number, terms: AttemptTerms | null): void {
+function judge(id: number, attempt: Extract<ToWorker, { type: "judge" }>["attempt"]): void {
   judgeId = id;
   loop?.judgeBy(null);
-  if (terms === null) return;
+  if (attempt === null) return;
+  const { challenge, maze } = attempt;
   void import("./run-judge.ts").then(
-    ({ RunJudge }) => guarded(() => id === judgeId && loop?.judgeBy(new RunJudge(terms))),
+    ({ RunJudge }) => guarded(() => id === judgeId && loop?.judgeBy(new RunJudge(challenge, maze))),
     (error: unknown) => post({ type: "fault", reason: describeFault(error) }),
+  );
+}
+
+/** What says why a run failed comes in a file of its own once the robot drives; without it runs go on unexplained. */
+let hasAskedForDiagnostics = false;
+
+function loadDiagnostics(): void {
+  if (hasAskedForDiagnostics) return;
+  hasAskedForDiagnostics = true;
+  import("./diagnose-run.ts").then(
+    (diagnostics) =>
+      guarded(() => {
+        loop?.useDiagnostics(diagnostics);
+        tellNews();
+      }),
+    () => (hasAskedForDiagnostics = false),
   );
 }
 
 function tellNews(): void {
   const news = loop?.takeNews();
   if (loop === null || news === undefined) return;
+  if (news !== null && news.frame.nowTick > 0) loadDiagnostics();
   if (news !== null) {
     const { frame, forgottenAfter } = news;
     if (forgottenAfter !== null) post({ type: "forgotten", after: forgottenAfter });
@@ -301,8 +364,8 @@ function tellNews(): void {
   }
   if (news !== null) {
     for (const moment of news.moments) post({ type: "moment", moment });
-    const notice = loop.takeNotice();
-    if (notice !== null) post({ type: "notice", notice });
+    const diagnosed = loop.takeDiagnosed();
+    if (diagnosed !== null) post({ type: "diagnosed", ...diagnosed });
   }
   const judgement = loop.takeJudgement();
   if (judgement !== null) post({ type: "judgement", id: judgeId, judgement });

@@ -81,8 +81,8 @@ export class StagePainter {
         this.#scene = { ...this.#scene, ...message.changes } as Scene;
         this.#show();
         return;
-      case "stage-scroll":
-        this.#renderer.scrollTo(message.scroll);
+      case "stage-numbers":
+        this.#renderer.showNumbersOf(message.snapshot);
         return;
       case "stage-unmount":
         this.#isPageDrawing = false;

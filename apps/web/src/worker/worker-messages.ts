@@ -2,8 +2,8 @@
  * Everything that crosses between the page's main thread and the simulator worker, and nothing else.
  * Documents were parsed and checked before they are sent; both ends are our own code.
  */
-import type { AttemptTerms, Judgement } from "@corridor/challenge";
-import type { LoopNotice, Mend } from "@corridor/coach";
+import type { ChallengeDocument, Judgement } from "@corridor/challenge";
+import type { Diagnosis } from "@corridor/coach";
 import type { RegistrationError } from "@corridor/client/host";
 import type {
   closeReasons,
@@ -18,8 +18,8 @@ import type {
 } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
-import type { BumpCause, RunDocument, TimelineNews, WrittenRun } from "@corridor/recording";
-import type { Progress } from "@corridor/simulation";
+import type { RunDocument, TimelineNews, WrittenRun } from "@corridor/recording";
+import type { BumpCause, Progress } from "@corridor/simulation";
 import type { Scroll } from "../canvas/viewport.ts";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
 import type { StageToWorker } from "./stage-messages.ts";
@@ -27,6 +27,12 @@ import type { StageToWorker } from "./stage-messages.ts";
 /** How many simulated seconds pass in one second; "max" is as many as the machine gives. */
 export const speeds = [0.25, 0.5, 1, 2, 4, 8, 16, "max"] as const;
 export type Speed = (typeof speeds)[number];
+
+/** Ghosts of one race: more would hide each other. */
+export const MAX_GHOSTS = 4;
+
+/** How far Step goes: to the next change of decision, or one tick. */
+export type StepLength = "decision" | "tick";
 
 /** A held drive key: forward and reverse drive, left and right turn on the spot. */
 export type DriveKey = "forward" | "reverse" | "left" | "right" | "stop";
@@ -53,6 +59,15 @@ export interface LoadRun {
   until?: number;
 }
 
+/** Adds a recorded run of the same maze to the race; answered by `ghost-added` with the same id. */
+export interface AddGhost {
+  type: "add-ghost";
+  id: number;
+  /** the letter that it is drawn with */
+  badge: string;
+  run: RunDocument;
+}
+
 export type ToWorker =
   | StageToWorker
   /** the first message: what the page starts with */
@@ -62,8 +77,8 @@ export type ToWorker =
   | { type: "edit-program"; program: ProgramDocument }
   | { type: "run" }
   | { type: "pause" }
-  /** takes one decision (one tick, or one whole manoeuvre), then pauses */
-  | { type: "step" }
+  /** goes on to the next change of decision, or by one tick, then pauses */
+  | { type: "step"; length: StepLength }
   /** robot to start, everything else kept */
   | { type: "reset" }
   /** pauses and shows the moment at the end of a tick of the run, everywhere */
@@ -81,8 +96,11 @@ export type ToWorker =
   | { type: "cancel-load"; id: number }
   /** asks for the run so far, answered by `run-saved`; one longer than a document may be is not written */
   | { type: "save-run"; id: number }
-  /** judges the run by a challenge, answered by `judgement` with the same id; null: by none */
-  | { type: "judge"; id: number; terms: AttemptTerms | null }
+  | AddGhost
+  /** takes a ghost out of the race */
+  | { type: "remove-ghost"; id: number }
+  /** judges the run by a maze of a challenge, answered by `judgement` with the same id; null: by none */
+  | { type: "judge"; id: number; attempt: { challenge: ChallengeDocument; maze: number } | null }
   | { type: "speed"; speed: Speed }
   | { type: "driver"; driver: DriverName }
   /** the same, where the run has not begun and nobody else was chosen */
@@ -123,7 +141,34 @@ export interface Frame {
   bumps: number[];
   /** true when the trail and the bumps begin anew: forget those drawn so far */
   trailReset: boolean;
+  /** the ghosts of a race at the displayed tick; absent where no race is on */
+  ghosts?: readonly GhostPose[];
 }
+
+/** A ghost of a race: its letter, its centre in units and its heading in degrees. */
+export interface GhostPose {
+  badge: string;
+  x: number;
+  y: number;
+  heading: number;
+}
+
+/** What one run of a race took to the goal, or to its end where it reached none. */
+export interface Finish {
+  /** null: the run ended before it reached the goal */
+  goalTick: number | null;
+  /** up to the goal or the end */
+  bumps: number;
+  driver: DriverName;
+  /** lines of the program that do something */
+  lines: number;
+}
+
+/** The answer to `add-ghost`: what the run took; or why it cannot be repeated. */
+export type AddedGhost =
+  | { ok: true; finish: Finish }
+  /** no problems: the simulator broke, or the race has no room */
+  | { ok: false; problems: FieldProblem[] };
 
 /** Something worth telling in words. `line` is null when no program line was in charge. */
 export interface Moment {
@@ -137,10 +182,10 @@ export interface Moment {
   /** how it came to a bump; null for the goal */
   cause: BumpCause | null;
   /**
-   * edits that would have kept the program from this bump, each tried; null for a bump that pauses no
-   * run: a hand's, a script's, and those of a line whose bump was explained before
+   * why it happened; null for the goal, for a bump by hand, and for those of a line whose bump was
+   * explained before
    */
-  mends: readonly Mend[] | null;
+  diagnosis: Diagnosis | null;
   /**
    * the program that drove, where the page has something to explain of it: it may have been edited there while this
    * was on its way; null for a bump that pauses no run
@@ -220,8 +265,8 @@ export type FromWorker =
    */
   | { type: "forgotten"; after: number }
   | { type: "moment"; moment: Moment }
-  /** the program's robot gets nowhere; said once */
-  | { type: "notice"; notice: LoopNotice }
+  /** why the program's robot does not get to the goal; sent once, and once more when the time is over */
+  | { type: "diagnosed"; program: ProgramDocument; diagnosis: Diagnosis }
   /** how the attempt stands by the newest `judge`, each time that this changes; open to begin with */
   | { type: "judgement"; id: number; judgement: Judgement }
   /** the maze of the shown moment where it is not the newest one; null when it is */
@@ -230,6 +275,7 @@ export type FromWorker =
   /** how much of a long run is opened, from 0 to 1 */
   | { type: "run-loading"; id: number; part: number }
   | { type: "run-loaded"; id: number; loaded: LoadedRun }
+  | { type: "ghost-added"; id: number; added: AddedGhost }
   | { type: "remote"; remote: RemoteView }
   | { type: "digest"; digest: string }
   | { type: "fault"; reason: string };

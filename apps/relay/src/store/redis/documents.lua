@@ -11,8 +11,13 @@ local function used(id, now)
   redis.call('ZADD', uses, 'GT', now, id)
 end
 
+-- The longest code; an id from before there were codes is longer. The same text, stored again, gets a code.
+local LONGEST_CODE = 6
+
 local function forget(id)
-  redis.call('DEL', byHash(redis.call('HGET', document(id), 'hash')), document(id), keys(id))
+  local hash = redis.call('HGET', document(id), 'hash')
+  if redis.call('GET', byHash(hash)) == id then redis.call('DEL', byHash(hash)) end
+  redis.call('DEL', document(id), keys(id))
   redis.call('ZREM', uses, id)
 end
 
@@ -20,8 +25,15 @@ local steps = {}
 
 function steps.add()
   local id = redis.call('GET', byHash(given.hash))
-  if not id then
-    id = given.id
+  if not id or #id > LONGEST_CODE then
+    id = nil
+    for _, candidate in ipairs(given.ids) do
+      if redis.call('EXISTS', document(candidate)) == 0 then
+        id = candidate
+        break
+      end
+    end
+    if not id then return redis.error_reply('none of the ids is free') end
     redis.call('SET', byHash(given.hash), id)
     redis.call('HSET', document(id), 'hash', given.hash, 'text', given.text)
   end

@@ -4,7 +4,7 @@ import type { DocumentStore, NewDocument } from "../document-store.ts";
 
 const DAY_MS = 24 * 60 * 60 * 1000;
 const document: NewDocument = {
-  id: "AAAAAAAAAAAA",
+  ids: ["BCDF", "GHJKL"],
   hash: "hash-of-the-text",
   text: '{"name":"a maze that may be forgotten"}',
   keyHash: "hash-of-the-first-key",
@@ -22,13 +22,13 @@ export interface OpenDocumentStore {
 /** @param open makes an empty store that goes with the test */
 export function documentStoreCases(name: string, open: () => Promise<OpenDocumentStore>): void {
   describe(`${name}: documents behind short links`, () => {
-    const read = (store: DocumentStore, id = document.id) => store.read(id, 2_000, DAY_MS);
+    const read = (store: DocumentStore, id = "BCDF") => store.read(id, 2_000, DAY_MS);
 
     it("gives back what was stored, after a restart too", async () => {
       const { store, reopen } = await open();
-      expect(await store.add(document)).toBe(document.id);
+      expect(await store.add(document)).toBe("BCDF");
       expect(await read(store)).toBe(document.text);
-      expect(await read(store, "BBBBBBBBBBBB")).toBeNull();
+      expect(await read(store, "BBBB")).toBeNull();
       await store.close();
       expect(await read(await reopen())).toBe(document.text);
     });
@@ -36,21 +36,36 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
     it("finds the same text again under its first id, and other texts under their own", async () => {
       const { store } = await open();
       await store.add(document);
-      const again = { ...document, id: "BBBBBBBBBBBB", keyHash: "hash-of-the-second-key" };
-      expect(await store.add(again)).toBe(document.id);
-      expect(await read(store, again.id)).toBeNull();
-      expect(await store.add({ ...again, hash: "another", text: "{}" })).toBe(again.id);
-      expect(await read(store, again.id)).toBe("{}");
+      const again = { ...document, ids: ["BBBB"], keyHash: "hash-of-the-second-key" };
+      expect(await store.add(again)).toBe("BCDF");
+      expect(await read(store, "BBBB")).toBeNull();
+      expect(await store.add({ ...again, hash: "another", text: "{}" })).toBe("BBBB");
+      expect(await read(store, "BBBB")).toBe("{}");
+    });
+
+    it("takes the first id that is free, and says so where none is", async () => {
+      const { store } = await open();
+      const texts = ["a", "b", "c"].map((hash) => ({ ...document, hash, text: `"${hash}"` }));
+      const [first, second, third] = texts.map((each) => () => store.add(each));
+      expect([await first?.(), await second?.()]).toEqual(["BCDF", "GHJKL"]);
+      await expect(third?.()).rejects.toThrow("none of the ids is free");
+      expect([await read(store), await read(store, "GHJKL")]).toEqual(['"a"', '"b"']);
+      // Stored at once, none takes the id of another.
+      const ids = ["LLLL", "MMMM", "NNNN", "PPPP", "QQQQ"];
+      const added = await Promise.all(
+        ids.map((hash) => store.add({ ...document, ids, hash, text: `"${hash}"` })),
+      );
+      expect(added.toSorted()).toEqual(ids);
     });
 
     it("deletes with the key, and leaves no trace on disk", async () => {
       const { store, holds } = await open();
       await store.add(document);
       expect(await holds("a maze that may be forgotten")).toBe(true);
-      expect(await store.remove(document.id, "no-such-key")).toBe("wrong-key");
+      expect(await store.remove("BCDF", "no-such-key")).toBe("wrong-key");
       expect(await read(store)).toBe(document.text);
-      expect(await store.remove(document.id, document.keyHash)).toBe("removed");
-      expect(await store.remove(document.id, document.keyHash)).toBe("no-document");
+      expect(await store.remove("BCDF", document.keyHash)).toBe("removed");
+      expect(await store.remove("BCDF", document.keyHash)).toBe("no-document");
       expect(await read(store)).toBeNull();
       for (const text of ["a maze that may be forgotten", document.keyHash, document.hash]) {
         expect(await holds(text)).toBe(false);
@@ -61,33 +76,33 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
       const { store } = await open();
       await store.add(document);
       await store.add({ ...document, keyHash: "hash-of-the-second-key" });
-      expect(await store.remove(document.id, document.keyHash)).toBe("removed");
+      expect(await store.remove("BCDF", document.keyHash)).toBe("removed");
       expect(await read(store)).toBe(document.text);
-      expect(await store.remove(document.id, document.keyHash)).toBe("wrong-key");
-      expect(await store.remove(document.id, "hash-of-the-second-key")).toBe("removed");
+      expect(await store.remove("BCDF", document.keyHash)).toBe("wrong-key");
+      expect(await store.remove("BCDF", "hash-of-the-second-key")).toBe("removed");
       expect(await read(store)).toBeNull();
     });
 
     it("forgets what nobody uses, and nothing else", async () => {
       const { store, holds } = await open();
       await store.add(document);
-      await store.add({ ...document, id: "BBBBBBBBBBBB", hash: "b", text: '"read"' });
-      await store.add({ ...document, id: "CCCCCCCCCCCC", hash: "c", text: '"stored again"' });
-      expect(await store.read("BBBBBBBBBBBB", 3 * DAY_MS, DAY_MS)).toBe('"read"');
+      await store.add({ ...document, ids: ["BBBB"], hash: "b", text: '"read"' });
+      await store.add({ ...document, ids: ["CCCC"], hash: "c", text: '"stored again"' });
+      expect(await store.read("BBBB", 3 * DAY_MS, DAY_MS)).toBe('"read"');
       const again = { hash: "c", keyHash: "k", now: 3 * DAY_MS };
       await store.add({ ...document, text: '"stored again"', ...again });
       expect(await store.removeUnused(2 * DAY_MS)).toBe(1);
       expect(await read(store)).toBeNull();
       expect(await holds("a maze that may be forgotten")).toBe(false);
-      expect(await read(store, "BBBBBBBBBBBB")).toBe('"read"');
-      expect(await read(store, "CCCCCCCCCCCC")).toBe('"stored again"');
+      expect(await read(store, "BBBB")).toBe('"read"');
+      expect(await read(store, "CCCC")).toBe('"stored again"');
     });
 
     it("notes a use no more often than asked, and never takes one back", async () => {
       const { store } = await open();
       await store.add({ ...document, now: 3 * DAY_MS });
-      await store.read(document.id, 3 * DAY_MS + 5, DAY_MS);
-      await store.read(document.id, DAY_MS, DAY_MS);
+      await store.read("BCDF", 3 * DAY_MS + 5, DAY_MS);
+      await store.read("BCDF", DAY_MS, DAY_MS);
       expect(await store.removeUnused(3 * DAY_MS)).toBe(0);
       expect(await store.removeUnused(3 * DAY_MS + 1)).toBe(1);
     });

@@ -1,9 +1,10 @@
 /** Where the robot has bumped: a small red burst at the place of contact. */
-import { isBlock, type Cell, type MazeDocument } from "@corridor/maze";
+import type { MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
+import { contactOf, type Contact } from "@corridor/simulation";
 import type { Pen } from "../brush.ts";
 import type { Palette } from "../palette.ts";
-import { CELL, viewX, viewY, type Viewport } from "../viewport.ts";
+import { viewX, viewY, type Viewport } from "../viewport.ts";
 import { ROBOT_RADIUS } from "./robot.ts";
 
 /** A place in units. */
@@ -12,43 +13,23 @@ export interface BumpMark {
   y: number;
 }
 
-/** A place on a wall, and the cell of the block; cells around the maze are walls too. */
-interface Contact extends BumpMark, Cell {}
-
 /** A touching disc ends this far before the wall at the most, in units. */
 const TOUCH = 2;
 
-/**
- * Where a robot that has just bumped touches a wall: the nearest point of a block around it. Between
- * two that it touches, the one ahead or behind rather than beside. Null where it touches none.
- */
-export function contactOf(maze: MazeDocument, pose: Pose): Contact | null {
-  const radians = (pose.heading * Math.PI) / 180;
-  const headingX = Math.sin(radians);
-  const headingY = -Math.cos(radians);
-  const column = Math.floor(pose.x / CELL);
-  const row = Math.floor(pose.y / CELL);
-  let best: Contact | null = null;
-  let mostAlong = Number.NEGATIVE_INFINITY;
-  for (let c = column - 1; c <= column + 1; c++) {
-    for (let r = row - 1; r <= row + 1; r++) {
-      if (!isBlock(maze, c, r)) continue;
-      const x = Math.min(Math.max(pose.x, c * CELL), (c + 1) * CELL);
-      const y = Math.min(Math.max(pose.y, r * CELL), (r + 1) * CELL);
-      const dx = x - pose.x;
-      const dy = y - pose.y;
-      const along = Math.abs(dx * headingX + dy * headingY);
-      if (dx * dx + dy * dy > (ROBOT_RADIUS + TOUCH) ** 2 || along <= mostAlong) continue;
-      best = { x, y, column: c, row: r };
-      mostAlong = along;
-    }
-  }
-  return best;
+/** Where a robot that has just bumped touches a block, ahead or behind; null where it touches none. */
+export function touchOf(maze: MazeDocument, pose: Pose): Contact | null {
+  const touches = (["front", "back"] as const)
+    .map((side) => contactOf(maze, pose, side))
+    .map((contact) => ({ contact, distance: Math.hypot(contact.x - pose.x, contact.y - pose.y) }))
+    .filter(({ distance }) => distance > 0 && distance <= ROBOT_RADIUS + TOUCH);
+  const [front, back] = touches;
+  const isBack = back !== undefined && front !== undefined && back.distance < front.distance;
+  return (isBack ? back : front)?.contact ?? null;
 }
 
 /** Where a bump is marked; the robot's centre where the wall has gone since. */
 export function bumpMark(maze: MazeDocument, pose: Pose): BumpMark {
-  return contactOf(maze, pose) ?? { x: pose.x, y: pose.y };
+  return touchOf(maze, pose) ?? { x: pose.x, y: pose.y };
 }
 
 /**

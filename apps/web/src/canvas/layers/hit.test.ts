@@ -1,5 +1,6 @@
 import type { MazeDocument } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
+import { touchOf } from "./bumps.ts";
 import { awayFrom, hitSensor, isAtHit, type Hit } from "./hit.ts";
 
 const maze: MazeDocument = {
@@ -12,6 +13,11 @@ const maze: MazeDocument = {
 };
 /** At the west side of the block. */
 const hit: Hit = { pose: { x: 175, y: 50, heading: 90 }, wanted: 26 };
+
+const seen = (heading: number) => ({
+  pose: { ...hit.pose, heading },
+  sensors: { front: 25, right: 25, back: 25, left: 25 },
+});
 
 describe("a bump is shown", () => {
   it.each([
@@ -30,11 +36,24 @@ describe("a bump is shown", () => {
     { heading: 180, sensor: "left" },
     { heading: 45, sensor: null },
   ])("by the sensor that looks at the wall: $sensor at heading $heading", ({ heading, sensor }) => {
-    expect(hitSensor(maze, hit, heading)).toBe(sensor);
+    expect(hitSensor(maze, hit, seen(heading))).toBe(sensor);
+  });
+
+  it("by no sensor where the beam passes the corner that was hit", () => {
+    // 4 cm beside the block's side, so the beam ahead goes on for 225 cm.
+    const corner: Hit = { pose: { x: 175.3, y: 104, heading: 90 }, wanted: null };
+    const sensors = { front: 225, right: 196, back: 175, left: 104 };
+    expect(hitSensor(maze, corner, { pose: corner.pose, sensors })).toBeNull();
+    expect(touchOf(maze, corner.pose)).toEqual({
+      x: 200,
+      y: 100,
+      cell: { column: 2, row: 0 },
+      isCorner: true,
+    });
   });
 
   it("by no sensor where the wall has gone since", () => {
-    expect(hitSensor({ ...maze, blocks: ["...", "...", "..."] }, hit, 90)).toBeNull();
+    expect(hitSensor({ ...maze, blocks: ["...", "...", "..."] }, hit, seen(90))).toBeNull();
   });
 
   it("by a recoil away from the wall", () => {

@@ -1,12 +1,13 @@
 /** A bump while the robot stands at it: the block that was hit, in red, and where the robot wanted to go. */
 import type { MazeDocument } from "@corridor/maze";
-import type { Pose, SensorName } from "@corridor/protocol";
+import type { Pose, SensorName, Snapshot } from "@corridor/protocol";
+import type { Contact } from "@corridor/simulation";
 import type { Brush } from "../brush.ts";
 import type { Dirt } from "../dirt.ts";
 import type { Palette } from "../palette.ts";
 import { pointAhead } from "../path-ahead.ts";
 import { viewX, viewY, type Viewport } from "../viewport.ts";
-import { contactOf } from "./bumps.ts";
+import { touchOf } from "./bumps.ts";
 import { drawOutline } from "./path.ts";
 import { cellBox } from "./places.ts";
 import { ROBOT_RADIUS } from "./robot.ts";
@@ -32,27 +33,36 @@ export function isAtHit(hit: Hit | null, pose: Pose): hit is Hit {
   return dx * dx + dy * dy < STILL * STILL;
 }
 
-/** Degrees of the way from the robot's centre to the wall that it touched; null where it touches none. */
-function contactHeading(maze: MazeDocument, hit: Hit): number | null {
-  const contact = contactOf(maze, hit.pose);
-  if (contact === null) return null;
-  const { x, y } = hit.pose;
+/** Degrees of the way from the robot's centre to the point that it touched. */
+function headingTo({ x, y }: Pose, contact: Contact): number {
   return (Math.atan2(contact.x - x, y - contact.y) * 180) / Math.PI;
 }
 
-/** The sensor that looks at the wall that was hit, as the robot faces now; null while none does. */
-export function hitSensor(maze: MazeDocument, hit: Hit, heading: number): SensorName | null {
-  const towards = contactHeading(maze, hit);
-  if (towards === null) return null;
-  const turned = (((towards - heading) % 360) + 360) % 360;
+/** A sensor that reads more than this does not see the block that the robot touches, in units. */
+const SEEN_WITHIN = ROBOT_RADIUS + 3;
+
+/**
+ * The sensor that measures the block that was hit, as the robot faces now; null while none does. A beam
+ * is thin and the robot is 50 cm wide: the beam may pass the corner that was hit.
+ */
+export function hitSensor(
+  maze: MazeDocument,
+  hit: Hit,
+  { pose, sensors }: Pick<Snapshot, "pose" | "sensors">,
+): SensorName | null {
+  const contact = touchOf(maze, hit.pose);
+  if (contact === null) return null;
+  const turned = (((headingTo(hit.pose, contact) - pose.heading) % 360) + 360) % 360;
   const quarter = Math.round(turned / 90) % 4;
   if (Math.abs(turned - Math.round(turned / 90) * 90) > 10) return null;
-  return (["front", "right", "back", "left"] as const)[quarter] ?? null;
+  const sensor = (["front", "right", "back", "left"] as const)[quarter] ?? null;
+  return sensor !== null && sensors[sensor] <= SEEN_WITHIN ? sensor : null;
 }
 
 /** Unit vector away from the wall, for the recoil. */
 export function awayFrom(maze: MazeDocument, hit: Hit): { dx: number; dy: number } {
-  const towards = contactHeading(maze, hit) ?? hit.pose.heading;
+  const contact = touchOf(maze, hit.pose);
+  const towards = contact === null ? hit.pose.heading : headingTo(hit.pose, contact);
   const { x, y } = pointAhead({ x: 0, y: 0 }, towards, -1);
   return { dx: x, dy: y };
 }
@@ -66,10 +76,10 @@ export function drawHit(
   hit: Hit,
   dirt: Dirt,
 ): void {
-  const contact = contactOf(maze, hit.pose);
-  const towards = contactHeading(maze, hit);
-  if (contact === null || towards === null) return;
-  const box = cellBox(viewport, contact);
+  const contact = touchOf(maze, hit.pose);
+  if (contact === null) return;
+  const towards = headingTo(hit.pose, contact);
+  const box = cellBox(viewport, contact.cell);
   dirt.add(box.x, box.y, box.width, box.height);
   brush.fillStyle = palette.badBg;
   brush.fillRect(box.x, box.y, box.width, box.height);
@@ -78,7 +88,7 @@ export function drawHit(
   brush.strokeRect(box.x + 0.75, box.y + 0.75, box.width - 1.5, box.height - 1.5);
 
   const distance = Math.min(hit.wanted ?? ROBOT_RADIUS, 2 * ROBOT_RADIUS);
-  const wanted = pointAhead(hit.pose, towards, distance);
+  const wanted = pointAhead(hit.pose, drivenHeading(hit.pose, towards), distance);
   drawOutline(brush, viewport, palette.bad, { ...wanted, heading: hit.pose.heading }, dirt);
 
   const x = viewX(viewport, hit.pose.x);
@@ -96,4 +106,10 @@ export function drawHit(
     brush.lineTo(to.x, to.y);
   }
   brush.stroke();
+}
+
+/** The way that the robot drove when it met what lies in this direction: ahead or back. */
+function drivenHeading({ heading }: Pose, towards: number): number {
+  const apart = Math.abs(((((towards - heading) % 360) + 540) % 360) - 180);
+  return apart <= 90 ? heading : heading + 180;
 }

@@ -72,6 +72,11 @@ export function traceBody(context: Brush): void {
   context.stroke(shapesOf("driving").body);
 }
 
+/** Fills the body, in units around the robot's centre. */
+export function fillBody(context: Brush): void {
+  context.fill(shapesOf("driving").body);
+}
+
 /** Draws the robot at its pose, or so many pixels beside it. */
 export function drawRobot(
   context: Pen,

@@ -36,18 +36,22 @@ interface TagScene {
   limits: readonly Limit[];
   /** looks at a wall that was hit */
   bumped: SensorName | null;
+  /** the readings as the page displays them: of the same tick as every other number on the screen */
+  sensors: Snapshot["sensors"];
   /** their flags stay in sight where a tag has another place */
   goals: readonly Cell[];
+  /** what else stands on the stage and no tag may cover */
+  taken: readonly Box[];
 }
 
-/** Draws readings and marks. */
+/** Draws readings and marks. @param snapshot where the robot and its beams are drawn */
 export function drawTags(
   context: Brush,
   viewport: Viewport,
   palette: Palette,
   snapshot: Snapshot,
   dirt: Dirt,
-  { lit, limits, bumped, goals }: TagScene,
+  { lit, limits, bumped, sensors, goals, taken }: TagScene,
 ): void {
   const origin = { x: viewX(viewport, snapshot.pose.x), y: viewY(viewport, snapshot.pose.y) };
   const beamOf = (sensor: SensorName): Beam => ({
@@ -66,7 +70,7 @@ export function drawTags(
 
   context.font = `600 ${READING.font}px ${palette.font}`;
   const requests = sensorNames.map((name): TagRequest<SensorName> => {
-    const width = textWidth(context, readingText(snapshot.sensors[name])) + 2 * READING.padding;
+    const width = textWidth(context, readingText(sensors[name])) + 2 * READING.padding;
     const beam = beamOf(name);
     // Where the wall is out of sight, the reading stands at the edge of what shows.
     const length = Math.min(
@@ -79,10 +83,11 @@ export function drawTags(
   });
   requests.sort((a, b) => Number(lit.includes(b.name)) - Number(lit.includes(a.name)));
   const flags = goals.slice(0, MAX_FLAGS).map((goal) => goalPicture(cellBox(viewport, goal)));
-  const readings = placeTags(requests, [robot], viewport.paper, flags);
+  const readings = placeTags(requests, [robot, ...taken], viewport.paper, flags);
 
   const shown = shownMarks(limits, viewport.scale, bumped !== null);
-  drawMarks(context, viewport, palette, snapshot, shown, beamOf, [robot, ...readings], dirt);
+  const others = [robot, ...taken, ...readings];
+  drawMarks(context, viewport, palette, sensors, shown, beamOf, others, dirt);
 
   context.font = `600 ${READING.font}px ${palette.font}`;
   for (const tag of readings) {
@@ -91,7 +96,7 @@ export function drawTags(
       context,
       palette,
       tag,
-      readingText(snapshot.sensors[tag.name]),
+      readingText(sensors[tag.name]),
       tag.name === bumped ? "bumped" : lit.includes(tag.name) ? "lit" : "plain",
     );
   }
@@ -155,7 +160,7 @@ function drawMarks(
   context: Brush,
   viewport: Viewport,
   palette: Palette,
-  snapshot: Snapshot,
+  sensors: Snapshot["sensors"],
   limits: readonly Limit[],
   beamOf: (sensor: SensorName) => Beam,
   taken: readonly Box[],
@@ -170,7 +175,7 @@ function drawMarks(
     return { name: limit, width, height: MARK.height, centres };
   });
   const tags = placeTags(requests, taken, viewport.paper);
-  const isReached = ({ distance, sensor }: Limit): boolean => distance <= snapshot.sensors[sensor];
+  const isReached = ({ distance, sensor }: Limit): boolean => distance <= sensors[sensor];
   for (const limit of limits) {
     // A bar without its number says nothing, but for the line that the panel shows as running.
     if (!limit.isRunning && !tags.some(({ name }) => name === limit)) continue;

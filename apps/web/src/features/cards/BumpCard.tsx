@@ -1,8 +1,5 @@
-/** Why the program bumped: which line, the room that it needed, the room that it had, and the mends. */
-import { applyMend, storyOfBump, type Mend } from "@corridor/coach";
-import type { ProgramDocument } from "@corridor/program";
-import type { LineRef } from "@corridor/protocol";
-import { DELAY_DISTANCE } from "@corridor/simulation";
+/** Why the robot bumped: what happened, the line that caused it and, in free play, changes that were tried. */
+import { applyMend, causeLine, type Mend } from "@corridor/coach";
 import { History, Play } from "lucide-react";
 import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
@@ -11,17 +8,14 @@ import { useServices } from "../../app/services.ts";
 import type { Explanation } from "../../stores/card-store.ts";
 import { Badge } from "../../ui/Badge.tsx";
 import { Button } from "../../ui/Button.tsx";
-import { useRights } from "../lessons/use-rights.ts";
-import { conditionText } from "../program/condition-text.ts";
-import { allowsMend } from "../program/mend-rights.ts";
+import { focusLine } from "../program/focus-line.ts";
 import { takeMend } from "../program/take-mend.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
 import { BurstIcon } from "../timeline/BurstIcon.tsx";
-import { bumpReason, bumpTitle } from "./bump-sentence.ts";
 import styles from "./cards.module.css";
+import { diagnosisText, diagnosisTitle } from "./diagnosis-text.ts";
 import { FloatingCard } from "./FloatingCard.tsx";
-import { hitBlock } from "./hit-block.ts";
-import { mendText } from "./mend-text.ts";
+import { fixText } from "./fix-text.ts";
 import { RoomBars } from "./RoomBars.tsx";
 import { runFromStart, tellMended } from "./run-from-start.ts";
 import { watchAgain } from "./watch-again.ts";
@@ -36,27 +30,30 @@ interface BumpCardProps {
 }
 
 export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
-  const { t, i18n } = useTranslation();
-  const { workspace, simulator, screen, run } = useServices();
-  const rights = useRights();
-  const { moment, program, mends } = explanation;
-  // A program that was edited since needs other mends, or none.
+  const { t, i18n, ready } = useTranslation(["diagnosis", "words"], { useSuspense: false });
+  const { workspace, simulator, screen, run, challenge } = useServices();
+  const { moment, program, diagnosis } = explanation;
+  // A program that was edited since needs other fixes, or none.
   const isSame = useStore(workspace, (state) => state.program === program);
-  const offered = isSame
-    ? mends.filter((each) => allowsMend(each, program.rules.length, rights))
-    : [];
-  const { cause, pose, line, tick } = moment;
+  // In a challenge the student finds the change: the card names the place and the idea.
+  const isChallenge = useStore(challenge, (state) => state.challenge !== null);
+  const { pose, tick } = moment;
   const goals = useStore(workspace, (state) => state.maze.goals);
-  const keepClear = useMemo(
-    () => [...(cause === null ? [] : [hitBlock(pose, cause.side)]), ...goals],
-    [cause, pose, goals],
+  const keepClear = useMemo(() => {
+    const event = diagnosis?.event;
+    return [...(event?.kind === "bump" ? [event.contact.cell] : []), ...goals];
+  }, [diagnosis, goals]);
+  const line = diagnosis === null ? null : causeLine(diagnosis);
+  const lineId = useStore(workspace, (state) =>
+    typeof line === "number" ? state.lineIds[line] : undefined,
   );
-  if (cause === null) return null;
-  const story = storyOfBump(cause);
-  const isNumbered = typeof line === "number";
-  const badge = isNumbered ? line + 1 : 0;
+  if (diagnosis === null || diagnosis.event.kind !== "bump" || !ready) return null;
+  const { event, cause, fixes } = diagnosis;
+  const words = { t, language: i18n.language };
+  const offered = isSame && !isChallenge ? fixes : [];
+  const since = cause === null ? event.begunAt : Math.min(event.begunAt, cause.moment.tick);
 
-  function mend(chosen: Mend) {
+  function take(chosen: Mend) {
     takeMend(workspace, chosen, applyMend(program, chosen));
     tellMended({ screen, run, simulator, words: i18n });
     onClose();
@@ -69,22 +66,19 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
       keepClear={keepClear}
       tone="bad"
       icon={<BurstIcon size={18} />}
-      title={bumpTitle(t, line)}
+      title={diagnosisTitle(words, diagnosis)}
       onClose={onClose}
     >
       <p className={styles["sentence"]}>
-        {isNumbered && <Badge tone="bad">{badge}</Badge>}
-        <span>{bumpReason(t, story, program, line)}</span>
+        {typeof line === "number" && <Badge tone="bad">{line + 1}</Badge>}
+        <span>{diagnosisText(words, diagnosis)}</span>
       </p>
-      <EarlierTurn program={program} mend={offered[0]} bumped={line} />
-      {story.needs !== null && (
+      {event.needs !== null && event.needs > event.reading && (
         <RoomBars
-          needsLabel={
-            isNumbered ? t("cards.bump.needsLine", { line: badge }) : t("cards.bump.needsOtherwise")
-          }
-          freeLabel={t(story.side === "front" ? "cards.bump.freeFront" : "cards.bump.freeBack")}
-          needs={story.needs}
-          free={story.free}
+          needsLabel={t("diagnosis:needs")}
+          freeLabel={t("diagnosis:had")}
+          needs={event.needs}
+          free={event.reading}
         />
       )}
       <div className={styles["actions"]}>
@@ -92,9 +86,9 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
           <Button
             key={JSON.stringify(each)}
             kind={at === 0 ? "primary" : "outline"}
-            onClick={() => mend(each)}
+            onClick={() => take(each)}
           >
-            {mendText(t, program, each)}
+            {fixText(t, program, each)}
           </Button>
         ))}
         {!isSame && (
@@ -103,40 +97,21 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
             icon={<Play aria-hidden="true" fill="currentColor" />}
             onClick={() => runFromStart(simulator)}
           >
-            {t("cards.fromStart")}
+            {t("words:cards.fromStart")}
+          </Button>
+        )}
+        {isChallenge && typeof line === "number" && lineId !== undefined && (
+          <Button kind="primary" onClick={() => focusLine(lineId)}>
+            {t("diagnosis:show", { line: line + 1 })}
           </Button>
         )}
         <Button
           icon={<History aria-hidden="true" />}
-          onClick={() => watchAgain(simulator, Math.min(cause.decidedAt, tick - WATCHED_TICKS))}
+          onClick={() => watchAgain(simulator, Math.min(since, tick - WATCHED_TICKS))}
         >
-          {t("cards.watchAgain")}
+          {t("words:cards.watchAgain")}
         </Button>
       </div>
     </FloatingCard>
-  );
-}
-
-/** The line that turned too early, where that is what led another one into the wall. */
-function EarlierTurn(props: {
-  program: ProgramDocument;
-  mend: Mend | undefined;
-  bumped: LineRef | null;
-}) {
-  const { program, mend, bumped } = props;
-  const { t, i18n } = useTranslation();
-  if (mend?.kind !== "action" || mend.line === bumped) return null;
-  const when = program.rules[mend.line]?.when ?? null;
-  if (when === null) return null;
-  return (
-    <p className={styles["sentence"]}>
-      <Badge>{mend.line + 1}</Badge>
-      <span>
-        {t("program.advice.intoOpening", {
-          condition: conditionText(t, when, i18n.language),
-          drivesOn: DELAY_DISTANCE,
-        })}
-      </span>
-    </p>
   );
 }

@@ -83,11 +83,12 @@ export function FloatingCard(props: FloatingCardProps) {
         element.dataset["shape"] = shape;
         return { shape, width: element.offsetWidth, height: element.offsetHeight };
       };
+      // Wider it is lower, and may stand where it could not.
+      const shapes = [shaped("tall"), shaped("wide")];
       const next =
         tone === "bad"
-          ? // Wider it is lower, and may stand where it could not.
-            placeCard([area, stage], robot, [shaped("tall"), shaped("wide")], squares)
-          : placeCardAway([inMaze, area, stage], robot, [shaped("tall")], squares);
+          ? placeCard([area, stage], robot, shapes, squares)
+          : placeCardAway([inMaze, area, stage], robot, shapes, squares);
       if (next === null) return;
       element.dataset["shape"] = next.shape.shape;
       const above = next.y - area.y;

@@ -5,6 +5,7 @@ import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { allOf } from "../../text/all-of.ts";
 import { Button } from "../../ui/Button.tsx";
 import type { LessonsService } from "../lessons/lessons-service.ts";
 import { chooseMaze } from "../presets/choose-preset.ts";
@@ -33,6 +34,10 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
   const isChecking = useStore(challenge, (each) => each.isChecking);
   const [service, setService] = useState<LessonsService | null>(null);
   useEffect(() => {
+    challenge.setState({ isCardShown: true });
+    return () => challenge.setState({ isCardShown: false });
+  }, [challenge]);
+  useEffect(() => {
     void lessons.load().then(setService, () => undefined);
   }, [lessons]);
   if (service === null) return null;
@@ -47,7 +52,7 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
           void service.check();
         }}
       >
-        {t("missions:card.check", { count })}
+        {t("missions:card.check", allOf(count))}
       </Button>
     );
   }

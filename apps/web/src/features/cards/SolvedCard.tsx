@@ -5,8 +5,11 @@ import { useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { allOf } from "../../text/all-of.ts";
 import { formatClock, formatSeconds } from "../../text/numbers.ts";
 import { Button } from "../../ui/Button.tsx";
+import { RaceButton } from "../race/RaceButton.tsx";
+import { RaceOutcome } from "../race/RaceOutcome.tsx";
 import { ShareDialog } from "../share/lazy-share-dialog.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
 import styles from "./cards.module.css";
@@ -52,7 +55,7 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
       keepClear={keepClear}
       tone="good"
       icon={<Flag size={18} aria-hidden="true" />}
-      title={isPart ? t("missions:bar.here", { count: mazes }) : t("words:cards.solved.title")}
+      title={isPart ? t("missions:bar.here", allOf(mazes)) : t("words:cards.solved.title")}
       onClose={onClose}
     >
       <p className={styles["sentence"]}>
@@ -83,6 +86,7 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
           <dd>{bumps}</dd>
         </div>
       </dl>
+      <RaceOutcome />
       <div className={styles["actions"]}>
         <Onward maze={maze} onClose={onClose} />
         <Button icon={<Share aria-hidden="true" />} onClick={() => setSharing(true)}>
@@ -95,6 +99,7 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
         >
           {t("words:cards.watchAgain")}
         </Button>
+        <RaceButton kind="quiet" />
       </div>
       <ShareDialog isOpen={isSharing} onClose={() => setSharing(false)} />
     </FloatingCard>

@@ -173,4 +173,13 @@ describe("placeCardAway", () => {
     const place = placeCardAway([low, withLegend], robot, card, []);
     expect(touches({ ...place, ...card }, robot)).toBe(false);
   });
+
+  it("takes a lower shape where only that leaves the robot in sight", () => {
+    const low = { x: 0, y: 0, width: 640, height: 470 };
+    const tall = { width: 476, height: 230 };
+    const wide = { width: 600, height: 180 };
+    const robot = robotAt(320, 235);
+    const place = cardPlace.placeCardAway([low], robot, [tall, wide], []);
+    expect(place).toMatchObject({ shape: wide, covered: 0 });
+  });
 });

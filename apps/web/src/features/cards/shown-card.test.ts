@@ -13,10 +13,10 @@ function explained(kind: Moment["kind"], tick: number) {
     driver: "program",
     bumps: 1,
     cause: null,
-    mends: null,
+    diagnosis: null,
     program: null,
   };
-  return { moment, program: firstProgram, mends: [] };
+  return { moment, program: firstProgram, diagnosis: null };
 }
 
 const bump = explained("bump", 100);
@@ -42,7 +42,7 @@ describe("shownCard", () => {
       card: null,
     },
   ] as const)("is $name", ({ tick, state, view, card }) => {
-    const snapshot = snapshotOf({ tick, state, goalReached: false });
+    const snapshot = snapshotOf({ driver: "program", tick, state, goalReached: false });
     expect(shownCard({ bump, goal: null }, snapshot, view)).toBe(card);
   });
 
@@ -51,7 +51,7 @@ describe("shownCard", () => {
     { name: "the goal, after a hand let go", tick: 340, state: "paused", card: "goal" },
     { name: "nothing while a hand drives on", tick: 340, state: "running", card: null },
   ] as const)("is $name", ({ tick, state, card }) => {
-    const snapshot = snapshotOf({ tick, state, goalReached: true });
+    const snapshot = snapshotOf({ driver: "program", tick, state, goalReached: true });
     expect(shownCard({ bump, goal }, snapshot, "now")).toBe(card);
   });
 
@@ -96,6 +96,28 @@ describe("shownCard", () => {
   ] as const)("of a challenge is $name", ({ result, isSeen, tick, card }) => {
     const snapshot = snapshotOf({ tick, state: "paused", goalReached: tick >= 300 });
     expect(shownCard({ bump: null, goal }, snapshot, "now", { result, isSeen })).toBe(card);
+  });
+
+  describe("of a script", () => {
+    const atRest = { driver: "remote", state: "running", command: null, motion: "stop" } as const;
+    const its = { ...bump, moment: { ...bump.moment, driver: "remote" as const, line: null } };
+
+    it("is the bump while the robot rests at the wall, though time goes on", () => {
+      const snapshot = snapshotOf({ ...atRest, tick: 160, bumping: true, bumps: 1 });
+      expect(shownCard({ bump: its, goal: null }, snapshot, "now")).toBe("bump");
+    });
+
+    it("is nothing once the next command runs, or the robot has left the wall", () => {
+      const busy = snapshotOf({ ...atRest, command: 4, motion: "move", bumping: true, bumps: 1 });
+      expect(shownCard({ bump: its, goal: null }, busy, "now")).toBeNull();
+      const free = snapshotOf({ ...atRest, bumping: false, bumps: 1 });
+      expect(shownCard({ bump: its, goal: null }, free, "now")).toBeNull();
+    });
+
+    it("is the goal while the robot rests there", () => {
+      const snapshot = snapshotOf({ ...atRest, tick: 320, goalReached: true });
+      expect(shownCard({ bump: null, goal }, snapshot, "now")).toBe("goal");
+    });
   });
 
   it("is nothing before the first frame", () => {

@@ -22,7 +22,7 @@ export function shownCard(
   view: RunView,
   attempt: ShownAttempt | null = null,
 ): "bump" | "goal" | "met" | null {
-  if (snapshot === null || view === "playing" || snapshot.state === "running") return null;
+  if (snapshot === null || view === "playing" || isDriving(snapshot)) return null;
   if (attempt?.result.state === "met") {
     if (snapshot.tick >= (attempt.isSeen ? attempt.result.ticks : 0)) return "met";
   }
@@ -30,5 +30,17 @@ export function shownCard(
   const counts = attempt?.result.state !== "failed" && attempt?.result.state !== "met";
   const isReached = goal !== null && snapshot.goalReached && snapshot.tick >= goal.moment.tick;
   if (counts && isReached) return "goal";
-  return bump !== null && snapshot.tick === bump.moment.tick ? "bump" : null;
+  if (bump === null) return null;
+  // A script's robot rests at the wall until the next command.
+  const isAtBump =
+    bump.moment.driver === "remote"
+      ? snapshot.driver === "remote" && snapshot.bumping && snapshot.bumps === bump.moment.bumps
+      : snapshot.tick === bump.moment.tick;
+  return isAtBump ? "bump" : null;
+}
+
+/** Time goes on for a script between its commands: its robot is at rest while none runs. */
+function isDriving({ state, driver, command, motion }: Snapshot): boolean {
+  if (state !== "running") return false;
+  return driver !== "remote" || command !== null || motion !== "stop";
 }

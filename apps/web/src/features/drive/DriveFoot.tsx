@@ -1,5 +1,12 @@
-/** The pinned foot of the panel: sensors and drive keys side by side. */
+/**
+ * The pinned foot of the panel: sensors and drive keys side by side. While a program drives whose lines need the
+ * room, or in a mission that no hand may drive, one row of readings.
+ */
 import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { useMediaQuery } from "../../ui/use-media-query.ts";
+import { useRights } from "../lessons/use-rights.ts";
 import { DrivePad } from "./DrivePad.tsx";
 import styles from "./drive-foot.module.css";
 import type { HoldStore } from "./hold-store.ts";
@@ -7,6 +14,14 @@ import { SensorCross } from "./SensorCross.tsx";
 
 export function DriveFoot({ hold }: { hold: HoldStore }) {
   const { t } = useTranslation();
+  if (useIsCompact()) {
+    return (
+      <section className={styles["compact"]} aria-label={t("drive.sensors")}>
+        <SensorCross look="row" />
+        <span className={styles["unit"]}>{t("drive.cm")}</span>
+      </section>
+    );
+  }
   return (
     <div className={styles["foot"]}>
       <section className={styles["half"]} aria-label={t("drive.sensors")}>
@@ -22,4 +37,18 @@ export function DriveFoot({ hold }: { hold: HoldStore }) {
       </div>
     </div>
   );
+}
+
+/** So many lines have room above sensors and keys in the smallest window of this layout. */
+const FEW_LINES = 3;
+
+/** Depends on nothing that changes by itself while a program drives: no line moves meanwhile. */
+function useIsCompact(): boolean {
+  const { run, workspace } = useServices();
+  const rights = useRights();
+  const isBeside = useMediaQuery("(min-width: 56.25em)");
+  const isProgram = useStore(run, ({ snapshot }) => (snapshot?.driver ?? "program") === "program");
+  const isLong = useStore(workspace, ({ program }) => program.rules.length > FEW_LINES);
+  const isHandsOff = rights !== null && !rights.drivers.includes("me");
+  return isProgram && isBeside && (isLong || isHandsOff);
 }

@@ -54,7 +54,7 @@ interface SensorProps {
 /** A reading on its decimal sign, which stays in its place while digits come and go. */
 function Sensor({ sensor, look, isTouching }: SensorProps) {
   const { t, i18n } = useTranslation();
-  const { numbersRun } = useServices();
+  const { run } = useServices();
   const { language } = i18n;
   const [whole, tenths] = useMemo(() => {
     const textOf = ({ snapshot }: RunState): string => {
@@ -77,8 +77,8 @@ function Sensor({ sensor, look, isTouching }: SensorProps) {
     <div className={classNames(styles["sensor"], styles[sensor], isTouching && styles["touching"])}>
       <dt>{t(`drive.sensor.${sensor}`)}</dt>
       <dd>
-        <LiveText of={numbersRun} text={whole} />
-        <LiveText of={numbersRun} text={tenths} />
+        <LiveText of={run} text={whole} />
+        <LiveText of={run} text={tenths} />
       </dd>
     </div>
   );

@@ -16,6 +16,19 @@ describe("holding drive keys", () => {
     expect(sent).toEqual(["forward", "stop"]);
   });
 
+  it("counts no press that may not drive", () => {
+    const sent: DriveKey[] = [];
+    const hold = createHoldStore(
+      (key) => sent.push(key),
+      (key) => key !== "left",
+    );
+    hold.press("a", "left");
+    hold.press("w", "forward");
+    hold.release("a");
+    hold.release("w");
+    expect(sent).toEqual(["forward", "stop"]);
+  });
+
   it("follows the key pressed last, and returns to the other when it is let go", () => {
     const { sent, hold } = setUp();
     hold.press("w", "forward");

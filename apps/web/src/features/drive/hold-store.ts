@@ -30,8 +30,14 @@ export function isHeldBy(state: HoldState, source: string): boolean {
   return state.held.some((each) => each.source === source && each.isSpent !== true);
 }
 
-/** @param send hears each change of the key that counts; "stop" when none is held any more */
-export function createHoldStore(send: (key: DriveKey) => void) {
+/**
+ * @param send receives each change of the key that counts; "stop" when none is held any more
+ * @param mayPress asked before each press; false: the press counts for nothing
+ */
+export function createHoldStore(
+  send: (key: DriveKey) => void,
+  mayPress: (key: DriveKey) => boolean = () => true,
+) {
   const store = createStore<HoldState>()(() => ({ held: [] }));
 
   function change(held: readonly Held[]): void {
@@ -47,7 +53,8 @@ export function createHoldStore(send: (key: DriveKey) => void) {
     /** A key goes down. Repeats of a held key (as keyboards send them) change nothing. */
     press: (source: string, key: DriveKey): void => {
       const { held } = store.getState();
-      if (!held.some((each) => each.source === source)) change([...held, { source, key }]);
+      if (held.some((each) => each.source === source) || !mayPress(key)) return;
+      change([...held, { source, key }]);
     },
 
     /** A key goes up. */

@@ -4,6 +4,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { MenuItem } from "../../ui/Popover.tsx";
+import { RaceMenuItem } from "../race/RaceButton.tsx";
 import { useFileActions } from "./file-actions.ts";
 import { saveDocument, saveTextMaze } from "./save-file.ts";
 import { saveRun } from "./save-run.ts";
@@ -48,6 +49,7 @@ export function FileMenuItems() {
       >
         {t("files.saveRun")}
       </MenuItem>
+      <RaceMenuItem />
       <MenuItem icon={<Image aria-hidden="true" />} onSelect={savePicture}>
         {t("files.savePicture")}
       </MenuItem>

@@ -1,5 +1,5 @@
 import { mazePresets } from "@corridor/maze";
-import { programPresets } from "@corridor/program";
+import { emptyProgram, programPresets } from "@corridor/program";
 import { describe, expect, it, vi } from "vitest";
 import type { WorksService } from "../../app/works-service.ts";
 import { createScreenStore } from "../../stores/screen-store.ts";
@@ -39,7 +39,8 @@ const words = createI18n(en);
 
 describe("opening files", () => {
   it.each([
-    { are: "a maze", files: [file("a.json", mazeOne)], begun: [mazeOne, null] },
+    // The program before is a ready-made one: nobody's own is lost.
+    { are: "a maze", files: [file("a.json", mazeOne)], begun: [mazeOne, emptyProgram()] },
     { are: "a program", files: [file("b.json", programOne)], begun: [mazeTwo, programOne] },
     {
       are: "a maze and a program",

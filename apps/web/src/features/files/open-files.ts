@@ -10,6 +10,7 @@ import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import { dismiss, tell } from "../../stores/screen-store.ts";
 import { joinList } from "../../text/joined.ts";
+import { programForMaze } from "../program/own-program.ts";
 import { openRun } from "../timeline/open-run.ts";
 import { readDocument, titleOf, type OpenedDocument } from "./read-document.ts";
 
@@ -94,11 +95,10 @@ function openDocuments(
 ): void {
   if (maze === undefined && program === undefined) return;
 
-  const back = services.works.begin(
-    maze ?? services.workspace.getState().maze,
-    // A maze alone is to be solved with whatever program the reader has.
-    program ?? null,
-  );
+  const open = services.workspace.getState();
+  // A maze alone is to be solved: only a program that the reader has written comes along.
+  const opened = program ?? programForMaze(open.program, words);
+  const back = services.works.begin(maze ?? open.maze, opened);
   const names = {
     maze: maze?.name || words.t("works.unnamed"),
     program: program?.name || words.t("files.unnamedProgram"),
@@ -106,7 +106,10 @@ function openDocuments(
   const kind = maze === undefined ? "program" : program === undefined ? "maze" : "both";
   const id = tell(services.screen, {
     tone: "info",
-    text: words.t(`files.opened.${kind}`, names),
+    text:
+      kind === "maze" && opened !== null
+        ? words.t("presets.chosenEmpty", { name: names.maze })
+        : words.t(`files.opened.${kind}`, names),
     action: {
       label: words.t("works.back"),
       run: () => {

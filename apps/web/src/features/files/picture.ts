@@ -58,7 +58,7 @@ export async function pngOf({ svg, width, height }: Picture): Promise<Blob> {
 }
 
 /** The light theme's colours, whatever the page wears: pictures are for paper. */
-function lightPalette(): Palette {
+export function lightPalette(): Palette {
   const probe = document.createElement("div");
   probe.dataset["theme"] = "light";
   probe.hidden = true;

@@ -4,9 +4,11 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { challengeResult } from "../../stores/challenge-store.ts";
+import { allOf } from "../../text/all-of.ts";
 import { metText } from "./failure-text.ts";
 import styles from "./lessons.module.css";
 import { missionIds } from "./missions/mission.ts";
+import { projectOf } from "./missions/projects.ts";
 
 export function ChallengeLine() {
   const words = useTranslation(["missions", "words"], { useSuspense: false });
@@ -17,6 +19,7 @@ export function ChallengeLine() {
   const result = useStore(store, challengeResult);
   if (challenge === null || result === null) return null;
   const id = missionIds.find((each) => each === mission);
+  const project = projectOf(mission);
   if (result.state === "met") {
     return (
       <p className={styles["line"]} data-state="met" dir="auto">
@@ -31,10 +34,12 @@ export function ChallengeLine() {
       <Target size={18} aria-hidden="true" />
       <span className={styles["short"]}>
         {isHere
-          ? t("missions:bar.here", { count: challenge.mazes.length })
-          : id === undefined
-            ? challenge.words.short
-            : t(`missions:missions.${id}.short`)}
+          ? t("missions:bar.here", allOf(challenge.mazes.length))
+          : project !== null
+            ? t(`missions:projects.${project}.short`)
+            : id === undefined
+              ? challenge.words.short
+              : t(`missions:missions.${id}.short`)}
       </span>
     </p>
   );

@@ -1,14 +1,21 @@
 /** The path of missions: all of them open at once, with what is done and where the reader is. */
 import { Check, Circle, CircleDot } from "lucide-react";
-import { useEffect, useState } from "react";
+import { useEffect, useId, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
-import { MazePicture } from "../presets/MazePicture.tsx";
 import type { LessonsService } from "./lessons-service.ts";
+import type { LessonsRecord } from "./lessons-storage.ts";
 import styles from "./lessons.module.css";
+import { Finish } from "./Finish.tsx";
+import { bestText } from "./project-text.ts";
+import { projectIdeas, projects } from "./missions/projects.ts";
+import { MissionPicture } from "./MissionPicture.tsx";
+import { chapterIds, chapters, type ChapterId } from "./missions/chapters.ts";
+import { ideas } from "./missions/ideas.ts";
+import { missionIds } from "./missions/mission.ts";
 import { missions } from "./missions/missions.ts";
 
 export interface LessonsDialogProps {
@@ -43,40 +50,21 @@ function MissionPath({ service, onClose }: { service: LessonsService; onClose: (
   const { t } = useTranslation("missions");
   const { lessons, challenge } = useServices();
   const done = useStore(service.progress, (state) => state.done);
+  const best = useStore(service.progress, (state) => state.best);
   const open = useStore(challenge, (state) => state.mission);
   const isInChallenge = useStore(challenge, (state) => state.challenge !== null);
+  const openMission = (id: string): void => {
+    onClose();
+    void lessons.openMission(id);
+  };
   const count = missions.filter(({ id }) => done[id] !== undefined).length;
   return (
     <>
-      <ol className={styles["path"]}>
-        {missions.map(({ id, challenge: { mazes } }, at) => {
-          const state = done[id] !== undefined ? "done" : open === id ? "current" : "open";
-          return (
-            <li key={id} className={styles["step"]}>
-              <button
-                type="button"
-                className={styles["mission"]}
-                aria-current={open === id ? "step" : undefined}
-                onClick={() => {
-                  onClose();
-                  void lessons.openMission(id);
-                }}
-              >
-                <span className={styles["picture"]}>
-                  {mazes[0] !== undefined && <MazePicture maze={mazes[0]} />}
-                </span>
-                <span className={styles["missionName"]}>
-                  {t("path.name", { number: at + 1, name: t(`missions.${id}.name`) })}
-                </span>
-                <span className={styles["state"]} data-state={state}>
-                  <StateIcon state={state} />
-                  {t(`path.${state}`)}
-                </span>
-              </button>
-            </li>
-          );
-        })}
-      </ol>
+      {count === missions.length && <Finish service={service} done={done} />}
+      {chapterIds.map((chapter) => (
+        <Chapter key={chapter} chapter={chapter} done={done} open={open} onOpen={openMission} />
+      ))}
+      <Projects best={best} open={open} onOpen={openMission} />
       <div className={styles["pathFoot"]}>
         <p className={styles["count"]}>{t("path.progress", { count, all: missions.length })}</p>
         {isInChallenge && (
@@ -93,13 +81,114 @@ function MissionPath({ service, onClose }: { service: LessonsService; onClose: (
         <Button
           kind="quiet"
           size="small"
-          disabled={count === 0}
+          disabled={count === 0 && Object.keys(best).length === 0}
           onClick={() => service.forgetProgress()}
         >
           {t("path.reset")}
         </Button>
       </div>
     </>
+  );
+}
+
+interface ChapterProps {
+  chapter: ChapterId;
+  done: LessonsRecord["done"];
+  /** id of the mission that is open */
+  open: string | null;
+  onOpen: (id: string) => void;
+}
+
+function Chapter({ chapter, done, open, onOpen }: ChapterProps) {
+  const { t } = useTranslation("missions");
+  const titleId = useId();
+  const ids = chapters[chapter];
+  const first = missionIds.findIndex((id) => id === ids[0]);
+  const count = ids.filter((id) => done[id] !== undefined).length;
+  return (
+    <section className={styles["chapter"]} aria-labelledby={titleId}>
+      <div className={styles["chapterHead"]}>
+        <h3 id={titleId} className={styles["chapterName"]}>
+          {t(`chapters.${chapter}`)}
+        </h3>
+        <p className={styles["count"]}>{t("path.progress", { count, all: ids.length })}</p>
+      </div>
+      <ol className={styles["path"]} start={first + 1}>
+        {ids.map((id, at) => {
+          const state = done[id] !== undefined ? "done" : open === id ? "current" : "open";
+          const mazes = missions[first + at]?.challenge.mazes ?? [];
+          return (
+            <li key={id} className={styles["step"]}>
+              <button
+                type="button"
+                className={styles["mission"]}
+                aria-current={open === id ? "step" : undefined}
+                onClick={() => onOpen(id)}
+              >
+                <span className={styles["picture"]}>
+                  <MissionPicture mazes={mazes} ideas={ideas[id]} />
+                </span>
+                <span className={styles["missionName"]}>
+                  {t("path.name", { number: first + at + 1, name: t(`missions.${id}.name`) })}
+                </span>
+                <span className={styles["state"]} data-state={state}>
+                  <StateIcon state={state} />
+                  {t(`path.${state}`)}
+                </span>
+              </button>
+            </li>
+          );
+        })}
+      </ol>
+    </section>
+  );
+}
+
+interface ProjectsProps {
+  best: LessonsRecord["best"];
+  /** id of the project that is open */
+  open: string | null;
+  onOpen: (id: string) => void;
+}
+
+function Projects({ best, open, onOpen }: ProjectsProps) {
+  const words = useTranslation(["missions", "words"], { useSuspense: false });
+  const { t } = words;
+  const titleId = useId();
+  return (
+    <section className={styles["chapter"]} aria-labelledby={titleId}>
+      <div className={styles["chapterHead"]}>
+        <h3 id={titleId} className={styles["chapterName"]}>
+          {t("missions:project.all")}
+        </h3>
+        <p className={styles["count"]}>{t("missions:project.note")}</p>
+      </div>
+      <ol className={styles["path"]}>
+        {projects.map(({ id, challenge: { mazes } }) => {
+          const result = best[id];
+          const state = result !== undefined ? "done" : open === id ? "current" : "open";
+          return (
+            <li key={id} className={styles["step"]}>
+              <button
+                type="button"
+                className={styles["mission"]}
+                aria-current={open === id ? "step" : undefined}
+                onClick={() => onOpen(id)}
+              >
+                <span className={styles["picture"]}>
+                  <MissionPicture mazes={mazes} ideas={projectIdeas[id]} />
+                </span>
+                <span className={styles["missionName"]}>{t(`missions:projects.${id}.name`)}</span>
+                <span className={styles["state"]} data-state={state}>
+                  <StateIcon state={state} />
+                  {result === undefined ? t(`missions:path.${state}`) : bestText(words, id, result)}
+                </span>
+              </button>
+            </li>
+          );
+        })}
+      </ol>
+    </section>
   );
 }
 

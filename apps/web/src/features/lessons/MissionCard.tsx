@@ -5,14 +5,16 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { isSeenInRun } from "../../stores/challenge-store.ts";
+import { allOf } from "../../text/all-of.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
-import { LessonsDialog } from "./lazy-lessons-dialog.ts";
 import type { LessonsService } from "./lessons-service.ts";
 import { HintButton, HintList } from "./MissionHints.tsx";
 import { MissionMazes } from "./MissionMazes.tsx";
 import { MissionOutcome } from "./MissionOutcome.tsx";
+import { ProjectOutcome } from "./ProjectOutcome.tsx";
 import styles from "./lessons.module.css";
 import { missionIds, nextMission } from "./missions/mission.ts";
+import { projectIds, projectOf } from "./missions/projects.ts";
 import { useTask } from "./use-task.ts";
 
 export interface MissionCardProps {
@@ -31,7 +33,11 @@ export function MissionCard({ look = "full" }: MissionCardProps) {
     if (isOpen) void lessons.load().then(setService, () => undefined);
   }, [isOpen, lessons]);
   if (!isOpen || service === null) return null;
-  return look === "full" ? <OpenMission key={mission} service={service} /> : <SlimMission />;
+  return look === "full" ? (
+    <OpenMission key={mission} service={service} />
+  ) : (
+    <SlimMission service={service} />
+  );
 }
 
 function OpenMission({ service }: { service: LessonsService }) {
@@ -45,21 +51,33 @@ function OpenMission({ service }: { service: LessonsService }) {
   if (challenge === null) return null;
   const at = missionIds.findIndex((each) => each === mission);
   const id = missionIds[at];
+  const project = projectOf(mission);
   const hints =
-    id === undefined
-      ? challenge.words.hints
-      : Object.values(t(`missions:missions.${id}.hints`, { returnObjects: true }));
+    project !== null
+      ? Object.values(t(`missions:projects.${project}.hints`, { returnObjects: true }))
+      : id === undefined
+        ? challenge.words.hints
+        : Object.values(t(`missions:missions.${id}.hints`, { returnObjects: true }));
   return (
     <section className={styles["card"]} aria-label={t("missions:card.label")}>
       <div className={styles["head"]}>
         <div className={styles["title"]}>
           <p className={styles["number"]}>
-            {id === undefined
-              ? t("missions:card.shared")
-              : t("missions:card.number", { number: at + 1, all: missionIds.length })}
+            {project !== null
+              ? t("missions:project.number", {
+                  number: projectIds.indexOf(project) + 1,
+                  all: projectIds.length,
+                })
+              : id === undefined
+                ? t("missions:card.shared")
+                : t("missions:card.number", { number: at + 1, all: missionIds.length })}
           </p>
           <h2 className={styles["name"]}>
-            {id === undefined ? challenge.name : t(`missions:missions.${id}.name`)}
+            {project !== null
+              ? t(`missions:projects.${project}.name`)
+              : id === undefined
+                ? challenge.name
+                : t(`missions:missions.${id}.name`)}
           </h2>
         </div>
         <HintButton
@@ -84,7 +102,11 @@ function OpenMission({ service }: { service: LessonsService }) {
         </IconButton>
       </div>
       {!isFolded && <p className={styles["task"]}>{task}</p>}
-      <MissionOutcome challenge={challenge} />
+      {project === null ? (
+        <MissionOutcome challenge={challenge} />
+      ) : (
+        <ProjectOutcome project={project} service={service} />
+      )}
       <HintList hints={isFolded ? [] : hints.slice(0, hintsShown)} />
       <div className={styles["row"]}>
         {challenge.mazes.length > 1 && <MissionMazes service={service} />}
@@ -94,20 +116,26 @@ function OpenMission({ service }: { service: LessonsService }) {
   );
 }
 
-function SlimMission() {
+function SlimMission({ service }: { service: LessonsService }) {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });
   const { challenge: store, lessons } = useServices();
   const challenge = useStore(store, (state) => state.challenge);
   const mission = useStore(store, (state) => state.mission);
   const isMet = useStore(store, (state) => state.result.state === "met");
+  const isCardShown = useStore(store, (state) => state.isCardShown);
   const task = useTask();
   if (challenge === null) return null;
   const next = nextMission(mission);
+  const project = projectOf(mission);
   return (
     <section className={styles["slim"]} aria-label={t("missions:card.label")}>
       {!isMet && <p className={styles["task"]}>{task}</p>}
-      <MissionOutcome challenge={challenge} />
-      {isMet && next !== null && (
+      {project === null ? (
+        <MissionOutcome challenge={challenge} />
+      ) : (
+        <ProjectOutcome project={project} service={service} />
+      )}
+      {isMet && !isCardShown && next !== null && (
         <Button size="small" kind="primary" onClick={() => void lessons.openMission(next)}>
           {t("missions:card.next")}
           <ArrowRight className={styles["onward"]} aria-hidden="true" />
@@ -125,40 +153,42 @@ function Actions({ service }: { service: LessonsService }) {
   const mission = useStore(store, (state) => state.mission);
   const result = useStore(store, (state) => state.result);
   const isChecking = useStore(store, (state) => state.isChecking);
-  const [isPathOpen, setIsPathOpen] = useState(false);
+  const isCardShown = useStore(store, (state) => state.isCardShown);
   if (challenge === null) return null;
   const isMet = result.state === "met";
+  // The card beside the robot has the same button.
+  const leadsOn = isMet && !isCardShown;
   const next = nextMission(mission);
-  const isChecked = !isSeenInRun(challenge) && challenge.allowed.drivers.includes("program");
+  const isChecked =
+    projectOf(mission) === null &&
+    !isSeenInRun(challenge) &&
+    challenge.allowed.drivers.includes("program");
   return (
-    <>
-      <div className={styles["actions"]}>
-        {isChecked && !isMet && (
-          <Button
-            size="small"
-            kind="primary"
-            disabled={isChecking}
-            icon={<ListChecks aria-hidden="true" />}
-            onClick={() => void service.check()}
-          >
-            {isChecking
-              ? t("missions:card.checking")
-              : t("missions:card.check", { count: challenge.mazes.length })}
-          </Button>
-        )}
-        {isMet && next !== null && (
-          <Button size="small" kind="primary" onClick={() => void lessons.openMission(next)}>
-            {t("missions:card.next")}
-            <ArrowRight className={styles["onward"]} aria-hidden="true" />
-          </Button>
-        )}
-        {isMet && next === null && mission !== null && (
-          <Button size="small" kind="primary" onClick={() => setIsPathOpen(true)}>
-            {t("missions:card.last")}
-          </Button>
-        )}
-      </div>
-      <LessonsDialog isOpen={isPathOpen} onClose={() => setIsPathOpen(false)} />
-    </>
+    <div className={styles["actions"]}>
+      {isChecked && !isMet && (
+        <Button
+          size="small"
+          kind="primary"
+          disabled={isChecking}
+          icon={<ListChecks aria-hidden="true" />}
+          onClick={() => void service.check()}
+        >
+          {isChecking
+            ? t("missions:card.checking")
+            : t("missions:card.check", allOf(challenge.mazes.length))}
+        </Button>
+      )}
+      {leadsOn && next !== null && (
+        <Button size="small" kind="primary" onClick={() => void lessons.openMission(next)}>
+          {t("missions:card.next")}
+          <ArrowRight className={styles["onward"]} aria-hidden="true" />
+        </Button>
+      )}
+      {isMet && next === null && mission !== null && (
+        <Button size="small" kind="primary" onClick={() => store.setState({ isPathOpen: true })}>
+          {t("missions:card.last")}
+        </Button>
+      )}
+    </div>
   );
 }

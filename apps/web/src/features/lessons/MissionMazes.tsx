@@ -15,14 +15,19 @@ export function MissionMazes({ service }: { service: LessonsService }) {
   const verdict = useStore(store, (state) => state.verdict);
   const outcomes = verdict?.mazes ?? [];
   const passed = outcomes.filter(({ failure }) => failure === null).length;
+  // An open project is checked by itself, without a verdict.
+  const live = useStore(service.project.status, ({ status }) =>
+    status.kind === "mazes" ? status.result.failed : null,
+  );
   const failing = verdict?.failure?.maze ?? null;
   return (
     <div className={styles["mazes"]}>
       <ul className={styles["mazeList"]} aria-label={t("card.mazes")}>
         {Array.from({ length: count }, (_, at) => {
           const outcome = outcomes[at];
-          const state =
-            outcome === undefined ? null : outcome.failure === null ? "passes" : "fails";
+          const isKnown = live !== null || outcome !== undefined;
+          const doesFail = live?.includes(at) ?? outcome?.failure !== null;
+          const state = isKnown ? (doesFail ? "fails" : "passes") : null;
           return (
             <li key={at}>
               <button

@@ -6,28 +6,33 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import { useSay } from "../speech/use-say.ts";
-import { failureText, handText, liveFailureText, metText } from "./failure-text.ts";
+import { failureText, handText, liveFailureText, metText, runFailureText } from "./failure-text.ts";
+import type { MissionWords } from "./mission-words.ts";
 import styles from "./lessons.module.css";
 
 export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) {
-  const words = useTranslation(["missions", "words"], { useSuspense: false });
+  const { t, i18n } = useTranslation(["missions", "words", "diagnosis"], { useSuspense: false });
+  const words: MissionWords = { t: t as unknown as MissionWords["t"], i18n };
   const { challenge: store, run, speech } = useServices();
   const result = useStore(store, (state) => state.result);
   const verdict = useStore(store, (state) => state.verdict);
-  const blames = useStore(store, (state) => state.blames);
+  const diagnoses = useStore(store, (state) => state.diagnoses);
+  const failedRun = useStore(store, (state) => state.failedRun);
   const shown = useStore(store, (state) => state.maze);
   const standing = useStore(run, (state) => standingReading(challenge, state));
   const isMet = result.state === "met";
   const failure = verdict === null ? null : failureOf(verdict, shown);
   // Nothing has failed where a hand may drive on.
-  const isOpen = failure === null && result.state === "open";
+  const isOpen = failure === null && failedRun === null && result.state === "open";
   const text = isMet
     ? metText(words, challenge, result)
     : failure !== null
-      ? failureText(words, challenge, failure, blames[failure.maze ?? -1] ?? null)
-      : isOpen && standing !== null
-        ? handText(words, challenge, standing)
-        : liveFailureText(words, challenge, result);
+      ? failureText(words, challenge, failure, diagnoses[failure.maze ?? -1] ?? null)
+      : failedRun !== null
+        ? runFailureText(words, failedRun)
+        : isOpen && standing !== null
+          ? handText(words, challenge, standing)
+          : liveFailureText(words, challenge, result);
   useSay(text, "mission");
   useEffect(
     () => () => {

@@ -1,54 +1,48 @@
 /** Why an attempt does not pass, in a sentence with its numbers. */
 import type { ChallengeDocument, Failure } from "@corridor/challenge";
-import type { Blame } from "@corridor/coach";
+import type { Diagnosis } from "@corridor/coach";
 import type { ChallengeResult } from "../../stores/challenge-store.ts";
 import { formatSeconds } from "../../text/numbers.ts";
-import { blameText } from "./blame-text.ts";
+import { diagnosisText, diagnosisWords } from "../cards/diagnosis-text.ts";
 import type { MissionWords } from "./mission-words.ts";
 
 /**
  * What a check says.
- * @param blame which line led the robot astray; null where none can be named
+ * @param diagnosis why the program fails in this maze; null where nothing ran
  */
 export function failureText(
   words: MissionWords,
   challenge: ChallengeDocument,
   it: Failure,
-  blame: Blame | null,
+  diagnosis: Diagnosis | null,
 ): string {
-  const reason =
-    blame === null ? reasonText(words, challenge, it) : blamed(words, challenge, it, blame);
+  const reason = diagnosed(words, challenge, it, diagnosis);
   if (it.maze === null || challenge.mazes.length === 1) return reason;
   return words.t("missions:failure.inMaze", { number: it.maze + 1, reason });
 }
 
-/** What happened in few words, then why. */
-function blamed(
+function diagnosed(
   words: MissionWords,
   challenge: ChallengeDocument,
   it: Failure,
-  blame: Blame,
+  diagnosis: Diagnosis | null,
 ): string {
-  return words.t("missions:failure.both", {
-    first: happenedText(words, challenge, it, blame),
-    second: blameText(words, blame),
-  });
+  if (diagnosis === null) return reasonText(words, challenge, it);
+  if (it.code === "bump") return runFailureText(words, diagnosis);
+  const isShort = it.code === "not-reached" && diagnosis.cause !== null;
+  const happened = isShort
+    ? words.t("missions:failure.notInTime", { seconds: challenge.checks.seconds })
+    : reasonText(words, challenge, it);
+  return runFailureText(words, diagnosis, happened);
 }
 
-function happenedText(
-  words: MissionWords,
-  challenge: ChallengeDocument,
-  it: Failure,
-  blame: Blame,
+/** Why the run on the screen failed, or the run of a check. */
+export function runFailureText(
+  { t, i18n }: MissionWords,
+  diagnosis: Diagnosis,
+  happened?: string,
 ): string {
-  const { t, i18n } = words;
-  // Where only a missing turn is known, the line that drove into the wall is named before it.
-  if (it.code === "bump" && blame.kind === "no-turn") return bumpText(words, it);
-  if (it.code === "bump") {
-    return t("missions:failure.bump", { seconds: formatSeconds(it.tick ?? 0, i18n.language) });
-  }
-  if (it.code !== "not-reached") return reasonText(words, challenge, it);
-  return t("missions:failure.notInTime", { seconds: challenge.checks.seconds });
+  return diagnosisText(diagnosisWords(t, i18n.language), diagnosis, happened);
 }
 
 function reasonText(words: MissionWords, challenge: ChallengeDocument, it: Failure): string {
@@ -71,7 +65,9 @@ function reasonText(words: MissionWords, challenge: ChallengeDocument, it: Failu
         ? t("missions:failure.changedLine", { line: it.line + 1 })
         : t("missions:failure.changedOtherwise");
     case "bump":
-      return bumpText(words, it);
+      return t("missions:failure.bumpHand", {
+        seconds: formatSeconds(it.tick ?? 0, words.i18n.language),
+      });
     case "not-reached":
     case "not-visited":
       return t(`missions:failure.${it.code}`, {
@@ -83,24 +79,6 @@ function reasonText(words: MissionWords, challenge: ChallengeDocument, it: Failu
     case "too-short":
       return t(`missions:failure.${it.code}`, { found, needed });
   }
-}
-
-function bumpText({ t, i18n }: MissionWords, { tick, place, line, decision }: Failure): string {
-  const seconds = formatSeconds(tick ?? 0, i18n.language);
-  const action = decision?.action;
-  if (action === null || action === undefined || place === null) {
-    return t("missions:failure.bumpHand", { seconds });
-  }
-  const known = {
-    seconds,
-    row: place.row + 1,
-    column: place.column + 1,
-    action: t(`words:program.action.${action}`),
-    front: Math.round(decision?.readings.front ?? 0),
-  };
-  return typeof line === "number"
-    ? t("missions:failure.bumpLine", { ...known, line: line + 1 })
-    : t("missions:failure.bumpOtherwise", known);
 }
 
 /** What the run on the screen says; null while nothing has failed. */

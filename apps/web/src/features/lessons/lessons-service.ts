@@ -5,11 +5,11 @@
 import {
   rightsOf,
   startingProgram,
-  termsOf,
   type ChallengeDocument,
   type Judgement,
 } from "@corridor/challenge";
-import type { MazeDocument } from "@corridor/maze";
+import type { Diagnosis } from "@corridor/coach";
+import { CELL, type MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import { createStore } from "zustand/vanilla";
 import { firstWork } from "../../app/first-visit.ts";
@@ -17,20 +17,35 @@ import { noChallenge } from "../../stores/challenge-store.ts";
 import { dismiss, tell } from "../../stores/screen-store.ts";
 import { newLineIds, setMaze, setProgram, undo } from "../../stores/workspace-store.ts";
 import type { CheckAnswer } from "../../worker/check-request.ts";
+import type { SolvedTrail } from "../../worker/project-request.ts";
 import { readChallengeText, writeChallengeText } from "./challenge-text.ts";
 import { startChecker, type ChallengeChecker } from "./challenge-checker.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import type { Done, LessonsRecord } from "./lessons-storage.ts";
 import { mazeIndex } from "./maze-index.ts";
+import { MissionAddress, pageAddressBar, type AddressBar } from "./mission-address.ts";
 import { missionDocument } from "./mission-document.ts";
 import { nextMission, type MissionId } from "./missions/mission.ts";
 import { missions } from "./missions/missions.ts";
+import { projectOf, projects } from "./missions/projects.ts";
+import { ProjectWatch } from "./project-watch.ts";
+
+/** All that an address can name. */
+const tasks = [...missions, ...projects];
+
+/** Nothing has failed, as far as is known of the program as it is. */
+const nothingSaid = { verdict: null, diagnoses: [], failedRun: null } as const;
 
 export class LessonsService {
   readonly #ports: LessonsPorts;
   readonly #checker: ChallengeChecker;
   /** what is done, for the path; changes with every mission */
-  readonly progress = createStore<Pick<LessonsRecord, "done">>(() => ({ done: {} }));
+  readonly progress = createStore<Pick<LessonsRecord, "done" | "best">>(() => ({
+    done: {},
+    best: {},
+  }));
+  /** the open project, checked as it changes */
+  readonly project: ProjectWatch;
   /** rises with each challenge and maze that the run is judged by: what is said of another is not heard */
   #judgeId = 0;
   /** id of the work that the open challenge is tried in */
@@ -39,12 +54,27 @@ export class LessonsService {
   /** to what was open before the first mission, also where it was never stored */
   #wayHome: (() => void) | null = null;
 
-  constructor(ports: LessonsPorts, checker: ChallengeChecker = startChecker()) {
+  readonly #address: MissionAddress;
+
+  constructor(
+    ports: LessonsPorts,
+    checker: ChallengeChecker = startChecker(),
+    bar: AddressBar = pageAddressBar(),
+  ) {
     this.#ports = ports;
     this.#checker = checker;
+    this.#address = new MissionAddress(ports.challenge, bar, () => this.goHome());
     this.showProgress();
+    this.project = new ProjectWatch(ports, (isStored) => {
+      this.#tellUnlessKept(isStored);
+      this.showProgress();
+    });
     ports.simulator.listen((message) => {
-      if (message.type === "notice") void this.#explain();
+      if (message.type === "diagnosed") this.#failed(message.diagnosis, message.program);
+      if (message.type === "moment" && message.moment.diagnosis !== null) {
+        this.#failed(message.moment.diagnosis, message.moment.program);
+      }
+      if (message.type === "forgotten") ports.challenge.setState({ failedRun: null });
       // A change of the program begins anew, but not the run: it is told again why it does not count.
       const isGoal = message.type === "moment" && message.moment.kind === "goal";
       if (isGoal && this.#judged.kind === "failed") this.#hear(this.#judged);
@@ -54,26 +84,39 @@ export class LessonsService {
     });
     ports.challenge.subscribe((next, before) => {
       if (next.challenge !== null || before.challenge === null) return;
-      ports.simulator.send({ type: "judge", id: ++this.#judgeId, terms: null });
+      ports.simulator.send({ type: "judge", id: ++this.#judgeId, attempt: null });
     });
     ports.workspace.subscribe((next, before) => {
       if (ports.challenge.getState().challenge === null) return;
       if (next.maze !== before.maze) this.#followMaze(next.maze);
       if (next.program !== before.program) {
-        ports.challenge.setState({ verdict: null, blames: [], result: { state: "open" } });
+        ports.challenge.setState({ ...nothingSaid, result: { state: "open" } });
       }
     });
   }
 
   /** Brings what is done up to date: another tab may have done more since. */
   showProgress(): void {
-    this.progress.setState({ done: this.#ports.storage.record.done });
+    const { done, best } = this.#ports.storage.record;
+    this.progress.setState({ done, best });
   }
 
-  /** Opens a mission where it was left, or from its beginning. */
-  openMission(id: string): void {
-    const mission = missions.find((each) => each.id === id);
-    if (mission === undefined) return;
+  /**
+   * Opens the mission that an address names. The one that is open stays as it is, with its run.
+   * @returns whether there is such a mission
+   */
+  follow(id: string): boolean {
+    const { storage, works } = this.#ports;
+    if (storage.missionOf(works.currentId()) !== id) return this.openMission(id);
+    this.sync();
+    return true;
+  }
+
+  /** Opens a mission where it was left, or from its beginning. @returns whether there is such a mission */
+  openMission(id: string): boolean {
+    const mission = tasks.find((each) => each.id === id);
+    if (mission === undefined) return false;
+    this.#address.opening();
     const { storage, works } = this.#ports;
     const challenge = missionDocument(mission, this.#ports.words);
     const attempt = works.list().find((work) => work.id === storage.record.works[id]);
@@ -85,6 +128,7 @@ export class LessonsService {
       this.#tellUnlessKept(storage.add({ works: { [id]: works.currentId() } }));
     }
     this.#start(challenge, id);
+    return true;
   }
 
   /** Opens a shared challenge in a work of its own. */
@@ -103,7 +147,7 @@ export class LessonsService {
   sync(): void {
     const { works, storage } = this.#ports;
     const id = storage.missionOf(works.currentId());
-    const mission = missions.find((each) => each.id === id);
+    const mission = tasks.find((each) => each.id === id);
     if (mission !== undefined) {
       this.#show(missionDocument(mission, this.#ports.words), mission.id);
       return;
@@ -138,7 +182,7 @@ export class LessonsService {
     const { program } = workspace.getState();
     simulator.send({ type: "reset" });
     if (doesTheSame(program, start)) {
-      store.setState({ verdict: null, blames: [], result: { state: "open" } });
+      store.setState({ ...nothingSaid, result: { state: "open" } });
       tell(screen, { tone: "info", text: words.t("missions:card.begunAsItWas") });
       return;
     }
@@ -178,27 +222,29 @@ export class LessonsService {
     }
     if (answer === null) return;
     const { verdict } = answer;
-    store.setState(answer);
+    store.setState({ ...answer, failedRun: null });
     if (verdict.passed) {
       const ticks = Math.max(...verdict.mazes.map((each) => each.ticks));
       const bumps = Math.max(...verdict.mazes.map((each) => each.bumps));
       const lines = this.#ports.workspace.getState().program.rules.length;
       store.setState({ result: { state: "met", driver: "program", ticks, bumps, lines } });
       this.#setDone({ lines, ticks });
-    } else if (this.#judged.kind === "met" && verdict.mazes.length <= 1) {
-      const code = verdict.mazes.length === 0 ? (verdict.failure?.code ?? "edited") : "edited";
-      store.setState({ result: { state: "failed", code, tick: this.#judged.tick } });
+    } else {
+      const isMet = this.#judged.kind === "met" && verdict.mazes.length === 1;
+      const code = isMet ? "edited" : (verdict.failure?.code ?? "edited");
+      const tick = this.#judged.kind === "open" ? 0 : this.#judged.tick;
+      store.setState({ result: { state: "failed", code, tick } });
     }
   }
 
-  /** The program's run on the screen failed or gets nowhere: says which line led it astray. */
-  async #explain(): Promise<void> {
-    const { challenge: store } = this.#ports;
-    if (!store.getState().challenge?.allowed.drivers.includes("program")) return;
-    // Without the worker nothing is lost but the reason: the failure itself is told from the run.
-    const answer = await this.#ask().catch(() => null);
-    // What would pass from its start is no success of this run.
-    if (answer !== null && !answer.verdict.passed) store.setState(answer);
+  /** The run on the screen failed: this is newer than what a check said before. */
+  #failed(diagnosis: Diagnosis, program: ProgramDocument | null): void {
+    const { challenge: store, workspace } = this.#ports;
+    const { challenge } = store.getState();
+    if (challenge === null || !challenge.allowed.drivers.includes("program")) return;
+    // The program was edited in the same moment: the diagnosis is of another one.
+    if (program !== null && !doesTheSame(program, workspace.getState().program)) return;
+    store.setState({ failedRun: diagnosis, verdict: null, diagnoses: [] });
   }
 
   /** @returns null for the answer to a program that is no longer there */
@@ -216,6 +262,30 @@ export class LessonsService {
   /** The mission after the open one; null after the last, and where no mission is open. */
   nextMission(): MissionId | null {
     return nextMission(this.#ports.challenge.getState().mission);
+  }
+
+  /**
+   * The trail of the last mission whose stored program reaches the goal; no trail where none does.
+   * @throws where the worker does not load
+   */
+  async solvedTrail(): Promise<SolvedTrail> {
+    const { works, storage, words } = this.#ports;
+    const stored = works.list();
+    const attempts = missions.toReversed().flatMap((mission) => {
+      const work = stored.find(({ id }) => id === storage.record.works[mission.id]);
+      const [maze] = missionDocument(mission, words).mazes;
+      const isReach = mission.challenge.goal.kind === "reach";
+      return work === undefined || maze === undefined || !isReach
+        ? []
+        : [{ maze, program: work.program }];
+    });
+    const trail = await this.project.trailOf(attempts);
+    if (trail !== null) return trail;
+    const [last] = missions.slice(-1).flatMap((mission) => missionDocument(mission, words).mazes);
+    if (last === undefined) throw new Error("There is no mission.");
+    const { column, row } = last.start;
+    const pose = { x: (column + 0.5) * CELL, y: (row + 0.5) * CELL, heading: 90 };
+    return { maze: last, pose, points: [] };
   }
 
   /** Back to what was open before the first mission. Missions stay where they are. */
@@ -237,7 +307,7 @@ export class LessonsService {
   /** Forgets what is done; the message takes that back. Attempts stay on the device. */
   forgetProgress(): void {
     const { storage, screen, words } = this.#ports;
-    const { done } = storage.record;
+    const { done, best } = storage.record;
     this.#tellUnlessKept(storage.forgetDone());
     this.showProgress();
     const id = tell(screen, {
@@ -247,7 +317,7 @@ export class LessonsService {
         label: words.t("missions:path.undo"),
         run: () => {
           dismiss(screen, id);
-          this.#tellUnlessKept(storage.add({ done }));
+          this.#tellUnlessKept(storage.add({ done, best }));
           this.showProgress();
         },
       },
@@ -271,13 +341,15 @@ export class LessonsService {
 
   #show(challenge: ChallengeDocument, mission: string | null): void {
     const { challenge: store, workspace } = this.#ports;
-    const maze = mazeIndex(challenge, workspace.getState().maze);
+    const index = mazeIndex(challenge, workspace.getState().maze);
+    // Where the maze may be edited it can be any.
+    const maze = index ?? (challenge.allowed.maze ? 0 : null);
     if (maze === null) {
       this.#detach();
       return;
     }
     this.#work = this.#ports.works.currentId();
-    this.#begin(challenge, maze);
+    this.#begin(challenge, maze, mission);
     const rights = rightsOf(challenge);
     store.setState({ ...noChallenge, challenge, mission, maze, rights, isInvited: false });
   }
@@ -293,7 +365,7 @@ export class LessonsService {
       this.#detach();
       tell(screen, { tone: "info", text: words.t("missions:card.replaced") });
     } else if (index !== shown) {
-      this.#begin(challenge, index);
+      this.#begin(challenge, index, store.getState().mission);
       store.setState({ maze: index, result: { state: "open" } });
     }
   }
@@ -307,10 +379,11 @@ export class LessonsService {
     challenge.setState(noChallenge);
   }
 
-  #begin(challenge: ChallengeDocument, maze: number): void {
+  #begin(challenge: ChallengeDocument, maze: number, mission: string | null): void {
     this.#judged = { kind: "open" };
-    const terms = termsOf(challenge, maze);
-    this.#ports.simulator.send({ type: "judge", id: ++this.#judgeId, terms });
+    // The worker of the projects says whether a maze defeats its program; no run on the screen does.
+    const attempt = projectOf(mission) === "beat-right-wall" ? null : { challenge, maze };
+    this.#ports.simulator.send({ type: "judge", id: ++this.#judgeId, attempt });
   }
 
   /** The attempt on the screen stands another way. */
@@ -321,7 +394,6 @@ export class LessonsService {
     if (judged.kind === "open") store.setState({ result: { state: "open" } });
     else if (judged.kind === "failed") {
       store.setState({ result: { state: "failed", code: judged.code, tick: judged.tick } });
-      if (judged.code !== "driver") void this.#explain();
     } else this.#meet(challenge, judged);
   }
 
@@ -342,7 +414,7 @@ export class LessonsService {
   #setDone(done: Done): void {
     const { storage, challenge } = this.#ports;
     const { mission } = challenge.getState();
-    if (mission === null) return;
+    if (mission === null || projectOf(mission) !== null) return;
     this.#tellUnlessKept(storage.add({ done: { [mission]: done } }));
     this.showProgress();
   }

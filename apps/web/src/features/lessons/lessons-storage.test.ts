@@ -17,6 +17,7 @@ describe("what the device remembers of the lessons", () => {
     expect(after.record).toEqual({
       done: { "one-line": { lines: 1, ticks: 420 } },
       works: { "one-line": "w1" },
+      best: {},
       home: "w0",
     });
     expect(after.missionOf("w1")).toBe("one-line");
@@ -40,6 +41,7 @@ describe("what the device remembers of the lessons", () => {
         three: { lines: 0, ticks: 100 },
       },
       works: { one: "w1", two: "w2" },
+      best: {},
       home: null,
     };
     expect(a.record).toEqual(all);
@@ -50,6 +52,17 @@ describe("what the device remembers of the lessons", () => {
     expect(a.record.done["two"]).toEqual({ lines: 2, ticks: 199 });
   });
 
+  it("keeps the better result of an open project, number by number", () => {
+    const device = new MemoryStorage();
+    const a = new LessonsStorage(device);
+    a.add({ best: { "fewest-bumps": [2, 900] } });
+    new LessonsStorage(device).add({ best: { "fewest-bumps": [1, 2000], "all-mazes": [0, 500] } });
+    a.add({ best: { "fewest-bumps": [1, 2500], "all-mazes": [1, 1] } });
+    expect(a.record.best).toEqual({ "fewest-bumps": [1, 2000], "all-mazes": [0, 500] });
+    a.forgetDone();
+    expect(a.record.best).toEqual({});
+  });
+
   it("forgets and drops in both tabs", () => {
     const device = new MemoryStorage();
     const a = new LessonsStorage(device);
@@ -58,7 +71,7 @@ describe("what the device remembers of the lessons", () => {
     b.forgetDone();
     b.dropWork("w1");
     a.add({ home: "w0" });
-    expect(a.record).toEqual({ done: {}, works: { two: "w2" }, home: "w0" });
+    expect(a.record).toEqual({ done: {}, works: { two: "w2" }, best: {}, home: "w0" });
     expect(a.missionOf("w1")).toBeNull();
   });
 
@@ -67,7 +80,12 @@ describe("what the device remembers of the lessons", () => {
     (text) => {
       const device = new MemoryStorage();
       device.setItem(KEY, text);
-      expect(new LessonsStorage(device).record).toEqual({ done: {}, works: {}, home: null });
+      expect(new LessonsStorage(device).record).toEqual({
+        done: {},
+        works: {},
+        best: {},
+        home: null,
+      });
     },
   );
 

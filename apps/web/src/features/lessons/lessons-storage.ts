@@ -16,12 +16,14 @@ export interface LessonsRecord {
   done: Readonly<Record<string, Done>>;
   /** id of the work that holds the attempt, by id of the mission */
   works: Readonly<Record<string, string>>;
+  /** the best result of each open project: numbers of which fewer are better, the first counts most */
+  best: Readonly<Record<string, readonly number[]>>;
   /** id of the work that was open before the first mission; null when it is not known */
   home: string | null;
 }
 
 const KEY = "corridor.lessons";
-const nothing: LessonsRecord = { done: {}, works: {}, home: null };
+const nothing: LessonsRecord = { done: {}, works: {}, best: {}, home: null };
 
 export class LessonsStorage {
   readonly #device: KeyValueStorage;
@@ -48,18 +50,19 @@ export class LessonsStorage {
   }
 
   /** Adds entries; of a mission that was done before, the better one stays. @returns whether the device keeps it */
-  add({ done = {}, works = {}, home }: Partial<LessonsRecord>): boolean {
+  add({ done = {}, works = {}, best = {}, home }: Partial<LessonsRecord>): boolean {
     const record = this.#newest();
     return this.#write({
       done: bestOf(record.done, done),
       works: { ...record.works, ...works },
+      best: fewestOf(record.best, best),
       home: home === undefined ? record.home : home,
     });
   }
 
   /** Forgets what is done, in every tab; attempts stay. @returns whether the device keeps it */
   forgetDone(): boolean {
-    return this.#write({ ...this.#newest(), done: {} });
+    return this.#write({ ...this.#newest(), done: {}, best: {} });
   }
 
   /** A work is no attempt at a mission any more. @returns whether the device keeps it */
@@ -77,6 +80,7 @@ export class LessonsStorage {
     return {
       done: bestOf(stored.done, unkept.done),
       works: { ...stored.works, ...unkept.works },
+      best: fewestOf(stored.best, unkept.best),
       home: unkept.home,
     };
   }
@@ -132,6 +136,21 @@ function bestOf(a: LessonsRecord["done"], b: LessonsRecord["done"]): LessonsReco
   return best;
 }
 
+/** All results of both; where both have one, the one whose first different number is smaller. */
+function fewestOf(a: LessonsRecord["best"], b: LessonsRecord["best"]): LessonsRecord["best"] {
+  const best = { ...a };
+  for (const [id, result] of Object.entries(b)) {
+    const before = best[id];
+    if (before === undefined || isFewer(result, before)) best[id] = result;
+  }
+  return best;
+}
+
+function isFewer(result: readonly number[], than: readonly number[]): boolean {
+  const at = result.findIndex((number, index) => number !== than[index]);
+  return at >= 0 && (result[at] ?? 0) < (than[at] ?? Infinity);
+}
+
 /** What cannot be read counts as nothing: the works themselves are kept elsewhere. */
 function parse(text: string | null): LessonsRecord {
   let input: unknown;
@@ -141,10 +160,11 @@ function parse(text: string | null): LessonsRecord {
     return nothing;
   }
   if (typeof input !== "object" || input === null) return nothing;
-  const { done, works, home } = input as Record<string, unknown>;
+  const { done, works, best, home } = input as Record<string, unknown>;
   return {
     done: entriesOf(done, isDone),
     works: entriesOf(works, (value): value is string => typeof value === "string"),
+    best: entriesOf(best, isNumbers),
     home: typeof home === "string" ? home : null,
   };
 }
@@ -156,6 +176,10 @@ function entriesOf<Value>(
   if (typeof input !== "object" || input === null) return {};
   const entries: [string, unknown][] = Object.entries(input);
   return Object.fromEntries(entries.filter((entry): entry is [string, Value] => isValue(entry[1])));
+}
+
+function isNumbers(value: unknown): value is readonly number[] {
+  return Array.isArray(value) && value.every((each) => typeof each === "number");
 }
 
 function isDone(value: unknown): value is Done {

@@ -2,10 +2,18 @@
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { i18n } from "i18next";
 import { challengeOf, type Mission } from "./missions/mission.ts";
+import { projectOf, type Project } from "./missions/projects.ts";
 
 /** @param words with the namespace "missions" loaded */
-export function missionDocument(mission: Mission, { t }: Pick<i18n, "t">): ChallengeDocument {
-  const key = `missions:missions.${mission.id}` as const;
+export function missionDocument(
+  mission: Mission | Project,
+  { t }: Pick<i18n, "t">,
+): ChallengeDocument {
+  const project = projectOf(mission.id);
+  const key =
+    project === null
+      ? (`missions:missions.${mission.id as Mission["id"]}` as const)
+      : (`missions:projects.${project}` as const);
   return challengeOf(mission, t(`${key}.name`), {
     task: t(`${key}.task`),
     short: t(`${key}.short`),

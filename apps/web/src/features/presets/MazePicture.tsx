@@ -17,9 +17,6 @@ interface MazePictureProps {
 
 export function MazePicture({ maze, showStart = true }: MazePictureProps) {
   const { columns, rows } = sizeOf(maze);
-  const longest = Math.max(columns, rows);
-  const mark = Math.max(MARK, longest * MARK_SHARE);
-  const isOutlined = longest <= OUTLINED_UP_TO;
   return (
     <svg
       className={styles["picture"]}
@@ -27,6 +24,19 @@ export function MazePicture({ maze, showStart = true }: MazePictureProps) {
       preserveAspectRatio="xMidYMid meet"
       aria-hidden="true"
     >
+      <MazeDrawing maze={maze} showStart={showStart} />
+    </svg>
+  );
+}
+
+/** The same as part of another drawing, one unit for each square. */
+export function MazeDrawing({ maze, showStart = true }: MazePictureProps) {
+  const { columns, rows } = sizeOf(maze);
+  const longest = Math.max(columns, rows);
+  const mark = Math.max(MARK, longest * MARK_SHARE);
+  const isOutlined = longest <= OUTLINED_UP_TO;
+  return (
+    <>
       <rect className={styles["floor"]} width={columns} height={rows} />
       <path className={styles[isOutlined ? "blocks" : "solid"]} d={blocksPath(maze)} />
       {isOutlined && <path className={styles["edges"]} d={edgesPath(maze)} />}
@@ -49,6 +59,6 @@ export function MazePicture({ maze, showStart = true }: MazePictureProps) {
           r={mark}
         />
       )}
-    </svg>
+    </>
   );
 }

@@ -5,7 +5,8 @@ import { useId } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { chooseAlgorithm } from "../program/choose-algorithm.ts";
+import { AlgorithmChoice } from "../program/AlgorithmChoice.tsx";
+import { DailyMaze } from "../daily/DailyMaze.tsx";
 import { useRights } from "../lessons/use-rights.ts";
 import { chooseMaze } from "./choose-preset.ts";
 import { MazePicture } from "./MazePicture.tsx";
@@ -47,6 +48,14 @@ export function PresetsPanel({ onChosen }: PresetsPanelProps) {
         ))}
       </ul>
       <p className={styles["note"]}>{t("presets.note")}</p>
+      <div className={styles["section"]}>
+        <DailyMaze
+          onUse={(maze) => {
+            chooseMaze(services, i18n, maze);
+            onChosen?.();
+          }}
+        />
+      </div>
       <section className={styles["section"]} aria-labelledby={randomId}>
         <h2 id={randomId} className={styles["heading"]}>
           {t("presets.random.title")}
@@ -63,27 +72,31 @@ export function PresetsPanel({ onChosen }: PresetsPanelProps) {
           <h2 id={algorithmsId} className={styles["heading"]}>
             {t("presets.algorithms")}
           </h2>
-          <ul className={styles["algorithms"]}>
-            {programPresets.map((preset) => {
-              const name = t(`program.preset.${preset.id}.name`);
-              const { rules, default: otherwise } = preset.program;
-              return (
-                <PresetCard
-                  key={preset.id}
-                  title={name}
-                  hint={t(`program.preset.${preset.id}.note`)}
-                  isOpen={
-                    JSON.stringify([rules, otherwise]) ===
-                    JSON.stringify([program.rules, program.default])
-                  }
-                  onChoose={() => {
-                    chooseAlgorithm(services, i18n, { ...preset.program, name });
-                    onChosen?.();
-                  }}
-                />
-              );
-            })}
-          </ul>
+          <details>
+            <summary className={styles["summary"]}>{t("program.algorithms")}</summary>
+            <AlgorithmChoice onChosen={onChosen}>
+              {(choose) => (
+                <ul className={styles["algorithms"]}>
+                  {programPresets.map((preset) => {
+                    const name = t(`program.preset.${preset.id}.name`);
+                    const { rules, default: otherwise } = preset.program;
+                    return (
+                      <PresetCard
+                        key={preset.id}
+                        title={name}
+                        hint={t(`program.preset.${preset.id}.note`)}
+                        isOpen={
+                          JSON.stringify([rules, otherwise]) ===
+                          JSON.stringify([program.rules, program.default])
+                        }
+                        onChoose={() => choose({ ...preset.program, name })}
+                      />
+                    );
+                  })}
+                </ul>
+              )}
+            </AlgorithmChoice>
+          </details>
         </section>
       )}
     </div>

@@ -1,30 +1,40 @@
-/** Puts a maze in place of the one that is open, with a message that takes it back. */
+/**
+ * Puts a maze in place of the one that is open, with a message that takes it back. A program that the student
+ * wrote stays; an example or a ready-made one makes room for an empty program.
+ */
 import type { MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import { dismiss, tell } from "../../stores/screen-store.ts";
-import { setMaze, undo } from "../../stores/workspace-store.ts";
+import { newLineIds, setMaze, setProgram, undo } from "../../stores/workspace-store.ts";
+import { programForMaze } from "../program/own-program.ts";
 
-/** The robot goes to the start of the maze. The program stays. */
+/** The robot goes to the start of the maze. Maze and program are one step of the history. */
 export function chooseMaze(
   { workspace, simulator, screen }: Pick<Services, "workspace" | "simulator" | "screen">,
   words: Pick<i18n, "t">,
   maze: MazeDocument,
 ): void {
-  const before = workspace.getState().maze;
-  setMaze(workspace, maze);
+  const before = workspace.getState();
+  const program = programForMaze(before.program, words);
+  if (program === null) setMaze(workspace, maze);
+  else workspace.setState({ maze, program, lineIds: newLineIds(program.rules.length) });
   simulator.send({ type: "reset" });
-  const after = workspace.getState().maze;
+  const after = workspace.getState();
   const message = tell(screen, {
     tone: "info",
-    text: words.t("presets.chosen", { name: maze.name }),
+    text: words.t(program === null ? "presets.chosen" : "presets.chosenEmpty", { name: maze.name }),
     action: {
       label: words.t("presets.undo"),
       run: () => {
         dismiss(screen, message);
         // Later edits have steps of their own in the history, which stay: the old maze comes on top.
-        if (workspace.getState().maze === after) undo(workspace);
-        else setMaze(workspace, before);
+        const now = workspace.getState();
+        if (now.maze === after.maze && now.program === after.program) undo(workspace);
+        else {
+          setMaze(workspace, before.maze);
+          if (now.program === program) setProgram(workspace, before.program, before.lineIds);
+        }
         simulator.send({ type: "reset" });
       },
     },

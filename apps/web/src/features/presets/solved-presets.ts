@@ -25,6 +25,12 @@ export function createSolvedStore({ run, workspace, device }: SolvedPorts): Solv
   run.subscribe(({ moment }, before) => {
     if (moment === before.moment || moment?.kind !== "goal" || moment.driver === "remote") return;
     const { maze } = workspace.getState();
+    const { tick, bumps } = moment;
+    void import("../daily/daily-best.ts").then(
+      ({ noteDaily, utcDay }) =>
+        noteDaily(device, maze, { ticks: tick, bumps }, utcDay(new Date())),
+      () => undefined,
+    );
     // The ready-made mazes are no part of the first screen.
     void import("./preset-of.ts").then(
       ({ presetOf }) => {

@@ -1,7 +1,8 @@
-/** What a line does: the menu of the paper's actions. */
+/** What a line does: the menu of actions. */
 import { menuActions } from "@corridor/program";
 import type { PlainAction } from "@corridor/protocol";
 import { useTranslation } from "react-i18next";
+import { classNames } from "../../ui/class-names.ts";
 import { Select } from "../../ui/Select.tsx";
 import { useRights } from "../lessons/use-rights.ts";
 import { ActionIcon } from "./ProgramIcons.tsx";
@@ -15,7 +16,7 @@ interface ActionMenuProps {
   edit?: "action" | "otherwise";
 }
 
-/** An action that the menu does not have (stop) stays a choice while a program uses it. */
+/** An action that a challenge does not offer stays a choice while a program uses it. */
 export function ActionMenu({ label, value, onChange, edit = "action" }: ActionMenuProps) {
   const { t } = useTranslation();
   const rights = useRights();
@@ -25,7 +26,7 @@ export function ActionMenu({ label, value, onChange, edit = "action" }: ActionMe
   return (
     <Select
       label={label}
-      className={styles["action"]}
+      className={classNames(styles["action"], isFixed && styles["fixed"])}
       value={value}
       disabled={isFixed}
       title={isFixed ? t("lessons.partFixed") : undefined}

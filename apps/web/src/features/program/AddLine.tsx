@@ -8,6 +8,7 @@ import { useId } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { OtherMazesButton } from "../other-mazes/OtherMazesButton.tsx";
 import { useRights } from "../lessons/use-rights.ts";
 import { classNames } from "../../ui/class-names.ts";
 import styles from "./add-line.module.css";
@@ -31,7 +32,12 @@ export function AddLine({ onAdd }: { onAdd: () => void }) {
   const button = (
     <button
       type="button"
-      className={classNames(styles["add"], isOff && styles["off"])}
+      id="add-line"
+      className={classNames(
+        styles["add"],
+        isOff && styles["off"],
+        count === 0 && rights === null && styles["first"],
+      )}
       disabled={isOff}
       aria-describedby={isOff ? reasonId : undefined}
       onClick={onAdd}
@@ -43,7 +49,10 @@ export function AddLine({ onAdd }: { onAdd: () => void }) {
   return (
     <>
       {rights === null ? (
-        button
+        <div className={styles["free"]}>
+          {button}
+          {count > 0 && <OtherMazesButton className={styles["others"]} />}
+        </div>
       ) : (
         <div className={styles["foot"]}>
           {button}

@@ -7,8 +7,8 @@ import type { AdviceText } from "./advice-text.ts";
 
 interface AdviceNoteProps {
   text: AdviceText;
-  /** takes the mend, where the text has one */
-  onMend?: () => void;
+  /** applies the fix; left out in a challenge, where the student finds the change */
+  onMend?: (() => void) | undefined;
   onHide: () => void;
 }
 
@@ -18,7 +18,7 @@ export function AdviceNote({ text, onMend, onHide }: AdviceNoteProps) {
     <div className={styles["advice"]}>
       <Lightbulb size={16} aria-hidden="true" />
       <p>{text.reason}</p>
-      {text.mend !== null && (
+      {text.mend !== null && onMend !== undefined && (
         <Button size="small" className={styles["mend"]} onClick={onMend}>
           {text.mend}
         </Button>

@@ -11,6 +11,7 @@ import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
 import { beginStroke } from "../../stores/workspace-store.ts";
+import { classNames } from "../../ui/class-names.ts";
 import { FieldError } from "../../ui/FieldError.tsx";
 import { NumberInput } from "../../ui/NumberInput.tsx";
 import { Select } from "../../ui/Select.tsx";
@@ -50,7 +51,7 @@ export function ConditionMenu({ index, condition, remembered }: ConditionMenuPro
   return (
     <Select
       label={t("program.conditionOf", { line: index + 1 })}
-      className={styles["condition"]}
+      className={classNames(styles["condition"], isFixed && styles["fixed"])}
       value={choiceOf(condition)}
       options={options}
       disabled={isFixed}
@@ -81,7 +82,7 @@ export function ConditionNumber({ index, condition }: { index: number; condition
       <NumberInput
         draft={draft}
         errorId={errorId}
-        className={styles["number"]}
+        className={classNames(styles["number"], isFixed && styles["fixed"])}
         disabled={isFixed}
         title={isFixed ? t("lessons.partFixed") : undefined}
         aria-label={t("program.numberOf", { line: index + 1 })}

@@ -1,34 +1,27 @@
-/** What stands under a line while it is at work: how far its manoeuvre is, or the bump it came to. */
-import type { LineRef, PlainAction } from "@corridor/protocol";
+/** What stands on the lower edge of a line while it is at work: how far its manoeuvre is, or the bump it came to. */
+import type { LineRef } from "@corridor/protocol";
 import { useLayoutEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import { CalmPace } from "../../ui/calm-pace.ts";
-import { classNames } from "../../ui/class-names.ts";
 import { remember } from "../../ui/remember.ts";
 import { BurstIcon } from "../timeline/BurstIcon.tsx";
-import { isManoeuvre, shownProgress, type ShownBump, type ShownProgress } from "./line-state.ts";
+import { shownProgress, type ShownBump, type ShownProgress } from "./line-state.ts";
 import styles from "./line-notes.module.css";
 
 interface LineNoteProps {
   line: LineRef;
-  /** what the line does */
-  action: PlainAction;
   /** null while it touches nothing */
   bump: ShownBump | null;
-  className?: string | undefined;
 }
 
-/** While the line rests nothing but its room, in a program that has begun: no line moves when another drives. */
-export function LineNote({ line, action, bump, className }: LineNoteProps) {
+/** It takes no room of its own, so that no line moves when another drives. */
+export function LineNote({ line, bump }: LineNoteProps) {
   return bump === null ? (
-    <LineProgress
-      line={line}
-      className={classNames(styles["note"], isManoeuvre(action) && styles["kept"], className)}
-    />
+    <LineProgress line={line} />
   ) : (
-    <div className={className}>
+    <div className={styles["note"]}>
       <LineBump bump={bump} />
     </div>
   );
@@ -37,18 +30,13 @@ export function LineNote({ line, action, bump, className }: LineNoteProps) {
 /** A few, and the most degrees of a turn: words bend with their number, and the longest make the room. */
 const COUNTS = [5, 180];
 
-interface LineProgressProps {
-  line: LineRef;
-  className?: string | undefined;
-}
-
 /**
  * A bar that fills and the words to it: "turns in 36 cm". It is always there, and not seen while the line
  * rests; what moves is written straight to its elements.
  */
-function LineProgress({ line, className }: LineProgressProps) {
+function LineProgress({ line }: Pick<LineNoteProps, "line">) {
   const { t } = useTranslation();
-  const { lateRun: run } = useServices();
+  const { run } = useServices();
   const note = useRef<HTMLDivElement>(null);
   const bar = useRef<HTMLProgressElement>(null);
   const fill = useRef<HTMLSpanElement>(null);
@@ -101,7 +89,7 @@ function LineProgress({ line, className }: LineProgressProps) {
     return run.subscribe(look);
   }, [run, line, wordsOf]);
   return (
-    <div ref={note} className={className} data-resting="">
+    <div ref={note} className={styles["note"]} data-resting="">
       <div className={styles["progress"]}>
         <progress ref={bar} aria-hidden="true" />
         <span ref={fill} className={styles["bar"]} aria-hidden="true" />

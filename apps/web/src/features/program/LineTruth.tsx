@@ -14,15 +14,13 @@ import styles from "./line-truth.module.css";
 interface LineTruthProps {
   /** the run as the line follows it */
   feed: Followed<RunState>;
-  /** the same for its numbers */
-  numbers: Followed<RunState>;
   /** a line without one does nothing and is skipped */
   condition: Condition | null;
   truth: TruthAt;
   className?: string | undefined;
 }
 
-export function LineTruth({ feed, numbers, condition, truth, className }: LineTruthProps) {
+export function LineTruth({ feed, condition, truth, className }: LineTruthProps) {
   const { t, i18n } = useTranslation();
   const { language } = i18n;
   const element = useRef<HTMLSpanElement>(null);
@@ -69,13 +67,13 @@ export function LineTruth({ feed, numbers, condition, truth, className }: LineTr
           <Check className={styles["yes"]} size={14} aria-hidden="true" />
           <X className={styles["no"]} size={14} aria-hidden="true" />
           <LiveText
-            of={numbers}
+            of={feed}
             text={word}
             className={classNames("visually-hidden", styles["word"])}
           />
-          <LiveText of={numbers} text={left} className={styles["left"]} />
+          <LiveText of={feed} text={left} className={styles["left"]} />
         </span>{" "}
-        <LiveText of={numbers} text={right} className={styles["than"]} />
+        <LiveText of={feed} text={right} className={styles["than"]} />
       </span>
     </span>
   );

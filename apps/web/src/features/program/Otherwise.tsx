@@ -27,7 +27,7 @@ interface OtherwiseProps {
 export function Otherwise({ element }: OtherwiseProps) {
   "use memo";
   const { t } = useTranslation();
-  const { workspace, run, numbersRun, advice } = useServices();
+  const { workspace, run, advice } = useServices();
   const action = useStore(workspace, (state) => state.program.default);
   const bump = useStore(
     run,
@@ -41,10 +41,8 @@ export function Otherwise({ element }: OtherwiseProps) {
     const running = isBumped ? resting : t("program.otherwiseRuns");
     const nameOf = ({ snapshot }: RunState): string =>
       decidingLine(snapshot) === "default" ? running : resting;
-    return followText(numbersRun, nameOf, (name) =>
-      element.current?.setAttribute("aria-label", name),
-    );
-  }, [element, numbersRun, t, isBumped]);
+    return followText(run, nameOf, (name) => element.current?.setAttribute("aria-label", name));
+  }, [element, run, t, isBumped]);
   return (
     <fieldset
       ref={element}
@@ -67,7 +65,7 @@ export function Otherwise({ element }: OtherwiseProps) {
         mood={isBumped ? "bumped" : "driving"}
         className={classNames(frame["robot"], styles["robot"])}
       />
-      <LineNote line="default" action={action} bump={bump} className={styles["note"]} />
+      <LineNote line="default" bump={bump} />
       {given !== null && text !== null && (
         <div className={styles["advice"]}>
           <AdviceNote text={text} onHide={() => advice.hide(given)} />

@@ -7,6 +7,8 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import { tell } from "../../stores/screen-store.ts";
+import { lazyPart } from "../../ui/lazy-part.tsx";
+import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { useRights } from "../lessons/use-rights.ts";
 import { AddLine } from "./AddLine.tsx";
 import { AdviceNews } from "./AdviceNews.tsx";
@@ -19,15 +21,23 @@ import { ProgramLine } from "./ProgramLine.tsx";
 import { useRunningLine } from "./use-running-line.ts";
 import { watchRoom } from "./watch-room.ts";
 
+const EmptyProgram = lazyPart(async () => (await import("./EmptyProgram.tsx")).EmptyProgram);
+
+/** A program of more lines spares the browser those that are out of sight. */
+const FEW_LINES = 12;
+
 export function ProgramEditor() {
   const { t } = useTranslation();
   const rights = useRights();
+  const isPhone = useMediaQuery("(max-width: 37.49em)");
   // A hand is asked for, and no line may be written: there is nothing to read here yet.
   if (rights?.maxLines === 0 && rights.drivers[0] === "me") return null;
   return (
     <section className={styles["editor"]} aria-label={t("program.program")}>
-      <ProgramHeader />
+      {/* The lines come first where the sheet shows three of them. */}
+      {!isPhone && <ProgramHeader />}
       <ProgramLines />
+      {isPhone && <ProgramHeader />}
     </section>
   );
 }
@@ -35,6 +45,7 @@ export function ProgramEditor() {
 /** Not drawn again while the robot drives: each line follows the run itself. */
 function ProgramLines() {
   const { t } = useTranslation();
+  const rights = useRights();
   const { workspace, screen, run } = useServices();
   const program = useStore(workspace, (state) => state.program);
   const hasBegun = useStore(run, hasProgramBegun);
@@ -62,7 +73,12 @@ function ProgramLines() {
   return (
     <div ref={body} className={styles["body"]} data-begun={hasBegun ? "" : undefined}>
       <span ref={rod} className={styles["rod"]} />
-      <ol ref={list} className={styles["lines"]}>
+      {program.rules.length === 0 && rights === null && <EmptyProgram />}
+      <ol
+        ref={list}
+        className={styles["lines"]}
+        data-many={program.rules.length > FEW_LINES ? "" : undefined}
+      >
         {program.rules.map((rule, index) => {
           const id = lineIds[index];
           if (id === undefined) return null;
@@ -71,7 +87,7 @@ function ProgramLines() {
               {/* Says below the running line that those that follow were not read. */}
               {index > 0 && (
                 <li className={styles["rule"]} aria-hidden="true">
-                  {t("program.notRead")}
+                  <span>{t("program.notRead")}</span>
                 </li>
               )}
               <ProgramLine

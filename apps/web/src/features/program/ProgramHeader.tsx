@@ -10,8 +10,10 @@ import { IconButton } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
 import { useRights } from "../lessons/use-rights.ts";
+import { isExample } from "./example.ts";
 import { applyEdit } from "./program-actions.ts";
 import styles from "./program-header.module.css";
+import { useGoalSentence } from "./use-goal-sentence.ts";
 
 const AlgorithmList = lazyPart(async () => (await import("./AlgorithmList.tsx")).AlgorithmList);
 
@@ -29,9 +31,21 @@ export function ProgramHeader() {
         <AlgorithmMenu />
         <UndoRedo />
       </div>
-      <p className={styles["explanation"]}>{t("program.explanation")}</p>
+      <Explanation />
     </header>
   );
+}
+
+/** What there is to reach; with the example, and where the empty lines say that, how a program works. */
+function Explanation() {
+  const { t } = useTranslation();
+  const { workspace } = useServices();
+  const isOwn = useStore(
+    workspace,
+    ({ program }) => program.rules.length > 0 && !isExample(program),
+  );
+  const goal = useGoalSentence();
+  return <p className={styles["explanation"]}>{isOwn ? goal : t("program.explanation")}</p>;
 }
 
 export function UndoRedo() {
@@ -92,7 +106,7 @@ function AlgorithmMenu() {
       </IconButton>
       <Popover {...menu.panel} label={t("program.algorithms")} align="end">
         <h3 className={styles["menuTitle"]}>{t("program.algorithms")}</h3>
-        <AlgorithmList />
+        <AlgorithmList onChosen={menu.close} />
       </Popover>
     </>
   );

@@ -41,18 +41,14 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   "use memo";
   const { id, index, count, rule, remembered } = props;
   const { t } = useTranslation();
-  const { workspace, screen, run, numbersRun, advice, challenge } = useServices();
+  const { workspace, screen, run, advice, challenge } = useServices();
   const element = useRef<HTMLLIElement>(null);
   const truth = useMemo(() => truthAt(rule.when), [rule.when]);
   const feed = useMemo(() => lineFeed(run, id), [run, id]);
-  const numbers = useMemo(() => lineFeed(numbersRun, id), [numbersRun, id]);
   useLayoutEffect(() => {
     const line = element.current;
-    const ends = line === null ? [] : [feed, numbers].map((each) => each.watch(line));
-    return () => {
-      for (const end of ends) end();
-    };
-  }, [feed, numbers]);
+    return line === null ? undefined : feed.watch(line);
+  }, [feed]);
   const bump = useStore(
     run,
     useShallow((state) => shownBump(index, state)),
@@ -60,8 +56,9 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   const given = useStore(advice, (state) => adviceOn(index, state));
   const adviceText = useAdviceText(given, rule.when);
   const by = given?.mend ?? null;
+  const isChallenge = useStore(challenge, (state) => state.challenge !== null);
   const isBumped = bump !== null;
-  useLineLabel(element, numbers, { index, rule, advice: adviceText?.reason ?? null, truth });
+  useLineLabel(element, feed, { index, rule, advice: adviceText?.reason ?? null, truth });
   const line = index + 1;
 
   function move(by: -1 | 1) {
@@ -123,7 +120,12 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex
       tabIndex={0}
       onKeyDown={onKeyDown}
-      className={classNames(frame["frame"], styles["line"], isBumped && frame["bumped"])}
+      className={classNames(
+        frame["frame"],
+        styles["line"],
+        isBumped && frame["bumped"],
+        rule.when === null && styles["incomplete"],
+      )}
     >
       <div className={styles["gutter"]}>
         <Badge tone={isBumped ? "bad" : "rest"} className={isBumped ? undefined : styles["badge"]}>
@@ -137,13 +139,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       <div className={styles["ask"]}>
         <ConditionMenu index={index} condition={rule.when} remembered={remembered} />
         {rule.when !== null && <ConditionNumber index={index} condition={rule.when} />}
-        <LineTruth
-          feed={feed}
-          numbers={numbers}
-          condition={rule.when}
-          truth={truth}
-          className={styles["truth"]}
-        />
+        <LineTruth feed={feed} condition={rule.when} truth={truth} className={styles["truth"]} />
       </div>
       <span className={classNames(styles["word"], styles["then"])}>{t("program.then")}</span>
       <div className={styles["do"]}>
@@ -162,11 +158,10 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
           onDelete={remove}
         />
       </div>
-      <LineNote line={index} action={rule.do} bump={bump} className={styles["note"]} />
-      {/* What it came to is told where it bumped; the card there has the mend. */}
-      {adviceText !== null && bump === null && (
-        <div className={styles["advice"]}>
-          <AdviceNote text={adviceText} onMend={mend} onHide={hide} />
+      <LineNote line={index} bump={bump} />
+      {adviceText !== null && (
+        <div className={styles["advice"]} data-over={isBumped ? "" : undefined}>
+          <AdviceNote text={adviceText} onMend={isChallenge ? undefined : mend} onHide={hide} />
         </div>
       )}
     </li>

@@ -1,14 +1,6 @@
-import { plainActions } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import {
-  decidingLine,
-  isManoeuvre,
-  isPassedOver,
-  shownBump,
-  shownProgress,
-  shownTruth,
-} from "./line-state.ts";
+import { decidingLine, isPassedOver, shownBump, shownProgress, shownTruth } from "./line-state.ts";
 
 const snapshot = snapshotOf({
   driver: "program",
@@ -54,12 +46,6 @@ describe("shownTruth", () => {
   it("is none for a line that does nothing, and before the first snapshot", () => {
     expect(shownTruth(null, snapshot)).toBeNull();
     expect(shownTruth({ sensor: "right", is: ">", than: 60 }, null)).toBeNull();
-  });
-});
-
-describe("isManoeuvre", () => {
-  it.each(plainActions)("%s is one when it ends by itself", (action) => {
-    expect(isManoeuvre(action)).toBe(action.includes("90") || action.includes("180"));
   });
 });
 
@@ -111,6 +97,7 @@ describe("shownBump", () => {
     bumps: 2,
     cause: {
       decidedAt: 55,
+      begunAt: 55,
       action: "delayed right 90" as const,
       readings: touching.sensors,
       part: 0,
@@ -120,15 +107,38 @@ describe("shownBump", () => {
       driven: 23.9,
       needed: 50,
     },
-    mends: null,
+    diagnosis: {
+      event: { kind: "late" as const, tick: 80 },
+      cause: {
+        kind: "delayed" as const,
+        side: "right" as const,
+        needs: 75,
+        moment: {
+          tick: 55,
+          line: 0,
+          action: "delayed right 90" as const,
+          readings: touching.sensors,
+        },
+      },
+      fixes: [],
+    },
     program: null,
   };
 
-  it("is that of the line that drove into the wall, as long as the robot touches it", () => {
+  it("is that of the line that caused it, as long as the robot touches it", () => {
     expect(shownBump(0, { snapshot: touching, moment })).toEqual({ driven: 24, needed: 50 });
     expect(shownBump(1, { snapshot: touching, moment })).toBeNull();
     const free = { ...touching, bumping: false };
     expect(shownBump(0, { snapshot: free, moment })).toBeNull();
+  });
+
+  it("is that of another line than the one that drove where that one is the cause", () => {
+    const other = { ...moment, line: "default" as const };
+    expect(shownBump(0, { snapshot: touching, moment: other })).toEqual({
+      driven: null,
+      needed: null,
+    });
+    expect(shownBump("default", { snapshot: touching, moment: other })).toBeNull();
   });
 
   it("stays with that line when another one decides beside the wall", () => {
@@ -137,13 +147,10 @@ describe("shownBump", () => {
     expect(shownBump(1, { snapshot: next, moment })).toBeNull();
   });
 
-  it("has no numbers for a bump that is not the newest one", () => {
+  it("marks no line for a bump whose cause is not known", () => {
     const past = { ...touching, bumps: 1, tick: 30 };
-    expect(shownBump(0, { snapshot: past, moment })).toEqual({ driven: null, needed: null });
-    expect(shownBump(0, { snapshot: touching, moment: null })).toEqual({
-      driven: null,
-      needed: null,
-    });
+    expect(shownBump(0, { snapshot: past, moment })).toBeNull();
+    expect(shownBump(0, { snapshot: touching, moment: null })).toBeNull();
   });
 
   it("is nobody's while a hand drives", () => {

@@ -1,6 +1,7 @@
 /** How the lines of the program stand at the shown moment. */
+import { causeLine } from "@corridor/coach";
 import { truthOf, type Condition } from "@corridor/program";
-import type { LineRef, PlainAction, Snapshot } from "@corridor/protocol";
+import type { LineRef, Snapshot } from "@corridor/protocol";
 import type { RunState } from "../../stores/run-store.ts";
 import type { Moment } from "../../worker/worker-messages.ts";
 import { truthText } from "./truth-text.ts";
@@ -88,11 +89,6 @@ export function shownProgress(
 /** Rounding leaves crumbs of a distance; they are none. */
 const CRUMB = 1e-6;
 
-/** Whether an action has an end to look forward to, which its line shows while it drives. */
-export function isManoeuvre(action: PlainAction): boolean {
-  return action !== "forward" && action !== "reverse" && action !== "stop";
-}
-
 /** A bump as its line shows it: how far it came, and how far it would have gone. Whole cm. */
 export interface ShownBump {
   /** null when it is not known, as for a bump of the past */
@@ -102,9 +98,9 @@ export interface ShownBump {
 }
 
 /** What of a moment tells of a bump. */
-type BumpMoment = Pick<Moment, "kind" | "line" | "bumps" | "cause">;
+type BumpMoment = Pick<Moment, "kind" | "line" | "bumps" | "cause" | "diagnosis">;
 
-/** @returns null unless the robot touches, at the shown moment, the wall that this line drove it into */
+/** @returns null unless the robot touches a wall at the shown moment and this line caused that bump */
 export function shownBump(
   line: LineRef,
   { snapshot, moment }: Pick<RunState, "snapshot"> & { moment: BumpMoment | null },
@@ -112,9 +108,9 @@ export function shownBump(
   if (snapshot === null || !snapshot.bumping || snapshot.driver !== "program") return null;
   // The newest bump is the one that is seen when no other came after or before it.
   const isKnown = moment?.kind === "bump" && moment.bumps === snapshot.bumps;
-  if (!isKnown) return snapshot.line === line ? { driven: null, needed: null } : null;
+  if (!isKnown || moment.diagnosis === null || causeLine(moment.diagnosis) !== line) return null;
   const { cause } = moment;
-  if (moment.line !== line) return null;
-  if (cause === null) return { driven: null, needed: null };
+  // Another line may have driven into the wall.
+  if (cause === null || moment.line !== line) return { driven: null, needed: null };
   return { driven: Math.round(cause.driven), needed: cause.needed };
 }

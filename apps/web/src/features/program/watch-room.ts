@@ -22,7 +22,7 @@ export function watchRoom(lines: HTMLElement, rod: HTMLElement): () => void {
     const rooms = ROOMS.filter(([, most]) => width <= most * height);
     lines.dataset["room"] = rooms.map(([name]) => name).join(" ");
   };
-  // Before they are painted: the observer's first word may come after that.
+  // Once before the first paint: otherwise rows that do not fit yet move what is below them.
   look();
   const observer = new ResizeObserver(look);
   observer.observe(rod);

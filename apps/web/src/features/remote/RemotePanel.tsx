@@ -1,13 +1,13 @@
-/** The Remote side of the panel: connection, address with key, scripts to copy, commands. */
+/** The Remote side of the panel: connection, address, a first script and its commands; the rest behind "More". */
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { AddressFields } from "./AddressFields.tsx";
-import { CommandList } from "./CommandList.tsx";
+import { AddressField } from "./AddressField.tsx";
 import { ConnectionCard } from "./ConnectionCard.tsx";
-import { KeyList } from "./KeyList.tsx";
+import { PausedNote } from "./PausedNote.tsx";
+import { RecentCommands } from "./RecentCommands.tsx";
+import { RemoteMore } from "./RemoteMore.tsx";
 import { robotAddress } from "./robot-address.ts";
-import { ScriptList } from "./ScriptList.tsx";
-import { Snippets } from "./Snippets.tsx";
+import { StarterScript } from "./StarterScript.tsx";
 import styles from "./remote.module.css";
 
 export function RemotePanel() {
@@ -20,12 +20,12 @@ export function RemotePanel() {
     <div className={styles["panel"]}>
       <div className={styles["section"]}>
         <ConnectionCard />
-        {isShown && <AddressFields address={address} session={session} />}
+        {isShown && <AddressField address={address} session={session} />}
+        {isShown && <PausedNote session={session} />}
       </div>
-      {isShown && <Snippets address={address} />}
-      {isShown && <ScriptList session={session} />}
-      {isShown && <KeyList session={session} />}
-      <CommandList />
+      {isShown && <StarterScript address={address} />}
+      <RecentCommands />
+      <RemoteMore address={isShown ? address : null} session={isShown ? session : null} />
     </div>
   );
 }

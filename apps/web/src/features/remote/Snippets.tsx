@@ -1,4 +1,4 @@
-/** Scripts to copy. What is shown hides the key, so that a projector does not give it away. */
+/** Scripts in other languages and without the library. The displayed text hides the key, as a projector may show it. */
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { CopyButton } from "../share/CopyButton.tsx";
@@ -11,12 +11,12 @@ const SHOWN_LINES = 8;
 
 export function Snippets({ address }: { address: RobotAddress }) {
   const { t } = useTranslation();
-  const [language, setLanguage] = useState<SnippetLanguage>("python");
+  const [language, setLanguage] = useState<SnippetLanguage>("javascript");
   const [isRefused, setRefused] = useState(false);
   const name = useId();
   const full = snippet(language, address.api, address.key);
   return (
-    <section className={styles["section"]} aria-label={t("remote.script")}>
+    <section className={styles["section"]} aria-label={t("remote.otherLanguages")}>
       <div className={styles["bar"]}>
         <fieldset className={styles["tabs"]}>
           <legend className="visually-hidden">{t("remote.scriptLanguage")}</legend>
@@ -50,7 +50,7 @@ export function Snippets({ address }: { address: RobotAddress }) {
         rows={SHOWN_LINES}
         wrap="off"
         spellCheck={false}
-        aria-label={t("remote.script")}
+        aria-label={t("remote.otherLanguages")}
         value={isRefused ? full : snippet(language, address.api, maskKey(address.key))}
       />
       <p className={styles["note"]}>

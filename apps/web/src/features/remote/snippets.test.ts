@@ -7,7 +7,13 @@ import type { AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { describe, expect, it } from "vitest";
-import { snippet, snippetLanguages, type SnippetLanguage } from "./snippets.ts";
+import {
+  snippet,
+  snippetLanguages,
+  starterLines,
+  starterScript,
+  type SnippetLanguage,
+} from "./snippets.ts";
 
 const KEY = "d_test-key";
 
@@ -110,5 +116,13 @@ describe("the scripts to copy", () => {
     const lines = snippet(language, "https://host/api/v1/robots/r1", KEY).split("\n");
     expect(lines.length).toBeLessThanOrEqual(mostLines[language]);
     expect(Math.max(...lines.map((line) => line.length))).toBeLessThanOrEqual(92);
+  });
+
+  it("begin with one of six lines, in which a reader finds the address", () => {
+    const address = "https://host/r/r1#d_test-key";
+    const lines = starterScript(address).trimEnd().split("\n");
+    expect(lines).toHaveLength(starterLines);
+    expect(lines[0]).toBe("from corridor import Robot");
+    expect(lines[1]).toContain(`"${address}"`);
   });
 });

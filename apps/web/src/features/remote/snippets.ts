@@ -1,9 +1,23 @@
 /**
- * Scripts to copy: short, complete, without anything to install. Python, JavaScript and Java follow
- * the right wall in steps of one block until the goal.
+ * Scripts to copy. The starter script uses the library, `corridor.py`. The others need nothing to be installed;
+ * Python, JavaScript and Java follow the right wall in steps of one block until the goal.
  */
 
-export const snippetLanguages = ["python", "javascript", "java", "curl"] as const;
+/** Lines of the starter script. */
+export const starterLines = 6;
+
+/** @param address the robot's address with its key, or with a mask where it is only displayed */
+export function starterScript(address: string): string {
+  return `from corridor import Robot
+robot = Robot("${address}")
+while robot.sensor.front > 60:
+    robot.forward(100)
+robot.left(90)
+print(robot.sensor.front)
+`;
+}
+
+export const snippetLanguages = ["javascript", "java", "curl", "python"] as const;
 export type SnippetLanguage = (typeof snippetLanguages)[number];
 
 /**

@@ -9,6 +9,7 @@ import { Dialog } from "../../ui/Dialog.tsx";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { sharedSearch } from "../../app/language.ts";
+import { missionHash } from "../lessons/mission-address.ts";
 import { LinkField } from "./LinkField.tsx";
 import { QrCard } from "./QrCard.tsx";
 import { RunChoice } from "./RunChoice.tsx";
@@ -56,6 +57,7 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
   const { t } = useTranslation();
   const { workspace, challenge: challengeStore } = useServices();
   const challenge = useStore(challengeStore, (state) => state.challenge);
+  const mission = useStore(challengeStore, (state) => state.mission);
   const [withChallenge, setWithChallenge] = useState(true);
   const maze = useStore(workspace, (state) => state.maze);
   const program = useStore(workspace, (state) => state.program);
@@ -79,7 +81,12 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
   const isMore = withProgram || withRun;
   const short = useShortLink(task ?? maze);
   const { link: made } = short;
-  const shown = isMore || made === null ? link : made.address + sharedSearch(search);
+  // A mission has an address of its own.
+  const ofMission =
+    task !== null && mission !== null && !isMore
+      ? `${origin}${pathname}${sharedSearch(search)}${missionHash(mission)}`
+      : null;
+  const shown = isMore || made === null ? (ofMission ?? link) : made.address + sharedSearch(search);
   const tooBig = t("share.tooBig", { limit: MAX_LINK_LENGTH });
   const tooLong = t(run === null ? "timeline.share.tooMuch" : "timeline.share.tooLong");
   return (

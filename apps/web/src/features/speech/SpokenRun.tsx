@@ -35,8 +35,8 @@ export function SpokenRun() {
         return;
       }
       endWaiting();
-      void import("./tell-run.ts").then(
-        ({ tellRun }) => {
+      void Promise.all([import("./tell-run.ts"), i18n.loadNamespaces("diagnosis")]).then(
+        ([{ tellRun }]) => {
           const words = () => ({ t: i18n.t, language: i18n.language });
           if (!hasEnded) end = tellRun(services, before, words);
         },

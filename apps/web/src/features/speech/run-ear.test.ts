@@ -61,7 +61,7 @@ const bump: Moment = {
   driver: "program",
   bumps: 1,
   cause: null,
-  mends: [],
+  diagnosis: null,
   program: null,
 };
 const turn = (left: number): RunState["progress"] => ({

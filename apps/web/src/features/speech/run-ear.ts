@@ -12,7 +12,7 @@ import type { Moment } from "../../worker/worker-messages.ts";
 /** From this speed on lines change faster than they can be said. */
 const FASTEST_TOLD = 4;
 const STEADY: ReadonlySet<string> = new Set(["forward", "reverse", "stop"]);
-/** A Step that takes no turn lasts a tick; whoever runs and pauses is slower. */
+/** A step of one tick is shorter than any run that a student pauses. */
 const SHORT_TICKS = 4;
 /** Rounding leaves crumbs of a distance. */
 const CRUMB = 1e-6;
@@ -63,7 +63,10 @@ export class RunEar {
     this.#wasTooFast = false;
     if (snapshot === null || snapshot.bumping || snapshot.goalReached) return null;
     if (before.snapshot?.state === "running") {
-      // After a Step of one tick, its decision is what there is to say.
+      const line = decidingLine(snapshot);
+      // Step pauses where another line decides: that decision is what there is to say.
+      if (line !== null && line !== decidingLine(before.snapshot))
+        return { kind: "decision", line, isTurn: true };
       const isShort = snapshot.tick - this.#runsFrom < SHORT_TICKS;
       return snapshot.driver === "program" && !isShort ? { kind: "paused" } : null;
     }

@@ -1,17 +1,22 @@
 /** Ties the run to the page's voice: what the ear notes is put into words and said. */
-import { storyOfBump } from "@corridor/coach";
+import type { Diagnosis } from "@corridor/coach";
 import type { Services } from "../../app/services.ts";
 import { asSentence, joinSentences } from "../../text/joined.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import type { Moment } from "../../worker/worker-messages.ts";
-import { bumpReason, bumpTitle } from "../cards/bump-sentence.ts";
+import { diagnosisText, diagnosisTitle, diagnosisWords } from "../cards/diagnosis-text.ts";
 import { momentAt, sayMoment } from "../timeline/shown-moment.ts";
-import { storyOf } from "../transport/story.ts";
+import { storyKey, storyOf } from "../transport/story.ts";
 import { RunEar, type RunTalk } from "./run-ear.ts";
 import { decisionText, type Words } from "./run-words.ts";
 
-type Ports = Pick<Services, "run" | "workspace" | "screen" | "timeline" | "speech">;
+type Ports = Pick<Services, "challenge" | "run" | "workspace" | "screen" | "timeline" | "speech">;
+
+/** How many changes the card offers. */
+function fixCount(t: Words["t"], { fixes }: Diagnosis): string[] {
+  return fixes.length > 0 ? [t("speech.mends", { count: fixes.length })] : [];
+}
 
 /**
  * @param before the state that was the last one to be known already
@@ -19,7 +24,7 @@ type Ports = Pick<Services, "run" | "workspace" | "screen" | "timeline" | "speec
  * @returns a function that ends it
  */
 export function tellRun(
-  { run, workspace, screen, timeline, speech }: Ports,
+  { challenge, run, workspace, screen, timeline, speech }: Ports,
   before: RunState,
   words: () => Words,
 ): () => void {
@@ -91,18 +96,16 @@ export function tellRun(
 
   function momentText(moment: Moment): string {
     const { t, language } = words();
-    const { kind, cause, line, mends } = moment;
-    if (kind === "bump" && cause !== null && mends !== null && line !== null) {
-      const { program } = workspace.getState();
-      const sentences = [
-        asSentence(t, bumpTitle(t, line)),
-        bumpReason(t, storyOfBump(cause), program, line),
-      ];
-      if (mends.length > 0) sentences.push(t("speech.mends", { count: mends.length }));
-      return joinSentences(t, sentences);
+    if (moment.diagnosis !== null) {
+      const known = diagnosisWords(t, language);
+      const { diagnosis } = moment;
+      // In a challenge its card says the rest.
+      const title = asSentence(t, diagnosisTitle(known, diagnosis));
+      if (challenge.getState().challenge !== null) return title;
+      return joinSentences(t, [title, diagnosisText(known, diagnosis), ...fixCount(t, diagnosis)]);
     }
     const story = storyOf(moment);
-    return t(`shell.story.${story.kind}.${story.teller}`, {
+    return t(storyKey(story), {
       ...story,
       seconds: formatSeconds(moment.tick, language),
     });

@@ -1,5 +1,5 @@
 /** The maze with the robot, the tools that change it, and what its measures mean. */
-import { useEffect, useRef, useState } from "react";
+import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -13,6 +13,9 @@ import styles from "./stage.module.css";
 
 /** A phone's, while its Drive tab is open. */
 const CameraView = lazyPart(async () => (await import("./CameraView.tsx")).CameraView);
+
+/** For a maze that is larger than the stage. */
+const SmallMap = lazyPart(async () => (await import("./SmallMap.tsx")).SmallMap);
 
 /** Fills its grid area. It keeps the trail, so it stays mounted while the page's layout changes. */
 export function Stage() {
@@ -34,6 +37,7 @@ export function Stage() {
       layers: layers.current,
     });
   }, [controller]);
+  useLayoutEffect(() => controller.layoutApplied(), [controller, layout]);
   return (
     <section className={styles["stage"]} aria-label={t("stage.name")} data-driving={isDriving}>
       {isDriving ? <CameraView view={controller.view} /> : <ToolStrip />}
@@ -47,6 +51,9 @@ export function Stage() {
           <MomentCards view={controller.view} />
         </div>
       </div>
+      {layout?.overflows === true && (
+        <SmallMap view={controller.view} onScroll={controller.scrollTo} />
+      )}
       <StageLegend view={controller.view} />
     </section>
   );

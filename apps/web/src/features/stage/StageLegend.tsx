@@ -8,10 +8,14 @@ import { preparePhrase } from "../../text/phrase.ts";
 import { LiveText } from "../../ui/LiveText.tsx";
 import { remember } from "../../ui/remember.ts";
 import { DescribeButton } from "../speech/DescribeButton.tsx";
+import { lazyPart } from "../../ui/lazy-part.tsx";
 import { facingOf, type Facing } from "./robot-place.ts";
 import type { StageViewStore } from "./stage-view.ts";
 import { scaleBar } from "./scale-bar.ts";
 import styles from "./stage.module.css";
+
+/** It takes its room before it is there, so that nothing moves. */
+const ZoomButtons = lazyPart(async () => (await import("./ZoomButtons.tsx")).ZoomButtons);
 
 export function StageLegend({ view }: { view: StageViewStore }) {
   const { t } = useTranslation();
@@ -23,6 +27,9 @@ export function StageLegend({ view }: { view: StageViewStore }) {
     <div className={styles["legend"]} data-ready={isDivided && isKnown} data-now={isNow}>
       <ScaleBar view={view} />
       <span className={styles["block"]}>{t("stage.block")}</span>
+      <div className={styles["zoom"]}>
+        <ZoomButtons size="small" />
+      </div>
       <RobotPlace />
       <DescribeButton className={styles["describe"]} />
     </div>
@@ -31,7 +38,7 @@ export function StageLegend({ view }: { view: StageViewStore }) {
 
 /** Said when it is read, not each time it changes: the panel's bumps and goals are news, this is not. */
 function RobotPlace() {
-  const { run, numbersRun } = useServices();
+  const { run } = useServices();
   const { t } = useTranslation();
   const text = useMemo(() => {
     const phrase = preparePhrase(["x", "y", "facing"], (marks) => t("stage.robotAt", marks));
@@ -47,7 +54,7 @@ function RobotPlace() {
   if (!isKnown) return null;
   return (
     <span className={styles["place"]}>
-      <LiveText of={numbersRun} text={text} className="live-box" />
+      <LiveText of={run} text={text} className="live-box" />
     </span>
   );
 }

@@ -11,6 +11,7 @@ import { lazyDialog } from "../../ui/lazy-part.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
 import { ViewMenu } from "./ViewMenu.tsx";
 import { ChallengePlace } from "../lessons/OpenChallenge.tsx";
+import { RacePlace } from "../race/RacePlace.tsx";
 import { useRights } from "../lessons/use-rights.ts";
 import styles from "./tool-strip.module.css";
 
@@ -56,6 +57,7 @@ export function ToolStrip() {
         )}
       </div>
       <ChallengePlace />
+      <RacePlace />
       <ViewMenu onClear={() => setDialog("clear")} onResize={() => setDialog("resize")} />
       <ClearDialog isOpen={dialog === "clear"} onClose={close} />
       <ResizeDialog isOpen={dialog === "resize"} onClose={close} />

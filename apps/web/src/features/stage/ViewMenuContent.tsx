@@ -7,7 +7,9 @@ import { redo, undo } from "../../stores/workspace-store.ts";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { useRights } from "../lessons/use-rights.ts";
+import { SoundMenu } from "../sound/SoundMenu.tsx";
 import { describeRobot } from "../speech/describe-later.ts";
+import { ZoomButtons } from "./ZoomButtons.tsx";
 import styles from "./tool-strip.module.css";
 
 const choices = ["showBeams", "showTrail", "showRulers"] as const;
@@ -35,6 +37,9 @@ export function ViewMenuContent({ onClear, onResize }: ViewMenuProps) {
           />
         </div>
       ))}
+      <div className={styles["zoomItems"]}>
+        <ZoomButtons size="large" />
+      </div>
       <div className={styles["wholeItems"]}>
         <MenuItem
           icon={<MessageSquareText aria-hidden="true" />}
@@ -54,6 +59,7 @@ export function ViewMenuContent({ onClear, onResize }: ViewMenuProps) {
           </MenuItem>
         </div>
       )}
+      <SoundMenu />
       <p className={styles["figures"]}>{t("stage.figures")}</p>
     </div>
   );

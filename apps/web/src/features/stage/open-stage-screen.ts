@@ -61,7 +61,6 @@ function openInWorker(
       shown = scene;
       if (changes !== null) simulator.send({ type: "stage-scene", changes });
     },
-    scrollTo: (scroll) => simulator.send({ type: "stage-scroll", scroll }),
     end: () => {
       stop();
       simulator.send({ type: "stage-unmount" });
@@ -77,21 +76,15 @@ function openOnPage(
   let screen: StageScreen | null = null;
   let isOver = false;
   let scene: Scene | null = null;
-  let scroll: Scroll = { x: 0, y: 0 };
   void import("./page-stage.ts").then(({ openPageStage }) => {
     if (isOver) return;
     screen = openPageStage(simulator, canvases, follow);
-    screen.scrollTo(scroll);
     if (scene !== null) screen.show(scene);
   });
   return {
     show: (next) => {
       scene = next;
       screen?.show(next);
-    },
-    scrollTo: (next) => {
-      scroll = next;
-      screen?.scrollTo(next);
     },
     end: () => {
       isOver = true;

@@ -1,5 +1,6 @@
 /** Draws the stage on the page's main thread, where the browser cannot hand canvases to a worker. */
 import type { LayerCanvases } from "../../canvas/brush.ts";
+import { loadRaceGhosts, raceGhostsLayer } from "../../canvas/layers/lazy-race-ghosts.ts";
 import { StageRenderer } from "../../canvas/renderer.ts";
 import type { Scroll } from "../../canvas/viewport.ts";
 import { FrameBuffer } from "../../worker/frame-buffer.ts";
@@ -21,8 +22,16 @@ export function openPageStage(
   });
   renderer.attach(canvases);
   const stop = simulator.listen((message) => {
+    if (message.type === "frame") renderer.showNumbersOf(message.frame.snapshot);
     if (message.type !== "picture") return;
     frames.add(message.frame);
+    if (message.frame.ghosts !== undefined && raceGhostsLayer() === null) {
+      // One that does not come leaves the ghosts out; the next frame asks again.
+      loadRaceGhosts().then(
+        () => renderer.repaint(),
+        () => undefined,
+      );
+    }
     renderer.frameArrived();
   });
   const onFont = (): void => renderer.fontArrived();
@@ -30,7 +39,6 @@ export function openPageStage(
   simulator.send({ type: "stage-mount-here" });
   return {
     show: (scene) => renderer.show(scene),
-    scrollTo: (scroll) => renderer.scrollTo(scroll),
     end: () => {
       stop();
       document.fonts.removeEventListener("loadingdone", onFont);

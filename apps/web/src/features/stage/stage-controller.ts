@@ -6,17 +6,20 @@ import { MAX_GOALS, MAX_SIDE, sizeOf, type Cell, type MazeDocument } from "@corr
 import type { Pose } from "@corridor/protocol";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
+import type { CameraState } from "../../stores/camera-store.ts";
 import type { Ghost } from "../../canvas/layers/ghost.ts";
 import { Camera } from "../../canvas/camera.ts";
 import { PointerInput, type PointerFacts } from "../../canvas/pointer-input.ts";
 import type { Measured } from "../../canvas/layers/measure.ts";
 import { readPalette, type Palette } from "../../canvas/palette.ts";
 import { shownProperties, watchPixelRatio, watchTheme } from "./theme-watch.ts";
-import { cellAt } from "../../canvas/viewport.ts";
+import { cellAt, type Scroll } from "../../canvas/viewport.ts";
 import { tell } from "../../stores/screen-store.ts";
 import { MazeEditor } from "./maze-editor.ts";
 import { MeasureTool } from "./measure-tool.ts";
-import { followLayout, hasRulers, stageLayout } from "./stage-layout.ts";
+import { gridOffset, isInPort } from "./grid-place.ts";
+import { divideStage, hasRulers, type StageRoom } from "./stage-layout.ts";
+import { applyScroll, followRequest, readScroll, setLayout } from "./stage-scroll.ts";
 import { openStageScreen } from "./open-stage-screen.ts";
 import type { StageScreen } from "./stage-screen.ts";
 import { tapePointAt, tapeWords, type Tape, type TapePoint } from "./tape.ts";
@@ -54,6 +57,8 @@ export class StageController {
   #palette: Palette | null = null;
   #pixelRatio = 1;
   #isCalm = false;
+  /** the maze's size and whether a camera goes along: what the reader's zoom is for */
+  #zoomedFor = "";
   #drawnTape: { tape: Tape; measured: Measured } | null = null;
 
   constructor(services: Services, words: Pick<i18n, "t" | "language">) {
@@ -80,8 +85,8 @@ export class StageController {
   mount(elements: StageElements): () => void {
     const { workspace, screen, run, simulator, camera } = this.#services;
     const { scroller } = elements;
-    const drawing = openStageScreen(simulator, elements.layers, ({ x, y }) =>
-      scroller.scrollTo({ left: x, top: y, behavior: "instant" }),
+    const drawing = openStageScreen(simulator, elements.layers, (scroll) =>
+      followRequest(this.view, scroller, scroll),
     );
     this.#elements = elements;
     this.#drawing = drawing;
@@ -92,8 +97,7 @@ export class StageController {
     recolour();
     const measure = new ResizeObserver(() => this.#divide());
     measure.observe(scroller);
-    const onScroll = (): void =>
-      drawing.scrollTo({ x: scroller.scrollLeft, y: scroller.scrollTop });
+    const onScroll = (): void => readScroll(this.view, scroller);
     scroller.addEventListener("scroll", onScroll, { passive: true });
     const onKey = (event: KeyboardEvent): void => {
       if (event.key !== "Escape") return;
@@ -106,6 +110,7 @@ export class StageController {
     const calm = matchMedia("(prefers-reduced-motion: reduce)");
     const onCalm = (): void => {
       this.#isCalm = calm.matches;
+      this.#panGrid();
       this.#show();
     };
     onCalm();
@@ -131,7 +136,14 @@ export class StageController {
         if (shownMaze !== before.shownMaze) this.#divide();
         if (snapshot?.pose !== before.snapshot?.pose) this.#panGrid();
       }),
-      this.view.subscribe(() => this.#show()),
+      this.view.subscribe(({ layout }, before) => {
+        if (layout !== null && layout !== before.layout) {
+          this.#pointer.setTouchScroll(layout.overflows);
+          this.#panGrid();
+        }
+        this.#show();
+      }),
+      this.#listenToZoom(scroller),
       () => measure.disconnect(),
       () => scroller.removeEventListener("scroll", onScroll),
       () => window.removeEventListener("keydown", onKey, { capture: true }),
@@ -140,11 +152,45 @@ export class StageController {
     ];
     this.#divide();
     this.#show();
-    onScroll();
     return () => {
       for (const stop of stops) stop();
       this.#drawing = null;
       this.#elements = null;
+    };
+  }
+
+  /** Brings another part of the maze into view. */
+  readonly scrollTo = (scroll: Scroll): void => {
+    if (this.#elements !== null) followRequest(this.view, this.#elements.scroller, scroll);
+  };
+
+  /** The elements have the sizes of the newest layout. */
+  layoutApplied(): void {
+    if (this.#elements !== null) applyScroll(this.view, this.#elements.scroller);
+  }
+
+  /** What it needs is loaded after the stage is there. @returns a function that ends it */
+  #listenToZoom(scroller: HTMLElement): () => void {
+    const { camera } = this.#services;
+    const zoom: CameraState["zoom"] = (by, at) => {
+      void import("./stage-zoom.ts").then(({ zoomStage }) => {
+        const room = this.#room();
+        if (room === null) return;
+        this.#pointer.cancel();
+        if (by === "fit" && camera.getState().isDriving) camera.setState({ isWhole: true });
+        else zoomStage(this.view, room, by, at, this.#pose());
+      });
+    };
+    camera.setState({ zoom });
+    let stop = (): void => {};
+    let isOver = false;
+    void import("./zoom-gestures.ts").then(({ listenToZoom }) => {
+      if (!isOver) stop = listenToZoom(scroller, zoom);
+    });
+    return () => {
+      isOver = true;
+      stop();
+      camera.setState({ zoom: () => {} });
     };
   }
 
@@ -204,13 +250,8 @@ export class StageController {
   #cellUnder(event: PointerEvent): Cell | null {
     const { layout } = this.view.getState();
     if (layout === null || this.#elements === null) return null;
-    const { port } = layout;
     const view = this.#elements.scroller.getBoundingClientRect();
-    const x = event.clientX - view.left;
-    const y = event.clientY - view.top;
-    const isInPort =
-      x >= port.x && y >= port.y && x < port.x + port.width && y < port.y + port.height;
-    if (!isInPort) return null;
+    if (!isInPort(layout, event.clientX - view.left, event.clientY - view.top)) return null;
     const maze = this.#elements.grid.getBoundingClientRect();
     return cellAt(layout, event.clientX - maze.left, event.clientY - maze.top);
   }
@@ -234,23 +275,34 @@ export class StageController {
 
   /** Divides the stage anew where its size, the maze's size or the rulers have changed. */
   #divide(): void {
-    if (this.#elements === null) return;
-    const { scroller } = this.#elements;
-    const view = { width: scroller.clientWidth, height: scroller.clientHeight };
-    if (view.width === 0 || view.height === 0) return;
-    const size = sizeOf(this.#shownMaze());
-    const { showRulers } = this.#services.screen.getState();
-    const { isDriving, isWhole } = this.#services.camera.getState();
-    const layout =
-      isDriving && !isWhole ? followLayout(size, view) : stageLayout(size, view, showRulers);
+    const room = this.#room();
+    if (room === null) return;
+    const layout = divideStage(room);
     const before = this.view.getState().layout;
     if (before !== null && JSON.stringify(before) === JSON.stringify(layout)) {
       this.#show();
       return;
     }
-    this.#pointer.setTouchScroll(layout.overflows);
-    this.view.setState({ layout });
-    this.#panGrid();
+    setLayout(this.view, layout);
+  }
+
+  /** What the stage's division depends on now; null while the stage has no size. */
+  #room(): StageRoom | null {
+    if (this.#elements === null) return null;
+    const { scroller } = this.#elements;
+    const view = { width: scroller.clientWidth, height: scroller.clientHeight };
+    if (view.width === 0 || view.height === 0) return null;
+    const { showRulers } = this.#services.screen.getState();
+    const { isDriving, isWhole } = this.#services.camera.getState();
+    const maze = sizeOf(this.#shownMaze());
+    const follows = isDriving && !isWhole;
+    // Another maze, and another way to look at it, begin at their own size.
+    const zoomedFor = `${maze.columns} ${maze.rows} ${follows}`;
+    if (zoomedFor !== this.#zoomedFor) {
+      this.#zoomedFor = zoomedFor;
+      if (this.view.getState().zoom !== null) this.view.setState({ zoom: null });
+    }
+    return { maze, view, showRulers, follows, zoom: this.view.getState().zoom };
   }
 
   /** The maze of the shown moment, which had another one where it was resized since. */
@@ -264,20 +316,18 @@ export class StageController {
     const { layout } = this.view.getState();
     const pose = this.#pose();
     if (layout === null || this.#elements === null) return;
-    const { x, y } =
-      layout.follows && pose !== null
-        ? this.#camera.at(layout, pose, this.#isCalm, 1 / this.#pixelRatio)
-        : { x: 0, y: 0 };
-    this.#elements.grid.style.translate = `${-x}px ${-y}px`;
+    const { x, y } = gridOffset(this.#camera, layout, pose, this.#isCalm, this.#pixelRatio);
+    this.#elements.grid.style.translate = `${x}px ${y}px`;
   }
 
   #show(): void {
-    const { layout, hover, tape } = this.view.getState();
+    const { layout, scroll, hover, tape } = this.view.getState();
     if (layout === null || this.#palette === null) return;
     const { program } = this.#services.workspace.getState();
     const { showBeams, showTrail, showRulers } = this.#services.screen.getState();
     this.#drawing?.show({
       layout,
+      scroll,
       pixelRatio: this.#pixelRatio,
       palette: this.#palette,
       maze: this.#shownMaze(),

@@ -34,6 +34,30 @@ describe("stageLayout", () => {
   });
 });
 
+describe("a large maze", () => {
+  const view = { width: 1028, height: 644 };
+
+  it("opens whole at 21 by 21 squares on a screen of 1440 by 900", () => {
+    const layout = stageLayout({ columns: 21, rows: 21 }, view, true);
+    expect(layout).toMatchObject({ cellPx: 28, overflows: false });
+  });
+
+  it("opens with squares of 30 pixels where it does not fit", () => {
+    const layout = stageLayout({ columns: 37, rows: 37 }, view, true);
+    expect(layout).toMatchObject({ cellPx: 30, overflows: true });
+  });
+
+  it("fits as a whole on request, the largest one too", () => {
+    const layout = stageLayout({ columns: 256, rows: 256 }, view, true, "fit");
+    expect(layout).toMatchObject({ cellPx: 2, overflows: false });
+  });
+
+  it("has squares of the size that the reader chose", () => {
+    const layout = stageLayout({ columns: 5, rows: 5 }, view, true, 200.4);
+    expect(layout).toMatchObject({ cellPx: 200, overflows: true });
+  });
+});
+
 describe("scaleBar", () => {
   it.each([
     { cellPx: 200, units: 50, width: 100 },

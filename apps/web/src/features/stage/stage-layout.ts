@@ -4,6 +4,7 @@ import {
   layOutFollowing,
   MIN_CELL_PX,
   MIN_CELL_PX_COMPACT,
+  MIN_WHOLE_CELL_PX,
   type Layout,
   type Padding,
 } from "../../canvas/viewport.ts";
@@ -24,24 +25,67 @@ export function hasRulers(width: number, showRulers: boolean): boolean {
   return showRulers && width >= COMPACT_BELOW_PX;
 }
 
+/**
+ * The zoom that the reader chose: side of a square in CSS pixels, or the whole maze however small; null for the
+ * size at which a maze opens.
+ */
+export type Zoom = number | "fit" | null;
+
 /** Divides the stage's drawing area (CSS pixels) for a maze. */
 export function stageLayout(
-  maze: { columns: number; rows: number },
+  maze: Size,
   view: { width: number; height: number },
   showRulers: boolean,
+  zoom: Zoom = null,
 ): Layout {
   if (view.width < COMPACT_BELOW_PX) {
-    const layout = layOut(maze, view, compact, MIN_CELL_PX_COMPACT);
+    const layout = zoomed(maze, view, compact, zoom, MIN_CELL_PX_COMPACT, MIN_CELL_PX_COMPACT);
     // Small squares leave no room for numbers beside the robot; the paper has no rulers on it here.
     return layout.overflows ? layout : { ...layout, paper: { x: 0, y: 0, ...view } };
   }
-  return layOut(maze, view, showRulers ? withRulers : withoutRulers, MIN_CELL_PX);
+  const padding = showRulers ? withRulers : withoutRulers;
+  return zoomed(maze, view, padding, zoom, MIN_WHOLE_CELL_PX, MIN_CELL_PX);
 }
 
-/** Divides it for a camera that goes with the robot. */
-export function followLayout(
-  maze: { columns: number; rows: number },
+/**
+ * @param minWholePx the smallest squares at which the maze opens whole
+ * @param cutPx the squares of a maze that does not
+ */
+function zoomed(
+  maze: Size,
   view: { width: number; height: number },
+  padding: Padding,
+  zoom: Zoom,
+  minWholePx: number,
+  cutPx: number,
 ): Layout {
-  return layOutFollowing(maze, view, followed, FOLLOW_CELL_PX);
+  if (typeof zoom === "number") {
+    const cellPx = Math.max(1, Math.round(zoom));
+    return layOut(maze, view, padding, cellPx, cellPx);
+  }
+  const layout = layOut(maze, view, padding, zoom === "fit" ? 1 : minWholePx);
+  const isCut = layout.overflows && zoom === null && cutPx > minWholePx;
+  return isCut ? layOut(maze, view, padding, cutPx) : layout;
+}
+
+interface Size {
+  columns: number;
+  rows: number;
+}
+
+/** What the stage's division depends on. */
+export interface StageRoom {
+  maze: Size;
+  view: { width: number; height: number };
+  showRulers: boolean;
+  /** whether a camera goes with the robot */
+  follows: boolean;
+  zoom: Zoom;
+}
+
+/** Divides the stage's drawing area, for a camera or for the whole maze. */
+export function divideStage({ maze, view, showRulers, follows, zoom }: StageRoom): Layout {
+  if (!follows) return stageLayout(maze, view, showRulers, zoom);
+  const cellPx = typeof zoom === "number" ? Math.round(zoom) : FOLLOW_CELL_PX;
+  return layOutFollowing(maze, view, followed, cellPx);
 }

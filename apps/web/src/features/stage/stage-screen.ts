@@ -1,6 +1,5 @@
 /** What the stage is drawn on, wherever that is: in the simulator worker or here on the page. */
 import type { Scene } from "../../canvas/scene.ts";
-import type { Scroll } from "../../canvas/viewport.ts";
 import type { StageToWorker } from "../../worker/stage-messages.ts";
 import type { FromWorker } from "../../worker/worker-messages.ts";
 
@@ -15,7 +14,6 @@ export interface StageLink {
 /** Draws what it is shown. */
 export interface StageScreen {
   show(scene: Scene): void;
-  scrollTo(scroll: Scroll): void;
   /** ends the drawing and takes the canvases away */
   end(): void;
 }

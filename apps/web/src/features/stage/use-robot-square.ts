@@ -12,7 +12,7 @@ import { isAround } from "./grid-cursor.ts";
 import { cellOf, facingOf } from "./robot-place.ts";
 
 export function useRobotSquare({ column, row }: Cell): string {
-  const { numbersRun: run } = useServices();
+  const { run } = useServices();
   const [square, setSquare] = useState(() => robotSquare(run.getState()));
   useEffect(() => {
     // Told with a frame of the run, never by a timer between two: each drawing of the page costs.

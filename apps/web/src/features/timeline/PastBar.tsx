@@ -4,6 +4,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
+import { RaceButton } from "../race/RaceButton.tsx";
 import styles from "./past-bar.module.css";
 
 /** There only while the past is shown. */
@@ -34,6 +35,7 @@ export function PastBar() {
       >
         {t("timeline.backToNow")}
       </Button>
+      <RaceButton size="small" className={styles["race"]} />
     </fieldset>
   );
 }

@@ -19,7 +19,7 @@ interface PlayheadProps {
 }
 
 export function Playhead({ scale, event }: PlayheadProps) {
-  const { lateRun: run } = useServices();
+  const { run } = useServices();
   const head = useRef<HTMLDivElement>(null);
   const isNow = useStore(run, ({ view }) => view === "now");
   const isBumping = useStore(run, ({ snapshot }) => snapshot?.bumping === true);
@@ -58,7 +58,7 @@ export function Playhead({ scale, event }: PlayheadProps) {
 
 /** The number of the line in charge, else a picture of who drives; the bent arrow is "otherwise": past all lines. */
 function DriverMark() {
-  const { lateRun: run } = useServices();
+  const { run } = useServices();
   const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
   if (driver === "me") return <User size={14} aria-hidden="true" />;
   if (driver === "remote") return <RadioTower size={14} aria-hidden="true" />;
@@ -67,7 +67,7 @@ function DriverMark() {
 
 /** Number and arrow share a place, and one has the colour of its ground: see line-notes.module.css. */
 function LineMark() {
-  const { lateRun: run } = useServices();
+  const { run } = useServices();
   const element = useRef<HTMLSpanElement>(null);
   const number = useRef<HTMLSpanElement>(null);
   useLayoutEffect(() => {

@@ -78,9 +78,9 @@ export function TimelineBar() {
   }
 
   function onKey(event: KeyboardEvent): void {
-    if (event.altKey || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    if (event.altKey || event.ctrlKey || event.metaKey) return;
     const { snapshot, nowTick } = run.getState();
-    const message = timelineKey(event.key, snapshot?.tick ?? 0, nowTick);
+    const message = timelineKey(event.key, snapshot?.tick ?? 0, nowTick, event.shiftKey);
     if (message === null) return;
     event.preventDefault();
     setFocused(true);

@@ -6,9 +6,23 @@ const PAGE = 600;
 
 /**
  * @param shownTick the moment that is shown, and `nowTick` the newest one
+ * @param isShift one tick instead of one decision
  * @returns what to ask of the simulator; null when the key is not the timeline's
  */
-export function timelineKey(key: string, shownTick: number, nowTick: number): ToWorker | null {
+export function timelineKey(
+  key: string,
+  shownTick: number,
+  nowTick: number,
+  isShift = false,
+): ToWorker | null {
+  if (isShift) {
+    const isBack = key === "ArrowLeft" || key === "ArrowDown";
+    if (isBack) return { type: "seek", tick: Math.max(0, shownTick - 1) };
+    if (key !== "ArrowRight" && key !== "ArrowUp") return null;
+    return shownTick < nowTick
+      ? { type: "seek", tick: shownTick + 1 }
+      : { type: "step", length: "tick" };
+  }
   switch (key) {
     case "ArrowLeft":
     case "ArrowDown":

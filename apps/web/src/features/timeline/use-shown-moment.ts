@@ -10,7 +10,7 @@ import { momentAt, type ShownMoment } from "./shown-moment.ts";
 const SECOND = 60;
 
 export function useShownMoment(): StoreApi<ShownMoment> {
-  const { lateRun: run, timeline } = useServices();
+  const { run, timeline } = useServices();
   const [store] = useState(() => createStore<ShownMoment>(() => BEGINNING));
   useLayoutEffect(() => {
     let shown: ShownMoment | null = null;

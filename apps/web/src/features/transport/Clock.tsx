@@ -11,7 +11,7 @@ import styles from "./transport.module.css";
 
 export function Clock() {
   const { t, i18n } = useTranslation();
-  const { run, numbersRun } = useServices();
+  const { run } = useServices();
   const { language } = i18n;
   const time = useCallback(
     ({ snapshot }: RunState) => formatClock(snapshot?.tick ?? 0, language),
@@ -24,7 +24,7 @@ export function Clock() {
       <span className={styles["time"]}>
         <span className="live-box">
           <span className="visually-hidden">{t("shell.run.time")} </span>
-          <LiveText of={numbersRun} text={time} />
+          <LiveText of={run} text={time} />
         </span>
       </span>
       {view !== "now" && (

@@ -6,7 +6,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { classNames } from "../../ui/class-names.ts";
-import { storyOf } from "./story.ts";
+import { storyKey, storyOf } from "./story.ts";
 import styles from "./transport.module.css";
 
 export function RunStory() {
@@ -17,7 +17,7 @@ export function RunStory() {
   const story = moment === null ? null : storyOf(moment);
   return (
     <p role="note" className={classNames(styles["story"], !isFresh && "visually-hidden")}>
-      {story !== null && t(`shell.story.${story.kind}.${story.teller}`, { ...story })}
+      {story !== null && t(storyKey(story), { ...story })}
       {story === null && isFresh && t("shell.story.hint")}
     </p>
   );

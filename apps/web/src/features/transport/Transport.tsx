@@ -7,9 +7,11 @@ import { Button, IconButton } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Select } from "../../ui/Select.tsx";
 import { speeds } from "../../worker/worker-messages.ts";
+import { WriteOwnButton } from "../program/WriteOwnButton.tsx";
 import { TimelineBar } from "../timeline/TimelineBar.tsx";
 import { Clock } from "./Clock.tsx";
-import { stepOn } from "./run-button.ts";
+import { useLongPress } from "../../ui/use-long-press.ts";
+import { stepBack, stepOn } from "./run-button.ts";
 import { RunButton } from "./RunButton.tsx";
 import { RunStory } from "./RunStory.tsx";
 import styles from "./transport.module.css";
@@ -36,6 +38,7 @@ export function Transport() {
     >
       <div className={styles["buttons"]}>
         <RunButton />
+        <WriteOwnButton className={styles["own"]} />
         <Step />
         {canStepBack && <StepBack />}
         <Reset />
@@ -53,14 +56,17 @@ export function Transport() {
 
 function StepBack() {
   const { t } = useTranslation();
-  const { simulator } = useServices();
+  const { simulator, run } = useServices();
+  const press = useLongPress((isLong) =>
+    simulator.send(stepBack(run.getState(), isLong ? "tick" : "decision")),
+  );
   return (
     <IconButton
+      {...press}
       kind="outline"
       size="large"
       className={styles["back"]}
       label={t("timeline.stepBack")}
-      onClick={() => simulator.send({ type: "seek-step", by: -1 })}
     >
       <SkipBack aria-hidden="true" fill="currentColor" />
     </IconButton>
@@ -71,14 +77,17 @@ function Step() {
   const { t } = useTranslation();
   const { simulator, run } = useServices();
   const isNow = useStore(run, ({ view }) => view === "now");
+  const press = useLongPress((isLong) =>
+    simulator.send(stepOn(run.getState(), isLong ? "tick" : "decision")),
+  );
   return (
     <Button
+      {...press}
       size="large"
       className={styles["step"]}
       icon={<SkipForward aria-hidden="true" fill="currentColor" />}
       title={t(isNow ? "shell.run.stepNote" : "timeline.stepOnNote")}
       aria-keyshortcuts="Control+Shift+Enter"
-      onClick={() => simulator.send(stepOn(run.getState()))}
     >
       {t("shell.run.step")}
     </Button>
@@ -119,6 +128,9 @@ function SpeedMenu() {
         if (next === undefined) return;
         run.setState({ speed: next });
         simulator.send({ type: "speed", speed: next });
+        // Chosen with the mouse: leave the menu, so that the drive keys drive and do not choose.
+        const focused = document.activeElement;
+        if (focused instanceof HTMLElement && !focused.matches(":focus-visible")) focused.blur();
       }}
     />
   );

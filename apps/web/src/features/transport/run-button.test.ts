@@ -1,6 +1,6 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { runOrPause, stepOn } from "./run-button.ts";
+import { runOrPause, stepBack, stepOn } from "./run-button.ts";
 
 describe("runOrPause", () => {
   it.each([
@@ -36,8 +36,21 @@ describe("runOrPause", () => {
 
 describe("Step", () => {
   it("takes a decision now, and shows the next one of those taken in the past", () => {
-    expect(stepOn({ view: "now" })).toEqual({ type: "step" });
-    expect(stepOn({ view: "past" })).toEqual({ type: "seek-step", by: 1 });
-    expect(stepOn({ view: "playing" })).toEqual({ type: "seek-step", by: 1 });
+    const snapshot = snapshotOf({ tick: 40 });
+    expect(stepOn({ view: "now", snapshot })).toEqual({ type: "step", length: "decision" });
+    expect(stepOn({ view: "past", snapshot })).toEqual({ type: "seek-step", by: 1 });
+    expect(stepOn({ view: "playing", snapshot })).toEqual({ type: "seek-step", by: 1 });
+    expect(stepBack({ snapshot })).toEqual({ type: "seek-step", by: -1 });
+  });
+
+  it("goes by one tick forward and back where that is asked for", () => {
+    const snapshot = snapshotOf({ tick: 40 });
+    expect(stepOn({ view: "now", snapshot }, "tick")).toEqual({ type: "step", length: "tick" });
+    expect(stepOn({ view: "past", snapshot }, "tick")).toEqual({ type: "seek", tick: 41 });
+    expect(stepBack({ snapshot }, "tick")).toEqual({ type: "seek", tick: 39 });
+    expect(stepBack({ snapshot: snapshotOf({ tick: 0 }) }, "tick")).toEqual({
+      type: "seek",
+      tick: 0,
+    });
   });
 });

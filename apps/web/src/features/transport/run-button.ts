@@ -1,6 +1,6 @@
 /** What the big button and Step do now, and what a press of one, or of its shortcut, asks for. */
 import type { Snapshot } from "@corridor/protocol";
-import type { RunView, ToWorker } from "../../worker/worker-messages.ts";
+import type { RunView, StepLength, ToWorker } from "../../worker/worker-messages.ts";
 
 /** What decides it; the run store has all of it. */
 interface RunNow {
@@ -24,7 +24,21 @@ export function runOrPause(now: RunNow): ToWorker {
   return { type: runButton(now) };
 }
 
-/** What a press of Step asks: one decision, of those that were taken where the past is shown. */
-export function stepOn({ view }: Pick<RunNow, "view">): ToWorker {
-  return view === "now" ? { type: "step" } : { type: "seek-step", by: 1 };
+/** What a press of Step asks: the next decision or tick; where the past is displayed, a recorded one. */
+export function stepOn(
+  { view, snapshot }: Pick<RunNow, "view" | "snapshot">,
+  length: StepLength = "decision",
+): ToWorker {
+  if (view === "now") return { type: "step", length };
+  if (length === "decision") return { type: "seek-step", by: 1 };
+  return { type: "seek", tick: (snapshot?.tick ?? 0) + 1 };
+}
+
+/** What "One decision back" asks: the exact mirror of Step. */
+export function stepBack(
+  { snapshot }: Pick<RunNow, "snapshot">,
+  length: StepLength = "decision",
+): ToWorker {
+  if (length === "decision") return { type: "seek-step", by: -1 };
+  return { type: "seek", tick: Math.max(0, (snapshot?.tick ?? 0) - 1) };
 }

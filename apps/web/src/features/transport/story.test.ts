@@ -10,16 +10,16 @@ const bump: Moment = {
   driver: "program",
   bumps: 1,
   cause: null,
-  mends: null,
+  diagnosis: null,
   program: null,
 };
 
 describe("storyOf", () => {
-  it("tells time, tick and square of a bump, and the line as its badge has it", () => {
+  it("tells time, tick and square of a bump, and blames no line for it", () => {
     expect(storyOf(bump)).toEqual({
       kind: "bump",
-      teller: "line",
-      line: 3,
+      teller: "program",
+      line: 0,
       seconds: "13.1",
       tick: 786,
       column: 5,
@@ -27,8 +27,13 @@ describe("storyOf", () => {
     });
   });
 
+  it("names the line that reached the goal as its badge has it", () => {
+    expect(storyOf({ ...bump, kind: "goal" })).toMatchObject({ teller: "line", line: 3 });
+    const byOtherwise = storyOf({ ...bump, kind: "goal", line: "default" });
+    expect(byOtherwise).toMatchObject({ teller: "otherwise", line: 0 });
+  });
+
   it.each([
-    { name: "otherwise", changes: { line: "default" as const }, teller: "otherwise" },
     { name: "a hand", changes: { line: null, driver: "me" as const }, teller: "me" },
     { name: "a script", changes: { line: null, driver: "remote" as const }, teller: "remote" },
   ])("names $name where no numbered line drove", ({ changes, teller }) => {

@@ -1,4 +1,5 @@
 /** The one-line story of the run: which sentence tells the newest goal or bump, and its numbers. */
+import type { DriverName } from "@corridor/protocol";
 import type { Moment } from "../../worker/worker-messages.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 
@@ -6,7 +7,7 @@ import { formatSeconds } from "../../text/numbers.ts";
 const SQUARE = 100;
 
 /** Who or what was in charge; the sentence names it. */
-export type Teller = "line" | "otherwise" | "me" | "program" | "remote";
+export type Teller = "line" | "otherwise" | DriverName;
 
 export interface Story {
   kind: Moment["kind"];
@@ -22,10 +23,11 @@ export interface Story {
 
 /** What there is to tell about a moment. */
 export function storyOf({ kind, line, driver, tick, pose }: Moment): Story {
-  const isNumbered = typeof line === "number";
+  const isNumbered = typeof line === "number" && kind === "goal";
   return {
     kind,
-    teller: isNumbered ? "line" : line === "default" ? "otherwise" : driver,
+    teller:
+      kind === "bump" ? driver : isNumbered ? "line" : line === "default" ? "otherwise" : driver,
     line: isNumbered ? line + 1 : 0,
     seconds: formatSeconds(tick),
     tick,
@@ -33,3 +35,10 @@ export function storyOf({ kind, line, driver, tick, pose }: Moment): Story {
     row: Math.floor(pose.y / SQUARE) + 1,
   };
 }
+
+/** The sentence of a story. Which line caused a bump is for the diagnosis to say. */
+export function storyKey({ kind, teller }: Story): StoryKey {
+  return `shell.story.${kind}.${teller}` as StoryKey;
+}
+
+type StoryKey = `shell.story.goal.${Teller}` | `shell.story.bump.${DriverName}`;

@@ -1,9 +1,10 @@
 /** The maze with the robot in it, drawn by the worker. Those who listen are told where it is when they ask. */
-import { useEffect, useRef, useState } from "react";
+import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import type { Layout } from "../../canvas/viewport.ts";
 import { cellOf, facingOf } from "../stage/robot-place.ts";
+import { applyScroll } from "../stage/stage-scroll.ts";
+import { createStageView } from "../stage/stage-view.ts";
 import type { WatchClient } from "./watch-client.ts";
 import { openWatchStage } from "./watch-stage.ts";
 import { robotState, type WatchState, type WatchStore } from "./watch-store.ts";
@@ -13,7 +14,8 @@ export function WatchStage({ store, client }: { store: WatchStore; client: Watch
   const { t, i18n } = useTranslation(["words", "watch"], { useSuspense: false });
   const scroller = useRef<HTMLDivElement>(null);
   const layers = useRef<HTMLDivElement>(null);
-  const [layout, setLayout] = useState<Layout | null>(null);
+  const [view] = useState(createStageView);
+  const layout = useStore(view, (state) => state.layout);
   const isUnknown = useStore(store, ({ maze, snapshot }) => maze === null && snapshot !== null);
   const isHere = useStore(store, (state) => ["running", "paused"].includes(robotState(state)));
   const label = useStore(store, (state) => describe(state, t));
@@ -25,9 +27,12 @@ export function WatchStage({ store, client }: { store: WatchStore; client: Watch
       words: i18n,
       scroller: scroller.current,
       layers: layers.current,
-      divided: setLayout,
+      view,
     });
-  }, [client, store, i18n]);
+  }, [client, store, i18n, view]);
+  useLayoutEffect(() => {
+    if (scroller.current !== null) applyScroll(view, scroller.current);
+  }, [view, layout]);
   return (
     <main className={styles["stage"]}>
       <p className="visually-hidden">{label}</p>

@@ -27,7 +27,9 @@ export class WatchClient implements StageLink {
             return { line: { ...status, isAgain: isAgain || isLine } };
           });
         case "watch-snapshot":
-          return store.setState((state) => seeSnapshot(state, data.snapshot));
+          store.setState((state) => seeSnapshot(state, data.snapshot));
+          port.postMessage({ type: "stage-numbers", snapshot: data.snapshot }, []);
+          return;
         case "watch-maze":
           return store.setState({ maze: data.maze });
         case "picture":

@@ -3,9 +3,10 @@ import { sizeOf } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { i18n } from "i18next";
 import { readPalette, type Palette } from "../../canvas/palette.ts";
-import type { Layout } from "../../canvas/viewport.ts";
 import { openStageScreen } from "../stage/open-stage-screen.ts";
 import { hasRulers, stageLayout } from "../stage/stage-layout.ts";
+import { followRequest, readScroll, setLayout } from "../stage/stage-scroll.ts";
+import type { StageViewStore } from "../stage/stage-view.ts";
 import { shownProperties, watchPixelRatio, watchTheme } from "../stage/theme-watch.ts";
 import type { WatchClient } from "./watch-client.ts";
 import type { WatchStore } from "./watch-store.ts";
@@ -27,32 +28,29 @@ export interface WatchStagePorts {
   scroller: HTMLElement;
   /** what the canvases are put into */
   layers: HTMLElement;
-  /** is told how the stage is divided */
-  divided: (layout: Layout) => void;
+  view: StageViewStore;
 }
 
 /** Begins to draw. @returns a function that ends it */
 export function openWatchStage(ports: WatchStagePorts): () => void {
-  const { client, store, words, scroller, layers, divided } = ports;
-  const screen = openStageScreen(client, layers, ({ x, y }) =>
-    scroller.scrollTo({ left: x, top: y, behavior: "instant" }),
-  );
+  const { client, store, words, scroller, layers, view } = ports;
+  const screen = openStageScreen(client, layers, (scroll) => followRequest(view, scroller, scroll));
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   let palette: Palette = readPalette(shownProperties());
   let pixelRatio = window.devicePixelRatio;
-  let layout: Layout | null = null;
 
   function show(): void {
     const { maze } = store.getState();
-    const view = { width: scroller.clientWidth, height: scroller.clientHeight };
-    if (maze === null || maze === undefined || view.width === 0 || view.height === 0) return;
-    const next = stageLayout(sizeOf(maze), view, true);
-    if (layout === null || JSON.stringify(next) !== JSON.stringify(layout)) {
-      layout = next;
-      divided(next);
-    }
+    const room = { width: scroller.clientWidth, height: scroller.clientHeight };
+    if (maze === null || maze === undefined || room.width === 0 || room.height === 0) return;
+    const next = stageLayout(sizeOf(maze), room, true);
+    const before = view.getState().layout;
+    if (before === null || JSON.stringify(next) !== JSON.stringify(before)) setLayout(view, next);
+    const { layout, scroll } = view.getState();
+    if (layout === null) return;
     screen.show({
       layout,
+      scroll,
       pixelRatio,
       palette,
       maze,
@@ -61,7 +59,7 @@ export function openWatchStage(ports: WatchStagePorts): () => void {
       goalWord: words.t("stage.goalWord"),
       showBeams: true,
       showTrail: true,
-      showRulers: hasRulers(view.width, true),
+      showRulers: hasRulers(room.width, true),
       ghost: null,
       measured: null,
       isCalm: calm.matches,
@@ -72,7 +70,7 @@ export function openWatchStage(ports: WatchStagePorts): () => void {
     palette = readPalette(shownProperties());
     show();
   };
-  const onScroll = (): void => screen.scrollTo({ x: scroller.scrollLeft, y: scroller.scrollTop });
+  const onScroll = (): void => readScroll(view, scroller);
   const measure = new ResizeObserver(show);
   measure.observe(scroller);
   scroller.addEventListener("scroll", onScroll, { passive: true });
@@ -85,6 +83,9 @@ export function openWatchStage(ports: WatchStagePorts): () => void {
     }),
     store.subscribe(({ maze }, before) => {
       if (maze !== before.maze) show();
+    }),
+    view.subscribe(({ scroll }, before) => {
+      if (scroll !== before.scroll) show();
     }),
     () => measure.disconnect(),
     () => scroller.removeEventListener("scroll", onScroll),

@@ -3,6 +3,7 @@ import type { MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import { dismiss, tell } from "../../stores/screen-store.ts";
+import { programForMaze } from "../program/own-program.ts";
 
 const COLUMNS = 11;
 const ROWS = 7;
@@ -18,12 +19,13 @@ function emptyMaze(name: string): MazeDocument {
   };
 }
 
-/** The reader's program comes along; a message leads back. */
+/** A program that the reader has written comes along; a message leads back. */
 export function openEmptyMaze(
-  { works, screen }: Pick<Services, "works" | "screen">,
+  { works, screen, workspace }: Pick<Services, "works" | "screen" | "workspace">,
   words: Pick<i18n, "t">,
 ): void {
-  const back = works.begin(emptyMaze(words.t("works.newMazeName")), null);
+  const program = programForMaze(workspace.getState().program, words);
+  const back = works.begin(emptyMaze(words.t("works.newMazeName")), program);
   const id = tell(screen, {
     tone: "info",
     text: words.t("works.begun"),

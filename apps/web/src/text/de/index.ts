@@ -1,7 +1,20 @@
 /** German. */
 import type { Words } from "../words.ts";
 
-export const files = import.meta.glob<Words>(["./*.json", "!./missions.json", "!./watch.json"], {
-  eager: true,
-  import: "default",
-});
+export const files = import.meta.glob<Words>(
+  [
+    "./*.json",
+    "!./diagnosis.json",
+    "!./missions.json",
+    "!./other-mazes.json",
+    "!./run-details.json",
+    "!./race.json",
+    "!./daily.json",
+    "!./sound.json",
+    "!./watch.json",
+  ],
+  {
+    eager: true,
+    import: "default",
+  },
+);

@@ -15,7 +15,7 @@ export function momentAt(
     driver: "program",
     bumps: 1,
     cause: null,
-    mends: [],
+    diagnosis: kind === "bump" ? { event: { kind: "late", tick }, cause: null, fixes: [] } : null,
     program,
   };
 }

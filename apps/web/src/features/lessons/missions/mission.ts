@@ -40,7 +40,7 @@ export function nextMission(id: string | null): MissionId | null {
 
 /** The whole document in one language. */
 export function challengeOf(
-  { challenge }: Mission,
+  { challenge }: Pick<Mission, "challenge">,
   name: string,
   words: ChallengeWords,
 ): ChallengeDocument {

@@ -1,8 +1,13 @@
-import { checkChallenge, parseChallenge, type ChallengeDocument } from "@corridor/challenge";
+import {
+  checkChallenge,
+  parseChallenge,
+  type ChallengeDocument,
+  type EditKind,
+} from "@corridor/challenge";
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import words from "../../../text/en/missions.json" with { type: "json" };
-import { challengeOf, missionIds, type Mission } from "./mission.ts";
+import { challengeOf, missionIds, type Mission, type MissionId } from "./mission.ts";
 import { missions } from "./missions.ts";
 import { answers, type Feedback } from "./testing/answers.ts";
 import { studyMistakes } from "./testing/mistakes.ts";
@@ -65,6 +70,44 @@ describe.each(missions.map((mission) => [mission.id, mission] as const))("%s", (
     if (begun === null) throw new Error("every mission begins with a program");
     expect(checkChallenge(challenge, begun).passed).toBe(id === "make-it-move");
   });
+});
+
+describe("what a mission leaves to the student", () => {
+  const everything: EditKind[] = ["condition", "number", "action", "otherwise", "order", "lines"];
+  /** As the task says it: nothing else may change, and what it asks for may. */
+  const asked: Record<MissionId, EditKind[]> = {
+    "make-it-move": [],
+    "how-far": [],
+    "one-line": ["action"],
+    "first-true-line": ["order"],
+    centimetres: ["number"],
+    "own-line": everything,
+    "side-opening": ["action"],
+    "no-room": ["action"],
+    "order-of-lines": ["order"],
+    "faulty-line": ["action"],
+    "right-wall": everything,
+    "every-maze": everything,
+    "left-or-right": ["action", "otherwise"],
+    "farthest-distance": everything,
+  };
+
+  it.each(missions.map((mission) => [mission.id, mission] as const))(
+    "%s: exactly what its task asks for",
+    (id, { challenge: { allowed, mazes } }) => {
+      expect(allowed.edits.toSorted()).toEqual(asked[id].toSorted());
+      const { task, short } = words.missions[id];
+      const limits = [...`${task} ${short}`.matchAll(/(\d+) lines?\b/g)].map(([, most]) =>
+        Number(most),
+      );
+      expect(limits.filter((most) => most !== allowed.lines)).toEqual([]);
+      const counts = [...`${task} ${short}`.matchAll(/(\d+) mazes\b/g)].map(([, most]) =>
+        Number(most),
+      );
+      expect(counts.filter((most) => most !== mazes.length)).toEqual([]);
+      expect(allowed.drivers[0]).toBe(allowed.lines === 0 ? "me" : "program");
+    },
+  );
 });
 
 describe("the mistakes of the study of 2013", () => {

@@ -60,7 +60,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
       why: "reverse backs off until the line is false, and forward comes back",
       attempt: lines("forward", line(front("<", 50), "reverse")),
       reads:
-        "The goal was not reached in 20 s. Line 1 drives back and “otherwise” forward, again and again where front is 52 cm: each undoes the other. Try a turn instead.",
+        "The goal was not reached in 20 s. Line 1 drives back and “otherwise” drives forward, again and again. Each undoes the other. Try a turn.",
       feedback: { code: "not-reached", maze: 0, line: "default", tick: 1200, needed: 5, found: 3 },
     },
   },
@@ -70,7 +70,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
       why: "believes that the second line is read too",
       attempt: lines("forward", line(front("<", 50), "left 90"), line(front("<", 50), "right 90")),
       reads:
-        "The goal was not reached in 30 s. Line 2 was true at 4.0 s (front: 50 cm), but line 1 above it decided first. Try line 2 above line 1.",
+        "The goal was not reached in 30 s. Line 2 was true at 4.0 s (front: 50 cm), but line 1 above it decided. The first true line wins.",
       feedback: {
         code: "not-reached",
         maze: 0,
@@ -87,7 +87,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
       why: "counts blocks instead of cm",
       attempt: lines("forward", line(back(">", 4), "left 90")),
       reads:
-        "The goal was not reached in 30 s. Line 1 is always true: it asks for back > 4 cm, and no reading is below 25 cm. One block is 100 cm.",
+        "The goal was not reached in 30 s. Line 1 is always true. No sensor reads less than 25 cm. One block is 100 cm.",
       feedback: { code: "not-reached", maze: 0, line: 0, tick: 1800, needed: 9, found: 1 },
     },
   },
@@ -97,7 +97,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
       why: "takes the wrong sign, as in Figure 24",
       attempt: lines("forward", line(front(">", 50), "right 90")),
       reads:
-        "Bump at 0.8 s. Line 1 chose “right 90” at 0.0 s, not at an opening: a wall was on that side (right: 50 cm), and the way ahead was free (front: 450 cm).",
+        "Bump at 0.8 s. Line 1 was true at 0.0 s (front: 450 cm). Its sign, “>”, points the wrong way.",
       feedback: {
         code: "bump",
         maze: 0,
@@ -115,7 +115,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
       why: "leaves out “delayed”, as in Figure 26",
       attempt: lines("forward", line(right(">", 60), "right 90")),
       reads:
-        "Bump at 4.5 s. Line 1 chose “right 90” at 2.1 s, at the edge of the opening: the robot met the corner. A delayed turn drives on for 50 cm first.",
+        "Bump at 4.5 s. Line 1 chose “right 90” at 1.5 s, at the edge of the opening (right: 250 cm). A delayed turn drives on for 50 cm first.",
       feedback: {
         code: "bump",
         maze: 0,
@@ -133,7 +133,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
       why: "delays a turn at a wall, as in Figure 25",
       attempt: lines("forward", line(front("<", 50), "delayed left 90")),
       reads:
-        "Bump at 4.2 s. Line 1 chose “delayed left 90” with 50 cm in front. It drives on for 50 cm first and needs 75 cm.",
+        "Bump at 4.2 s. Line 1 chose “delayed left 90” at 4.0 s with 50 cm in front. It drives on first and needs 75 cm.",
       feedback: {
         code: "bump",
         maze: 0,
@@ -159,7 +159,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
         line(right(">", 60), "delayed right 90"),
       ),
       reads:
-        "The goal was not reached in 30 s. Line 2 was true at 2.5 s (right: 250 cm), but line 1 above it decided first. Try line 2 above line 1.",
+        "The goal was not reached in 30 s. Line 2 was true at 2.5 s (right: 250 cm), but line 1 above it decided. The first true line wins.",
       feedback: { code: "not-reached", maze: 0, line: 0, tick: 1800, needed: 9, found: 7 },
     },
   },
@@ -179,7 +179,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
         line(front("<", 50), "delayed left 90"),
       ),
       reads:
-        "Bump at 3.0 s. Line 1 chose “right 90” at 1.1 s, at the edge of the opening: the robot met the corner. A delayed turn drives on for 50 cm first.",
+        "Bump at 3.0 s. Line 1 chose “right 90” at 0.5 s, at the edge of the opening (right: 250 cm). A delayed turn drives on for 50 cm first.",
       feedback: {
         code: "bump",
         maze: 0,
@@ -205,7 +205,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
         line(front("<", 50), "delayed left 90"),
       ),
       reads:
-        "Bump at 7.5 s. Line 2 chose “delayed left 90” with 50 cm in front. It drives on for 50 cm first and needs 75 cm.",
+        "Bump at 7.5 s. Line 2 chose “delayed left 90” at 7.2 s with 50 cm in front. It drives on first and needs 75 cm.",
       feedback: {
         code: "bump",
         maze: 0,
@@ -227,7 +227,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
       why: "believes that what passes the first maze is right",
       attempt: lines("forward", line(front("<", 50), "left 90")),
       reads:
-        "Maze 2: The goal was not reached in 40 s. Line 1 chose “left 90” at 4.0 s and turned to the nearer wall (left: 50 cm, right: 250 cm). No line turns right.",
+        "Maze 2: The goal was not reached in 40 s. At 3.5 s right was 250 cm, and no line turns right.",
       feedback: { code: "not-reached", maze: 1, line: "default", tick: 2400, needed: 7, found: 5 },
     },
   },
@@ -245,7 +245,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
         line(leftMoreThanRight, "left 90"),
       ),
       reads:
-        "Maze 2: The goal was not reached in 8 s. “otherwise” chose “left 90” at 4.0 s and turned to the nearer wall (left: 150 cm, right: 250 cm). No line turns right.",
+        "Maze 2: The goal was not reached in 8 s. “otherwise” chose “left 90” at 4.0 s (front: 50 cm, left: 150 cm, right: 250 cm). It needs another action.",
       feedback: { code: "not-reached", maze: 1, line: 0, tick: 480, needed: 8, found: 6 },
     },
   },
@@ -264,7 +264,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
         line(leftMoreThanRight, "left 90"),
       ),
       reads:
-        "Maze 1: Bump at 6.8 s, row 2, column 6: no line was true, and “otherwise” chose “forward” with 27 cm in front. There was an opening on the right at 6.8 s (right: 250 cm), and no line turns right.",
+        "Maze 1: Bump at 6.8 s. At 6.6 s the wall was 50 cm ahead, and “otherwise” chose “forward”. A line for this place is missing.",
       feedback: {
         code: "bump",
         maze: 0,

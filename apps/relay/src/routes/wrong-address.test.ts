@@ -1,0 +1,47 @@
+import { problemSchema } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import { startTestRelay } from "../testing/test-relay.ts";
+
+const BROWSER = "text/html,application/xhtml+xml,application/xml;q=0.9,*/*;q=0.8";
+
+describe("a wrong address", () => {
+  it.each([
+    { language: "en-GB,en;q=0.9", lang: "en", words: "This page does not exist" },
+    { language: "de-AT,de;q=0.9,en;q=0.5", lang: "de", words: "Diese Seite gibt es nicht" },
+    { language: "zh-TW", lang: "zh-Hans", words: "没有这个页面" },
+    { language: "ar", lang: "ar", words: "هذه الصفحة غير موجودة" },
+    { language: "tlh", lang: "en", words: "This page does not exist" },
+  ])("is a page in words with a way home for a browser in $language", async (example) => {
+    const { language, lang, words } = example;
+    const { origin } = await startTestRelay();
+    for (const path of ["/foo", "/m/", "/r/", "/assets/none.js", "/apis", "/%3Cscript%3E"]) {
+      const headers = { accept: BROWSER, "accept-language": language };
+      const answer = await fetch(origin + path, { headers });
+      expect([path, answer.status]).toEqual([path, 404]);
+      expect(answer.headers.get("content-type")).toBe("text/html; charset=utf-8");
+      expect(answer.headers.get("vary")).toContain("Accept-Language");
+      const html = await answer.text();
+      expect(html).toContain(`<html lang="${lang}"`);
+      expect(html).toContain(words);
+      expect(html).toContain('href="/"');
+      expect(html).not.toMatch(/<script|<style|style=/);
+    }
+  });
+
+  it("is a problem document for API paths and for clients that ask for no HTML", async () => {
+    const { origin } = await startTestRelay();
+    for (const [path, accept] of [
+      ["/api", BROWSER],
+      ["/api/v1/foo", BROWSER],
+      ["/api/v2/robots", BROWSER],
+      ["/foo", "*/*"],
+      ["/foo", "application/json"],
+    ] as const) {
+      const answer = await fetch(origin + path, { headers: { accept } });
+      expect(answer.headers.get("content-type")).toMatch(/^application\/problem\+json/);
+      expect(problemSchema.parse(await answer.json())).toMatchObject({ status: 404 });
+    }
+    const sent = await fetch(`${origin}/foo`, { method: "POST", headers: { accept: BROWSER } });
+    expect(sent.headers.get("content-type")).toMatch(/^application\/problem\+json/);
+  });
+});

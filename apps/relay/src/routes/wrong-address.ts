@@ -1,0 +1,52 @@
+/**
+ * The page for people at an address that does not exist: what is wrong, and a link home. It needs no script.
+ * API paths, and clients that do not ask for HTML, get a problem document instead.
+ */
+import type { RequestHandler } from "express";
+import { wrongAddressWords, type WrongAddressWords } from "./wrong-address-words.ts";
+
+const API = /^\/api(?:\/|$)/;
+
+/** @param refused called when the page was sent, for the metrics */
+export function wrongAddress(refused: () => void): RequestHandler {
+  const languages = Object.keys(wrongAddressWords);
+  return (request, response, next) => {
+    const isRead = request.method === "GET" || request.method === "HEAD";
+    if (!isRead || API.test(request.path)) return next();
+    response.vary("Accept");
+    // Clients that take anything, such as curl, get the first.
+    if (request.accepts(["application/problem+json", "html"]) !== "html") return next();
+    // "zh" stands for any Chinese that is asked for.
+    const accepted = request.acceptsLanguages(["en", "zh", ...languages]);
+    const lang = accepted === "zh" ? "zh-Hans" : accepted === false ? "en" : accepted;
+    refused();
+    response.vary("Accept-Language").set("Cache-Control", "no-store");
+    response.status(404).type("html");
+    response.send(page(lang, wrongAddressWords[lang] ?? wrongAddressWords.en));
+    return undefined;
+  };
+}
+
+function page(lang: string, { title, text, home }: WrongAddressWords): string {
+  const dir = lang === "ar" ? "rtl" : "ltr";
+  return `<!doctype html>
+<html lang="${lang}" dir="${dir}">
+  <head>
+    <meta charset="utf-8" />
+    <meta name="viewport" content="width=device-width, initial-scale=1" />
+    <meta name="color-scheme" content="light dark" />
+    <title>${title} - Corridor</title>
+    <link rel="icon" href="data:," />
+    <link rel="stylesheet" href="/check/check.css" />
+  </head>
+  <body>
+    <header><a href="/">Corridor</a></header>
+    <main>
+      <h1>${title}</h1>
+      <p>${text}</p>
+      <p><a class="home" href="/">${home}</a></p>
+    </main>
+  </body>
+</html>
+`;
+}

@@ -1,0 +1,70 @@
+import type { Diagnosis } from "@corridor/coach";
+import { describe, expect, it } from "vitest";
+import reasons from "../../text/en/diagnosis.json" with { type: "json" };
+import { en } from "../../text/en/index.ts";
+import { createI18n } from "../../text/i18n.ts";
+import { diagnosisText, diagnosisTitle, diagnosisWords } from "./diagnosis-text.ts";
+
+const readings = { front: 49.6, right: 50, back: 250, left: 250 };
+const moment = { tick: 100, line: 1, action: "delayed left 90" as const, readings };
+const contact = { x: 400, y: 150, cell: { column: 4, row: 1 }, isCorner: false };
+const bump = {
+  kind: "bump" as const,
+  tick: 130,
+  line: 1,
+  action: "delayed left 90" as const,
+  phase: "delay" as const,
+  side: "front" as const,
+  begunAt: 100,
+  reading: 49.6,
+  needs: 75,
+  contact,
+};
+const diagnosis: Diagnosis = {
+  event: bump,
+  cause: { kind: "delayed", moment, side: "left", needs: 75 },
+  fixes: [{ kind: "action", line: 1, action: "left 90" }],
+};
+
+/** As a component gets them: the first namespace is not that of the page. */
+function wordsFor(namespaces: ["diagnosis", "words"] | ["missions", "words"]) {
+  const i18n = createI18n(en);
+  i18n.addResourceBundle("en", "diagnosis", reasons);
+  return diagnosisWords(i18n.getFixedT("en", namespaces[0]), "en");
+}
+
+describe("the words of a diagnosis", () => {
+  it.each([[["diagnosis", "words"]], [["missions", "words"]]] as const)(
+    "are whole sentences for a translator of %j",
+    (namespaces) => {
+      const words = wordsFor([...namespaces]);
+      expect(diagnosisTitle(words, diagnosis)).toBe("Bump: look at line 2");
+      expect(diagnosisText(words, diagnosis)).toBe(
+        "Bump at 2.1 s. Line 2 chose “delayed left 90” at 1.6 s with 50 cm in front. It drives on first and needs 75 cm.",
+      );
+    },
+  );
+
+  it("state what happened where no cause is known, and blame no line", () => {
+    const words = wordsFor(["diagnosis", "words"]);
+    const facts: Diagnosis = { event: bump, cause: null, fixes: [] };
+    expect(diagnosisTitle(words, facts)).toBe("Bump");
+    expect(diagnosisText(words, facts)).toBe(
+      "Bump at 2.1 s. “delayed left 90” drives on first and needs 75 cm ahead. Front read 50 cm.",
+    );
+  });
+
+  it("tell of a corner that the beam passes", () => {
+    const words = wordsFor(["diagnosis", "words"]);
+    const event = {
+      ...bump,
+      phase: "steady" as const,
+      needs: null,
+      reading: 250,
+      contact: { ...contact, isCorner: true },
+    };
+    expect(diagnosisText(words, { event, cause: null, fixes: [] })).toBe(
+      "Bump at 2.1 s. The robot drove forward from 1.6 s on. The wall was 250 cm ahead then. It touched the corner of a block. The robot is 50 cm wide, and its beam is thin.",
+    );
+  });
+});

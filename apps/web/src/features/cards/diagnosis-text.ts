@@ -1,0 +1,238 @@
+/** The words of a diagnosis: the same for the card, the mission, messages and speech. */
+import {
+  causeLine,
+  type BumpEvent,
+  type Cause,
+  type Diagnosis,
+  type FailureEvent,
+} from "@corridor/coach";
+import { numberOf } from "@corridor/program";
+import type { LineRef } from "@corridor/protocol";
+import { ROBOT_RADIUS } from "@corridor/simulation";
+import type { TFunction } from "i18next";
+import { formatSeconds } from "../../text/numbers.ts";
+import { joinSentences } from "../../text/joined.ts";
+
+/** The words, and the language that they are in. */
+export interface DiagnosisWords {
+  t: TFunction<["diagnosis", "words"]>;
+  language: string;
+}
+
+/**
+ * The words of a translator whose first namespace is another one: keys are written with theirs.
+ * @param t with the namespace "diagnosis" loaded
+ */
+export function diagnosisWords(t: unknown, language: string): DiagnosisWords {
+  return { t: t as DiagnosisWords["t"], language };
+}
+
+/** "Bump: look at line 1" */
+export function diagnosisTitle({ t }: DiagnosisWords, diagnosis: Diagnosis): string {
+  const line = causeLine(diagnosis);
+  if (line === null) return t("diagnosis:title.bump");
+  return line === "default"
+    ? t("diagnosis:title.bumpOtherwise")
+    : t("diagnosis:title.bumpLine", { line: line + 1 });
+}
+
+/**
+ * What happened, and what caused it.
+ * @param happened replaces the sentence about the event, where a check knows more of it
+ */
+export function diagnosisText(
+  words: DiagnosisWords,
+  { event, cause }: Diagnosis,
+  happened: string = eventText(words, event, cause !== null),
+): string {
+  const corner = event.kind === "bump" && event.contact.isCorner ? [cornerText(words)] : [];
+  const reason = cause === null ? [] : [causeText(words, cause)];
+  return joinSentences(commonWords(words), [happened, ...corner, ...reason]);
+}
+
+/** The page's own words, whatever the first namespace of the translator is. */
+function commonWords({ t }: DiagnosisWords): TFunction {
+  const say = t as unknown as (key: string, values?: object) => string;
+  return ((key: string, values?: object) => say(`words:${key}`, values)) as unknown as TFunction;
+}
+
+function cornerText({ t }: DiagnosisWords): string {
+  return t("diagnosis:event.corner");
+}
+
+/** @param isShort whether a cause follows, which has its own numbers */
+function eventText(words: DiagnosisWords, event: FailureEvent, isShort: boolean): string {
+  const { t, language } = words;
+  const seconds = formatSeconds(event.tick, language);
+  if (event.kind === "late")
+    return t("diagnosis:event.late", { seconds: Math.floor(event.tick / 60) });
+  if (event.kind !== "bump") return t(`diagnosis:event.${event.kind}`, { times: event.times });
+  if (isShort) return t("diagnosis:event.bump", { seconds });
+  const known = {
+    seconds,
+    from: formatSeconds(event.begunAt, language),
+    reading: Math.round(event.reading),
+    needs: Math.round(event.needs ?? 0),
+    action: actionText(words, event.action),
+  };
+  const isFront = event.side === "front";
+  const hadRoom = event.needs !== null && event.reading >= event.needs;
+  // Where the beam showed room enough, something beside it was touched.
+  switch (hadRoom ? "steady" : event.phase) {
+    case "delay":
+      return t("diagnosis:event.delay", known);
+    case "way-out":
+      return t("diagnosis:event.wayOut", known);
+    case "measured":
+      return t(isFront ? "diagnosis:event.measuredFront" : "diagnosis:event.measuredBack", known);
+    case "steady":
+      return t(isFront ? "diagnosis:event.steadyFront" : "diagnosis:event.steadyBack", known);
+  }
+}
+
+function causeText(words: DiagnosisWords, cause: Cause): string {
+  const { t, language } = words;
+  const { tick, line, action, readings } = cause.moment;
+  const seconds = formatSeconds(tick, language);
+  const known = { who: who(words, line), action: t(`words:program.action.${action}`), seconds };
+  const sensor = (name: "front" | "right" | "back" | "left") => ({
+    sensor: t(`words:program.sensor.${name}`),
+    reading: Math.round(readings[name]),
+  });
+  const side = (name: "left" | "right") => ({
+    side: t(`words:program.sensor.${name}`),
+    reading: Math.round(readings[name]),
+  });
+  switch (cause.kind) {
+    case "not-delayed":
+      return cause.isAtEdge
+        ? t("diagnosis:cause.atEdge", { ...known, ...side(cause.side), drivesOn: cause.drivesOn })
+        : t("diagnosis:cause.notDelayed", { ...known, drivesOn: cause.drivesOn });
+    case "delayed":
+      return readings.front < cause.needs
+        ? t("diagnosis:cause.noRoom", {
+            ...known,
+            front: Math.round(readings.front),
+            needs: cause.needs,
+          })
+        : t("diagnosis:cause.delayed", known);
+    case "order":
+      return t("diagnosis:cause.order", {
+        ...sensor(cause.sensor),
+        seconds,
+        line: cause.line + 1,
+        inner: inner(words, line),
+      });
+    case "too-early":
+    case "too-late":
+      return numberText(words, cause, seconds);
+    case "comparison": {
+      const decided = line === cause.line;
+      return t(decided ? "diagnosis:cause.comparisonTrue" : "diagnosis:cause.comparisonFalse", {
+        ...sensor(cause.when.sensor),
+        who: who(words, cause.line),
+        seconds,
+        sign: cause.when.is,
+      });
+    }
+    case "sensor": {
+      const { front, left, right } = readings;
+      return t("diagnosis:cause.sensor", {
+        who: who(words, cause.line),
+        seconds,
+        sensor: t(`words:program.sensor.${cause.when.sensor}`),
+        front: Math.round(front),
+        left: Math.round(left),
+        right: Math.round(right),
+      });
+    }
+    case "action": {
+      const { detail } = cause;
+      if (detail?.kind === "no-room") {
+        const front = Math.round(readings.front);
+        return t("diagnosis:cause.noRoom", { ...known, front, needs: detail.needs });
+      }
+      if (detail?.kind === "into-wall") {
+        return t("diagnosis:cause.intoWall", {
+          ...known,
+          ...side(detail.side),
+          open: t(`words:program.sensor.${detail.open}`),
+          free: Math.round(readings[detail.open]),
+        });
+      }
+      if (detail?.kind === "undoing") {
+        return t("diagnosis:cause.undoing", { who: known.who, inner: inner(words, detail.other) });
+      }
+      const { front, left, right } = readings;
+      return t("diagnosis:cause.action", {
+        ...known,
+        front: Math.round(front),
+        left: Math.round(left),
+        right: Math.round(right),
+      });
+    }
+    case "missing": {
+      const about = { ...known, ...sensor(cause.sensor), inner: inner(words, line) };
+      if (cause.sensor === "front") return t("diagnosis:cause.missingFront", about);
+      if (cause.sensor === "back") return t("diagnosis:cause.missingBack", about);
+      if (cause.hasTurn) return t("diagnosis:cause.missingSide", about);
+      return t(
+        cause.sensor === "left" ? "diagnosis:cause.noTurnLeft" : "diagnosis:cause.noTurnRight",
+        about,
+      );
+    }
+    case "extra":
+      return t("diagnosis:cause.extra", known);
+  }
+}
+
+function numberText(
+  words: DiagnosisWords,
+  cause: Extract<Cause, { kind: "too-early" | "too-late" }>,
+  seconds: string,
+): string {
+  const { t } = words;
+  const { when, moment, better } = cause;
+  const known = {
+    who: who(words, cause.line),
+    seconds,
+    action: t(`words:program.action.${moment.action}`),
+    sensor: t(`words:program.sensor.${when.sensor}`),
+    reading: Math.round(moment.readings[when.sensor]),
+    by: Math.round(Math.abs(better - numberOf(when))),
+  };
+  if (cause.extreme === "always") {
+    return t("diagnosis:cause.always", { ...known, nearest: ROBOT_RADIUS });
+  }
+  if (when.than === "right") {
+    const { left, right } = moment.readings;
+    const both = { left: Math.round(left), right: Math.round(right) };
+    return t("diagnosis:cause.sides", { ...known, ...both });
+  }
+  if (cause.extreme === "never") return t("diagnosis:cause.never", known);
+  return t(
+    cause.kind === "too-early" ? "diagnosis:cause.tooEarly" : "diagnosis:cause.tooLate",
+    known,
+  );
+}
+
+/** As the menus call it; what only scripts can ask for, as the API does. */
+function actionText({ t }: DiagnosisWords, action: BumpEvent["action"]): string {
+  return action === "move" || action === "turn" || action === "drive"
+    ? action
+    : t(`words:program.action.${action}`);
+}
+
+/** "Line 1" or "“otherwise”" at the beginning of a sentence. */
+function who({ t }: DiagnosisWords, line: LineRef): string {
+  return line === "default"
+    ? t("diagnosis:who.otherwise")
+    : t("diagnosis:who.line", { line: line + 1 });
+}
+
+/** The same inside of one. */
+function inner({ t }: DiagnosisWords, line: LineRef): string {
+  return line === "default"
+    ? t("diagnosis:who.innerOtherwise")
+    : t("diagnosis:who.innerLine", { line: line + 1 });
+}

@@ -1,0 +1,65 @@
+import type { Diagnosis } from "@corridor/coach";
+import { describe, expect, it } from "vitest";
+import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { createRunStore } from "../../stores/run-store.ts";
+import { createScreenStore } from "../../stores/screen-store.ts";
+import { createWorkspaceStore, setMaze, setProgram } from "../../stores/workspace-store.ts";
+import { tellDiagnosis } from "./tell-diagnosis.ts";
+
+const diagnosis: Diagnosis = {
+  event: { kind: "circles", tick: 900, line: 0, cell: 3, times: 3 },
+  cause: {
+    kind: "extra",
+    line: 0,
+    moment: {
+      tick: 60,
+      line: 0,
+      action: "left 90",
+      readings: { front: 50, right: 50, back: 50, left: 250 },
+    },
+  },
+  fixes: [{ kind: "delete", line: 0 }],
+};
+
+async function told() {
+  const screen = createScreenStore();
+  const run = createRunStore();
+  const workspace = createWorkspaceStore(firstMaze, firstProgram);
+  run.setState({ nowTick: 900 });
+  const words = {
+    t: ((key: string) => key) as never,
+    language: "en",
+    loadNamespaces: () => Promise.resolve(),
+  };
+  await tellDiagnosis({ screen, workspace, run, words }, diagnosis);
+  return { run, workspace, messages: () => screen.getState().messages };
+}
+
+describe("the message that the robot gets nowhere", () => {
+  it("stays while the same run goes on, and leads to the line", async () => {
+    const { run, messages } = await told();
+    run.setState({ nowTick: 901 });
+    expect(messages()).toMatchObject([{ stays: true, action: { label: "diagnosis:show" } }]);
+  });
+
+  it.each([
+    {
+      name: "another program",
+      change: ({ workspace }: Awaited<ReturnType<typeof told>>) =>
+        setProgram(workspace, { ...firstProgram, rules: [] }),
+    },
+    {
+      name: "another maze",
+      change: ({ workspace }: Awaited<ReturnType<typeof told>>) =>
+        setMaze(workspace, { ...firstMaze, name: "Other" }),
+    },
+    {
+      name: "a new run",
+      change: ({ run }: Awaited<ReturnType<typeof told>>) => run.setState({ nowTick: 0 }),
+    },
+  ])("goes with $name", async ({ change }) => {
+    const state = await told();
+    change(state);
+    expect(state.messages()).toEqual([]);
+  });
+});

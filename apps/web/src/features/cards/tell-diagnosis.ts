@@ -1,0 +1,56 @@
+/**
+ * Reports that the program's robot gets nowhere, with a way to the line that causes it. It is true of one
+ * run of one program in one maze: with another one the message goes.
+ */
+import { causeLine, type Diagnosis } from "@corridor/coach";
+import type { i18n } from "i18next";
+import type { RunStore } from "../../stores/run-store.ts";
+import { dismiss, tell, type ScreenStore } from "../../stores/screen-store.ts";
+import type { WorkspaceStore } from "../../stores/workspace-store.ts";
+import { focusLine } from "../program/focus-line.ts";
+import { diagnosisText, diagnosisWords } from "./diagnosis-text.ts";
+
+interface Ports {
+  screen: ScreenStore;
+  workspace: WorkspaceStore;
+  run: RunStore;
+  words: Pick<i18n, "t" | "language" | "loadNamespaces">;
+}
+
+export async function tellDiagnosis(
+  { screen, workspace, run, words }: Ports,
+  diagnosis: Diagnosis,
+): Promise<void> {
+  const { nowTick } = run.getState();
+  await words.loadNamespaces("diagnosis");
+  // It may be over before its words are there.
+  if (run.getState().nowTick < nowTick) return;
+  const known = diagnosisWords(words.t, words.language);
+  const line = causeLine(diagnosis);
+  const id = typeof line === "number" ? workspace.getState().lineIds[line] : undefined;
+  const message = tell(screen, {
+    tone: "info",
+    stays: true,
+    text: diagnosisText(known, diagnosis),
+    action:
+      typeof line !== "number" || id === undefined
+        ? undefined
+        : {
+            label: known.t("diagnosis:show", { line: line + 1 }),
+            run: () => {
+              end();
+              focusLine(id);
+            },
+          },
+  });
+  const ends = [
+    workspace.subscribe(() => end()),
+    run.subscribe((next, before) => {
+      if (next.nowTick < before.nowTick) end();
+    }),
+  ];
+  function end(): void {
+    dismiss(screen, message);
+    for (const each of ends) each();
+  }
+}

@@ -1,0 +1,29 @@
+/** How the open project stands now, and the best result of this device. Spoken as it changes. */
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useSay } from "../speech/use-say.ts";
+import type { LessonsService } from "./lessons-service.ts";
+import styles from "./lessons.module.css";
+import type { ProjectId } from "./missions/projects.ts";
+import { bestText, isReached, statusText } from "./project-text.ts";
+
+interface ProjectOutcomeProps {
+  project: ProjectId;
+  service: LessonsService;
+}
+
+export function ProjectOutcome({ project, service }: ProjectOutcomeProps) {
+  const words = useTranslation(["missions", "words"], { useSuspense: false });
+  const status = useStore(service.project.status, (state) => state.status);
+  const best = useStore(service.progress, (state) => state.best[project]);
+  const text = statusText(words, status);
+  useSay(status.kind === "checking" ? null : text, "mission");
+  return (
+    <>
+      <p role="note" className={styles["outcome"]} data-state={isReached(status) ? "met" : "open"}>
+        {text}
+      </p>
+      {best !== undefined && <p className={styles["best"]}>{bestText(words, project, best)}</p>}
+    </>
+  );
+}

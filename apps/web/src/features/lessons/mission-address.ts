@@ -1,0 +1,80 @@
+/**
+ * The address of a mission or an open project: `#mission/side-opening`. A fragment works on any static
+ * host, offline and below every path (docs/adr/0015-a-mission-is-a-fragment.md).
+ */
+import type { ChallengeStore } from "../../stores/challenge-store.ts";
+
+const PREFIX = "#mission/";
+
+/** The fragment of a mission's address. */
+export function missionHash(id: string): string {
+  return PREFIX + id;
+}
+
+/** The mission that a fragment names, whether or not it exists; null where it names none. */
+export function missionOfHash(hash: string): string | null {
+  return hash.startsWith(PREFIX) ? hash.slice(PREFIX.length) : null;
+}
+
+/** As much of the browser as the address bar needs. */
+export interface AddressBar {
+  location: Pick<Location, "pathname" | "search" | "hash">;
+  history: Pick<History, "pushState" | "replaceState">;
+  /** calls back after the reader went back or forward, or typed another fragment */
+  onMove: (moved: () => void) => void;
+}
+
+export function pageAddressBar(): AddressBar {
+  return { location, history, onMove: (moved) => window.addEventListener("popstate", moved) };
+}
+
+export class MissionAddress {
+  readonly #store: ChallengeStore;
+  readonly #bar: AddressBar;
+  /** whether the page has just opened: then the address is completed, and Back leads where it did */
+  #isFirst = true;
+  #isDue = false;
+
+  /** @param goHome closes the open mission: the reader went back to an address without one */
+  constructor(store: ChallengeStore, bar: AddressBar, goHome: () => void) {
+    this.#store = store;
+    this.#bar = bar;
+    store.subscribe((next, before) => {
+      if (next.mission !== before.mission) this.#followSoon();
+    });
+    bar.onMove(() => {
+      const isPlain = bar.location.hash === "";
+      if (isPlain && store.getState().mission !== null) goHome();
+    });
+  }
+
+  /** The reader opens a mission: Back leads to what is open now. */
+  opening(): void {
+    this.#isFirst = false;
+  }
+
+  /** One step from mission to mission closes the first and opens the second: that is one entry. */
+  #followSoon(): void {
+    if (this.#isDue) return;
+    this.#isDue = true;
+    queueMicrotask(() => {
+      this.#isDue = false;
+      this.#follow();
+    });
+  }
+
+  #follow(): void {
+    const { location, history } = this.#bar;
+    const { mission } = this.#store.getState();
+    const hash = mission === null ? "" : missionHash(mission);
+    const isFirst = this.#isFirst;
+    this.#isFirst = false;
+    if (location.hash === hash) return;
+    // A link that is being opened removes itself from the address.
+    const isOther = location.hash !== "" && missionOfHash(location.hash) === null;
+    if (mission === null ? isOther : isFirst && location.hash !== "") return;
+    const address = location.pathname + location.search + hash;
+    if (isFirst) history.replaceState(null, "", address);
+    else history.pushState(null, "", address);
+  }
+}

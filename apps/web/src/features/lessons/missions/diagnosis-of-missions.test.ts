@@ -1,0 +1,114 @@
+/** Wrong answers to all missions: each is told one cause, and a line is named only where its change can help. */
+import { brokenRight, checkChallenge, type ChallengeDocument } from "@corridor/challenge";
+import { causeLine, type Diagnosis } from "@corridor/coach";
+import type { ProgramDocument } from "@corridor/program";
+import type { LineRef } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import { checkProgram } from "../../../worker/check-program.ts";
+import { challengeOf } from "./mission.ts";
+import { missions } from "./missions.ts";
+import { answers } from "./testing/answers.ts";
+import {
+  oneStepAnswers,
+  oneStepFrom,
+  twoStepAnswers,
+  type WrongAnswer,
+} from "./testing/wrong-answers.ts";
+
+const noWords = { task: "", short: "", hints: [] };
+const solved = missions.flatMap((mission) => {
+  const { solution } = answers[mission.id];
+  const challenge = challengeOf(mission, mission.id, noWords);
+  return "rules" in solution ? [{ id: mission.id, challenge, solution }] : [];
+});
+const oneStep = solved.map(({ id, challenge, solution }) => ({
+  id,
+  wrong: [...oneStepAnswers(challenge, solution)],
+}));
+
+/** Two changes that undo a mistake equally well, so that the other line may be named. */
+const asGood = new Set([
+  // Which of two neighbours moved is the same.
+  "first-true-line line 2 moved up",
+  "order-of-lines line 2 moved up",
+  // Delayed, the turn that comes too early solves both mazes as well.
+  'farthest-distance line 1: {"sensor":"front","is":">","than":100}',
+]);
+
+/** What the first maze that fails is told. */
+function told({ challenge, program }: WrongAnswer): { maze: number; diagnosis: Diagnosis } {
+  const { verdict, diagnoses } = checkProgram({ challenge, program });
+  const maze = verdict.failure?.maze ?? -1;
+  const diagnosis = diagnoses[maze];
+  if (diagnosis === null || diagnosis === undefined) throw new Error("no diagnosis");
+  return { maze, diagnosis };
+}
+
+/** Whether some change of this line alone passes in the maze, or gets past the bump. */
+function canHelp(
+  challenge: ChallengeDocument,
+  program: ProgramDocument,
+  maze: number,
+  line: LineRef,
+): boolean {
+  const here = challenge.mazes[maze];
+  if (here === undefined) return false;
+  const alone = { ...challenge, mazes: [here] };
+  const before = checkChallenge(alone, program).failure;
+  for (const step of [...oneStepFrom(program), ...movesOf(program, line)]) {
+    if (step.line !== line && step.line !== null) continue;
+    if (step.line === null && step.name !== `without line ${Number(line) + 1}`) continue;
+    if (brokenRight(challenge, step.program) !== null) continue;
+    const { passed, failure } = checkChallenge(alone, step.program);
+    const isPast = before?.code === "bump" && (failure?.tick ?? 0) > (before.tick ?? 0);
+    if (passed || isPast) return true;
+  }
+  return false;
+}
+
+/** The line at every other place, and with every number that a student would try. */
+function* movesOf(program: ProgramDocument, line: LineRef) {
+  const rule = typeof line === "number" ? program.rules[line] : undefined;
+  if (rule === undefined || typeof line !== "number") return;
+  const others = program.rules.toSpliced(line, 1);
+  for (let to = 0; to < program.rules.length; to++) {
+    yield { name: "moved", line, program: { ...program, rules: others.toSpliced(to, 0, rule) } };
+  }
+  const { when } = rule;
+  if (when === null) return;
+  const numbers = when.than === "right" ? [-100, -50, -10, -1, 0, 1, 10, 50, 100] : allNumbers;
+  for (const number of numbers) {
+    const changed = when.than === "right" ? { ...when, plus: number } : { ...when, than: number };
+    const rules = program.rules.with(line, { ...rule, when: changed });
+    yield { name: "number", line, program: { ...program, rules } };
+  }
+}
+
+const allNumbers = Array.from({ length: 40 }, (_, at) => (at + 1) * 25).concat(60);
+
+describe("wrong answers with one change", () => {
+  it("are at least sixty, and come from every mission with a program", () => {
+    expect(oneStep.flatMap(({ wrong }) => wrong).length).toBeGreaterThanOrEqual(60);
+    for (const { wrong } of oneStep) expect(wrong.length).toBeGreaterThan(0);
+  });
+
+  it.each(oneStep)("$id: the line that was changed is named", ({ id, wrong }) => {
+    const others = wrong.filter((answer) => {
+      const { diagnosis } = told(answer);
+      if (diagnosis.cause === null) return true;
+      return causeLine(diagnosis) !== answer.line && !asGood.has(`${id} ${answer.name}`);
+    });
+    expect(others.map(({ name }) => name)).toEqual([]);
+  });
+});
+
+describe("wrong answers with two changes", () => {
+  it.each(solved)("$id: no line is named whose change cannot help", ({ challenge, solution }) => {
+    const blamed = [...twoStepAnswers(challenge, solution, 97)].filter((answer) => {
+      const { maze, diagnosis } = told(answer);
+      const line = causeLine(diagnosis);
+      return line !== null && !canHelp(challenge, answer.program, maze, line);
+    });
+    expect(blamed.map(({ name }) => name)).toEqual([]);
+  });
+});

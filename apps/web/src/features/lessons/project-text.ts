@@ -1,0 +1,81 @@
+/** The sentences of an open project: how it stands, and the best result. */
+import type { ProjectAnswers } from "../../worker/project-request.ts";
+import { formatSeconds } from "../../text/numbers.ts";
+import type { MissionWords } from "./mission-words.ts";
+import { PROJECT_SECONDS, projects, type ProjectId } from "./missions/projects.ts";
+import type { ProjectStatus } from "./project-watch.ts";
+
+/** @returns null where there is nothing to say yet */
+export function statusText({ t, i18n }: MissionWords, status: ProjectStatus): string | null {
+  switch (status.kind) {
+    case "none":
+      return null;
+    case "checking":
+      return t("missions:card.checking");
+    case "failed":
+      return t("words:lessons.notLoaded");
+    case "mazes": {
+      const { solved, all, ticks } = status.result;
+      const seconds = formatSeconds(ticks, i18n.language);
+      return t("missions:project.mazes", { solved, all, seconds });
+    }
+    case "hand": {
+      const seconds = formatSeconds(status.ticks, i18n.language);
+      return t("missions:project.hand", { bumps: status.bumps, seconds });
+    }
+    case "defeat":
+      return defeatText({ t, i18n }, status.result);
+  }
+}
+
+function defeatText({ t, i18n }: MissionWords, result: ProjectAnswers["defeat"]): string {
+  switch (result.state) {
+    case "no-goal":
+      return t("missions:project.noGoal");
+    case "no-path":
+      return t("missions:project.noPath");
+    case "reached":
+      return t("missions:project.reached", { seconds: formatSeconds(result.ticks, i18n.language) });
+    case "defeated":
+      return t("missions:project.defeated", {
+        seconds: PROJECT_SECONDS,
+        squares: result.squares,
+      });
+  }
+}
+
+/** Whether the project's aim is met by what it is now. */
+export function isReached(status: ProjectStatus): boolean {
+  switch (status.kind) {
+    case "mazes":
+      return status.result.solved === status.result.all;
+    case "defeat":
+      return status.result.state === "defeated";
+    case "hand":
+      return true;
+    case "none":
+    case "checking":
+    case "failed":
+      return false;
+  }
+}
+
+/** @param best as the device stores it */
+export function bestText(
+  { t, i18n }: MissionWords,
+  project: ProjectId,
+  best: readonly number[],
+): string {
+  const [first = 0, ticks = 0] = best;
+  const seconds = formatSeconds(ticks, i18n.language);
+  switch (project) {
+    case "all-mazes": {
+      const all = projects.find(({ id }) => id === project)?.challenge.mazes.length ?? 0;
+      return t("missions:project.best.all-mazes", { solved: all - first, all, seconds });
+    }
+    case "fewest-bumps":
+      return t("missions:project.best.fewest-bumps", { bumps: first, seconds });
+    case "beat-right-wall":
+      return t("missions:project.best.beat-right-wall", { squares: first });
+  }
+}

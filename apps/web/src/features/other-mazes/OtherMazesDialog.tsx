@@ -1,0 +1,148 @@
+/** Runs the open program in a hundred other mazes and shows in which of them it works. */
+import { Eye, RotateCcw, Square } from "lucide-react";
+import { useEffect, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Button } from "../../ui/Button.tsx";
+import { Dialog } from "../../ui/Dialog.tsx";
+import { minutesFor, type TrialResult } from "../../worker/maze-trial.ts";
+import { TrialOpener } from "./open-trial.ts";
+import styles from "./other-mazes.module.css";
+import { TrialChoices } from "./TrialChoices.tsx";
+import { TrialGrid } from "./TrialGrid.tsx";
+import { createTrialPool } from "./trial-pool.ts";
+import { countOutcomes, seedsFrom, trialChoice, Trials, TRIALS } from "./trials.ts";
+
+/** How long the workers wait for the next press of the button. */
+const IDLE_MS = 60_000;
+
+interface OtherMazesDialogProps {
+  isOpen: boolean;
+  onClose: () => void;
+}
+
+/** Opens once its words are there. */
+export function OtherMazesDialog({ isOpen, onClose }: OtherMazesDialogProps) {
+  const { t, ready } = useTranslation("otherMazes", { useSuspense: false });
+  const minutes = useStore(trialChoice, ({ side }) => minutesFor(side));
+  return (
+    <Dialog
+      isOpen={isOpen && ready}
+      onClose={onClose}
+      title={t("title")}
+      subtitle={t("rule", { count: minutes })}
+    >
+      <TrialRun onClose={onClose} />
+    </Dialog>
+  );
+}
+
+function TrialRun({ onClose }: { onClose: () => void }) {
+  const { t, i18n } = useTranslation(["words", "otherMazes"], { useSuspense: false });
+  const services = useServices();
+  const { trials, opener } = trialsOfPage(services, i18n);
+  const [isOpening, setOpening] = useState(false);
+  const choice = useStore(trialChoice);
+  const { state, results } = useStore(trials.store);
+  useEffect(() => {
+    trials.start(choice, services.workspace.getState().program);
+  }, [trials, choice, services]);
+  useEffect(() => {
+    clearTimeout(closing);
+    return () => {
+      trials.clear();
+      closing = setTimeout(() => trials.close(), IDLE_MS);
+    };
+  }, [trials]);
+
+  const counts = countOutcomes(results);
+  const seeds = seedsFrom(choice.first);
+  const failure = seeds
+    .map((seed) => results.get(seed))
+    .find((result) => result !== undefined && result.outcome !== "works");
+  const numbers = { works: counts.works, tried: results.size, all: TRIALS };
+  const sentence = t(`otherMazes:sentence.${state === "idle" ? "running" : state}`, numbers);
+  const home = opener.wayHome();
+
+  async function open(result: TrialResult): Promise<void> {
+    if (isOpening) return;
+    setOpening(true);
+    const isOpen = await opener.open(result, choice, services.workspace.getState().program);
+    setOpening(false);
+    if (isOpen) onClose();
+  }
+
+  return (
+    <div className={styles["trials"]}>
+      <TrialChoices />
+      <div className={styles["summary"]}>
+        <div className={styles["result"]}>
+          <p className={styles["sentence"]}>{sentence}</p>
+          <p className={styles["counts"]}>
+            {t("otherMazes:counts", { bumps: counts.bump, limits: counts["time-limit"] })}
+          </p>
+        </div>
+        <div className={styles["buttons"]}>
+          {failure !== undefined && (
+            <Button
+              kind="primary"
+              icon={<Eye aria-hidden="true" />}
+              onClick={() => void open(failure)}
+            >
+              {t("otherMazes:showFailure")}
+            </Button>
+          )}
+          {state === "running" ? (
+            <Button icon={<Square aria-hidden="true" />} onClick={() => trials.stop()}>
+              {t("otherMazes:stop")}
+            </Button>
+          ) : (
+            <Button
+              icon={<RotateCcw aria-hidden="true" />}
+              onClick={() => trials.start(choice, services.workspace.getState().program)}
+            >
+              {t("otherMazes:again")}
+            </Button>
+          )}
+          {home !== null && (
+            <Button
+              onClick={() => {
+                home();
+                onClose();
+              }}
+            >
+              {t("otherMazes:back")}
+            </Button>
+          )}
+        </div>
+      </div>
+      {/* Said once, at the end: a screen reader could not follow a hundred results. */}
+      <output className="visually-hidden">
+        {state === "done" || state === "stopped" ? sentence : ""}
+      </output>
+      <TrialGrid seeds={seeds} results={results} onOpen={(result) => void open(result)} />
+    </div>
+  );
+}
+
+interface PageTrials {
+  trials: Trials;
+  opener: TrialOpener;
+}
+
+/** One for the page: the workers stay warm for a while, and the way back to the student's own maze stays. */
+let pageTrials: PageTrials | null = null;
+let closing: ReturnType<typeof setTimeout> | undefined;
+
+function trialsOfPage(
+  services: ReturnType<typeof useServices>,
+  words: ReturnType<typeof useTranslation>["i18n"],
+): PageTrials {
+  if (pageTrials === null) {
+    const pool = createTrialPool();
+    const trials = new Trials(pool, (show) => requestAnimationFrame(show));
+    pageTrials = { trials, opener: new TrialOpener(services, words, pool) };
+  }
+  return pageTrials;
+}

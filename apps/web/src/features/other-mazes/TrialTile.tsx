@@ -1,0 +1,54 @@
+/** One maze that the program is tried in: its picture, its seed, and what came of it in a mark and a word. */
+import { Check, Clock, X } from "lucide-react";
+import { memo } from "react";
+import { useTranslation } from "react-i18next";
+import { formatClock } from "../../text/numbers.ts";
+import type { TrialResult } from "../../worker/maze-trial.ts";
+import { MazePicture } from "../presets/MazePicture.tsx";
+import styles from "./other-mazes.module.css";
+
+interface TrialTileProps {
+  seed: number;
+  /** null: not tried yet */
+  result: TrialResult | null;
+  /** whether the Tab key stops here; arrow keys lead to the others */
+  isStop: boolean;
+  onOpen: (result: TrialResult) => void;
+}
+
+const icons = { works: Check, bump: X, "time-limit": Clock } as const;
+
+export const TrialTile = memo(function TrialTile({ seed, result, isStop, onOpen }: TrialTileProps) {
+  const { t, i18n } = useTranslation("otherMazes", { useSuspense: false });
+  const outcome = result?.outcome ?? null;
+  const Icon = outcome === null ? null : icons[outcome];
+  const time = formatClock(result?.tick ?? 0, i18n.language);
+  return (
+    <li className={styles["item"]}>
+      <button
+        type="button"
+        className={styles["tile"]}
+        data-outcome={outcome ?? undefined}
+        aria-label={t(`tile.${outcome ?? "waiting"}`, { seed, time })}
+        aria-disabled={result === null}
+        tabIndex={isStop ? 0 : -1}
+        onClick={() => {
+          if (result !== null) onOpen(result);
+        }}
+      >
+        <span className={styles["picture"]}>
+          {result !== null && <MazePicture maze={result.maze} />}
+        </span>
+        <span className={styles["caption"]}>
+          <span className={styles["seed"]}>{seed}</span>
+          {outcome !== null && Icon !== null && (
+            <span className={styles["outcome"]}>
+              <Icon size={12} strokeWidth={3} aria-hidden="true" />
+              {t(`outcome.${outcome}`)}
+            </span>
+          )}
+        </span>
+      </button>
+    </li>
+  );
+});

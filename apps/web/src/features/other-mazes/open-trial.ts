@@ -1,0 +1,92 @@
+/**
+ * Opens a maze that the program was tried in: as a work of its own, so that the student's maze stays as it
+ * is, with the run two seconds before its end, which is then played.
+ */
+import type { ProgramDocument } from "@corridor/program";
+import { TICKS_PER_SECOND } from "@corridor/simulation";
+import type { i18n } from "i18next";
+import { loadRun } from "../../app/run-requests.ts";
+import type { Services } from "../../app/services.ts";
+import { dismiss, tell } from "../../stores/screen-store.ts";
+import { setProgram } from "../../stores/workspace-store.ts";
+import type { TrialMazes, TrialResult } from "../../worker/maze-trial.ts";
+import { watchAgain } from "../cards/watch-again.ts";
+import type { TrialPool } from "./trial-pool.ts";
+
+/** What the student sees of the run before it fails. */
+const SHOWN_TICKS = 2 * TICKS_PER_SECOND;
+
+type Opener = Pick<Services, "works" | "workspace" | "simulator" | "screen">;
+
+/** The way back to the student's own maze: from one trial to the next it stays the same. */
+interface Home {
+  /** the work of the trial that is open */
+  trial: string;
+  back: () => void;
+}
+
+export class TrialOpener {
+  readonly #services: Opener;
+  readonly #words: Pick<i18n, "t">;
+  readonly #pool: Pick<TrialPool, "record">;
+  #home: Home | null = null;
+
+  /** @param pool the workers that record the runs */
+  constructor(services: Opener, words: Pick<i18n, "t">, pool: Pick<TrialPool, "record">) {
+    this.#services = services;
+    this.#words = words;
+    this.#pool = pool;
+  }
+
+  /** @returns false where it could not be opened, which is told; then nothing has changed */
+  async open(
+    { maze, seed, outcome, tick }: TrialResult,
+    { kind, side }: TrialMazes,
+    program: ProgramDocument,
+  ): Promise<boolean> {
+    const { works, simulator, screen } = this.#services;
+    const { t } = this.#words;
+    const name = t(`presets.random.names.${kind}`, { side, seed });
+    const named = { ...maze, name };
+    const written = await this.#pool.record(named, program, tick);
+    const loaded = written?.ok === true ? await loadRun(simulator, written.run).loaded : null;
+    if (loaded?.ok !== true) {
+      tell(screen, { tone: "bad", text: t("otherMazes:notOpened") });
+      return false;
+    }
+    const home = this.wayHome();
+    const back = works.begin(loaded.maze, loaded.program, true);
+    this.#home = { trial: works.currentId(), back: home ?? this.#takingProgram(back, program) };
+    if (outcome === "works") simulator.send({ type: "seek", tick: 0 });
+    else watchAgain(simulator, tick - SHOWN_TICKS);
+    const id = tell(screen, {
+      tone: "info",
+      text: t(`otherMazes:opened.${outcome}`, { name }),
+      action: {
+        label: t("otherMazes:back"),
+        run: () => {
+          dismiss(screen, id);
+          this.wayHome()?.();
+        },
+      },
+    });
+    return true;
+  }
+
+  /** Leads back to the student's own maze; null where that is open. */
+  wayHome(): (() => void) | null {
+    const home = this.#home;
+    return home?.trial === this.#services.works.currentId() ? home.back : null;
+  }
+
+  /** What was changed in the program meanwhile comes along, as one step that Undo takes back. */
+  #takingProgram(back: () => void, tried: ProgramDocument): () => void {
+    const { workspace } = this.#services;
+    return () => {
+      const { program } = workspace.getState();
+      this.#home = null;
+      back();
+      if (JSON.stringify(program) !== JSON.stringify(tried)) setProgram(workspace, program);
+    };
+  }
+}

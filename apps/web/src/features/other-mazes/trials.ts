@@ -1,0 +1,108 @@
+/** The mazes that the open program is tried in: which ones, how far it is, and what came of each. */
+import type { ProgramDocument } from "@corridor/program";
+import { createStore, type StoreApi } from "zustand/vanilla";
+import type { TrialMazes, TrialOutcome, TrialResult } from "../../worker/maze-trial.ts";
+import type { TrialPool } from "./trial-pool.ts";
+
+/** Mazes of one set. */
+export const TRIALS = 100;
+export const LEAST_TRIAL_SIDE = 5;
+export const MOST_TRIAL_SIDE = 33;
+/** The first seed of the last set; no maze of it has a seed that cannot be typed elsewhere. */
+export const MOST_FIRST_SEED = 999_999_900;
+
+export interface TrialChoice extends TrialMazes {
+  /** seed of the first maze; the others follow */
+  first: number;
+}
+
+/** It outlives the dialog, so that a corrected program is tried in the same mazes. */
+export const trialChoice = createStore<TrialChoice>()(() => ({ kind: "tree", side: 11, first: 1 }));
+
+export interface TrialsState {
+  state: "idle" | "running" | "done" | "stopped" | "failed";
+  /** by seed */
+  results: ReadonlyMap<number, TrialResult>;
+}
+
+export class Trials {
+  readonly store: StoreApi<TrialsState> = createStore<TrialsState>()(() => ({
+    state: "idle",
+    results: new Map(),
+  }));
+  readonly pool: TrialPool;
+  readonly #nextFrame: (work: () => void) => void;
+  /** results that the screen does not have yet */
+  #news: TrialResult[] = [];
+  #isDue = false;
+
+  /** @param nextFrame runs a function at the next frame: results are shown once a frame */
+  constructor(pool: TrialPool, nextFrame: (work: () => void) => void) {
+    this.pool = pool;
+    this.#nextFrame = nextFrame;
+  }
+
+  start({ kind, side, first }: TrialChoice, program: ProgramDocument): void {
+    this.#news = [];
+    this.store.setState({ state: "running", results: new Map() });
+    this.pool.run(
+      { program, mazes: { kind, side }, seeds: seedsFrom(first) },
+      {
+        onResult: (result) => {
+          this.#news.push(result);
+          this.#showSoon();
+        },
+        onFailure: () => this.store.setState({ state: "failed" }),
+      },
+    );
+  }
+
+  stop(): void {
+    this.pool.stop();
+    this.#show();
+    if (this.store.getState().state === "running") this.store.setState({ state: "stopped" });
+  }
+
+  /** Stops, and drops the results. */
+  clear(): void {
+    this.stop();
+    this.store.setState({ state: "idle", results: new Map() });
+  }
+
+  /** Ends the workers as well. */
+  close(): void {
+    this.stop();
+    this.pool.close();
+  }
+
+  #showSoon(): void {
+    if (this.#isDue) return;
+    this.#isDue = true;
+    this.#nextFrame(() => {
+      this.#isDue = false;
+      this.#show();
+    });
+  }
+
+  #show(): void {
+    const news = this.#news.splice(0);
+    if (news.length === 0) return;
+    const results = new Map(this.store.getState().results);
+    for (const result of news) results.set(result.seed, result);
+    const isDone = results.size === TRIALS;
+    this.store.setState(isDone ? { results, state: "done" } : { results });
+  }
+}
+
+export function seedsFrom(first: number): number[] {
+  return Array.from({ length: TRIALS }, (_, at) => first + at);
+}
+
+/** How many mazes ended in which way. */
+export function countOutcomes(
+  results: ReadonlyMap<number, TrialResult>,
+): Record<TrialOutcome, number> {
+  const counts = { works: 0, bump: 0, "time-limit": 0 };
+  for (const { outcome } of results.values()) counts[outcome]++;
+  return counts;
+}

@@ -1,0 +1,50 @@
+/**
+ * Ready-made algorithms to choose from. Where one would replace lines that the student wrote, it asks first,
+ * in the same place.
+ */
+import type { ProgramDocument } from "@corridor/program";
+import { useState, type ReactNode } from "react";
+import { useTranslation } from "react-i18next";
+import { useServices } from "../../app/services.ts";
+import { Button } from "../../ui/Button.tsx";
+import styles from "./algorithm-choice.module.css";
+import { chooseAlgorithm } from "./choose-algorithm.ts";
+import { isOwnProgram } from "./own-program.ts";
+
+interface AlgorithmChoiceProps {
+  /** called once one was loaded, so that a menu can close */
+  onChosen?: (() => void) | undefined;
+  /** draws the algorithms */
+  children: (choose: (program: ProgramDocument) => void) => ReactNode;
+}
+
+export function AlgorithmChoice({ onChosen, children }: AlgorithmChoiceProps) {
+  const { t, i18n } = useTranslation();
+  const services = useServices();
+  const [asked, setAsked] = useState<ProgramDocument | null>(null);
+
+  function load(program: ProgramDocument): void {
+    setAsked(null);
+    chooseAlgorithm(services, i18n, program);
+    onChosen?.();
+  }
+
+  if (asked !== null) {
+    const count = services.workspace.getState().program.rules.length;
+    return (
+      <div className={styles["question"]}>
+        <p role="alert">{t("program.replace.question", { name: asked.name, count })}</p>
+        <div className={styles["answers"]}>
+          <Button kind="primary" onClick={() => load(asked)}>
+            {t("program.replace.yes")}
+          </Button>
+          <Button onClick={() => setAsked(null)}>{t("program.replace.no")}</Button>
+        </div>
+      </div>
+    );
+  }
+  return children((program) => {
+    if (isOwnProgram(services.workspace.getState().program, i18n)) setAsked(program);
+    else load(program);
+  });
+}

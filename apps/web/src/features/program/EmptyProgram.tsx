@@ -1,0 +1,18 @@
+/** In place of the lines while there are none: what there is to reach, and how to begin. */
+import { Flag } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import styles from "./empty-program.module.css";
+import { useGoalSentence } from "./use-goal-sentence.ts";
+
+export function EmptyProgram() {
+  const { t } = useTranslation();
+  return (
+    <div className={styles["empty"]}>
+      <p className={styles["goal"]}>
+        <Flag size={18} aria-hidden="true" />
+        {useGoalSentence()}
+      </p>
+      <p className={styles["hint"]}>{t("program.noLines")}</p>
+    </div>
+  );
+}

@@ -1,0 +1,37 @@
+/** "Write my own", beside Run while the program is the example. */
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { tell } from "../../stores/screen-store.ts";
+import { Button } from "../../ui/Button.tsx";
+import { useRights } from "../lessons/use-rights.ts";
+import { isExample } from "./example.ts";
+
+/** What the empty program asks for first. */
+const ADD_LINE = "#add-line";
+
+export function WriteOwnButton({ className }: { className?: string | undefined }) {
+  const { t, i18n } = useTranslation();
+  const services = useServices();
+  const rights = useRights();
+  const isShown = useStore(services.workspace, ({ program }) => isExample(program));
+  if (!isShown || rights !== null) return null;
+
+  async function begin(): Promise<void> {
+    try {
+      const { writeOwn } = await import("./write-own.ts");
+      writeOwn(services, i18n);
+    } catch {
+      tell(services.screen, { tone: "bad", text: t("offline.partFailed") });
+      return;
+    }
+    // On a phone the goal stays in sight above it.
+    document.querySelector<HTMLElement>(ADD_LINE)?.focus({ preventScroll: true });
+  }
+
+  return (
+    <Button size="large" className={className} onClick={() => void begin()}>
+      {t("program.writeOwn")}
+    </Button>
+  );
+}

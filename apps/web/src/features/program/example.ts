@@ -1,0 +1,10 @@
+/** The example of a first visit. */
+import type { ProgramDocument } from "@corridor/program";
+import { firstProgram } from "../../worker/first-work.ts";
+
+const example = JSON.stringify(firstProgram.rules);
+
+/** Whether the program is the example of a first visit, unchanged. One's own begins without a name. */
+export function isExample({ name, default: otherwise, rules }: ProgramDocument): boolean {
+  return name !== "" && otherwise === firstProgram.default && JSON.stringify(rules) === example;
+}

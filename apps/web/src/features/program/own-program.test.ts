@@ -1,0 +1,50 @@
+import { emptyProgram, programPresets, setNumber } from "@corridor/program";
+import { describe, expect, it } from "vitest";
+import { firstWork } from "../../app/first-visit.ts";
+import { en } from "../../text/en/index.ts";
+import { createI18n, showLanguage } from "../../text/i18n.ts";
+import { isOwnProgram, programForMaze } from "./own-program.ts";
+
+const words = createI18n(en);
+
+describe("a program of the student's own", () => {
+  it("is none where it is empty, whatever its name", () => {
+    expect(isOwnProgram(emptyProgram(), words)).toBe(false);
+    expect(isOwnProgram(emptyProgram("Mine"), words)).toBe(false);
+  });
+
+  it("is not the example of the first visit, in any language", async () => {
+    const other = createI18n(en);
+    expect(isOwnProgram(firstWork(other).program, other)).toBe(false);
+    await showLanguage(other, "de");
+    expect(isOwnProgram(firstWork(other).program, other)).toBe(false);
+  });
+
+  it.each(programPresets)("is not $id as it is loaded", ({ id, program }) => {
+    expect(isOwnProgram(program, words)).toBe(false);
+    const name = words.t(`program.preset.${id}.name`);
+    expect(isOwnProgram({ ...program, name }, words)).toBe(false);
+  });
+
+  it.each(programPresets)("is one with the lines of $id under a name of its own", ({ program }) => {
+    expect(isOwnProgram({ ...program, name: "" }, words)).toBe(true);
+    expect(isOwnProgram({ ...program, name: "Mine" }, words)).toBe(true);
+  });
+
+  it("is a ready-made one once a number was changed", () => {
+    const { program } = firstWork(words);
+    const edit = setNumber(program, 0, 70);
+    if (!edit.ok) throw new Error(edit.code);
+    expect(isOwnProgram(edit.program, words)).toBe(true);
+  });
+
+  it("is one without lines in which the robot turns round", () => {
+    expect(isOwnProgram({ ...emptyProgram(), default: "turn 180" }, words)).toBe(true);
+  });
+
+  it("stays with another maze; anything else makes room for an empty program", () => {
+    expect(programForMaze({ ...firstWork(words).program, name: "Mine" }, words)).toBeNull();
+    expect(programForMaze(firstWork(words).program, words)).toEqual(emptyProgram());
+    expect(programForMaze(emptyProgram("Mine"), words)).toEqual(emptyProgram("Mine"));
+  });
+});

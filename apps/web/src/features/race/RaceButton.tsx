@@ -1,0 +1,39 @@
+/** "Race this run": makes the run on the screen a ghost that starts with the robot. */
+import { Ghost } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Button, type ButtonProps } from "../../ui/Button.tsx";
+import { MenuItem } from "../../ui/Popover.tsx";
+import { useRaceThisRun } from "./use-race-this-run.ts";
+
+/** Appears once its words are there. */
+export function RaceButton(props: Pick<ButtonProps, "kind" | "size" | "className">) {
+  const { t, ready } = useTranslation("race", { useSuspense: false });
+  const { race, isBusy } = useRaceThisRun();
+  if (!ready) return null;
+  return (
+    <Button {...props} disabled={isBusy} icon={<Ghost aria-hidden="true" />} onClick={race}>
+      {t("button")}
+    </Button>
+  );
+}
+
+/** The same in a menu. */
+export function RaceMenuItem() {
+  const { t, ready } = useTranslation("race", { useSuspense: false });
+  const { run } = useServices();
+  const hasRun = useStore(run, ({ nowTick }) => nowTick > 0);
+  const { race, isBusy } = useRaceThisRun();
+  if (!ready) return null;
+  return (
+    <MenuItem
+      icon={<Ghost aria-hidden="true" />}
+      disabled={!hasRun || isBusy}
+      note={t("subtitle")}
+      onSelect={race}
+    >
+      {t("button")}
+    </MenuItem>
+  );
+}

@@ -1,0 +1,32 @@
+/** Opens the table of the race; shows how many ghosts it has. */
+import { Ghost } from "lucide-react";
+import { useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Button } from "../../ui/Button.tsx";
+import styles from "./race.module.css";
+import { RaceDialog } from "./RaceDialog.tsx";
+
+export function RaceChip() {
+  const { t, ready } = useTranslation("race", { useSuspense: false });
+  const { race } = useServices();
+  const count = useStore(race, ({ ghosts }) => ghosts.length);
+  const [isOpen, setOpen] = useState(false);
+  if (!ready) return null;
+  return (
+    <>
+      <Button
+        size="small"
+        className={styles["chip"]}
+        icon={<Ghost aria-hidden="true" />}
+        title={t("chip", { count })}
+        aria-label={t("chip", { count })}
+        onClick={() => setOpen(true)}
+      >
+        {count}
+      </Button>
+      <RaceDialog isOpen={isOpen} onClose={() => setOpen(false)} />
+    </>
+  );
+}

@@ -1,0 +1,23 @@
+/** "Race this run" as a picture, where the words beside "Back to now" have no room. */
+import { Ghost } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { IconButton } from "../../ui/Button.tsx";
+import styles from "./race.module.css";
+import { useRaceThisRun } from "./use-race-this-run.ts";
+
+export function RaceIconButton() {
+  const { t, ready } = useTranslation("race", { useSuspense: false });
+  const { race, isBusy } = useRaceThisRun();
+  if (!ready) return null;
+  return (
+    <IconButton
+      kind="outline"
+      label={t("button")}
+      className={styles["shortcut"]}
+      disabled={isBusy}
+      onClick={race}
+    >
+      <Ghost aria-hidden="true" />
+    </IconButton>
+  );
+}

@@ -1,0 +1,24 @@
+/** Who was first in a race, by the time to the goal. */
+import type { RaceState } from "../../stores/race-store.ts";
+
+export type RaceResult =
+  /** the robot has not reached the goal */
+  | { kind: "waiting" }
+  /** no ghost reached it */
+  | { kind: "alone" }
+  /** who was first, the best ghost, and the ticks between it and the robot */
+  | { kind: "you" | "ghost" | "same"; badge: string; ticks: number };
+
+export function raceResult({ ghosts, you }: RaceState): RaceResult {
+  const mine = you?.goalTick ?? null;
+  if (mine === null) return { kind: "waiting" };
+  let best: { badge: string; tick: number } | null = null;
+  for (const { badge, finish } of ghosts) {
+    const tick = finish?.goalTick ?? null;
+    if (tick !== null && (best === null || tick < best.tick)) best = { badge, tick };
+  }
+  if (best === null) return { kind: "alone" };
+  const ticks = Math.abs(best.tick - mine);
+  const kind = ticks === 0 ? "same" : mine < best.tick ? "you" : "ghost";
+  return { kind, badge: best.badge, ticks };
+}

@@ -1,0 +1,143 @@
+import { generateMaze } from "@corridor/maze";
+import type { RunDocument } from "@corridor/recording";
+import { describe, expect, it } from "vitest";
+import { createRaceStore } from "../../stores/race-store.ts";
+import { createRunStore } from "../../stores/run-store.ts";
+import { createScreenStore } from "../../stores/screen-store.ts";
+import { createWorkspaceStore, setMaze } from "../../stores/workspace-store.ts";
+import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { SimulatorClient, type WorkerPort } from "../../worker/simulator-client.ts";
+import { momentAt } from "../../worker/testing/moment-at.ts";
+import type { FromWorker, ToWorker } from "../../worker/worker-messages.ts";
+import { RaceService } from "./race-service.ts";
+
+const other = generateMaze({ kind: "tree", columns: 9, rows: 9, seed: 3, name: "Other" });
+const finish = { goalTick: 600, bumps: 1, driver: "program", lines: 2 } as const;
+
+function runOf(changes: Partial<RunDocument> = {}): RunDocument {
+  return {
+    format: "corridor/run",
+    version: 1,
+    name: firstMaze.name,
+    maze: firstMaze,
+    program: firstProgram,
+    seed: 0,
+    ticks: 600,
+    inputs: [],
+    digest: "0123456789abcdef",
+    ...changes,
+  };
+}
+
+/** A service whose worker answers with what the test gives it. */
+function bench(answer: "ready" | "broken" | "silent" = "ready") {
+  const sent: ToWorker[] = [];
+  const port: WorkerPort = {
+    onmessage: null,
+    postMessage(message) {
+      sent.push(message);
+      if (message.type === "save-run") {
+        const saved = { ok: true, text: JSON.stringify(runOf()), ticks: 600 } as const;
+        say({ type: "run-saved", id: message.id, saved });
+      }
+      if (message.type !== "add-ghost" || answer === "silent") return;
+      const problems = [{ path: "digest", found: "a", expected: "b" }];
+      const added =
+        answer === "ready" ? ({ ok: true, finish } as const) : ({ ok: false, problems } as const);
+      say({ type: "ghost-added", id: message.id, added });
+    },
+  };
+  const say = (data: FromWorker) => port.onmessage?.({ data } as MessageEvent<FromWorker>);
+  const ports = {
+    simulator: new SimulatorClient(port),
+    workspace: createWorkspaceStore(firstMaze, firstProgram),
+    run: createRunStore(),
+    race: createRaceStore(),
+    screen: createScreenStore(),
+  };
+  const words = { t: (key: string) => key } as unknown as ConstructorParameters<
+    typeof RaceService
+  >[1];
+  const texts = () => ports.screen.getState().messages.map(({ text }) => text);
+  return { ...ports, service: new RaceService(ports, words), sent, say, texts };
+}
+
+describe("a race", () => {
+  it("makes the run on the screen ghost A and puts the robot at its start", async () => {
+    const { service, race, sent, texts } = bench();
+    await service.raceThisRun();
+    expect(race.getState().ghosts).toMatchObject([{ badge: "A", finish }]);
+    expect(sent.map(({ type }) => type)).toEqual(["save-run", "add-ghost", "reset"]);
+    expect(texts()).toEqual(["race:ready"]);
+  });
+
+  it("says why a run is not in it", async () => {
+    const { service } = bench();
+    expect(await service.add(runOf({ ticks: 0 }))).toBe("empty");
+    expect(await service.add(runOf({ maze: other }))).toBe("other-maze");
+    const edit = { tick: 3, do: "maze", maze: other } as const;
+    expect(await service.add(runOf({ inputs: [edit] }))).toBe("edited");
+    expect(await service.add(runOf())).toBeNull();
+    expect(await service.add(runOf({ name: "A friend" }))).toBe("same");
+    expect(await bench("broken").service.add(runOf())).toBe("broken");
+  });
+
+  it("takes the same maze under another name", async () => {
+    const { service } = bench();
+    expect(await service.add(runOf({ maze: { ...firstMaze, name: "Mine" } }))).toBeNull();
+  });
+
+  it("has room for four, and gives a free letter again", async () => {
+    const { service, race } = bench();
+    for (const digest of "1234") expect(await service.add(runOf({ digest }))).toBeNull();
+    expect(await service.add(runOf({ digest: "5" }))).toBe("full");
+    const [, second] = race.getState().ghosts;
+    service.remove(second?.id ?? 0);
+    expect(await service.add(runOf({ digest: "5" }))).toBeNull();
+    expect(race.getState().ghosts.map(({ badge, digest }) => badge + digest)).toEqual([
+      "A1 600",
+      "B5 600",
+      "C3 600",
+      "D4 600",
+    ]);
+  });
+
+  it("leaves no ghost behind that could not be loaded", async () => {
+    const broken = bench("broken");
+    await broken.service.raceThisRun();
+    expect(broken.race.getState().ghosts).toEqual([]);
+    expect(broken.texts()).toEqual(["race:refused.broken"]);
+    expect(broken.sent.some(({ type }) => type === "reset")).toBe(false);
+    const silent = bench("silent");
+    const added = silent.service.add(runOf());
+    silent.say({ type: "fault", reason: "" });
+    expect(await added).toBe("failed");
+    expect(silent.race.getState().ghosts).toEqual([]);
+  });
+
+  it("ends when the maze changes, and says so; a new name does not count", async () => {
+    const { service, race, workspace, sent, texts } = bench();
+    await service.add(runOf());
+    setMaze(workspace, { ...firstMaze, name: "Mine" });
+    expect(race.getState().ghosts).toHaveLength(1);
+    setMaze(workspace, other);
+    expect(race.getState().ghosts).toEqual([]);
+    expect(sent.at(-1)).toMatchObject({ type: "remove-ghost" });
+    expect(texts()).toContain("race:over");
+  });
+
+  it("notes what the robot took to the goal, until that is undone", async () => {
+    const { race, say } = bench();
+    say({ type: "moment", moment: momentAt("goal", 540, firstProgram) });
+    expect(race.getState().you).toEqual({
+      goalTick: 540,
+      bumps: 1,
+      driver: "program",
+      lines: firstProgram.rules.length,
+    });
+    say({ type: "forgotten", after: 540 });
+    expect(race.getState().you).not.toBeNull();
+    say({ type: "forgotten", after: 539 });
+    expect(race.getState().you).toBeNull();
+  });
+});

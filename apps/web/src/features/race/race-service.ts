@@ -1,0 +1,186 @@
+/**
+ * What a student does with races: adds a recorded run as a ghost, removes one, ends the race. Holds the
+ * rule that all runs of a race are of the maze on the screen.
+ */
+import type { MazeDocument } from "@corridor/maze";
+import type { RunDocument } from "@corridor/recording";
+import type { i18n } from "i18next";
+import { saveRun } from "../../app/run-requests.ts";
+import type { Services } from "../../app/services.ts";
+import type { RaceGhost } from "../../stores/race-store.ts";
+import { tell } from "../../stores/screen-store.ts";
+import {
+  MAX_GHOSTS,
+  type AddedGhost,
+  type Finish,
+  type FromWorker,
+} from "../../worker/worker-messages.ts";
+
+export type RacePorts = Pick<Services, "race" | "run" | "screen" | "simulator" | "workspace">;
+
+/** Why a run is not in the race. */
+export type RaceRefusal =
+  | "full"
+  | "empty"
+  | "other-maze"
+  /** the maze changed during the run */
+  | "edited"
+  /** it is in the race already */
+  | "same"
+  | "too-long"
+  /** a replay does not end in the digest of its document */
+  | "broken"
+  | "failed";
+
+export class RaceService {
+  readonly #ports: RacePorts;
+  readonly #words: Pick<i18n, "t">;
+  readonly #waiting = new Map<number, (added: AddedGhost) => void>();
+  #lastId = 0;
+
+  constructor(ports: RacePorts, words: Pick<i18n, "t">) {
+    this.#ports = ports;
+    this.#words = words;
+    const { simulator, workspace, run, race } = ports;
+    const moment = run.getState().moment;
+    if (moment?.kind === "goal") race.setState({ you: finishOf(moment) });
+    simulator.listen((message) => this.#hear(message));
+    workspace.subscribe(({ maze }, before) => {
+      if (isSameMaze(maze, before.maze) || race.getState().ghosts.length === 0) return;
+      this.end();
+      tell(ports.screen, { tone: "info", text: this.#words.t("race:over") });
+    });
+  }
+
+  /** Makes the run on the screen a ghost and puts the robot at its start, where both begin. */
+  async raceThisRun(): Promise<void> {
+    const { simulator, screen } = this.#ports;
+    const saved = await new Promise<Parameters<Parameters<typeof saveRun>[1]>[0]>((resolve) =>
+      saveRun(simulator, resolve),
+    );
+    const run = saved.ok ? (JSON.parse(saved.text) as RunDocument) : null;
+    const refusal = run === null ? "too-long" : await this.add(run);
+    if (refusal === null) {
+      simulator.send({ type: "reset" });
+      return;
+    }
+    tell(screen, { tone: "bad", text: this.refusalText(refusal, run) });
+  }
+
+  /** @returns why the run is not in the race; null when it is */
+  async add(run: RunDocument): Promise<RaceRefusal | null> {
+    const { race, simulator, screen } = this.#ports;
+    const refusal = this.#refusalOf(run);
+    if (refusal !== null) return refusal;
+    const { ghosts } = race.getState();
+    const badge = "ABCD".split("").find((each) => ghosts.every((ghost) => ghost.badge !== each));
+    if (badge === undefined) return "full";
+    const id = ++this.#lastId;
+    const ghost: RaceGhost = {
+      id,
+      badge,
+      program: run.program.name,
+      digest: digestOf(run),
+      finish: null,
+    };
+    const all = [...ghosts, ghost].toSorted((a, b) => (a.badge < b.badge ? -1 : 1));
+    race.setState({ ghosts: all });
+    const added = await new Promise<AddedGhost>((resolve) => {
+      this.#waiting.set(id, resolve);
+      simulator.send({ type: "add-ghost", id, badge, run });
+    });
+    const isStillIn = race.getState().ghosts.some((each) => each.id === id);
+    if (!added.ok) {
+      this.#forget(id);
+      // Removed while it was loading: that is no failure.
+      if (!isStillIn) return null;
+      return added.problems.length > 0 ? "broken" : "failed";
+    }
+    const { finish } = added;
+    race.setState((state) => ({
+      ghosts: state.ghosts.map((each) => (each.id === id ? { ...each, finish } : each)),
+    }));
+    tell(screen, { tone: "info", text: this.#words.t("race:ready", { badge }) });
+    return null;
+  }
+
+  remove(id: number): void {
+    this.#forget(id);
+    this.#ports.simulator.send({ type: "remove-ghost", id });
+    this.#waiting.get(id)?.({ ok: false, problems: [] });
+  }
+
+  /** Removes all ghosts. */
+  end(): void {
+    for (const { id } of this.#ports.race.getState().ghosts) this.remove(id);
+  }
+
+  /** @param run the one that was refused */
+  refusalText(refusal: RaceRefusal, run: RunDocument | null): string {
+    return this.#words.t(`race:refused.${refusal}`, {
+      most: MAX_GHOSTS,
+      name: run?.maze.name ?? "",
+    });
+  }
+
+  #forget(id: number): void {
+    const { race } = this.#ports;
+    race.setState(({ ghosts }) => ({ ghosts: ghosts.filter((each) => each.id !== id) }));
+  }
+
+  #refusalOf(run: RunDocument): RaceRefusal | null {
+    const { race, workspace } = this.#ports;
+    const { ghosts } = race.getState();
+    if (run.ticks === 0) return "empty";
+    if (!isSameMaze(run.maze, workspace.getState().maze)) return "other-maze";
+    const isEdited = run.inputs.some(
+      (input) => input.do === "maze" && !isSameMaze(input.maze, run.maze),
+    );
+    if (isEdited) return "edited";
+    if (ghosts.some(({ digest }) => digest === digestOf(run))) return "same";
+    return ghosts.length >= MAX_GHOSTS ? "full" : null;
+  }
+
+  #hear(message: FromWorker): void {
+    const { race } = this.#ports;
+    if (message.type === "ghost-added") {
+      this.#waiting.get(message.id)?.(message.added);
+      this.#waiting.delete(message.id);
+    } else if (message.type === "moment" && message.moment.kind === "goal") {
+      race.setState({ you: finishOf(message.moment) });
+    } else if (message.type === "forgotten") {
+      const tick = race.getState().you?.goalTick ?? null;
+      if (tick !== null && tick > message.after) race.setState({ you: null });
+    } else if (message.type === "fault") {
+      for (const answer of this.#waiting.values()) answer({ ok: false, problems: [] });
+      this.#waiting.clear();
+    }
+  }
+}
+
+let service: RaceService | null = null;
+
+/** The one of this page. */
+export function raceService(ports: RacePorts, words: Pick<i18n, "t">): RaceService {
+  service ??= new RaceService(ports, words);
+  return service;
+}
+
+/** Whether a robot finds the same way in both: names do not count. */
+function isSameMaze(one: MazeDocument, other: MazeDocument): boolean {
+  return one === other || layoutOf(one) === layoutOf(other);
+}
+
+function layoutOf({ blocks, start, goals }: MazeDocument): string {
+  return JSON.stringify([blocks, start, goals]);
+}
+
+function digestOf({ digest, ticks }: RunDocument): string {
+  return `${digest} ${ticks}`;
+}
+
+function finishOf(moment: Extract<FromWorker, { type: "moment" }>["moment"]): Finish {
+  const { tick, bumps, driver, program } = moment;
+  const lines = program?.rules.filter(({ when }) => when !== null).length ?? 0;
+  return { goalTick: tick, bumps, driver, lines };
+}

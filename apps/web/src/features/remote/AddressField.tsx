@@ -1,0 +1,51 @@
+/** The robot's address: the one thing that a script needs. Its key is copied along and not displayed. */
+import { useState } from "react";
+import { useTranslation } from "react-i18next";
+import { CopyButton } from "../share/CopyButton.tsx";
+import type { RemoteSession } from "../../worker/worker-messages.ts";
+import { useMinutesLeft } from "./use-minutes-left.ts";
+import type { RobotAddress } from "./robot-address.ts";
+import styles from "./remote.module.css";
+
+interface AddressFieldProps {
+  address: RobotAddress;
+  session: RemoteSession;
+}
+
+export function AddressField({ address, session }: AddressFieldProps) {
+  const { t } = useTranslation();
+  const [isRefused, setRefused] = useState(false);
+  const timeLeft = useTimeText(useMinutesLeft(session));
+  return (
+    <dl className={styles["fields"]}>
+      <dt className={styles["label"]}>{t("remote.address")}</dt>
+      <dd className={styles["value"]}>
+        <span dir="ltr" className={styles["mono"]}>
+          {/* Where the browser does not copy, the whole of it has to be there to be selected. */}
+          {isRefused ? address.full : address.shown}
+        </span>
+        <CopyButton
+          text={address.full}
+          label={t("remote.copyAddress")}
+          done={t("remote.copied")}
+          onRefused={() => setRefused(true)}
+        />
+      </dd>
+      <dd className={styles["fieldNote"]}>
+        <p>
+          <output>{isRefused && t("remote.copyByHand")}</output>
+          {!isRefused && t("remote.keepPrivate")} {timeLeft}
+        </p>
+      </dd>
+    </dl>
+  );
+}
+
+function useTimeText(minutesLeft: number | null): string {
+  const { t } = useTranslation();
+  if (minutesLeft === null) return "";
+  const [hours, minutes] = [Math.floor(minutesLeft / 60), minutesLeft % 60];
+  return hours > 0
+    ? t("remote.endsInHours", { hours, minutes })
+    : t("remote.endsInMinutes", { minutes });
+}

@@ -1,0 +1,94 @@
+/** Commands of scripts as rows: number, command, state, time. */
+import type { CommandState } from "@corridor/protocol";
+import {
+  ArrowRight,
+  Asterisk,
+  Ban,
+  Check,
+  Hourglass,
+  Inbox,
+  LoaderCircle,
+  ListX,
+  type LucideIcon,
+} from "lucide-react";
+import type { ComponentProps } from "react";
+import { useTranslation } from "react-i18next";
+import { Chip } from "../../ui/Chip.tsx";
+import { classNames } from "../../ui/class-names.ts";
+import type { ListedCommand } from "../../worker/worker-messages.ts";
+import { commandText, cutShortAfter } from "./command-text.ts";
+import styles from "./remote.module.css";
+
+type Tone = ComponentProps<typeof Chip>["tone"];
+
+const looks: Record<CommandState, { tone: Tone; Icon: LucideIcon }> = {
+  accepted: { tone: "ring", Icon: Inbox },
+  delivered: { tone: "ring", Icon: ArrowRight },
+  started: { tone: "live", Icon: LoaderCircle },
+  completed: { tone: "good", Icon: Check },
+  collided: { tone: "bad", Icon: Asterisk },
+  cancelled: { tone: "dashed", Icon: Ban },
+  superseded: { tone: "dashed", Icon: ListX },
+  expired: { tone: "dashed", Icon: Hourglass },
+};
+
+export function CommandTable({ commands }: { commands: readonly ListedCommand[] }) {
+  const { t } = useTranslation();
+  return (
+    <table className={styles["commands"]}>
+      <thead className="visually-hidden">
+        <tr>
+          <th scope="col">{t("remote.seq")}</th>
+          <th scope="col">{t("remote.command")}</th>
+          <th scope="col">{t("remote.state")}</th>
+          <th scope="col">{t("remote.time")}</th>
+        </tr>
+      </thead>
+      <tbody>
+        {commands.map((record) => (
+          <CommandRow key={record.seq} record={record} />
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function CommandRow({ record }: { record: ListedCommand }) {
+  const { t, i18n } = useTranslation();
+  const { tone, Icon } = looks[record.state];
+  const distance = cutShortAfter(record);
+  const time = new Intl.DateTimeFormat(i18n.language, {
+    timeStyle: "medium",
+    hour12: false,
+    numberingSystem: "latn",
+  });
+  return (
+    <tr className={classNames(styles["row"], record.state === "started" && styles["running"])}>
+      <td className={styles["seq"]}>{record.seq}</td>
+      <td>
+        <span dir="ltr" className={styles["mono"]}>
+          {commandText(record.command)}
+        </span>
+        {distance !== null && (
+          <span className={styles["detail"]}>{t("remote.after", { distance })}</span>
+        )}
+        {record.state === "expired" && (
+          <span className={styles["detail"]}>
+            {t("remote.olderThan", { seconds: record.ttl / 1000 })}
+          </span>
+        )}
+        {record.reason !== null && (
+          <p className={styles["reason"]}>{t(`remote.cancel.${record.reason}`)}</p>
+        )}
+      </td>
+      <td className={styles["state"]}>
+        <Chip tone={tone} icon={<Icon aria-hidden="true" />}>
+          {t(`remote.${record.state}`)}
+        </Chip>
+      </td>
+      <td className={styles["time"]}>
+        <time dateTime={record.acceptedAt}>{time.format(new Date(record.acceptedAt))}</time>
+      </td>
+    </tr>
+  );
+}

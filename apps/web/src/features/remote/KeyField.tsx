@@ -1,0 +1,57 @@
+/** The key of the robot's address, hidden until it is asked for, and the button that replaces it. */
+import { Eye, EyeOff } from "lucide-react";
+import { useState } from "react";
+import { useTranslation } from "react-i18next";
+import { IconButton } from "../../ui/Button.tsx";
+import { CopyButton } from "../share/CopyButton.tsx";
+import type { RemoteSession } from "../../worker/worker-messages.ts";
+import { NewKey } from "./NewKey.tsx";
+import { maskKey } from "./robot-address.ts";
+import styles from "./remote.module.css";
+
+export function KeyField({ session }: { session: RemoteSession }) {
+  const { t } = useTranslation();
+  const [isKeyShown, setKeyShown] = useState(false);
+  const [isRefused, setRefused] = useState(false);
+  const [newKey, setNewKey] = useState<"made" | "failed" | null>(null);
+  const { driverKey: key } = session;
+  return (
+    <>
+      <dt className={styles["label"]}>{t("remote.key")}</dt>
+      <dd className={styles["value"]}>
+        <span dir="ltr" className={styles["mono"]}>
+          {isKeyShown ? key : maskKey(key)}
+        </span>
+        <IconButton
+          label={isKeyShown ? t("remote.hideKey") : t("remote.showKey")}
+          onClick={() => setKeyShown(!isKeyShown)}
+        >
+          {isKeyShown ? <EyeOff aria-hidden="true" /> : <Eye aria-hidden="true" />}
+        </IconButton>
+        <CopyButton
+          text={key}
+          label={t("remote.copyKey")}
+          done={t("remote.copied")}
+          onRefused={() => {
+            setKeyShown(true);
+            setRefused(true);
+          }}
+        />
+      </dd>
+      <dd className={styles["fieldNote"]}>
+        <output>
+          {isRefused && t("remote.copyByHand")}
+          {!isRefused && newKey === "made" && t("remote.newKeyMade")}
+          {!isRefused && newKey === "failed" && t("remote.newKeyFailed")}
+        </output>
+        <NewKey
+          session={session}
+          onDone={(isMade) => {
+            setNewKey(isMade ? "made" : "failed");
+            setKeyShown(false);
+          }}
+        />
+      </dd>
+    </>
+  );
+}

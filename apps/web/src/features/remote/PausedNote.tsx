@@ -1,0 +1,29 @@
+/** Says that the scripts of this robot are paused, and lets them drive again. */
+import { useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { Button } from "../../ui/Button.tsx";
+import type { RemoteSession } from "../../worker/worker-messages.ts";
+import { pauseDriving } from "./owner-calls.ts";
+import styles from "./remote.module.css";
+
+export function PausedNote({ session }: { session: RemoteSession }) {
+  const { t } = useTranslation();
+  const { remote } = useServices();
+  const isPaused = useStore(remote, (state) => state.isPaused);
+  const [isFailed, setFailed] = useState(false);
+  if (!isPaused) return null;
+  const resume = async (): Promise<void> => {
+    setFailed(!(await pauseDriving(fetch, session, false)));
+  };
+  return (
+    <div className={styles["pausedNote"]}>
+      <p className={styles["note"]}>{t("remote.pausedNote")}</p>
+      <Button size="small" kind="primary" className={styles["long"]} onClick={() => void resume()}>
+        {t("remote.letDrive")}
+      </Button>
+      <output className={styles["note"]}>{isFailed && t("remote.watchFailed")}</output>
+    </div>
+  );
+}

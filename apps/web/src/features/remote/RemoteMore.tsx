@@ -1,0 +1,59 @@
+/** What a first script does not need: key, code, watch link, other languages, scripts by name, and the log. */
+import { ChevronRight } from "lucide-react";
+import { useEffect, useRef, useState } from "react";
+import { useTranslation } from "react-i18next";
+import type { RemoteSession } from "../../worker/worker-messages.ts";
+import { CommandLog } from "./CommandLog.tsx";
+import { KeyField } from "./KeyField.tsx";
+import { KeyList } from "./KeyList.tsx";
+import { PairingField } from "./PairingField.tsx";
+import type { RobotAddress } from "./robot-address.ts";
+import { ScriptList } from "./ScriptList.tsx";
+import { Snippets } from "./Snippets.tsx";
+import { WatchField } from "./WatchField.tsx";
+import styles from "./remote.module.css";
+
+interface RemoteMoreProps {
+  /** null while scripts cannot reach the robot: then the log alone is there */
+  address: RobotAddress | null;
+  session: RemoteSession | null;
+}
+
+export function RemoteMore({ address, session }: RemoteMoreProps) {
+  const { t } = useTranslation();
+  const [isOpen, setOpen] = useState(false);
+  const details = useRef<HTMLDetailsElement>(null);
+  // The content is below the screen where the panel is full: the reader sees what was opened.
+  useEffect(() => {
+    if (isOpen) details.current?.scrollIntoView({ block: "start" });
+  }, [isOpen]);
+  return (
+    <details
+      ref={details}
+      className={styles["more"]}
+      open={isOpen}
+      onToggle={(event) => setOpen(event.currentTarget.open)}
+    >
+      <summary className={styles["summary"]}>
+        <ChevronRight size={18} aria-hidden="true" />
+        <span className={styles["summaryWords"]}>
+          <span className={styles["heading"]}>{t("remote.more")}</span>
+          <span className={styles["note"]}>{t("remote.moreNote")}</span>
+        </span>
+      </summary>
+      {isOpen && session !== null && (
+        <div className={styles["section"]}>
+          <dl className={styles["fields"]}>
+            <KeyField session={session} />
+            <PairingField session={session} />
+            <WatchField session={session} />
+          </dl>
+        </div>
+      )}
+      {isOpen && address !== null && <Snippets address={address} />}
+      {isOpen && session !== null && <ScriptList session={session} />}
+      {isOpen && session !== null && <KeyList session={session} />}
+      {isOpen && <CommandLog />}
+    </details>
+  );
+}

@@ -1,0 +1,50 @@
+/** A first script in Python, to copy. The displayed text hides the key, so that a projector does not reveal it. */
+import { Download } from "lucide-react";
+import { useState } from "react";
+import { useTranslation } from "react-i18next";
+import { CopyButton } from "../share/CopyButton.tsx";
+import { maskKey, type RobotAddress } from "./robot-address.ts";
+import { starterLines, starterScript } from "./snippets.ts";
+import styles from "./remote.module.css";
+
+export function StarterScript({ address }: { address: RobotAddress }) {
+  const { t } = useTranslation();
+  const [isRefused, setRefused] = useState(false);
+  const full = starterScript(address.full);
+  const masked = starterScript(address.full.replace(address.key, maskKey(address.key)));
+  return (
+    <section className={styles["section"]} aria-labelledby="starter-heading">
+      <div className={styles["bar"]}>
+        <h2 id="starter-heading" className={styles["heading"]}>
+          {t("remote.python")}
+        </h2>
+        <a className={styles["library"]} href="/corridor.py" download="corridor.py">
+          <Download size={16} aria-hidden="true" />
+          {t("remote.library")}
+        </a>
+        <CopyButton
+          text={full}
+          label={t("remote.copyScript")}
+          done={t("remote.copied")}
+          kind="quiet"
+          size="small"
+          onRefused={() => setRefused(true)}
+        />
+      </div>
+      {/* A field, not a pre: it can be scrolled and selected by keyboard in every browser. */}
+      <textarea
+        dir="ltr"
+        className={styles["code"]}
+        readOnly
+        rows={starterLines}
+        wrap="off"
+        spellCheck={false}
+        aria-label={t("remote.script")}
+        value={(isRefused ? full : masked).trimEnd()}
+      />
+      <p className={styles["note"]}>
+        {isRefused ? t("remote.copyByHand") : t("remote.libraryNote")}
+      </p>
+    </section>
+  );
+}

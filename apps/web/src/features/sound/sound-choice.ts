@@ -1,0 +1,34 @@
+/** What a student chose to hear, as the device stores it. */
+import { sensorNames, type SensorName } from "@corridor/protocol";
+
+export const SOUND_KEY = "corridor.sound";
+
+export interface SoundChoice {
+  isOn: boolean;
+  /** the beam to hear; null: none */
+  beam: SensorName | null;
+  /** 0 to 1 */
+  volume: number;
+}
+
+const VOLUME = 0.6;
+/** Where the device asks for less motion, sounds begin quieter too. */
+const CALM_VOLUME = 0.4;
+
+/** Reads what is stored; anything unreadable counts as never chosen, which is off. */
+export function readSoundChoice(stored: string | null, isCalm: boolean): SoundChoice {
+  const none: SoundChoice = { isOn: false, beam: "front", volume: isCalm ? CALM_VOLUME : VOLUME };
+  let value: unknown;
+  try {
+    value = JSON.parse(stored ?? "null");
+  } catch {
+    return none;
+  }
+  if (value === null || typeof value !== "object") return none;
+  const { isOn, beam, volume } = value as Partial<Record<keyof SoundChoice, unknown>>;
+  return {
+    isOn: isOn === true,
+    beam: beam === null ? null : (sensorNames.find((name) => name === beam) ?? none.beam),
+    volume: typeof volume === "number" && volume >= 0 && volume <= 1 ? volume : none.volume,
+  };
+}

@@ -1,0 +1,110 @@
+/**
+ * The sounds of the page: what the student chose, stored on the device, and the player. Off until
+ * switched on; a page that opens with sound on waits for the first press or key, as browsers ask.
+ */
+import type { SensorName } from "@corridor/protocol";
+import { createStore } from "zustand/vanilla";
+import { storageOrNone } from "../../app/works.ts";
+import type { RunStore } from "../../stores/run-store.ts";
+import { readSoundChoice, SOUND_KEY, type SoundChoice } from "./sound-choice.ts";
+import { SoundPlan } from "./sound-plan.ts";
+import { Synth } from "./synth.ts";
+
+/** Milliseconds between two looks at whether a tick is due: less than the shortest gap by far. */
+const LOOK_MS = 20;
+
+export class Sounds {
+  readonly choice;
+  readonly #run: RunStore;
+  #synth: Synth | null = null;
+  #context: AudioContext | null = null;
+  #plan: SoundPlan | null = null;
+
+  constructor(run: RunStore) {
+    this.#run = run;
+    const device = storageOrNone(() => localStorage);
+    const isCalm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.choice = createStore<SoundChoice>()(() =>
+      readSoundChoice(device.getItem(SOUND_KEY), isCalm),
+    );
+    this.choice.subscribe((choice) => {
+      try {
+        device.setItem(SOUND_KEY, JSON.stringify(choice));
+      } catch {
+        // The choice then lasts until the page is left.
+      }
+      this.#apply();
+    });
+  }
+
+  /** Called in the turn of a press: sound may begin at once. @returns false where there is no Web Audio */
+  switchOn(): boolean {
+    if (!this.#open()) return false;
+    this.choice.setState({ isOn: true });
+    return true;
+  }
+
+  switchOff(): void {
+    this.choice.setState({ isOn: false });
+    void this.#context?.suspend();
+  }
+
+  setBeam(beam: SensorName | null): void {
+    this.choice.setState({ beam });
+  }
+
+  /** @param volume 0 to 1 */
+  setVolume(volume: number): void {
+    this.choice.setState({ volume });
+    this.#synth?.tick();
+  }
+
+  /** A stored choice that is on begins to sound with the first press or key. */
+  resume(): void {
+    if (!this.choice.getState().isOn) return;
+    const begin = () => {
+      window.removeEventListener("pointerdown", begin);
+      window.removeEventListener("keydown", begin);
+      if (this.choice.getState().isOn) this.#open();
+    };
+    window.addEventListener("pointerdown", begin);
+    window.addEventListener("keydown", begin);
+  }
+
+  #open(): boolean {
+    if (!("AudioContext" in globalThis)) return false;
+    if (this.#context === null) {
+      const context = new AudioContext();
+      this.#context = context;
+      this.#synth = new Synth(context);
+      const plan = new SoundPlan(this.#synth, () => performance.now());
+      this.#plan = plan;
+      this.#run.subscribe(({ snapshot, view }, before) => {
+        if (snapshot === before.snapshot || snapshot === null) return;
+        if (this.choice.getState().isOn) plan.show(snapshot, view);
+      });
+      setInterval(() => {
+        if (plan.isRunning && this.choice.getState().isOn) plan.advance();
+      }, LOOK_MS);
+      const { snapshot, view } = this.#run.getState();
+      if (snapshot !== null) plan.show(snapshot, view);
+    }
+    void this.#context.resume();
+    this.#apply();
+    return true;
+  }
+
+  #apply(): void {
+    const { beam, volume } = this.choice.getState();
+    if (this.#plan !== null) this.#plan.beam = beam;
+    if (this.#synth !== null) this.#synth.volume = volume;
+  }
+}
+
+let sounds: Sounds | null = null;
+
+/** Those of this page. */
+export function soundsOf(run: RunStore): Sounds {
+  sounds ??= new Sounds(run);
+  return sounds;
+}

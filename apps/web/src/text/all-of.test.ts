@@ -1,0 +1,25 @@
+import i18next from "i18next";
+import { describe, expect, it } from "vitest";
+import arabic from "./ar/missions.json";
+import { allOf } from "./all-of.ts";
+import english from "./en/missions.json";
+
+async function check(tag: string, missions: object, count: number): Promise<string> {
+  const words = i18next.createInstance();
+  await words.init({ lng: tag, ns: ["missions"], resources: { [tag]: { missions } } });
+  return words.t("missions:card.check", allOf(count));
+}
+
+describe("a text about all mazes of a mission", () => {
+  it.each([
+    [1, "Check the program"],
+    [2, "Check in both mazes"],
+    [3, "Check in all 3 mazes"],
+  ])("has words for %i", async (count, text) => {
+    expect(await check("en", english, count)).toBe(text);
+  });
+
+  it("has the dual of Arabic for 2", async () => {
+    expect(await check("ar", arabic, 2)).toBe("افحص في المتاهتين");
+  });
+});

@@ -1,0 +1,64 @@
+/** Runs a program in a generated maze without a page, and records such a run so that the page can show it. */
+import { generateMaze, type MazeDocument, type MazeKind } from "@corridor/maze";
+import { CompiledProgram, type ProgramDocument } from "@corridor/program";
+import { Recording, type WrittenRun } from "@corridor/recording";
+import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
+
+/** Which mazes are tried. A maze has the seed of `generateMaze`, so that anybody can make the same one. */
+export interface TrialMazes {
+  kind: MazeKind;
+  /** columns and rows, odd */
+  side: number;
+}
+
+export type TrialOutcome = "works" | "bump" | "time-limit";
+
+export interface TrialResult {
+  seed: number;
+  maze: MazeDocument;
+  outcome: TrialOutcome;
+  /** when the goal was reached, the robot bumped, or the time was over */
+  tick: number;
+}
+
+/** Simulated minutes that a program gets in a maze: about three times what following a wall takes. */
+export function minutesFor(side: number): number {
+  return Math.ceil((side * side) / 25);
+}
+
+export function mazeOf({ kind, side }: TrialMazes, seed: number, name = ""): MazeDocument {
+  return generateMaze({ kind, columns: side, rows: side, seed, name });
+}
+
+/** A program works in a maze when it reaches the goal in time and without a bump. */
+export function tryMaze(
+  maze: MazeDocument,
+  program: ProgramDocument,
+  minutes: number,
+): Pick<TrialResult, "outcome" | "tick"> {
+  const simulation = new Simulation(maze);
+  const run = new ProgramRun(simulation, new CompiledProgram(program));
+  const outcome = runUntilDecided(simulation, run, minutes * 60 * TICKS_PER_SECOND);
+  return { outcome, tick: simulation.tick };
+}
+
+/** A function of its own, so that the engine optimises the loop once for all mazes. */
+function runUntilDecided(simulation: Simulation, run: ProgramRun, ticks: number): TrialOutcome {
+  while (simulation.tick < ticks) {
+    run.step();
+    if (simulation.bumps > 0) return "bump";
+    if (simulation.goalTick !== null) return "works";
+  }
+  return "time-limit";
+}
+
+/** The same run as a document, from the start to `ticks`. */
+export function recordTrial(
+  maze: MazeDocument,
+  program: ProgramDocument,
+  ticks: number,
+): WrittenRun {
+  const recording = new Recording(maze, program);
+  while (recording.run.tick < ticks) recording.step();
+  return recording.toDocument(maze.name);
+}

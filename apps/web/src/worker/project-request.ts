@@ -1,0 +1,43 @@
+/** What the page asks of the worker that checks open projects, and what that answers. */
+import type { ChallengeDocument } from "@corridor/challenge";
+import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
+
+export type ProjectQuestion =
+  /** in how many mazes of the challenge the program reaches the goal */
+  | { kind: "mazes"; challenge: ChallengeDocument; program: ProgramDocument }
+  /** whether this maze keeps the program from its goal for so many seconds */
+  | { kind: "defeat"; maze: MazeDocument; program: ProgramDocument; seconds: number }
+  /** the trail of the first attempt that reaches its goal */
+  | {
+      kind: "trail";
+      attempts: readonly { maze: MazeDocument; program: ProgramDocument }[];
+      seconds: number;
+    };
+
+/** `seconds` and `ticks`: simulated time */
+export type DefeatResult =
+  | { state: "no-goal" }
+  /** no path of open squares leads from the start to a goal */
+  | { state: "no-path" }
+  | { state: "reached"; ticks: number }
+  | { state: "defeated"; seconds: number; squares: number };
+
+export interface SolvedTrail {
+  maze: MazeDocument;
+  pose: { x: number; y: number; heading: number };
+  /** x and y by turns, in units; ends at the robot */
+  points: number[];
+}
+
+export interface ProjectAnswers {
+  /** the verdict holds one outcome for each maze; none where the program is not allowed */
+  mazes: { solved: number; all: number; ticks: number; failed: readonly number[] };
+  defeat: DefeatResult;
+  /** null where no attempt reaches its goal */
+  trail: SolvedTrail | null;
+}
+
+export type ProjectAnswer = {
+  [Kind in keyof ProjectAnswers]: { kind: Kind; value: ProjectAnswers[Kind] };
+}[keyof ProjectAnswers];

@@ -1,0 +1,124 @@
+/** The lines of a running program: how many are in sight with their truths, and that none of them moves. */
+import { encodeLink } from "@corridor/link";
+import { mazePresets } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
+import type { Page } from "playwright/test";
+import { expect, test } from "./fixtures.ts";
+import { phone } from "./support/phone.ts";
+import { Words } from "./support/words.ts";
+
+/** The first line turns late, the second on the spot, "otherwise" drives: all kinds of notes come by, and no advice. */
+const rules: ProgramDocument["rules"] = [
+  { when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" },
+  { when: { sensor: "front", is: "<", than: 50 }, do: "left 90" },
+  { when: { sensor: "back", is: "<", than: 30 }, do: "forward" },
+  { when: { sensor: "left", is: "<", than: 30 }, do: "forward" },
+  { when: { sensor: "right", is: "<", than: 30 }, do: "forward" },
+  { when: { sensor: "left", is: ">", than: "right", plus: 300 }, do: "forward" },
+];
+
+function addressOf(count: number, lang: string): string {
+  const maze = mazePresets.find(({ id }) => id === "long-way-round")?.maze;
+  if (maze === undefined) throw new Error("the maze is gone");
+  const link = encodeLink({
+    maze,
+    program: {
+      format: "corridor/program",
+      version: 1,
+      name: "Many lines",
+      default: "forward",
+      rules: rules.slice(0, count),
+    },
+  });
+  if (!link.ok) throw new Error(link.code);
+  return `/?lang=${lang}#${link.text}`;
+}
+
+/** Where each line stands, and how many of them are in sight with their truths, without scrolling. */
+async function linesOn(page: Page) {
+  return page.evaluate(() => {
+    const boxOf = (element: Element) => element.getBoundingClientRect();
+    const lines = [...document.querySelectorAll("[id^='program-line-']")];
+    const isInSight = (line: Element): boolean =>
+      [line, line.querySelector("[data-is]")].every((part) => {
+        if (part === null) return false;
+        const box = boxOf(part);
+        if (box.height === 0 || box.top < 0 || box.bottom > innerHeight) return false;
+        for (let above = part.parentElement; above !== null; above = above.parentElement) {
+          if (!/auto|scroll|hidden|clip/.test(getComputedStyle(above).overflowY)) continue;
+          if (box.top < boxOf(above).top || box.bottom > boxOf(above).bottom) return false;
+        }
+        return true;
+      });
+    return {
+      places: lines.map((line) => [boxOf(line).top, boxOf(line).height]),
+      inSight: lines.filter(isInSight).length,
+    };
+  });
+}
+
+for (const lang of ["en", "de"]) {
+  for (const [width, height, count, isPhone] of [
+    [1440, 900, 6, false],
+    [1024, 768, 4, false],
+    [390, 844, 3, true],
+  ] as const) {
+    test(`reads ${count} lines of a running program at ${width} x ${height}, and none moves, in ${lang}`, async ({
+      openWindow,
+    }) => {
+      const device = isPhone ? phone : {};
+      const { page } = await openWindow({ ...device, viewport: { width, height } });
+      const words = Words.of(lang);
+      await page.goto(addressOf(count, lang));
+      const button = (path: string) =>
+        page.getByRole("button", { name: words.t(path), exact: true });
+      await expect(page.locator("[id^='program-line-'] [data-is='false']").first()).toBeVisible();
+      await page.evaluate(() => document.fonts.ready);
+      const before = await linesOn(page);
+      expect(before.places).toHaveLength(count);
+      expect(before.inSight).toBe(count);
+      await button("shell.run.run").click();
+      // Several lines drive, one after the other, and each shows its progress.
+      const seen = new Set<string>();
+      await expect
+        .poll(
+          async () => {
+            const { places, inSight } = await linesOn(page);
+            expect(places).toEqual(before.places);
+            expect(inSight).toBe(count);
+            const running = page.locator("[id^='program-line-'][aria-current]");
+            for (const id of await running.evaluateAll((all) => all.map((each) => each.id))) {
+              seen.add(id);
+            }
+            return seen.size;
+          },
+          { intervals: [100], timeout: 30_000 },
+        )
+        .toBeGreaterThanOrEqual(2);
+      await button("shell.run.pause").click();
+      expect((await linesOn(page)).places).toEqual(before.places);
+    });
+  }
+}
+
+test("no line moves when it bumps, and the readings keep to one row while a long program drives", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow({ viewport: { width: 1440, height: 900 } });
+  const { page } = corridor;
+  await page.goto(addressOf(6, "en"));
+  // A line that turns late in front of a wall runs out of room, and has advice before it does.
+  const action = page.getByRole("combobox", { name: "Line 2, action" });
+  await action.selectOption("delayed left 90");
+  await expect(page.getByRole("button", { name: "Change to left 90" })).toBeVisible();
+  await page.locator("main").click({ position: { x: 5, y: 5 } });
+  const before = await linesOn(page);
+  await expect(page.getByRole("group", { name: "Hold to drive" })).toHaveCount(0);
+  await expect(page.getByLabel("Distances in cm")).toBeInViewport({ ratio: 1 });
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(page.getByRole("listitem", { name: /^Line 2, bumped/ })).toBeVisible();
+  expect((await linesOn(page)).places).toEqual(before.places);
+  // Keys have their room again when a hand drives.
+  await corridor.letDrive("Me");
+  await expect(page.getByRole("group", { name: "Hold to drive" })).toBeInViewport({ ratio: 1 });
+});

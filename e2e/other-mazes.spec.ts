@@ -1,0 +1,138 @@
+/** "Try it in other mazes": does the program work elsewhere, and where does it fail? */
+import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
+import { expectNoBarriers } from "./support/axe.ts";
+import { stickingOut, tooSmallToTouch } from "./support/layout.ts";
+
+const title = "Try it in other mazes";
+
+async function tryOthers(corridor: CorridorPage) {
+  await corridor.program.button(title).click();
+  const dialog = corridor.dialog(title);
+  await expect(dialog).toBeVisible();
+  return dialog;
+}
+
+/** A program that neither bumps nor gets anywhere. */
+async function turnForEver({ program }: CorridorPage): Promise<void> {
+  await program.condition(1).selectOption("front >");
+  await program.number(1).fill("1");
+  await program.action(1).selectOption("turn 180");
+}
+
+test("sees that the right-wall program works in a hundred trees", async ({ corridor }) => {
+  const dialog = await tryOthers(corridor);
+  await expect(dialog.getByText("Time limit: 5 minutes of robot time")).toBeVisible();
+  await expect(dialog.getByText("Works in 100 of 100 mazes.").first()).toBeVisible();
+  await expect(dialog.getByText("Bumps: 0. Time limit reached: 0.")).toBeVisible();
+  await expect(dialog.getByRole("button", { name: /^Seed \d+: works, goal after/ })).toHaveCount(
+    100,
+  );
+  await expect(dialog.getByRole("button", { name: "Show a failure" })).toBeHidden();
+});
+
+test("opens a maze two seconds before the bump, corrects the program there and comes back with it", async ({
+  corridor,
+}) => {
+  const { program } = corridor;
+  await program.number(2).fill("20");
+  const dialog = await tryOthers(corridor);
+  await expect(dialog.getByText(/^Works in \d+ of 100 mazes\.$/).first()).toBeVisible();
+  const first = dialog.getByRole("button", { name: /^Seed \d+: bump after/ }).first();
+  // Values are set apart by marks that are not seen.
+  const name = ((await first.getAttribute("aria-label")) ?? "").replaceAll(/[^ -~]/g, "");
+  const [, seed, minutes, seconds] = /^Seed (\d+): bump after (\d+):(\d+\.\d)/.exec(name) ?? [];
+  const bumpAt = Number(minutes) * 60 + Number(seconds);
+  await first.click();
+
+  await expect(dialog).toBeHidden();
+  await expect(corridor.mazeMenu).toHaveAccessibleName(`Tree 11, seed ${seed}, Maze menu`);
+  await expect(corridor.message(`Your program bumps in “Tree 11, seed ${seed}”.`)).toBeVisible();
+  const shown = /^Time (\d+):([\d.]+)$/.exec((await corridor.clock.textContent()) ?? "");
+  const shownAt = Number(shown?.[1]) * 60 + Number(shown?.[2]);
+  expect(shownAt).toBeGreaterThanOrEqual(bumpAt - 2.1);
+  // It is played to its end, where the robot bumps.
+  await expect(corridor.bumps).toHaveText("1 bump");
+
+  await program.number(2).fill("50");
+  await corridor.messages.getByRole("button", { name: "Back to my maze" }).click();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await expect(program.number(2)).toHaveValue("50");
+  await program.button("Undo").click();
+  await expect(program.number(2)).toHaveValue("20");
+});
+
+test("reads a time limit that was reached as that, never as wrong", async ({ corridor }) => {
+  await turnForEver(corridor);
+  const dialog = await tryOthers(corridor);
+  await expect(dialog.getByText("Works in 0 of 100 mazes.").first()).toBeVisible();
+  await expect(dialog.getByText("Bumps: 0. Time limit reached: 100.")).toBeVisible();
+  await expect(dialog.getByText(/wrong|false|failed/i)).toHaveCount(0);
+  await dialog.getByRole("button", { name: "Show a failure" }).click();
+  await expect(corridor.message("Time limit reached in “Tree 11, seed 1”.")).toBeVisible();
+  await expect(corridor.clock).toHaveText("Time 5:00.0");
+});
+
+test("chooses other mazes, and gets the same ones for the same seed", async ({ corridor }) => {
+  const dialog = await tryOthers(corridor);
+  await dialog.getByRole("radio", { name: "Rooms" }).click();
+  await dialog.getByRole("slider", { name: "Size" }).fill("9");
+  await expect(dialog.getByText("9 by 9 squares")).toBeVisible();
+  await dialog.getByRole("button", { name: "Next 100" }).click();
+  await expect(dialog.getByText("Seeds 101 to 200")).toBeVisible();
+  const sentence = dialog.getByText(/^Works in \d+ of 100 mazes\.$/).first();
+  await expect(sentence).toBeVisible();
+  const before = (await sentence.textContent()) ?? "";
+  await dialog.getByRole("button", { name: "Try again" }).click();
+  await expect(sentence).toHaveText(before);
+  await dialog.getByRole("button", { name: /^Seed 120:/ }).click();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Rooms 9, seed 120, Maze menu");
+});
+
+test("stops, and goes through the mazes by keyboard", async ({ corridor, page }) => {
+  await turnForEver(corridor);
+  const dialog = await tryOthers(corridor);
+  // The largest mazes have the longest limit, so there is time to stop.
+  await dialog.getByRole("slider", { name: "Size" }).fill("33");
+  await dialog.getByRole("button", { name: "Stop" }).click();
+  await expect(dialog.getByText(/^Stopped\. Works in 0 of the first \d+\.$/).first()).toBeVisible();
+  const list = dialog.getByRole("list", { name: "Mazes" });
+  await list.getByRole("button").first().focus();
+  await page.keyboard.press("ArrowRight");
+  await expect(list.getByRole("button", { name: /^Seed 2:/ })).toBeFocused();
+  await page.keyboard.press("End");
+  await expect(list.getByRole("button", { name: "Seed 100: not tried yet" })).toBeFocused();
+  await page.keyboard.press("Escape");
+  await expect(dialog).toBeHidden();
+  await expect(corridor.program.button(title)).toBeFocused();
+});
+
+test("is not offered in a mission, which has a check of its own", async ({ corridor, page }) => {
+  await page.getByRole("button", { name: "Start with mission 1" }).click();
+  await expect(page.getByText("Mission 1", { exact: false }).first()).toBeVisible();
+  await expect(corridor.program.button(title)).toHaveCount(0);
+});
+
+test("has no barriers, in either theme", async ({ corridor, page }) => {
+  const { program } = corridor;
+  await program.number(2).fill("20");
+  const dialog = await tryOthers(corridor);
+  await expect(dialog.getByText(/^Works in \d+ of 100 mazes\.$/).first()).toBeVisible();
+  await expectNoBarriers(page, "other mazes");
+});
+
+for (const width of [390, 320]) {
+  test(`fits a phone of ${width} px`, async ({ openWindow }) => {
+    const phone = await openWindow({
+      viewport: { width, height: 700 },
+      hasTouch: true,
+      isMobile: true,
+    });
+    await phone.open();
+    await phone.page.getByRole("tab", { name: "Program" }).tap();
+    const dialog = await tryOthers(phone);
+    await expect(dialog.getByText("Works in 100 of 100 mazes.").first()).toBeVisible();
+    expect(await stickingOut(phone.page)).toEqual([]);
+    expect(await tooSmallToTouch(phone.page)).toEqual([]);
+  });
+}

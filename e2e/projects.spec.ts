@@ -1,0 +1,72 @@
+/** The open projects after the missions, and the picture of a student who has done them all. */
+import { readFile } from "node:fs/promises";
+import { expect, test } from "./fixtures.ts";
+import { MazeGrid } from "./pages/maze-grid.ts";
+import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { expectNoBarriers } from "./support/axe.ts";
+
+test("checks a program in all ready-made mazes as it changes, and stores the best result", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow();
+  await corridor.open("/#mission/all-mazes");
+  const { page } = corridor;
+  const lessons = new LessonsPanel(page);
+  await expect(lessons.card).toContainText("Open project 1 of 3");
+  await expect(lessons.outcome).toHaveText(/^Solved: 1 of 7 mazes/);
+  await corridor.program.addLine("right >", "60", "delayed right 90");
+  await corridor.program.addLine("front <", "50", "left 90");
+  await expect(lessons.outcome).toHaveText(/^Solved: 7 of 7 mazes/);
+  await expect(lessons.card).toContainText(/Your best: 7 of 7 mazes, \d+\.\d s/);
+  await lessons.openPath();
+  const project = lessons.path.getByRole("button", { name: /^One program, all mazes/ });
+  await expect(project).toContainText("Your best: 7 of 7 mazes");
+  await expectNoBarriers(page, "open projects");
+});
+
+test("lets a maze of one's own win against the right-wall program", async ({ openWindow }) => {
+  const corridor = await openWindow();
+  await corridor.open("/#mission/beat-right-wall");
+  const { page } = corridor;
+  const lessons = new LessonsPanel(page);
+  await expect(lessons.outcome).toHaveText(/^The program reaches the goal after \d+\.\d s\./);
+  // The goal that the program reaches solves nothing here.
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await corridor.robotStands();
+  await expect(page.getByRole("region", { name: "Solved!" })).toBeHidden();
+  const maze = new MazeGrid(page);
+  await corridor.reset.click();
+  await maze.tool("Goal").check();
+  await maze.click({ column: 4, row: 2 });
+  await maze.click({ column: 7, row: 1 });
+  await expect(lessons.outcome).toHaveText(
+    "Your maze wins: the program does not reach the goal in 300 s. Open squares: 21.",
+  );
+  await page.reload();
+  await expect(lessons.card).toContainText("Your best: open squares 21");
+});
+
+test("shows a picture to save once all missions are done", async ({ corridor, page }) => {
+  await page.evaluate(() => {
+    const ids =
+      "make-it-move how-far one-line first-true-line centimetres own-line side-opening no-room " +
+      "order-of-lines faulty-line right-wall every-maze left-or-right farthest-distance";
+    const done = Object.fromEntries(ids.split(" ").map((id) => [id, { lines: 2, ticks: 600 }]));
+    localStorage.setItem("corridor.lessons", JSON.stringify({ done, works: {}, home: null }));
+  });
+  await corridor.open();
+  const lessons = new LessonsPanel(page);
+  await lessons.openPath();
+  const finish = lessons.path.getByRole("region", { name: "All 14 missions done" });
+  await expect(finish.getByRole("img")).toHaveAccessibleName(
+    /^All 14 missions done, .+ 20\d\d\. Lines written: 28 · Driving time: 2:20/,
+  );
+  await expectNoBarriers(page, "the finish");
+  const saving = page.waitForEvent("download");
+  await finish.getByRole("button", { name: "Save as SVG" }).click();
+  const file = await (await saving).path();
+  const svg = await readFile(file, "utf8");
+  expect(svg).toContain(">All 14 missions done</text>");
+  expect(svg).toContain("Lines written: 28 · Driving time: 2:20");
+});

@@ -1,0 +1,93 @@
+import { encodeLink } from "@corridor/link";
+import { mazePresets } from "@corridor/maze";
+import { programPresets } from "@corridor/program";
+import { Recording, type RunDocument } from "@corridor/recording";
+import { expect, test } from "./fixtures.ts";
+import { expectNoBarriers } from "./support/axe.ts";
+
+/** The link of a run in which a ready-made algorithm drives through a ready-made maze to its goal. */
+function runLink(mazeId: string): { link: string; run: RunDocument } {
+  const preset = mazePresets.find(({ id }) => id === mazeId);
+  const program = programPresets.find(({ id }) => id === "right-wall")?.program;
+  if (preset === undefined || program === undefined) throw new Error(mazeId);
+  const recording = new Recording({ ...preset.maze, name: mazeId }, program);
+  while (recording.run.goalTick === null && recording.run.tick < 36_000) recording.step();
+  const written = recording.toDocument(mazeId);
+  if (!written.ok || recording.run.goalTick === null) throw new Error("no run to the goal");
+  const encoded = encodeLink({ run: written.run });
+  if (!encoded.ok) throw new Error(encoded.code);
+  return { link: `/#${encoded.text}`, run: written.run };
+}
+
+test("races a friend's run of a link on one clock, and compares time, bumps and lines", async ({
+  corridor,
+}) => {
+  const { page } = corridor;
+  const { link } = runLink("tree");
+  await corridor.open(link);
+  await expect(corridor.timeline.inThePast).toBeVisible();
+  await page.getByRole("button", { name: "Race this run" }).click();
+  await expect(corridor.message(/^Ghost A is ready\./)).toBeVisible();
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
+  await expect(page.getByRole("button", { name: "Race against 1 ghost" })).toBeVisible();
+
+  // The student's own answer takes another time.
+  await page.getByRole("button", { name: "Presets", exact: true }).click();
+  await corridor.dialog("Presets").getByText("Show an algorithm").click();
+  await corridor
+    .dialog("Presets")
+    .getByRole("button", { name: /^Left wall/ })
+    .click();
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  const card = page.getByRole("region", { name: "Solved!" });
+  await expect(card).toContainText(
+    /You were first, \d+\.\d s before ghost A\.|Ghost A was first, \d+\.\d s before you\./,
+  );
+  await card.getByRole("button", { name: "Compare all" }).click();
+  const dialog = corridor.dialog("Race");
+  const rows = dialog.getByRole("row");
+  await expect(rows).toHaveCount(3);
+  await expect(rows.nth(1)).toContainText("You");
+  await expect(rows.nth(2)).toContainText("Ghost A");
+  await expect(rows.nth(2)).toContainText("Right wall");
+  const times = await rows.locator("td:nth-child(2)").allTextContents();
+  expect(times).toEqual([
+    expect.stringMatching(/^\d+\.\d s$/),
+    expect.stringMatching(/^\d+\.\d s$/),
+  ]);
+  expect(times[0]).not.toBe(times[1]);
+
+  await expectNoBarriers(page, "the table of a race");
+
+  // A run of another maze is refused in words.
+  const other = runLink("spiral");
+  await dialog
+    .getByRole("textbox", { name: "Link of a run" })
+    .fill(`http://localhost${other.link}`);
+  await dialog.getByRole("button", { name: "Add ghost" }).click();
+  await expect(dialog.getByRole("alert")).toContainText("another maze, “spiral”");
+  await dialog.getByRole("button", { name: "Remove ghost A" }).click();
+  await expect(dialog).toBeHidden();
+  await expect(page.getByRole("button", { name: "Race against 1 ghost" })).toBeHidden();
+});
+
+test("offers the race on a phone too, and ends it when the maze changes", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow({ viewport: { width: 390, height: 844 }, hasTouch: true });
+  const { page } = corridor;
+  await corridor.open(runLink("spiral").link);
+  await page.getByRole("button", { name: "Race this run" }).click();
+  const chip = page.getByRole("button", { name: "Race against 1 ghost" });
+  await expect(chip).toBeVisible();
+  const box = await chip.boundingBox();
+  expect(box?.height).toBeGreaterThanOrEqual(44);
+  await corridor.dismissMessages();
+  await chip.click();
+  await expect(corridor.dialog("Race").getByRole("row")).toHaveCount(3);
+  await page.keyboard.press("Escape");
+  await corridor.maze.tap({ column: 0, row: 0 });
+  await expect(corridor.message("The maze changed, so the race is over.")).toBeVisible();
+  await expect(chip).toBeHidden();
+});

@@ -1,0 +1,55 @@
+import type { Page } from "playwright/test";
+import { expect, test } from "./fixtures.ts";
+
+declare global {
+  interface Window {
+    audio: { contexts: number; tones: number };
+  }
+}
+
+/** Counts what the page asks of Web Audio, from its next opening on. */
+async function countAudio(page: Page): Promise<() => Promise<Window["audio"]>> {
+  await page.addInitScript(() => {
+    const audio = { contexts: 0, tones: 0 };
+    window.audio = audio;
+    window.AudioContext = class extends AudioContext {
+      constructor() {
+        super();
+        audio.contexts++;
+      }
+      override createOscillator(): OscillatorNode {
+        audio.tones++;
+        return super.createOscillator();
+      }
+    };
+  });
+  return () => page.evaluate(() => window.audio);
+}
+
+test("is silent until sound is switched on, and stays on over a reload", async ({ corridor }) => {
+  const { page } = corridor;
+  const audio = await countAudio(page);
+  await corridor.reload();
+  await corridor.run.click();
+  await corridor.pause.click();
+  expect(await audio()).toEqual({ contexts: 0, tones: 0 });
+
+  const view = page.getByRole("button", { name: "View", exact: true });
+  await view.click();
+  const sound = page.getByRole("group", { name: "Sound" });
+  await expect(sound.getByRole("checkbox", { name: "Play sounds" })).not.toBeChecked();
+  await sound.getByRole("checkbox", { name: "Play sounds" }).check();
+  await expect.poll(async () => (await audio()).contexts).toBe(1);
+  await sound.getByRole("combobox", { name: "Beam to hear" }).selectOption("right");
+  await page.keyboard.press("Escape");
+  const before = (await audio()).tones;
+  await corridor.run.click();
+  await expect.poll(async () => (await audio()).tones).toBeGreaterThan(before + 3);
+  await corridor.pause.click();
+
+  await corridor.reload();
+  expect((await audio()).contexts).toBe(0);
+  await view.click();
+  await expect(sound.getByRole("checkbox", { name: "Play sounds" })).toBeChecked();
+  await expect(sound.getByRole("combobox", { name: "Beam to hear" })).toHaveValue("right");
+});

@@ -1,0 +1,88 @@
+/** A maze that is larger than the stage leaves nothing behind: the next one is drawn where it is edited. */
+import type { Locator } from "playwright/test";
+import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
+import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { StagePicture } from "./pages/stage-picture.ts";
+import { phone, tab } from "./support/phone.ts";
+
+/** Where the presets are: behind a button of the bar, or in a tab of a phone. */
+async function openPresets(corridor: CorridorPage, isPhone: boolean): Promise<Locator> {
+  const { page } = corridor;
+  if (isPhone) await tab(page, "Presets").tap();
+  else await page.getByRole("button", { name: "Presets", exact: true }).click();
+  return isPhone ? page.getByRole("tabpanel") : corridor.dialog("Presets");
+}
+
+async function chooseSmall(corridor: CorridorPage, isPhone: boolean): Promise<void> {
+  const presets = await openPresets(corridor, isPhone);
+  await presets.getByRole("button", { name: /^First steps/ }).click();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("First steps, Maze menu");
+  await corridor.dismissMessages();
+}
+
+async function chooseLarge(corridor: CorridorPage, isPhone: boolean): Promise<void> {
+  const presets = await openPresets(corridor, isPhone);
+  await presets.getByRole("slider", { name: "Size" }).fill("37");
+  await presets.getByRole("button", { name: "Use this maze" }).click();
+  await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "37");
+  await corridor.dismissMessages();
+}
+
+/** Turns the wheel over the stage until nothing more comes. */
+async function scrollToTheEnd({ page, maze }: CorridorPage): Promise<void> {
+  const before = await maze.grid.boundingBox();
+  await page.locator("canvas").first().hover({ force: true });
+  await page.mouse.wheel(5000, 5000);
+  await expect.poll(async () => (await maze.grid.boundingBox())?.y).toBeLessThan(before?.y ?? 0);
+}
+
+for (const isPhone of [false, true]) {
+  test(`a small maze is drawn where its squares are after a large one was scrolled, ${isPhone ? "on a phone" : "on a desktop"}`, async ({
+    openWindow,
+  }) => {
+    const corridor = await openWindow(isPhone ? phone : {});
+    await corridor.open();
+    await chooseSmall(corridor, isPhone);
+    const picture = new StagePicture(corridor.page);
+    const fresh = await picture.taken();
+
+    await chooseLarge(corridor, isPhone);
+    await scrollToTheEnd(corridor);
+    await chooseSmall(corridor, isPhone);
+    await picture.expectSame(fresh);
+    await expect(corridor.robotPlace).toHaveText(/^Robot at /);
+
+    // A press edits the square that is drawn there.
+    const square = { column: 4, row: 1 };
+    if (isPhone) await tab(corridor.page, "Program").tap();
+    const before = await picture.taken();
+    await corridor.maze.click(square);
+    await picture.expectOther(before);
+    await corridor.maze.expectSquare(square, "block");
+  });
+}
+
+test("a mission is drawn whole after a large maze was driven at full speed", async ({
+  corridor,
+}) => {
+  const { page } = corridor;
+  await chooseLarge(corridor, false);
+  // A maze from the presets opens with an empty program.
+  const presets = await openPresets(corridor, false);
+  await presets.getByText("Show an algorithm").click();
+  await presets.getByRole("button", { name: /^Right wall/ }).click();
+  await corridor.dismissMessages();
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  // Every maze is another one: the robot may leave the first screen to the right as well as downwards.
+  await expect
+    .poll(async () => {
+      const box = await corridor.maze.grid.boundingBox();
+      return box === null ? null : Math.min(box.x, box.y);
+    })
+    .toBeLessThan(0);
+  await new LessonsPanel(page).openMission(2);
+  await expect(corridor.maze.grid).not.toHaveAttribute("aria-colcount", "37");
+  await expect(corridor.maze.grid).toBeInViewport({ ratio: 1 });
+});

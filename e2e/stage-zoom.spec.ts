@@ -1,0 +1,67 @@
+/** The maze larger and smaller, by button, key, wheel and two fingers. */
+import { expect, test } from "./fixtures.ts";
+import { Fingers } from "./support/fingers.ts";
+import { boxOf, phone } from "./support/phone.ts";
+
+test("zooms by buttons, keys and the wheel, and fits the maze again", async ({
+  corridor,
+  page,
+}) => {
+  const { grid } = corridor.maze;
+  const width = async () => (await boxOf(grid)).width;
+  const opened = await width();
+  await page.getByRole("button", { name: "Zoom in" }).click();
+  await expect.poll(width).toBeGreaterThan(opened);
+  await expect(page.locator("[data-map]")).toBeVisible();
+  await page.getByRole("button", { name: "Fit the maze" }).click();
+  await expect.poll(width).toBe(opened);
+  await expect(page.locator("[data-map]")).toBeHidden();
+
+  await page.keyboard.press("+");
+  await expect.poll(width).toBeGreaterThan(opened);
+  await page.keyboard.press("-");
+  await expect.poll(width).toBe(opened);
+
+  const { x, y } = await boxOf(grid);
+  await page.mouse.move(x + 10, y + 10);
+  await page.keyboard.down("Control");
+  await page.mouse.wheel(0, -300);
+  await page.keyboard.up("Control");
+  await expect.poll(width).toBeGreaterThan(opened);
+  await page.keyboard.press("0");
+  await expect.poll(width).toBe(opened);
+});
+
+test("leaves the keys alone where single keys are switched off, and lists them", async ({
+  corridor,
+  page,
+}) => {
+  await page.keyboard.press("?");
+  const keys = page.getByRole("dialog").filter({ hasText: "Zoom in, zoom out, fit the maze" });
+  await expect(keys).toBeVisible();
+  await keys.getByRole("checkbox").first().uncheck();
+  await page.keyboard.press("Escape");
+  const before = (await boxOf(corridor.maze.grid)).width;
+  await page.keyboard.press("+");
+  await corridor.frames(12);
+  expect((await boxOf(corridor.maze.grid)).width).toBe(before);
+});
+
+test("zooms with two fingers on a phone, and edits nothing", async ({ openWindow }) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { grid } = corridor.maze;
+  const { x, y, width, height } = await boxOf(grid);
+  const [middleX, middleY] = [x + width / 2, y + height / 2];
+  const fingers = await Fingers.of(corridor.page);
+  const at = (apart: number) =>
+    [
+      { x: middleX - apart, y: middleY },
+      { x: middleX + apart, y: middleY },
+    ] as const;
+  await fingers.down(...at(30));
+  for (const apart of [40, 55, 70, 90]) await fingers.move(...at(apart));
+  await fingers.lift();
+  await expect.poll(async () => (await boxOf(grid)).width).toBeGreaterThan(width * 1.5);
+  await expect(corridor.maze.button("Undo")).toBeDisabled();
+});

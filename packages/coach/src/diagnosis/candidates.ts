@@ -1,0 +1,238 @@
+/**
+ * Changes of one thing in a program that could remove a failure, in the order in which a teacher would
+ * try them: what drove last comes first, and the mistakes that students make most come before others.
+ */
+import {
+  MAX_RULES,
+  kindOf,
+  numberOf,
+  numberRange,
+  type Condition,
+  type ProgramDocument,
+  type Rule,
+} from "@corridor/program";
+import { sensorNames, type LineRef, type PlainAction } from "@corridor/protocol";
+import type { Mend } from "../advice.ts";
+import type { BumpEvent, FailureEvent } from "./diagnosis.ts";
+import type { RunTrace } from "./run-trace.ts";
+
+/** A robot that turned too early may turn again at once, as its side is still open. */
+const RECENT_TURNS = 3;
+/** Numbers of the paper beside multiples of half a cell, in units. */
+const USUAL_NUMBERS = [60, 75];
+const NUMBER_STEP = 50;
+const MOST_NUMBERS = 40;
+/** For left compared with right, in units. */
+const DIFFERENCES = [1, 0, 10, 50, 100, -1, -10, -50, -100];
+const WALL_NEAR = 50;
+const SIDE_OPEN = 60;
+
+export const delayedTurn: Partial<Record<PlainAction, PlainAction>> = {
+  "left 90": "delayed left 90",
+  "right 90": "delayed right 90",
+};
+export const turnOnTheSpot: Partial<Record<PlainAction, PlainAction>> = {
+  "delayed left 90": "left 90",
+  "delayed right 90": "right 90",
+};
+const mirrored: Partial<Record<PlainAction, PlainAction>> = {
+  "left 90": "right 90",
+  "right 90": "left 90",
+  "delayed left 90": "delayed right 90",
+  "delayed right 90": "delayed left 90",
+};
+const plainTurns: readonly PlainAction[] = ["left 90", "right 90", "turn 180"];
+const delayedTurns: readonly PlainAction[] = ["delayed left 90", "delayed right 90"];
+
+/** Every change that is worth a trial, the likeliest first; the same change may come twice. */
+export function* candidates(trace: RunTrace, event: FailureEvent): Generator<Mend> {
+  if (event.kind === "bump") yield* forBump(trace, event);
+  else yield* forNoGoal(trace);
+}
+
+function* forBump(trace: RunTrace, event: BumpEvent): Generator<Mend> {
+  const { program } = trace;
+  const { line, phase } = event;
+  const lines = trace.decidingLines();
+  if (line !== null && (phase === "delay" || phase === "way-out")) {
+    const swap = swapped(program, line, turnOnTheSpot);
+    const own = [...numbers(trace, line)];
+    if (phase === "delay") yield* [...swap, ...own];
+    else yield* [...own, ...swap];
+  }
+  const turns = recentTurns(trace);
+  for (const turn of turns) yield* swapped(program, turn, delayedTurn);
+  yield* orders(program, lines);
+  if (line !== null && phase === "delay") yield* actions(program, line, plainTurns);
+  for (const other of linesAbout(program, event.side)) {
+    if (!lines.includes(other)) yield* numbers(trace, other);
+  }
+  for (const other of lines) yield* numbers(trace, other);
+  for (const other of linesAbout(program, event.side)) yield* numbers(trace, other);
+  yield* comparisons(program, lines);
+  yield* comparisons(program, allLines(program));
+  if (typeof line === "number") yield* actions(program, line, [...plainTurns, ...delayedTurns]);
+  for (const turn of turns) yield* actions(program, turn, [...plainTurns, ...delayedTurns]);
+  for (const other of numbered(lines)) {
+    yield* actions(program, other, [...plainTurns, ...delayedTurns, "forward"]);
+  }
+  for (const other of numbered(allLines(program))) {
+    yield* numbers(trace, other);
+    yield* actions(program, other, [...plainTurns, ...delayedTurns, "forward"]);
+  }
+  yield* sensors(program);
+  yield* newLines(trace, event.side);
+  if (lines.includes("default")) yield* actions(program, "default", [...plainTurns, "forward"]);
+  yield* forwardLines(program);
+  yield* deletions(lines);
+}
+
+function* forNoGoal(trace: RunTrace): Generator<Mend> {
+  const { program } = trace;
+  const lines = trace.decidingLines();
+  const turning = lines.filter((line) => isTurn(actionOf(program, line)));
+  const backing = lines.filter((line) => actionOf(program, line) === "reverse");
+  for (const line of backing) yield* actions(program, line, ["turn 180", "left 90", "right 90"]);
+  for (const line of turning) yield* swapped(program, line, delayedTurn);
+  yield* orders(program, lines);
+  for (const line of lines) yield* numbers(trace, line);
+  for (const line of turning) yield* swapped(program, line, turnOnTheSpot);
+  for (const line of turning) {
+    const other = mirrored[actionOf(program, line)];
+    if (other !== undefined) yield* actions(program, line, [other]);
+  }
+  for (const line of allLines(program)) if (!lines.includes(line)) yield* numbers(trace, line);
+  yield* comparisons(program, allLines(program));
+  for (const line of numbered(allLines(program))) {
+    yield* actions(program, line, [...plainTurns, ...delayedTurns, "forward"]);
+  }
+  yield* sensors(program);
+  yield* actions(program, "default", [...plainTurns, "forward", ...delayedTurns]);
+  yield* newLines(trace, "front");
+  yield* forwardLines(program);
+  yield* deletions(lines);
+}
+
+function allLines({ rules }: ProgramDocument): LineRef[] {
+  return [...rules.keys()].filter((line) => rules[line]?.when !== null);
+}
+
+function numbered(lines: readonly LineRef[]): number[] {
+  return lines.filter((line): line is number => typeof line === "number");
+}
+
+/** Lines that took the newest turns, the newest first. */
+function recentTurns({ decisions }: RunTrace): LineRef[] {
+  const turns = decisions.filter(({ action }) => isTurn(action)).slice(-RECENT_TURNS);
+  return [...new Set(turns.map(({ line }) => line).toReversed())];
+}
+
+export function isTurn(action: PlainAction): boolean {
+  return action.endsWith("90") || action === "turn 180";
+}
+
+/** Lines with a condition on this sensor. */
+function linesAbout({ rules }: ProgramDocument, side: "front" | "back"): number[] {
+  return [...rules.keys()].filter((line) => rules[line]?.when?.sensor === side);
+}
+
+export function actionOf({ rules, default: otherwise }: ProgramDocument, line: LineRef) {
+  return line === "default" ? otherwise : (rules[line]?.do ?? otherwise);
+}
+
+/** The same turn, delayed or on the spot. */
+function swapped(
+  program: ProgramDocument,
+  line: LineRef,
+  table: Partial<Record<PlainAction, PlainAction>>,
+): Mend[] {
+  const action = table[actionOf(program, line)];
+  return action === undefined ? [] : [{ kind: "action", line, action }];
+}
+
+function actions(program: ProgramDocument, line: LineRef, menu: readonly PlainAction[]): Mend[] {
+  const own = actionOf(program, line);
+  return menu.flatMap((action): Mend[] =>
+    action === own ? [] : [{ kind: "action", line, action }],
+  );
+}
+
+/** Each line moved up to right above a line that decided; the nearest place first. */
+function orders({ rules }: ProgramDocument, lines: readonly LineRef[]): Mend[] {
+  return numbered(lines).flatMap((to) =>
+    [...rules.keys()]
+      .filter((line) => line > to && rules[line]?.when !== null)
+      .map((line): Mend => ({ kind: "move", line, to })),
+  );
+}
+
+/** Other numbers for a line, the nearest first. */
+function* numbers({ program, maze }: RunTrace, line: LineRef): Generator<Mend> {
+  const when = typeof line === "number" ? program.rules[line]?.when : null;
+  if (typeof line !== "number" || when === null || when === undefined) return;
+  const own = numberOf(when);
+  const longest = Math.max(maze.blocks.length, maze.blocks[0]?.length ?? 0) * 100;
+  const steps = Array.from({ length: longest / NUMBER_STEP }, (_, at) => (at + 1) * NUMBER_STEP);
+  const menu = when.than === "right" ? DIFFERENCES : [...USUAL_NUMBERS, ...steps];
+  const { min, max } = numberRange(kindOf(when));
+  const sorted = menu
+    .filter((number) => number !== own && number >= min && number <= max)
+    .toSorted((a, b) => Math.abs(a - own) - Math.abs(b - own))
+    .slice(0, MOST_NUMBERS);
+  for (const number of sorted) yield { kind: "number", line, number };
+}
+
+/** The other comparison with the same number. */
+function comparisons({ rules }: ProgramDocument, lines: readonly LineRef[]): Mend[] {
+  return numbered(lines).flatMap((line): Mend[] => {
+    const when = rules[line]?.when ?? null;
+    if (when === null) return [];
+    return [{ kind: "condition", line, when: flipped(when) }];
+  });
+}
+
+function flipped(when: Condition): Condition {
+  return { ...when, is: when.is === ">" ? "<" : ">" };
+}
+
+/** Every other sensor for the conditions that compare one with a number. */
+function sensors({ rules }: ProgramDocument): Mend[] {
+  return rules.flatMap(({ when }, line) =>
+    when === null || when.than === "right"
+      ? []
+      : sensorNames
+          .filter((sensor) => sensor !== when.sensor)
+          .map((sensor): Mend => ({ kind: "condition", line, when: { ...when, sensor } })),
+  );
+}
+
+/** A line for a wall and for an opening on either side, above the others and right above "otherwise". */
+function* newLines({ program, last }: RunTrace, side: "front" | "back"): Generator<Mend> {
+  if (program.rules.length >= MAX_RULES) return;
+  const [, right = 0, , left = 0] = last.readings;
+  const turns: PlainAction[] =
+    left > right ? ["left 90", "right 90", "turn 180"] : ["right 90", "left 90", "turn 180"];
+  const ends = new Set([program.rules.length, 0]);
+  for (const action of turns) {
+    const rule: Rule = { when: { sensor: side, is: "<", than: WALL_NEAR }, do: action };
+    for (const at of ends) yield { kind: "insert", at, rule };
+  }
+  for (const to of left > right ? (["left", "right"] as const) : (["right", "left"] as const)) {
+    const rule: Rule = {
+      when: { sensor: to, is: ">", than: SIDE_OPEN },
+      do: `delayed ${to} 90`,
+    };
+    for (const at of ends) yield { kind: "insert", at, rule };
+  }
+}
+
+/** A line that drives on where there is room ahead. */
+function forwardLines({ rules }: ProgramDocument): Mend[] {
+  if (rules.length >= MAX_RULES) return [];
+  const rule: Rule = { when: { sensor: "front", is: ">", than: WALL_NEAR }, do: "forward" };
+  return [...new Set([0, rules.length])].map((at): Mend => ({ kind: "insert", at, rule }));
+}
+
+function deletions(lines: readonly LineRef[]): Mend[] {
+  return numbered(lines).map((line): Mend => ({ kind: "delete", line }));
+}

@@ -1,0 +1,131 @@
+/**
+ * From a change that removes a failure to the cause that it shows: which line, when, on which readings.
+ * Whatever is stated here is read from the trace.
+ */
+import { numberOf, truthOf, type ProgramDocument } from "@corridor/program";
+import type { LineRef } from "@corridor/protocol";
+import { DELAY_DISTANCE, ROBOT_RADIUS } from "@corridor/simulation";
+import type { Mend, Side } from "../advice.ts";
+import { OPENING } from "../turn-findings.ts";
+import { actionOf, delayedTurn, isTurn, turnOnTheSpot } from "./candidates.ts";
+import type { Cause, DecisionMoment, WrongAction, WrongNumber } from "./diagnosis.ts";
+import type { RunTrace } from "./run-trace.ts";
+
+/** The reading ahead that a delayed turn needs. */
+export const DELAY_NEEDS = DELAY_DISTANCE + ROBOT_RADIUS;
+/** So many times forward and back are no coincidence. */
+const MANY_REVERSALS = 10;
+
+/**
+ * @param fix the change; it was tried and removes the failure
+ * @param from the tick of the first different decision with which it does
+ */
+export function causeOf(trace: RunTrace, fix: Mend, from: number): Cause | null {
+  const moment = trace.decisionAt(from);
+  if (moment === null) return null;
+  const { program } = trace;
+  switch (fix.kind) {
+    case "action":
+      return actionCause(trace, fix, moment);
+    case "number":
+      return numberCause(trace, fix.line, fix.number, moment);
+    case "condition": {
+      const when = program.rules[fix.line]?.when ?? null;
+      if (when === null) return null;
+      const kind = fix.when.sensor === when.sensor ? "comparison" : "sensor";
+      return { kind, line: fix.line, when, moment };
+    }
+    case "move": {
+      const when = program.rules[fix.line]?.when ?? null;
+      // The line has to be true there, and another one decided.
+      if (when === null || truthOf(when, moment.readings)?.isTrue !== true) return null;
+      return { kind: "order", line: fix.line, moment, sensor: when.sensor };
+    }
+    case "insert": {
+      const { when } = fix.rule;
+      if (when === null) return null;
+      const { sensor } = when;
+      const isSide = sensor === "left" || sensor === "right";
+      return { kind: "missing", moment, sensor, hasTurn: isSide && turnsTo(program, sensor) };
+    }
+    case "delete":
+      return { kind: "extra", line: fix.line, moment };
+  }
+}
+
+function actionCause(
+  { program, reversals }: RunTrace,
+  { action }: Extract<Mend, { kind: "action" }>,
+  moment: DecisionMoment,
+): Cause {
+  const side = sideOf(moment.action);
+  if (side !== null && delayedTurn[moment.action] === action) {
+    const isAtEdge = moment.readings[side] >= OPENING;
+    return { kind: "not-delayed", moment, side, drivesOn: DELAY_DISTANCE, isAtEdge };
+  }
+  if (side !== null && turnOnTheSpot[moment.action] === action) {
+    return { kind: "delayed", moment, side, needs: DELAY_NEEDS };
+  }
+  return { kind: "action", moment, detail: detailOf(program, moment, reversals) };
+}
+
+function detailOf(
+  program: ProgramDocument,
+  { line, action, readings }: DecisionMoment,
+  reversals: number,
+): WrongAction["detail"] {
+  const side = sideOf(action);
+  if (action in turnOnTheSpot && readings.front < DELAY_NEEDS) {
+    return { kind: "no-room", needs: DELAY_NEEDS };
+  }
+  if (side !== null && readings[side] < DELAY_NEEDS) {
+    const other = side === "left" ? "right" : "left";
+    if (readings[other] >= OPENING) return { kind: "into-wall", side, open: other };
+    if (readings.front >= OPENING) return { kind: "into-wall", side, open: "front" };
+  }
+  if (action === "reverse" && reversals >= MANY_REVERSALS) {
+    const forward = program.rules.findIndex((rule) => rule.when !== null && rule.do === "forward");
+    const other: LineRef = forward < 0 ? "default" : forward;
+    if (other !== line && actionOf(program, other) === "forward") return { kind: "undoing", other };
+  }
+  return null;
+}
+
+function numberCause(
+  trace: RunTrace,
+  line: number,
+  better: number,
+  moment: DecisionMoment,
+): WrongNumber | null {
+  const when = trace.program.rules[line]?.when ?? null;
+  if (when === null) return null;
+  const hasDecided = trace.decisions.some((each) => each.line === line);
+  const isAlways =
+    when.than !== "right" && when.is === ">" && when.than < ROBOT_RADIUS - 1 && hasDecided;
+  return {
+    // With the better number the line does not decide here yet, or it decides here already.
+    kind: moment.line === line ? "too-early" : "too-late",
+    line,
+    number: numberOf(when),
+    better,
+    when,
+    moment,
+    extreme: isAlways ? "always" : hasDecided ? null : "never",
+  };
+}
+
+/** The side that a turn goes to; null for what turns to neither. */
+export function sideOf(action: string): Side | null {
+  if (!action.endsWith("90")) return null;
+  return action.includes("left") ? "left" : "right";
+}
+
+/** Whether any line that can decide turns to this side. */
+export function turnsTo(program: ProgramDocument, side: Side): boolean {
+  const lines: LineRef[] = ["default", ...program.rules.keys()];
+  return lines.some((line) => {
+    if (line !== "default" && program.rules[line]?.when === null) return false;
+    const action = actionOf(program, line);
+    return isTurn(action) && sideOf(action) === side;
+  });
+}

@@ -1,0 +1,200 @@
+/**
+ * Decides why a run failed. A cause is named only after a change of one thing was simulated and removed
+ * the failure; otherwise the diagnosis says what happened and blames no line.
+ */
+import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
+import type { Command, LineRef, Pose } from "@corridor/protocol";
+import { ROBOT_RADIUS, contactOf, type BumpCause } from "@corridor/simulation";
+import type { Mend } from "../advice.ts";
+import { applyMend } from "../apply-mend.ts";
+import { candidates } from "./candidates.ts";
+import { causeOf } from "./cause-of.ts";
+import type { BumpEvent, BumpPhase, Cause, Diagnosis, FailureEvent } from "./diagnosis.ts";
+import { RunTrace, type SolvedCheck, type TraceStart } from "./run-trace.ts";
+import { tryProgram, type TrialTask } from "./trial.ts";
+
+/** Simulated ticks that trials may take together: it bounds the time, and the same everywhere. */
+const MOST_TRIAL_TICKS = 60_000;
+/** Changes that solve the task here and are tried in the other mazes as well. */
+const MOST_WHOLE_TRIALS = 4;
+const MOST_FIXES = 2;
+/** Decisions of a line before the failure that its change may begin with, the newest first. */
+const MOST_MOMENTS = 3;
+
+/** What the run was for, and what may be changed. */
+export interface DiagnosisTask {
+  /** the last tick of a whole run */
+  until: number;
+  /** more bumps than this are a failure; null: bumps are allowed */
+  bumps: number | null;
+  /** null where nothing is to be solved, or where the stretch does not begin at the start */
+  newSolvedCheck: (() => SolvedCheck) | null;
+  /** whether the student may write this program */
+  allows: (program: ProgramDocument) => boolean;
+  /**
+   * whether a program solves every maze of the task; null in free play, where a change that gets past the
+   * failure is as good as one that reaches the goal
+   */
+  solvesAll: ((program: ProgramDocument) => boolean) | null;
+}
+
+/** Free play: reach the goal, where there is one, without a bump. @param until the last tick of a run */
+export function freePlayTask(maze: MazeDocument, until: number): DiagnosisTask {
+  return {
+    until,
+    bumps: 0,
+    newSolvedCheck: maze.goals.length > 0 ? () => (robot) => robot.goalTick !== null : null,
+    allows: () => true,
+    solvesAll: null,
+  };
+}
+
+/** Drives a program from a state until it fails, and says why. @returns null where it does not fail */
+export function diagnoseProgram(start: TraceStart, task: DiagnosisTask): Diagnosis | null {
+  const { until, bumps, newSolvedCheck } = task;
+  const isSolved = newSolvedCheck?.() ?? null;
+  const trace = new RunTrace(start, { until, bumps, isSolved });
+  if (trace.end === "solved") return null;
+  if (trace.end === "late" && newSolvedCheck === null) return null;
+  return diagnose(trace, task);
+}
+
+/** A run that ended at `until` with what `event` says: a bump there, time over, or a sign of no progress. */
+export function diagnoseStretch(
+  start: TraceStart,
+  task: DiagnosisTask,
+  until: number,
+  event: "bump" | "late" | "stuck",
+): Diagnosis | null {
+  const bumps = event === "bump" ? Math.max(task.bumps ?? 0, start.state.physics.bumps) : null;
+  const trace = new RunTrace(start, { until, bumps, isSolved: null });
+  if (event === "bump" && trace.end !== "bump") return null;
+  if (event === "stuck" && trace.notice === null) return null;
+  return diagnose(trace, task, event === "stuck");
+}
+
+function diagnose(trace: RunTrace, task: DiagnosisTask, isStuck = false): Diagnosis {
+  const event = eventOf(trace, isStuck);
+  return { event, ...explain(trace, event, task) };
+}
+
+function eventOf(trace: RunTrace, isStuck: boolean): FailureEvent {
+  const { bump, notice, maze, last, until } = trace;
+  if (bump !== null) return bumpEvent(maze, bump, last.pose, until, trace.decisions.at(-1)?.line);
+  if (isStuck && notice !== null) return notice;
+  return { kind: "late", tick: until };
+}
+
+/** What is known of a bump, whoever drove. */
+export function bumpEvent(
+  maze: MazeDocument,
+  cause: BumpCause,
+  pose: Pose,
+  tick: number,
+  line: LineRef | null = null,
+): BumpEvent {
+  const { action, side, begunAt, reading, needed } = cause;
+  return {
+    kind: "bump",
+    tick,
+    line,
+    action,
+    phase: phaseOf(action, cause),
+    side,
+    begunAt,
+    reading,
+    needs: needed === null ? null : needed + ROBOT_RADIUS,
+    contact: contactOf(maze, pose, side),
+  };
+}
+
+function phaseOf(action: Command["action"], { needed, part }: BumpCause): BumpPhase {
+  if (needed === null) return "steady";
+  const isDelayed = action === "delayed left 90" || action === "delayed right 90";
+  if (!isDelayed) return "measured";
+  return part === 0 ? "delay" : "way-out";
+}
+
+interface Found {
+  fix: Mend;
+  from: number;
+  program: ProgramDocument;
+  isSolved: boolean;
+}
+
+function explain(
+  trace: RunTrace,
+  event: FailureEvent,
+  task: DiagnosisTask,
+): Pick<Diagnosis, "cause" | "fixes"> {
+  const isBump = event.kind === "bump";
+  const trialTask: TrialTask = {
+    until: task.until,
+    bumps: task.bumps,
+    newSolvedCheck: task.newSolvedCheck,
+  };
+  const tried = new Set<string>();
+  const found: Found[] = [];
+  let cost = 0;
+  for (const fix of candidates(trace, event)) {
+    if (cost > MOST_TRIAL_TICKS || isEnough(found, task)) break;
+    const program = applyMend(trace.program, fix);
+    const text = JSON.stringify([program.default, program.rules]);
+    if (tried.has(text) || !task.allows(program)) continue;
+    tried.add(text);
+    const trial = tryProgram(trace, program, trialTask, isBump);
+    cost += trial.cost;
+    if (trial.from === null || trial.outcome === "fails") continue;
+    found.push({ fix, from: trial.from, program, isSolved: trial.outcome === "solved" });
+  }
+  const best = ranked(trace, found, task);
+  const named = best.flatMap((each): { cause: Cause; fix: Mend }[] => {
+    const cause = causeOf(trace, each.fix, newestMoment(trace, each, trialTask, isBump));
+    return cause === null ? [] : [{ cause, fix: each.fix }];
+  });
+  const [first] = named;
+  if (first === undefined) return { cause: null, fixes: [] };
+  return { cause: first.cause, fixes: named.slice(0, MOST_FIXES).map(({ fix }) => fix) };
+}
+
+function isEnough(found: readonly Found[], { solvesAll }: DiagnosisTask): boolean {
+  if (solvesAll === null) return found.length >= MOST_FIXES;
+  return found.filter(({ isSolved }) => isSolved).length >= MOST_WHOLE_TRIALS;
+}
+
+/**
+ * In a task, changes that solve every maze come first, then those that solve this one. A missing delay at
+ * the edge of an opening counts as much as a solution: two mistakes need two changes.
+ */
+function ranked(trace: RunTrace, found: readonly Found[], { solvesAll }: DiagnosisTask): Found[] {
+  if (solvesAll === null) return [...found];
+  const rank = ({ fix, from, isSolved, program }: Found): number => {
+    const cause = causeOf(trace, fix, from);
+    if (cause?.kind === "not-delayed" && cause.isAtEdge) return 0;
+    return isSolved ? (solvesAll(program) ? 0 : 1) : 2;
+  };
+  return found
+    .map((each) => ({ each, rank: rank(each) }))
+    .toSorted((a, b) => a.rank - b.rank)
+    .map(({ each }) => each);
+}
+
+/**
+ * A line may have turned well five times before it failed: the decision to name is the newest one from
+ * which on the change still removes the failure.
+ */
+function newestMoment(
+  trace: RunTrace,
+  { fix, from, program }: Found,
+  task: TrialTask,
+  isBump: boolean,
+): number {
+  if (fix.kind !== "action" || !isBump) return from;
+  const moments = trace.decisions.filter(({ line, tick }) => line === fix.line && tick > from);
+  for (const { tick } of moments.slice(-MOST_MOMENTS).toReversed()) {
+    const trial = tryProgram(trace, program, { ...task, newSolvedCheck: null }, isBump, tick);
+    if (trial.outcome !== "fails" && trial.from === tick) return tick;
+  }
+  return from;
+}

@@ -1,0 +1,135 @@
+/** Checks every claim of a diagnosis against the plain run, and says which do not hold. */
+import type { MazeDocument } from "@corridor/maze";
+import { numberOf, truthOf, type ProgramDocument } from "@corridor/program";
+import type { SensorReadings } from "@corridor/protocol";
+import { applyMend } from "../../apply-mend.ts";
+import { causeLine, type Cause, type Diagnosis } from "../diagnosis.ts";
+import { actionIn, plainRun, switchedRun, type PlainTick } from "./plain-run.ts";
+
+/** Readings of two runs that are the same differ by nothing; text rounds to whole numbers. */
+const sameReadings = (a: SensorReadings, b: SensorReadings | undefined): boolean =>
+  JSON.stringify(a) === JSON.stringify(b);
+
+/**
+ * @param goalBy the last tick at which a fix may reach the goal, where the failure was no bump
+ * @returns the claims that are false; none where all hold
+ */
+export function falseClaims(
+  maze: MazeDocument,
+  program: ProgramDocument,
+  diagnosis: Diagnosis,
+  goalBy: number,
+): string[] {
+  const { event, cause, fixes } = diagnosis;
+  const ticks = plainRun(maze, program, event.tick);
+  const wrong: string[] = [];
+  const claim = (name: string, holds: boolean) => {
+    if (!holds) wrong.push(name);
+  };
+  if (event.kind === "bump") {
+    claim("a motion that needs room had less", hadLess(event));
+    const last = ticks[event.tick - 1];
+    const before = ticks[event.tick - 2];
+    claim("a bump at this tick", (last?.bumps ?? 0) === (before?.bumps ?? 0) + 1);
+    const decided = ticks.findLast(({ line }) => line !== null);
+    claim("the line that drove", decided?.line === event.line);
+    const begun = ticks[event.begunAt]?.readings[event.side];
+    claim("the reading as the motion began", begun === event.reading);
+    const { x = 0, y = 0 } = last ?? {};
+    const away = Math.sqrt((event.contact.x - x) ** 2 + (event.contact.y - y) ** 2);
+    claim("the touched point is 25 cm from the centre", Math.abs(away - 25) < 0.5);
+  }
+  claim("fixes and cause come together", (cause === null) === (fixes.length === 0));
+  if (cause === null) return wrong;
+  const { moment } = cause;
+  const at = ticks[moment.tick];
+  claim("the moment's line decided", at?.line === moment.line);
+  claim("the moment's action", at?.action === moment.action);
+  claim("the moment's readings", sameReadings(moment.readings, at?.readings));
+  wrong.push(...falseReason(program, cause, ticks));
+  const [fix] = fixes;
+  if (fix === undefined) return wrong;
+  const line = causeLine(diagnosis);
+  claim(
+    "the first fix changes the blamed line",
+    line === null || !("line" in fix) || fix.line === line,
+  );
+  const changed = applyMend(program, fix);
+  const isBump = event.kind === "bump";
+  const until = isBump ? event.tick + 60 : goalBy;
+  const after = switchedRun(maze, [program, changed], moment.tick, until);
+  claim(
+    "the fix removes the failure",
+    isBump ? !after.bumps.includes(event.tick) : after.goal !== null && after.goal <= goalBy,
+  );
+  return wrong;
+}
+
+/** Where the beam showed room enough, the robot touched a corner beside it. */
+function hadLess({
+  needs,
+  reading,
+  contact,
+}: Extract<Diagnosis["event"], { kind: "bump" }>): boolean {
+  return needs === null || contact.isCorner || reading < needs + 0.001;
+}
+
+function falseReason(
+  program: ProgramDocument,
+  cause: Cause,
+  ticks: readonly PlainTick[],
+): string[] {
+  const { moment } = cause;
+  const { readings } = moment;
+  const isTrue = (line: number): boolean =>
+    truthOf(program.rules[line]?.when ?? null, readings)?.isTrue === true;
+  const holds = ((): boolean => {
+    switch (cause.kind) {
+      case "not-delayed":
+        return (
+          moment.action === `${cause.side} 90` && cause.isAtEdge === readings[cause.side] >= 125
+        );
+      case "delayed":
+        return moment.action === `delayed ${cause.side} 90` && cause.needs === 75;
+      case "order":
+        return isTrue(cause.line) && typeof moment.line === "number" && moment.line < cause.line;
+      case "too-early":
+        return moment.line === cause.line && extremeHolds(cause, ticks);
+      case "too-late":
+        return !isTrue(cause.line) && extremeHolds(cause, ticks);
+      case "comparison":
+        return (moment.line === cause.line) === isTrue(cause.line) || isTrue(cause.line);
+      case "sensor":
+        return cause.when.sensor === program.rules[cause.line]?.when?.sensor;
+      case "action": {
+        const { detail } = cause;
+        if (detail?.kind === "no-room") return readings.front < detail.needs;
+        if (detail?.kind === "into-wall") {
+          return readings[detail.side] < 75 && readings[detail.open] >= 125;
+        }
+        if (detail?.kind !== "undoing") return true;
+        return moment.action === "reverse" && actionIn(program, detail.other) === "forward";
+      }
+      case "missing":
+        return (
+          cause.hasTurn ||
+          (cause.sensor !== "left" && cause.sensor !== "right") ||
+          !ticks.some(({ action }) => action?.endsWith(`${cause.sensor} 90`))
+        );
+      case "extra":
+        return moment.line === cause.line;
+    }
+  })();
+  return holds ? [] : [cause.kind];
+}
+
+function extremeHolds(
+  cause: Extract<Cause, { kind: "too-early" | "too-late" }>,
+  ticks: readonly PlainTick[],
+): boolean {
+  if (cause.number !== numberOf(cause.when)) return false;
+  if (cause.extreme === "never") return !ticks.some(({ line }) => line === cause.line);
+  if (cause.extreme !== "always" || cause.when.than === "right") return true;
+  const { sensor, than } = cause.when;
+  return ticks.every(({ readings }) => readings[sensor] > than);
+}

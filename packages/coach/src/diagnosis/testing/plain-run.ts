@@ -1,0 +1,56 @@
+/**
+ * A run as a plain list of its ticks, driven by the simulation alone: what the claims of a diagnosis are
+ * checked against. It shares no code with the diagnosis.
+ */
+import type { MazeDocument } from "@corridor/maze";
+import { CompiledProgram, type ProgramDocument } from "@corridor/program";
+import type { LineRef, PlainAction, SensorReadings } from "@corridor/protocol";
+import { ProgramRun, Simulation } from "@corridor/simulation";
+
+export interface PlainTick {
+  /** before the tick */
+  readings: SensorReadings;
+  /** the line that decided for it; null where a manoeuvre ran */
+  line: LineRef | null;
+  action: PlainAction | null;
+  /** after the tick */
+  bumps: number;
+  x: number;
+  y: number;
+}
+
+export function plainRun(maze: MazeDocument, program: ProgramDocument, ticks: number): PlainTick[] {
+  const simulation = new Simulation(maze);
+  const run = new ProgramRun(simulation, new CompiledProgram(program));
+  return Array.from({ length: ticks }, () => {
+    const readings = simulation.report().sensors;
+    const isDecision = run.decide() !== null;
+    const line = isDecision ? run.line : null;
+    run.step();
+    const { bumps, x, y } = simulation;
+    return { readings, line, action: line === null ? null : actionIn(program, line), bumps, x, y };
+  });
+}
+
+/** The first program up to a tick, the second from there on. @returns tick of each bump and of the goal */
+export function switchedRun(
+  maze: MazeDocument,
+  [first, second]: readonly [ProgramDocument, ProgramDocument],
+  at: number,
+  ticks: number,
+): { bumps: number[]; goal: number | null } {
+  const simulation = new Simulation(maze);
+  const run = new ProgramRun(simulation, new CompiledProgram(first));
+  const bumps: number[] = [];
+  while (simulation.tick < ticks) {
+    if (simulation.tick === at) run.reconsider(new CompiledProgram(second));
+    const before = simulation.bumps;
+    run.step();
+    if (simulation.bumps > before) bumps.push(simulation.tick);
+  }
+  return { bumps, goal: simulation.goalTick };
+}
+
+export function actionIn({ rules, default: otherwise }: ProgramDocument, line: LineRef) {
+  return line === "default" ? otherwise : (rules[line]?.do ?? otherwise);
+}

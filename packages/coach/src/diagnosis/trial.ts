@@ -1,0 +1,83 @@
+/**
+ * Tries a changed program on a failed run: from the first decision that it takes differently, because
+ * up to there the two runs are the same.
+ */
+import { CompiledProgram, type ProgramDocument } from "@corridor/program";
+import { ProgramRun } from "@corridor/simulation";
+import { LoopWatch } from "../loop-watch.ts";
+import type { RunTrace, SolvedCheck } from "./run-trace.ts";
+
+/** How long after the place of a failure a changed program must do without a bump, in ticks. */
+const PROVING_TICKS = 120;
+/** And how far it must get meanwhile: a robot that stands or dances is no better off. In units. */
+const PROVING_DISTANCE = 100;
+
+/** What counts as success. */
+export interface TrialTask {
+  /** the last tick of a whole run */
+  until: number;
+  /** bumps that are allowed; null: any number, but a failure that is a bump may not come again */
+  bumps: number | null;
+  /** null where nothing is to be solved: then to get past the failure is all there is */
+  newSolvedCheck: (() => SolvedCheck) | null;
+}
+
+export interface TrialResult {
+  /** solved: the task is done; past: this failure is gone, more is not known; fails: neither */
+  outcome: "solved" | "past" | "fails";
+  /** the first tick on which the changed program decides differently; null where it never does */
+  from: number | null;
+  /** ticks that were simulated */
+  cost: number;
+}
+
+/**
+ * @param trace the failed run
+ * @param program the changed program
+ * @param from the change counts from the first different decision at or after this tick
+ * @param isBump whether the failure is a bump; otherwise only a solved task removes it
+ */
+export function tryProgram(
+  trace: RunTrace,
+  program: ProgramDocument,
+  task: TrialTask,
+  isBump: boolean,
+  from: number = trace.from,
+): TrialResult {
+  const compiled = new CompiledProgram(program);
+  const start = trace.firstDifference(compiled, from);
+  if (start === null) return { outcome: "fails", from: null, cost: 0 };
+  const simulation = trace.at(start);
+  const run = new ProgramRun(simulation, compiled);
+  const solved = task.newSolvedCheck?.() ?? null;
+  const watch = new LoopWatch(trace.maze);
+  const result = (outcome: TrialResult["outcome"]): TrialResult => ({
+    outcome,
+    from: start,
+    cost: simulation.tick - start,
+  });
+  const without = isBump ? simulation.bumps : Infinity;
+  const allowed = task.bumps === null ? without : Math.max(task.bumps, simulation.bumps);
+  const provedAt = trace.until + PROVING_TICKS;
+  const last = solved === null ? provedAt : Math.max(task.until, provedAt);
+  let distance = simulation.distance;
+  let isPast = false;
+  while (simulation.tick < last) {
+    if (simulation.tick === trace.until) distance = simulation.distance;
+    run.step();
+    if (simulation.bumps > allowed) return result(isPast ? "past" : "fails");
+    if (solved?.(simulation) === true) {
+      return result(simulation.tick <= task.until ? "solved" : isPast ? "past" : "fails");
+    }
+    if (isBump && simulation.tick >= provedAt) {
+      isPast ||= simulation.distance - distance >= PROVING_DISTANCE;
+    }
+    const { cell, isStopped, isManoeuvring, readings } = simulation;
+    // It begins with this tick: what the failed run did before does not count against the change.
+    const isWaiting = compiled.commandOf(compiled.decide(readings)).action === "stop";
+    if (watch.look(cell, isStopped, isManoeuvring, run.line, isWaiting) !== null) {
+      return result(isPast ? "past" : "fails");
+    }
+  }
+  return result(isPast ? "past" : "fails");
+}

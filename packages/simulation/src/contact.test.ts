@@ -1,0 +1,80 @@
+import type { MazeDocument } from "@corridor/maze";
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { contactOf } from "./contact.ts";
+import { ROBOT_RADIUS } from "./settings.ts";
+import { Simulation } from "./simulation.ts";
+
+const room = (...blocks: string[]): MazeDocument => ({
+  format: "corridor/maze",
+  version: 1,
+  name: "",
+  blocks,
+  start: { column: 1, row: 1, heading: "east" },
+  goals: [],
+});
+
+/** Drives until the first bump. */
+function bumped(maze: MazeDocument, degrees: number, action: "forward" | "reverse"): Simulation {
+  const simulation = new Simulation(maze);
+  simulation.apply({ action: "turn", degrees });
+  while (simulation.isManoeuvring) simulation.step();
+  simulation.apply({ action });
+  while (simulation.bumps === 0) simulation.step();
+  return simulation;
+}
+
+describe("where the robot touches", () => {
+  it("is the flat side of the wall ahead", () => {
+    const maze = room("#####", "#...#", "#####");
+    const { pose } = bumped(maze, 0, "forward");
+    const { x, y, cell, isCorner } = contactOf(maze, pose, "front");
+    expect({ x, y, cell, isCorner }).toEqual({
+      x: 400,
+      y: 150,
+      cell: { column: 4, row: 1 },
+      isCorner: false,
+    });
+  });
+
+  it("is the wall behind a robot that drives back", () => {
+    const maze = room("#####", "#...#", "#####");
+    const { pose } = bumped(maze, 0, "reverse");
+    expect(contactOf(maze, pose, "back")).toMatchObject({ x: 100, isCorner: false });
+  });
+
+  it("is the corner of a block that the beam passes", () => {
+    const maze = room("#######", "#.....#", "#.....#", "#..#..#", "#.....#", "#######");
+    const simulation = new Simulation(maze);
+    for (const command of [
+      { action: "turn", degrees: 90 },
+      { action: "move", distance: 130 },
+      { action: "turn", degrees: -90 },
+    ] as const) {
+      simulation.apply(command);
+      while (simulation.isManoeuvring) simulation.step();
+    }
+    simulation.apply({ action: "forward" });
+    while (simulation.bumps === 0) simulation.step();
+    const contact = contactOf(maze, simulation.pose, "front");
+    expect(contact).toMatchObject({ x: 300, y: 300, cell: { column: 3, row: 3 }, isCorner: true });
+    expect(simulation.readings[0]).toBeGreaterThan(300);
+  });
+
+  it("is one radius from the centre, whatever the way", () => {
+    const maze = room("#######", "#.....#", "#.#.#.#", "#..#..#", "#.....#", "#######");
+    fc.assert(
+      fc.property(
+        fc.integer({ min: 0, max: 359 }),
+        fc.constantFrom("forward" as const, "reverse" as const),
+        (degrees, action) => {
+          const { pose } = bumped(maze, degrees, action);
+          const { x, y } = contactOf(maze, pose, action === "forward" ? "front" : "back");
+          const distance = Math.sqrt((x - pose.x) ** 2 + (y - pose.y) ** 2);
+          expect(Math.abs(distance - ROBOT_RADIUS)).toBeLessThan(0.5);
+        },
+      ),
+      { numRuns: 200 },
+    );
+  });
+});
