@@ -95,13 +95,15 @@ export default defineConfig({
         hostType === "html" ? dependencies : [],
     },
     rolldownOptions: {
+      // No getter does more than answer, so what only reads a property and uses nothing of it goes.
+      treeshake: { propertyReadSideEffects: false },
       output: {
         codeSplitting: {
           // One file that outlives most versions of the page, instead of many small ones.
           groups: [
             {
               name: "react",
-              test: /node_modules\/(?:react|react-dom|scheduler|i18next|react-i18next|zustand|zundo|use-sync-external-store|lucide-react\/dist\/esm\/(?!icons\/))|ui\/(?:class-names|field\.module)|maze-limits|program\/src\/(?:vocabulary|condition-parts)|rolldown\/runtime|vite\/preload-helper|src\/text\/numbers/,
+              test: /node_modules\/(?:react|react-dom|scheduler|i18next|react-i18next|zustand|zundo|use-sync-external-store|lucide-react\/dist\/esm\/(?!icons\/))|ui\/(?:Button|button\.module|class-names|field\.module)|icons\/x\.|maze-limits|program\/src\/(?:vocabulary|condition-parts)|rolldown\/runtime|vite\/preload-helper|src\/text\/numbers/,
             },
           ],
         },

@@ -26,6 +26,13 @@ function loaderOf<Props>(load: () => Promise<ComponentType<Props>>) {
   return loader;
 }
 
+function useLoaded<Part>(loader: PartLoader<Part>, isWanted: boolean) {
+  useEffect(() => {
+    if (isWanted) void loader.load();
+  }, [loader, isWanted]);
+  return useSyncExternalStore(loader.listen, loader.state);
+}
+
 /**
  * A part that fills a place: a panel, the content of a menu.
  *
@@ -39,11 +46,29 @@ export function lazyPart<Props extends object>(
   const loader = loaderOf(load);
   return function LazyPart(props: Props) {
     const { t } = useTranslation();
-    const state = useSyncExternalStore(loader.listen, loader.state);
-    useEffect(() => void loader.load(), []);
+    const state = useLoaded(loader, true);
     if (state.kind === "ready") return <state.part {...props} />;
     if (state.kind === "failed") return <PartFailure onRetry={() => void tryAgain(loader)} />;
     return <p className={styles["opening"]}>{t("offline.opening")}</p>;
+  };
+}
+
+/**
+ * A part that can wait: it is fetched once it is wanted, or with all the others in the background. Its place
+ * stays empty until then, so the place must have a size of its own.
+ */
+export function waitingPart<Props extends object>(
+  load: () => Promise<ComponentType<Props>>,
+): ComponentType<Props & { isWanted: boolean }> {
+  const loader = loaderOf(load);
+  return function WaitingPart(props: Props & { isWanted: boolean }) {
+    const { isWanted } = props;
+    const state = useLoaded(loader, isWanted);
+    if (state.kind === "ready") return <state.part {...props} />;
+    if (state.kind === "failed" && isWanted) {
+      return <PartFailure onRetry={() => void tryAgain(loader)} />;
+    }
+    return null;
   };
 }
 
@@ -59,11 +84,8 @@ export function lazyDialog<Props extends DialogProps>(
   const loader = loaderOf(load);
   return function LazyDialog(props: Props) {
     const { t } = useTranslation();
-    const state = useSyncExternalStore(loader.listen, loader.state);
     const { isOpen, onClose } = props;
-    useEffect(() => {
-      if (isOpen) void loader.load();
-    }, [isOpen]);
+    const state = useLoaded(loader, isOpen);
     if (state.kind === "ready") return <state.part {...props} />;
     return (
       <Dialog

@@ -8,19 +8,20 @@ import { preparePhrase } from "../../text/phrase.ts";
 import { LiveText } from "../../ui/LiveText.tsx";
 import { remember } from "../../ui/remember.ts";
 import { DescribeButton } from "../speech/DescribeButton.tsx";
-import { lazyPart } from "../../ui/lazy-part.tsx";
+import { waitingPart } from "../../ui/lazy-part.tsx";
 import { facingOf, type Facing } from "./robot-place.ts";
 import type { StageViewStore } from "./stage-view.ts";
 import { scaleBar } from "./scale-bar.ts";
 import styles from "./stage.module.css";
 
-/** It takes its room before it is there, so that nothing moves. */
-const ZoomButtons = lazyPart(async () => (await import("./ZoomButtons.tsx")).ZoomButtons);
+/** Wanted at once where the maze is larger than the stage; the keys for zooming work without it. */
+const ZoomButtons = waitingPart(async () => (await import("./ZoomButtons.tsx")).ZoomButtons);
 
 export function StageLegend({ view }: { view: StageViewStore }) {
   const { t } = useTranslation();
   const { run } = useServices();
   const isDivided = useStore(view, ({ layout }) => layout !== null);
+  const overflows = useStore(view, ({ layout }) => layout?.overflows === true);
   const isKnown = useStore(run, ({ snapshot }) => snapshot !== null);
   const isNow = useStore(run, (state) => state.view === "now");
   return (
@@ -28,7 +29,7 @@ export function StageLegend({ view }: { view: StageViewStore }) {
       <ScaleBar view={view} />
       <span className={styles["block"]}>{t("stage.block")}</span>
       <div className={styles["zoom"]}>
-        <ZoomButtons size="small" />
+        <ZoomButtons size="small" isWanted={overflows} />
       </div>
       <RobotPlace />
       <DescribeButton className={styles["describe"]} />
