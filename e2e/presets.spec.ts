@@ -92,6 +92,7 @@ test("loads an algorithm from the presets", async ({ corridor, page }) => {
 test("is asked before an algorithm replaces lines of its own", async ({ corridor, page }) => {
   const { program } = corridor;
   await corridor.transport.getByRole("button", { name: "Write my own" }).click();
+  await expect(program.lines).toHaveCount(0);
   await program.addLine("front <", "40", "left 90");
   await program.loadAlgorithm("Farthest distance");
   const menu = page.getByRole("dialog", { name: "Show an algorithm" });
