@@ -203,3 +203,24 @@ test("lets a program bump and is told which line caused it", async ({ corridor }
   );
   await expect(corridor.program.line(1)).not.toHaveAccessibleName(/bumped/);
 });
+
+test("only the reading of what was touched is red", async ({ corridor, page }) => {
+  await takeTheWheel(corridor);
+  const ground = (name: "front" | "right" | "back" | "left") =>
+    corridor.sensor(name).evaluate((reading) => getComputedStyle(reading).backgroundColor);
+  const calm = await ground("left");
+  await page.keyboard.down("s");
+  await expect(corridor.bumps).toHaveText("1 bump");
+  await expect.poll(() => ground("back")).not.toBe(calm);
+  expect(await ground("front")).toBe(calm);
+  await page.keyboard.up("s");
+
+  await page.keyboard.down("d");
+  await expect(corridor.robotPlace).toHaveText(/facing down and right$/);
+  await page.keyboard.up("d");
+  await page.keyboard.down("w");
+  await expect(corridor.bumps).toHaveText("2 bumps");
+  // The wall was met beside the beam ahead, which ends farther along it.
+  await expect.poll(() => ground("back")).toBe(calm);
+  for (const name of ["front", "right", "left"] as const) expect(await ground(name)).toBe(calm);
+});

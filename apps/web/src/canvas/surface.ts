@@ -36,14 +36,15 @@ export class Surface {
   }
 
   /** Draws inside a part of the view only, so that a maze that is scrolled stays off the rulers. */
-  clipped({ x, y, width, height }: Box, draw: () => void): void {
+  clipped<Result>({ x, y, width, height }: Box, draw: () => Result): Result {
     const { brush } = this;
     brush.save();
     brush.beginPath();
     brush.rect(x - OUTLINE, y - OUTLINE, width + 2 * OUTLINE, height + 2 * OUTLINE);
     brush.clip();
-    draw();
+    const result = draw();
     brush.restore();
+    return result;
   }
 
   /** @returns whether the size changed, which empties a canvas */

@@ -1,6 +1,7 @@
 /**
- * Where little tags stand beside a beam: inside the maze that shows, never over the robot and never
- * over each other. Pure; pixels of the view.
+ * Where little tags stand beside a beam: inside the view, never over the robot and never over each
+ * other. The tag of a beam stands in the quarter of the view that its beam halves, so that nobody
+ * reads it as the tag of another beam. Pure; pixels of the view.
  */
 import type { Box } from "./viewport.ts";
 
@@ -9,13 +10,19 @@ interface Point {
   y: number;
 }
 
-/** A tag that wants a place, and the centres that would suit it. */
-export interface TagRequest<Name> {
-  name: Name;
+/** A size that a tag may have, and the centres that suit it. */
+export interface TagSize {
   width: number;
   height: number;
   /** best first; within a group, one that spares what should stay in sight comes before the others */
   centres: readonly (readonly Point[])[];
+}
+
+/** A tag that wants a place. */
+export interface TagRequest<Name> {
+  name: Name;
+  /** best first: a smaller one is taken where a larger one has no place */
+  sizes: readonly TagSize[];
 }
 
 export interface PlacedTag<Name> extends Box {
@@ -32,6 +39,8 @@ export interface Beam {
 
 /** Pixels between a tag and what it belongs to. */
 const GAP = 4;
+/** Pixels between two places beside the robot. */
+const STEP = 3;
 
 /**
  * Finds a place for each tag, the first in the list first. One that fits nowhere is left out: a
@@ -51,21 +60,33 @@ export function placeTags<Name>(
   const isFree = (box: Box): boolean =>
     isWithin(box, bounds) && !occupied.some((other) => areTouching(box, other, GAP / 2));
   const isSparing = (box: Box): boolean => !spared.some((other) => areTouching(box, other, 0));
-  for (const { name, width, height, centres } of requests) {
-    for (const group of centres) {
-      const free = group.map((centre) => boxAround(centre, width, height)).filter(isFree);
-      const box = free.find(isSparing) ?? free[0];
-      if (box === undefined) continue;
-      occupied.push(box);
-      placed.push({ ...box, name });
-      break;
-    }
+  for (const { name, sizes } of requests) {
+    const box = firstPlace(sizes, isFree, isSparing);
+    if (box === null) continue;
+    occupied.push(box);
+    placed.push({ ...box, name });
   }
   return placed;
 }
 
+function firstPlace(
+  sizes: readonly TagSize[],
+  isFree: (box: Box) => boolean,
+  isSparing: (box: Box) => boolean,
+): Box | null {
+  for (const { width, height, centres } of sizes) {
+    for (const group of centres) {
+      const free = group.map((centre) => boxAround(centre, width, height)).filter(isFree);
+      const box = free.find(isSparing) ?? free[0];
+      if (box !== undefined) return box;
+    }
+  }
+  return null;
+}
+
 /**
- * Places for a reading: on the beam before its wall, beyond the wall, beside the beam; else beside the robot.
+ * Places for a reading: on the beam before its wall, beyond the wall, beside the beam; else next to the
+ * robot. All of them are nearer to this beam than to the ones beside it.
  * @param length pixels from the robot's centre to the wall
  * @param radius pixels around the robot's centre that it needs
  */
@@ -78,19 +99,28 @@ export function readingCentres(
 ): Point[][] {
   const { along: halfAlong, across: halfAcross } = halfExtents(beam, width, height);
   const beside = halfAcross + GAP + 4;
-  const clear = radius + halfAcross + GAP + 2;
   const atWall = length - halfAlong;
-  return [
+  const atRobot = radius + halfAlong + GAP / 2 + 1;
+  const groups = [
     [
-      pointOn(beam, atWall - GAP, 0),
-      pointOn(beam, length + halfAlong + GAP + 2, 0),
-      pointOn(beam, Math.max(atWall, 0), beside),
-      pointOn(beam, Math.max(atWall, 0), -beside),
-      pointOn(beam, atWall, clear),
-      pointOn(beam, atWall, -clear),
+      { along: atWall - GAP, across: 0 },
+      { along: length + halfAlong + GAP + 2, across: 0 },
+      { along: atWall, across: beside },
+      { along: atWall, across: -beside },
     ],
-    [pointOn(beam, 0, clear), pointOn(beam, 0, -clear), pointOn(beam, radius + halfAlong + GAP, 0)],
+    // Next to the robot in small steps: a corner is shared with the tag of the beam beside it.
+    [0, 1, 2, 3].flatMap((out) =>
+      [0, 1, -1, 2, -2, 3, -3].map((side) => ({
+        along: atRobot + out * STEP,
+        across: side * STEP,
+      })),
+    ),
   ];
+  return groups.map((places) =>
+    places
+      .filter(({ along, across }) => Math.abs(across) <= along)
+      .map(({ along, across }) => pointOn(beam, along, across)),
+  );
 }
 
 /**

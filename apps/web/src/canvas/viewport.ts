@@ -13,7 +13,7 @@ export const MIN_CELL_PX = 30;
 /** A maze opens whole down to this size: one of 21 by 21 squares fits a screen of 1440 by 900. */
 export const MIN_WHOLE_CELL_PX = 24;
 /** On short phones the whole of a maze, its goal included, is worth more than large squares. */
-export const MIN_CELL_PX_COMPACT = 12;
+export const MIN_CELL_PX_COMPACT = 10;
 /** A tiny maze does not blow the robot up to the size of the screen: 2 px per unit. */
 export const MAX_CELL_PX = 200;
 
@@ -46,8 +46,6 @@ export interface Layout {
   origin: { x: number; y: number };
   /** the part of the view in which the maze may show */
   port: Box;
-  /** the port, and the paper around it that numbers of the maze may stand on */
-  paper: Box;
   /** whether only a part of the maze shows at a time, and the stage is scrolled */
   overflows: boolean;
   /** whether only a part of the maze shows at a time, and a camera goes with the robot */
@@ -61,7 +59,8 @@ export interface Viewport {
   originX: number;
   originY: number;
   port: Box;
-  paper: Box;
+  /** all of the drawing area: numbers of the maze may stand around it, too */
+  view: Box;
   columns: number;
   rows: number;
 }
@@ -106,7 +105,6 @@ export function layOut(
     },
     origin,
     port,
-    paper: port,
     overflows: isWide || isTall,
     follows: false,
   };
@@ -125,7 +123,7 @@ export function layOutFollowing(
   const layout = layOut(maze, view, padding, cellPx);
   if (!layout.overflows) return layout;
   const port = { x: 0, y: 0, ...view };
-  return { ...layout, port, paper: port, overflows: false, follows: true };
+  return { ...layout, port, overflows: false, follows: true };
 }
 
 /** The transformation at a scroll position. */
@@ -135,10 +133,16 @@ export function viewportAt(layout: Layout, scroll: Scroll): Viewport {
     originX: layout.origin.x - scroll.x,
     originY: layout.origin.y - scroll.y,
     port: layout.port,
-    paper: layout.paper,
+    view: { x: 0, y: 0, ...layout.view },
     columns: layout.columns,
     rows: layout.rows,
   };
+}
+
+/** Where the robot's run is drawn: a maze that is cut ends at the port, and so does its run. */
+export function runBox({ port, view, columns, rows, scale }: Viewport): Box {
+  const isCut = columns * CELL * scale > port.width || rows * CELL * scale > port.height;
+  return isCut ? port : view;
 }
 
 /** View pixel of a horizontal position in units. */

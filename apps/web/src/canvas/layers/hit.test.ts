@@ -14,9 +14,11 @@ const maze: MazeDocument = {
 /** At the west side of the block. */
 const hit: Hit = { pose: { x: 175, y: 50, heading: 90 }, wanted: 26 };
 
+const allAt = (cm: number) => ({ front: cm, right: cm, back: cm, left: cm });
+
 const seen = (heading: number) => ({
   pose: { ...hit.pose, heading },
-  sensors: { front: 25, right: 25, back: 25, left: 25 },
+  sensors: heading % 90 === 0 ? allAt(25) : allAt(35.4),
 });
 
 describe("a bump is shown", () => {

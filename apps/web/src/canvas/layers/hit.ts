@@ -6,7 +6,8 @@ import type { Brush } from "../brush.ts";
 import type { Dirt } from "../dirt.ts";
 import type { Palette } from "../palette.ts";
 import { pointAhead } from "../path-ahead.ts";
-import { viewX, viewY, type Viewport } from "../viewport.ts";
+import { TOUCHED_WITHIN } from "../touching.ts";
+import { CELL, viewX, viewY, type Box, type Viewport } from "../viewport.ts";
 import { touchOf } from "./bumps.ts";
 import { drawOutline } from "./path.ts";
 import { cellBox } from "./places.ts";
@@ -20,6 +21,8 @@ export interface Hit {
   wanted: number | null;
 }
 
+/** Pixels of the maze's frame that are marked where the frame was hit. */
+const FRAME = 5;
 /** A robot that has moved this little has not left its bump (units). */
 const STILL = 0.5;
 /** Rays that go out at a bump: degrees from the way of the contact, and where they begin and end in pixels. */
@@ -38,9 +41,6 @@ function headingTo({ x, y }: Pose, contact: Contact): number {
   return (Math.atan2(contact.x - x, y - contact.y) * 180) / Math.PI;
 }
 
-/** A sensor that reads more than this does not see the block that the robot touches, in units. */
-const SEEN_WITHIN = ROBOT_RADIUS + 3;
-
 /**
  * The sensor that measures the block that was hit, as the robot faces now; null while none does. A beam
  * is thin and the robot is 50 cm wide: the beam may pass the corner that was hit.
@@ -54,9 +54,8 @@ export function hitSensor(
   if (contact === null) return null;
   const turned = (((headingTo(hit.pose, contact) - pose.heading) % 360) + 360) % 360;
   const quarter = Math.round(turned / 90) % 4;
-  if (Math.abs(turned - Math.round(turned / 90) * 90) > 10) return null;
   const sensor = (["front", "right", "back", "left"] as const)[quarter] ?? null;
-  return sensor !== null && sensors[sensor] <= SEEN_WITHIN ? sensor : null;
+  return sensor !== null && sensors[sensor] <= TOUCHED_WITHIN ? sensor : null;
 }
 
 /** Unit vector away from the wall, for the recoil. */
@@ -79,7 +78,7 @@ export function drawHit(
   const contact = touchOf(maze, hit.pose);
   if (contact === null) return;
   const towards = headingTo(hit.pose, contact);
-  const box = cellBox(viewport, contact.cell);
+  const box = hitBox(viewport, contact);
   dirt.add(box.x, box.y, box.width, box.height);
   brush.fillStyle = palette.badBg;
   brush.fillRect(box.x, box.y, box.width, box.height);
@@ -106,6 +105,25 @@ export function drawHit(
     brush.lineTo(to.x, to.y);
   }
   brush.stroke();
+}
+
+/** The block that was hit, or the piece of the maze's frame. */
+function hitBox(viewport: Viewport, { cell }: Contact): Box {
+  const box = cellBox(viewport, cell);
+  const { columns, rows, scale } = viewport;
+  const from = { x: viewX(viewport, 0) - FRAME, y: viewY(viewport, 0) - FRAME };
+  const to = {
+    x: from.x + columns * CELL * scale + 2 * FRAME,
+    y: from.y + rows * CELL * scale + 2 * FRAME,
+  };
+  const x = Math.max(box.x, from.x);
+  const y = Math.max(box.y, from.y);
+  return {
+    x,
+    y,
+    width: Math.min(box.x + box.width, to.x) - x,
+    height: Math.min(box.y + box.height, to.y) - y,
+  };
 }
 
 /** The way that the robot drove when it met what lies in this direction: ahead or back. */

@@ -4,7 +4,7 @@ import { limitsOf, litSensors } from "../running-line.ts";
 import { endOf } from "../path-ahead.ts";
 import type { Scene } from "../scene.ts";
 import type { Surface } from "../surface.ts";
-import type { Viewport } from "../viewport.ts";
+import { runBox, type Viewport } from "../viewport.ts";
 import type { Frame } from "../../worker/worker-messages.ts";
 import { drawBeams } from "./beams.ts";
 import { drawGhost } from "./ghost.ts";
@@ -13,7 +13,7 @@ import { raceGhostsLayer } from "./lazy-race-ghosts.ts";
 import { drawJoy, isOnReachedGoal } from "./joy.ts";
 import { drawMeasure } from "./measure.ts";
 import { drawOutline, drawPath } from "./path.ts";
-import { drawRadius } from "./radius.ts";
+import { drawRadius, drawRadiusLabel } from "./radius.ts";
 import { drawRobot, faceOf } from "./robot.ts";
 import { drawRulerMarks } from "./rulers.ts";
 import { drawTags } from "./tags.ts";
@@ -37,54 +37,71 @@ export function drawLive(
   shown: Shown | null,
 ): void {
   const { brush, dirt } = surface;
-  surface.clipped(viewport.paper, () => {
-    if (scene.ghost !== null) drawGhost(brush, viewport, scene.palette, scene.ghost, scene, dirt);
+  const { palette } = scene;
+  surface.clipped(runBox(viewport), () => {
+    if (scene.ghost !== null) drawGhost(brush, viewport, palette, scene.ghost, scene, dirt);
     if (shown !== null) drawRun(surface, viewport, scene, shown);
-    if (scene.measured !== null) drawMeasure(brush, viewport, scene.palette, scene.measured, dirt);
+    if (scene.measured !== null) drawMeasure(brush, viewport, palette, scene.measured, dirt);
   });
-  if (shown !== null && scene.showRulers) {
-    drawRulerMarks(brush, viewport, scene.palette, shown.frame.snapshot.pose, dirt);
+  if (shown === null) return;
+  drawNumbers(surface, viewport, scene, shown);
+  if (scene.showRulers) {
+    drawRulerMarks(brush, viewport, palette, shown.frame.snapshot.pose, dirt);
   }
+}
+
+/** The bump at which the robot stands. */
+function hitAt({ hit, frame }: Shown): Hit | null {
+  return isAtHit(hit, frame.snapshot.pose) ? hit : null;
+}
+
+/** On a reached goal nothing is left to be measured, and the goal is in sight. */
+function isJoyful({ maze }: Scene, shown: Shown): boolean {
+  return hitAt(shown) === null && isOnReachedGoal(maze, shown.frame.snapshot);
 }
 
 function drawRun(surface: Surface, viewport: Viewport, scene: Scene, shown: Shown): void {
   const { brush, dirt } = surface;
   const { palette, maze, program } = scene;
-  const { snapshot, progress } = shown.frame;
+  const { snapshot, progress, ghosts } = shown.frame;
   const { pose } = snapshot;
-  const hit = isAtHit(shown.hit, pose) ? shown.hit : null;
-  const { numbers } = shown;
-  const lit = litSensors(program, numbers);
+  const hit = hitAt(shown);
   if (hit !== null) drawHit(brush, viewport, palette, maze, hit, dirt);
-  // Nothing is left to be measured there, and the goal is in sight.
-  const isJoyful = hit === null && isOnReachedGoal(maze, snapshot);
-  const showBeams = scene.showBeams && !isJoyful;
-  if (showBeams) drawBeams(brush, viewport, palette, snapshot, lit, dirt);
-  if (isJoyful) drawJoy(brush, viewport, palette, pose, dirt);
-  const { ghosts } = shown.frame;
+  if (isJoyful(scene, shown)) {
+    drawJoy(brush, viewport, palette, pose, dirt);
+  } else if (scene.showBeams) {
+    drawBeams(brush, viewport, palette, snapshot, litSensors(program, shown.numbers), dirt);
+  }
   if (ghosts !== undefined) raceGhostsLayer()?.(brush, viewport, palette, ghosts, dirt);
   drawPath(brush, viewport, palette, pose, progress, dirt);
   const end = snapshot.driver === "remote" ? endOf(pose, progress) : null;
   if (end !== null) drawOutline(brush, viewport, palette.liveInk, end, dirt);
   const face = hit === null ? faceOf(snapshot) : "bumped";
   drawRobot(brush, viewport, palette, pose, face, dirt, shown.nudge);
+}
+
+/** Numbers may stand outside of the maze: a robot in its corner has no room for them inside. */
+function drawNumbers(surface: Surface, viewport: Viewport, scene: Scene, shown: Shown): void {
+  const { brush, dirt } = surface;
+  const { palette, maze, program, showBeams } = scene;
+  const { numbers } = shown;
+  const { snapshot } = shown.frame;
+  const hit = hitAt(shown);
   const bumped = hit === null ? null : hitSensor(maze, hit, snapshot);
-  const hasReading = showBeams && bumped !== null;
-  const label =
-    hit === null
-      ? null
-      : drawRadius(brush, viewport, palette, maze, { pose: hit.pose, hasReading }, dirt);
-  if (!showBeams) return;
-  const limits = limitsOf(program, numbers);
-  const { sensors } = numbers;
-  const { goals } = maze;
-  const taken = label === null ? [] : [label];
+  const drawMeasured = ({ pose }: Hit) =>
+    surface.clipped(runBox(viewport), () => drawRadius(brush, viewport, palette, maze, pose, dirt));
+  const measure = hit === null ? null : drawMeasured(hit);
+  const areReadingsShown = showBeams && !isJoyful(scene, shown);
+  // A red reading already says it.
+  const needsLabel = measure !== null && !(areReadingsShown && bumped !== null);
+  const label = needsLabel ? drawRadiusLabel(brush, viewport, palette, measure, dirt) : null;
+  if (!areReadingsShown) return;
   drawTags(brush, viewport, palette, snapshot, dirt, {
-    lit,
-    limits,
+    lit: litSensors(program, numbers),
+    limits: limitsOf(program, numbers),
     bumped,
-    sensors,
-    goals,
-    taken,
+    sensors: numbers.sensors,
+    goals: maze.goals,
+    taken: label === null ? [] : [label],
   });
 }

@@ -7,31 +7,25 @@ import type { Pose } from "@corridor/protocol";
 import type { Brush } from "../brush.ts";
 import type { Dirt } from "../dirt.ts";
 import type { Palette } from "../palette.ts";
+import { placeTags, readingCentres, type Beam } from "../tag-placement.ts";
 import { viewX, viewY, type Box, type Viewport } from "../viewport.ts";
 import { touchOf } from "./bumps.ts";
-import { ROBOT_RADIUS } from "./robot.ts";
+import { robotBox, ROBOT_RADIUS } from "./robot.ts";
 
-const LABEL = { width: 24, height: 16, font: 12, gap: 5 };
+const LABEL = { width: 22, height: 16, font: 12 };
 /** Half the length of the bar at the touched point, and the radius of a corner's dot, in pixels. */
 const BAR = 5;
 const DOT = 4;
 
-/** What of the measure is worth showing. */
-export interface RadiusPicture {
-  pose: Pose;
-  /** whether a red reading already has the number at the touched point */
-  hasReading: boolean;
-}
-
-/** @returns the label's place, where no reading may stand; null where there is no label */
+/** @returns the measure; null where nothing is touched any more */
 export function drawRadius(
   brush: Brush,
   viewport: Viewport,
   palette: Palette,
   maze: MazeDocument,
-  { pose, hasReading }: RadiusPicture,
+  pose: Pose,
   dirt: Dirt,
-): Box | null {
+): Beam | null {
   const contact = touchOf(maze, pose);
   if (contact === null) return null;
   const x = viewX(viewport, pose.x);
@@ -72,25 +66,27 @@ export function drawRadius(
     brush.lineWidth = 1.5;
     brush.stroke();
   }
-  if (hasReading) return null;
-  return drawLabel(brush, palette, { x: endX, y: endY, dx, dy }, dirt);
+  return { origin: { x, y }, dx, dy };
 }
 
-/** The number beyond the touched point, on the block. */
-function drawLabel(
+/**
+ * The number of the measure: beyond the touched point, on the block or outside of the maze.
+ * @returns its place, where no reading may stand; null where the view has no room for it
+ */
+export function drawRadiusLabel(
   brush: Brush,
+  viewport: Viewport,
   palette: Palette,
-  end: { x: number; y: number; dx: number; dy: number },
+  measure: Beam,
   dirt: Dirt,
-): Box {
-  const { width, height, font, gap } = LABEL;
-  const out = (Math.abs(end.dx) * width + Math.abs(end.dy) * height) / 2 + gap;
-  const box: Box = {
-    x: Math.round(end.x + end.dx * out - width / 2),
-    y: Math.round(end.y + end.dy * out - height / 2),
-    width,
-    height,
-  };
+): Box | null {
+  const { width, height, font } = LABEL;
+  const robot = robotBox(viewport, measure.origin);
+  const length = ROBOT_RADIUS * viewport.scale;
+  const centres = readingCentres(measure, length, robot.width / 2, width, height);
+  const request = { name: "radius", sizes: [{ width, height, centres }] };
+  const [box] = placeTags([request], [robot], viewport.view);
+  if (box === undefined) return null;
   dirt.add(box.x, box.y, width, height);
   brush.beginPath();
   brush.roundRect(box.x + 0.5, box.y + 0.5, width - 1, height - 1, 4);

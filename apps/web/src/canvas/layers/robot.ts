@@ -7,7 +7,7 @@ import type { Brush, Pen } from "../brush.ts";
 import type { Dirt } from "../dirt.ts";
 import type { Palette } from "../palette.ts";
 import { pathOf } from "../path-text.ts";
-import { viewX, viewY, type Viewport } from "../viewport.ts";
+import { viewX, viewY, type Box, type Viewport } from "../viewport.ts";
 
 /** The robot's disc, in units (CONTRACT: radius 25). */
 export const ROBOT_RADIUS = 25;
@@ -47,6 +47,15 @@ const faces: Record<
 
 /** Units from the robot's centre to the corner of a wheel and its outline. */
 const REACH = 32;
+
+/** Units around the robot's disc that no tag may cover: as far as its wheels stand out. */
+const AIR = 1;
+
+/** The pixels around the robot's centre that tags leave to it. */
+export function robotBox({ scale }: Viewport, { x, y }: { x: number; y: number }): Box {
+  const radius = (ROBOT_RADIUS + AIR) * scale;
+  return { x: x - radius, y: y - radius, width: 2 * radius, height: 2 * radius };
+}
 
 interface Shapes {
   body: Path2D;

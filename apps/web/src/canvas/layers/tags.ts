@@ -3,31 +3,30 @@
  * line's badge, on a bar across the beam: whole where the beam reaches it, dashed where a wall is nearer.
  */
 import type { Cell } from "@corridor/maze";
-import { sensorNames, type SensorName, type Snapshot } from "@corridor/protocol";
+import { type SensorName, type Snapshot } from "@corridor/protocol";
 import type { Brush } from "../brush.ts";
 import type { Dirt } from "../dirt.ts";
 import type { Palette } from "../palette.ts";
 import type { Limit } from "../running-line.ts";
 import {
-  lengthInside,
   markCentres,
   placeTags,
-  readingCentres,
   type Beam,
   type PlacedTag,
   type TagRequest,
 } from "../tag-placement.ts";
 import { viewX, viewY, type Box, type Viewport } from "../viewport.ts";
+import { placeReadings, ROOMY_FROM, type PlacedReading } from "../reading-places.ts";
 import { beamDirection } from "./beams.ts";
 import { cellBox, goalPicture } from "./places.ts";
-import { ROBOT_RADIUS } from "./robot.ts";
+import { robotBox } from "./robot.ts";
 
-const READING = { height: 22, padding: 7, font: 14 };
-const MARK = { height: 18, padding: 6, font: 12, badge: 16, reach: 13 };
+/** Pixels of a mark where there is room, and where there is little. */
+const largeMark = { height: 18, padding: 6, font: 12, badge: 16, reach: 13 };
+const smallMark = { height: 14, padding: 4, font: 11, badge: 13, reach: 9 };
+type MarkLook = typeof largeMark;
 /** Of a maze full of goals, so many are looked at: a frame has no time for all. */
 const MAX_FLAGS = 16;
-/** Below this the maze has no room for all marks, pixels per unit. */
-const ALL_MARKS_FROM = 0.45;
 
 /** What the tags are drawn by, besides the robot. */
 interface TagScene {
@@ -58,38 +57,20 @@ export function drawTags(
     origin,
     ...beamDirection(sensor, snapshot.pose.heading),
   });
-  const radius = (ROBOT_RADIUS + 3) * viewport.scale;
-  const robot: Box = {
-    x: origin.x - radius,
-    y: origin.y - radius,
-    width: 2 * radius,
-    height: 2 * radius,
-  };
+  const robot = robotBox(viewport, origin);
   context.textAlign = "center";
   context.textBaseline = "middle";
 
-  context.font = `600 ${READING.font}px ${palette.font}`;
-  const requests = sensorNames.map((name): TagRequest<SensorName> => {
-    const width = textWidth(context, readingText(sensors[name])) + 2 * READING.padding;
-    const beam = beamOf(name);
-    // Where the wall is out of sight, the reading stands at the edge of what shows.
-    const length = Math.min(
-      snapshot.sensors[name] * viewport.scale,
-      lengthInside(beam, viewport.port),
-    );
-    const { height } = READING;
-    const centres = readingCentres(beam, length, radius, width, height);
-    return { name, width, height, centres };
-  });
-  requests.sort((a, b) => Number(lit.includes(b.name)) - Number(lit.includes(a.name)));
   const flags = goals.slice(0, MAX_FLAGS).map((goal) => goalPicture(cellBox(viewport, goal)));
-  const readings = placeTags(requests, [robot, ...taken], viewport.paper, flags);
+  const readings = placeReadings(viewport, snapshot, [robot, ...taken], flags, (sensor, font) => {
+    context.font = `600 ${font}px ${palette.font}`;
+    return textWidth(context, readingText(sensors[sensor]));
+  });
 
   const shown = shownMarks(limits, viewport.scale, bumped !== null);
   const others = [robot, ...taken, ...readings];
   drawMarks(context, viewport, palette, sensors, shown, beamOf, others, dirt);
 
-  context.font = `600 ${READING.font}px ${palette.font}`;
   for (const tag of readings) {
     dirt.add(tag.x, tag.y, tag.width, tag.height);
     drawReading(
@@ -108,7 +89,7 @@ export function shownMarks(
   scale: number,
   isAtBump: boolean,
 ): readonly Limit[] {
-  if (scale >= ALL_MARKS_FROM) return limits;
+  if (scale >= ROOMY_FROM) return limits;
   return isAtBump ? [] : limits.filter((each) => each.isRunning);
 }
 
@@ -140,12 +121,14 @@ export function forgetTextWidths(): void {
 function drawReading(
   context: Brush,
   palette: Palette,
-  box: Box,
+  box: PlacedReading,
   text: string,
   look: "plain" | "lit" | "bumped",
 ): void {
+  const { font, corner } = box.look;
+  context.font = `600 ${font}px ${palette.font}`;
   context.beginPath();
-  context.roundRect(box.x + 0.5, box.y + 0.5, box.width - 1, box.height - 1, 6);
+  context.roundRect(box.x + 0.5, box.y + 0.5, box.width - 1, box.height - 1, corner);
   const fill = { plain: palette.surface, lit: palette.live, bumped: palette.bad }[look];
   context.fillStyle = fill;
   context.fill();
@@ -166,25 +149,26 @@ function drawMarks(
   taken: readonly Box[],
   dirt: Dirt,
 ): void {
-  context.font = `600 ${MARK.font}px ${palette.font}`;
+  const look = viewport.scale < ROOMY_FROM ? smallMark : largeMark;
+  context.font = `600 ${look.font}px ${palette.font}`;
   const requests = limits.map((limit): TagRequest<Limit> => {
     const beam = beamOf(limit.sensor);
-    const width = MARK.badge + textWidth(context, String(limit.distance)) + 2 * MARK.padding;
+    const width = look.badge + textWidth(context, String(limit.distance)) + 2 * look.padding;
     const distance = limit.distance * viewport.scale;
-    const centres = markCentres(beam, distance, MARK.reach, width, MARK.height);
-    return { name: limit, width, height: MARK.height, centres };
+    const centres = markCentres(beam, distance, look.reach, width, look.height);
+    return { name: limit, sizes: [{ width, height: look.height, centres }] };
   });
-  const tags = placeTags(requests, taken, viewport.paper);
+  const tags = placeTags(requests, taken, viewport.view);
   const isReached = ({ distance, sensor }: Limit): boolean => distance <= sensors[sensor];
   for (const limit of limits) {
     // A bar without its number says nothing, but for the line that the panel shows as running.
     if (!limit.isRunning && !tags.some(({ name }) => name === limit)) continue;
     const distance = limit.distance * viewport.scale;
-    drawBar(context, palette, beamOf(limit.sensor), distance, limit, isReached(limit), dirt);
+    drawBar(context, palette, beamOf(limit.sensor), distance, limit, isReached(limit), look, dirt);
   }
   for (const tag of tags) {
     dirt.add(tag.x, tag.y, tag.width, tag.height);
-    drawMark(context, palette, tag, isReached(tag.name));
+    drawMark(context, palette, tag, isReached(tag.name), look);
   }
 }
 
@@ -195,14 +179,15 @@ function drawBar(
   distance: number,
   { isRunning }: Limit,
   isReached: boolean,
+  { reach }: MarkLook,
   dirt: Dirt,
 ): void {
   const x = origin.x + dx * distance;
   const y = origin.y + dy * distance;
-  dirt.add(x - MARK.reach, y - MARK.reach, 2 * MARK.reach, 2 * MARK.reach);
+  dirt.add(x - reach, y - reach, 2 * reach, 2 * reach);
   context.beginPath();
-  context.moveTo(x - dy * MARK.reach, y + dx * MARK.reach);
-  context.lineTo(x + dy * MARK.reach, y - dx * MARK.reach);
+  context.moveTo(x - dy * reach, y + dx * reach);
+  context.lineTo(x + dy * reach, y - dx * reach);
   context.strokeStyle = isRunning ? palette.liveInk : palette.ink2;
   context.lineWidth = 2;
   context.setLineDash(isReached ? [] : [3, 2]);
@@ -215,6 +200,7 @@ function drawMark(
   palette: Palette,
   tag: PlacedTag<Limit>,
   isReached: boolean,
+  { badge }: MarkLook,
 ): void {
   const { isRunning, line, distance } = tag.name;
   const colour = isRunning ? palette.live : palette.ink2;
@@ -228,12 +214,12 @@ function drawMark(
   context.stroke();
   context.setLineDash([]);
   context.beginPath();
-  context.roundRect(tag.x, tag.y, MARK.badge, tag.height, [4, 0, 0, 4]);
+  context.roundRect(tag.x, tag.y, badge, tag.height, [4, 0, 0, 4]);
   context.fillStyle = colour;
   context.fill();
   const middle = tag.y + tag.height / 2 + 0.5;
   context.fillStyle = isRunning ? palette.onLive : palette.onInk;
-  context.fillText(String(line + 1), tag.x + MARK.badge / 2, middle, MARK.badge - 2);
+  context.fillText(String(line + 1), tag.x + badge / 2, middle, badge - 2);
   context.fillStyle = palette.ink;
-  context.fillText(String(distance), tag.x + MARK.badge + (tag.width - MARK.badge) / 2, middle);
+  context.fillText(String(distance), tag.x + badge + (tag.width - badge) / 2, middle);
 }

@@ -4,6 +4,7 @@ import { useLayoutEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { touchingSensor } from "../../canvas/touching.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import { decimalSign, formatReading } from "../../text/numbers.ts";
 import { classNames } from "../../ui/class-names.ts";
@@ -11,7 +12,7 @@ import { followText } from "../../ui/follow-text.ts";
 import { LiveText } from "../../ui/LiveText.tsx";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import styles from "./sensor-cross.module.css";
-import { readSensors, touchingSensor } from "./sensor-roles.ts";
+import { readSensors } from "./sensor-roles.ts";
 
 /** @param look cross: around the robot; row: one line of words, for phones, in whole cm as on the beams */
 export function SensorCross({ look }: { look: "cross" | "row" }) {
@@ -25,20 +26,21 @@ export function SensorCross({ look }: { look: "cross" | "row" }) {
     return followText(run, names, (read) => list.current?.setAttribute("data-reads", read));
   }, [run, program]);
   const touching = useStore(run, ({ snapshot }) => touchingSensor(snapshot));
+  const isBumping = useStore(run, ({ snapshot }) => snapshot?.bumping === true);
   const isCross = look === "cross";
   return (
     <dl
       ref={list}
       className={isCross ? styles["cross"] : styles["row"]}
       aria-label={t("drive.sensorsIn")}
-      data-mood={touching === null ? undefined : "bumped"}
+      data-mood={isBumping ? "bumped" : undefined}
     >
       {sensorNames.map((sensor) => (
         <Sensor key={sensor} sensor={sensor} look={look} isTouching={touching === sensor} />
       ))}
       {isCross && (
         <div className={styles["robot"]} aria-hidden="true">
-          <RobotFace size={42} mood={touching === null ? "driving" : "bumped"} />
+          <RobotFace size={42} mood={isBumping ? "bumped" : "driving"} />
         </div>
       )}
     </dl>

@@ -2,7 +2,7 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import type { ProgramDocument } from "@corridor/program";
 import type { Snapshot } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { readSensors, touchingSensor } from "./sensor-roles.ts";
+import { readSensors } from "./sensor-roles.ts";
 
 const program: ProgramDocument = {
   format: "corridor/program",
@@ -34,16 +34,5 @@ describe("readSensors", () => {
 
   it("lights nothing before the first snapshot", () => {
     expect(readSensors(program, null)).toEqual([]);
-  });
-});
-
-describe("touchingSensor", () => {
-  it.each([
-    { motion: "forward", bumping: true, sensor: "front" },
-    { motion: "delayed left 90", bumping: true, sensor: "front" },
-    { motion: "reverse", bumping: true, sensor: "back" },
-    { motion: "forward", bumping: false, sensor: null },
-  ])("is $sensor with $motion, bumping $bumping", ({ motion, bumping, sensor }) => {
-    expect(touchingSensor(at({ motion, bumping }))).toBe(sensor);
   });
 });

@@ -1,4 +1,4 @@
-/** Which readings matter now: those that the deciding line reads, and the side that touches a wall. */
+/** Which readings matter now: those that the deciding line reads. */
 import type { ProgramDocument } from "@corridor/program";
 import type { SensorName, Snapshot } from "@corridor/protocol";
 
@@ -12,10 +12,4 @@ export function readSensors(
   const when = program.rules[line]?.when;
   if (when === undefined || when === null) return [];
   return when.than === "right" ? ["left", "right"] : [when.sensor];
-}
-
-/** The sensor on the side that is in contact: the robot only ever drives ahead or back. */
-export function touchingSensor(snapshot: Snapshot | null): SensorName | null {
-  if (snapshot === null || !snapshot.bumping) return null;
-  return snapshot.motion === "reverse" ? "back" : "front";
 }

@@ -56,7 +56,7 @@ export function mazeSvg(scene: PictureScene): { text: string; width: number; hei
     originX: left,
     originY: top,
     port,
-    paper: port,
+    view: { x: 0, y: 0, width, height },
     columns,
     rows,
   };

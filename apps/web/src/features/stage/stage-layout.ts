@@ -15,10 +15,13 @@ const COMPACT_BELOW_PX = 600;
 /** Side of a square while a camera goes with the robot: 0.6 px per unit. */
 const FOLLOW_CELL_PX = 60;
 
-const followed: Padding = { top: 16, right: 16, bottom: 16, left: 16 };
+/** Room for the small tag of a reading beside a robot that touches the maze's frame. */
+const tagRoom: Padding = { top: 19, right: 26, bottom: 19, left: 26 };
+/** Below this height the maze takes the stage whole, and readings outside of it are left out. */
+const TAG_ROOM_FROM_PX = 120;
 const compact: Padding = { top: 4, right: 8, bottom: 4, left: 8 };
 const withRulers: Padding = { top: 36, right: 34, bottom: 20, left: 70 };
-const withoutRulers: Padding = { top: 16, right: 34, bottom: 20, left: 34 };
+const withoutRulers: Padding = { top: 19, right: 34, bottom: 20, left: 34 };
 
 /** Whether rulers are drawn: wished for, and there is room. */
 export function hasRulers(width: number, showRulers: boolean): boolean {
@@ -39,9 +42,8 @@ export function stageLayout(
   zoom: Zoom = null,
 ): Layout {
   if (view.width < COMPACT_BELOW_PX) {
-    const layout = zoomed(maze, view, compact, zoom, MIN_CELL_PX_COMPACT, MIN_CELL_PX_COMPACT);
-    // Small squares leave no room for numbers beside the robot; the paper has no rulers on it here.
-    return layout.overflows ? layout : { ...layout, paper: { x: 0, y: 0, ...view } };
+    const padding = view.height < TAG_ROOM_FROM_PX ? compact : tagRoom;
+    return zoomed(maze, view, padding, zoom, MIN_CELL_PX_COMPACT, MIN_CELL_PX_COMPACT);
   }
   const padding = showRulers ? withRulers : withoutRulers;
   return zoomed(maze, view, padding, zoom, MIN_WHOLE_CELL_PX, MIN_CELL_PX);
@@ -87,5 +89,5 @@ export interface StageRoom {
 export function divideStage({ maze, view, showRulers, follows, zoom }: StageRoom): Layout {
   if (!follows) return stageLayout(maze, view, showRulers, zoom);
   const cellPx = typeof zoom === "number" ? Math.round(zoom) : FOLLOW_CELL_PX;
-  return layOutFollowing(maze, view, followed, cellPx);
+  return layOutFollowing(maze, view, tagRoom, cellPx);
 }

@@ -2,11 +2,11 @@
 import { sensorNames } from "@corridor/protocol";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { touchingSensor } from "../../canvas/touching.ts";
 import { decimalSign, formatReading } from "../../text/numbers.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import styles from "../drive/sensor-cross.module.css";
-import { touchingSensor } from "../drive/sensor-roles.ts";
 import type { WatchStore } from "./watch-store.ts";
 
 export function WatchReadings({ store }: { store: WatchStore }) {
@@ -39,7 +39,7 @@ export function WatchReadings({ store }: { store: WatchStore }) {
         );
       })}
       <div className={styles["robot"]} aria-hidden="true">
-        <RobotFace size={42} mood={touching === null ? "driving" : "bumped"} />
+        <RobotFace size={42} mood={snapshot?.bumping === true ? "bumped" : "driving"} />
       </div>
     </dl>
   );
