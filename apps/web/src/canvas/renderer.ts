@@ -10,6 +10,7 @@ import type { LayerCanvases } from "./brush.ts";
 import { Camera } from "./camera.ts";
 import { bumpMarks, drawBumps, type BumpMark } from "./layers/bumps.ts";
 import { awayFrom, type Hit } from "./layers/hit.ts";
+import { loadMeasure, measureLayer } from "./layers/lazy-measure.ts";
 import { drawLive, type Shown } from "./layers/live.ts";
 import { drawPlaces } from "./layers/places.ts";
 import { drawRulers } from "./layers/rulers.ts";
@@ -129,6 +130,13 @@ export class StageRenderer {
       }
     }
     if (this.#stale.size > 0) this.#ask();
+    if (scene.measured !== null && measureLayer() === null) {
+      // Words say the length, too: without its file the tape is left out, and the next scene asks again.
+      loadMeasure().then(
+        () => this.repaint(),
+        () => undefined,
+      );
+    }
   }
 
   /** The page displays the numbers of this snapshot: the stage writes the same ones. */

@@ -2,7 +2,7 @@
 import type { SensorName, Snapshot } from "@corridor/protocol";
 
 /** A sensor that reads more does not see what the robot touches: its radius and a little (units). */
-export const TOUCHED_WITHIN = 26;
+export const TOUCHED_WITHIN = 25.5;
 
 /**
  * The sensor that measures what the robot pushes against; null while it pushes against nothing, and where

@@ -9,9 +9,9 @@ import type { Frame } from "../../worker/worker-messages.ts";
 import { drawBeams } from "./beams.ts";
 import { drawGhost } from "./ghost.ts";
 import { drawHit, hitSensor, isAtHit, type Hit } from "./hit.ts";
+import { measureLayer } from "./lazy-measure.ts";
 import { raceGhostsLayer } from "./lazy-race-ghosts.ts";
 import { drawJoy, isOnReachedGoal } from "./joy.ts";
-import { drawMeasure } from "./measure.ts";
 import { drawOutline, drawPath } from "./path.ts";
 import { drawRadius, drawRadiusLabel } from "./radius.ts";
 import { drawRobot, faceOf } from "./robot.ts";
@@ -41,7 +41,7 @@ export function drawLive(
   surface.clipped(runBox(viewport), () => {
     if (scene.ghost !== null) drawGhost(brush, viewport, palette, scene.ghost, scene, dirt);
     if (shown !== null) drawRun(surface, viewport, scene, shown);
-    if (scene.measured !== null) drawMeasure(brush, viewport, palette, scene.measured, dirt);
+    if (scene.measured !== null) measureLayer()?.(brush, viewport, palette, scene.measured, dirt);
   });
   if (shown === null) return;
   drawNumbers(surface, viewport, scene, shown);

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
+import { centredScroll, viewportAt, viewY } from "../../canvas/viewport.ts";
 import { scaleBar } from "./scale-bar.ts";
-import { hasRulers, stageLayout } from "./stage-layout.ts";
+import { divideStage, hasRulers, stageLayout } from "./stage-layout.ts";
 
 const maze = { columns: 11, rows: 7 };
 
@@ -48,6 +49,23 @@ describe("a large maze", () => {
   it("has squares of the size that the reader chose", () => {
     const layout = stageLayout({ columns: 5, rows: 5 }, view, true, 200.4);
     expect(layout).toMatchObject({ cellPx: 200, overflows: true });
+  });
+});
+
+describe("the camera", () => {
+  it("shows a robot at the upper end of the maze below the button over the stage", () => {
+    const layout = divideStage({
+      maze: { columns: 21, rows: 21 },
+      view: { width: 390, height: 300 },
+      showRulers: false,
+      follows: true,
+      zoom: null,
+    });
+    expect(layout.follows).toBe(true);
+    const viewport = viewportAt(layout, centredScroll(layout, 2075, 25));
+    const button = 8 + 44;
+    const reading = 22;
+    expect(viewY(viewport, 0) - reading).toBeGreaterThan(button);
   });
 });
 

@@ -17,6 +17,8 @@ const FOLLOW_CELL_PX = 60;
 
 /** Room for the small tag of a reading beside a robot that touches the maze's frame. */
 const tagRoom: Padding = { top: 19, right: 26, bottom: 19, left: 26 };
+/** Besides, room for the button over the stage: the tag above a robot at the upper end of the maze stands below it. */
+const belowButton: Padding = { ...tagRoom, top: 78 };
 /** Below this height the maze takes the stage whole, and readings outside of it are left out. */
 const TAG_ROOM_FROM_PX = 120;
 const compact: Padding = { top: 4, right: 8, bottom: 4, left: 8 };
@@ -89,5 +91,6 @@ export interface StageRoom {
 export function divideStage({ maze, view, showRulers, follows, zoom }: StageRoom): Layout {
   if (!follows) return stageLayout(maze, view, showRulers, zoom);
   const cellPx = typeof zoom === "number" ? Math.round(zoom) : FOLLOW_CELL_PX;
-  return layOutFollowing(maze, view, tagRoom, cellPx);
+  const layout = layOutFollowing(maze, view, tagRoom, cellPx);
+  return layout.follows ? layOutFollowing(maze, view, belowButton, cellPx) : layout;
 }
