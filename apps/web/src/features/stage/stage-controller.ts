@@ -169,7 +169,7 @@ export class StageController {
     if (this.#elements !== null) applyScroll(this.view, this.#elements.scroller);
   }
 
-  /** The first pointer that comes over the stage loads the gestures. @returns a function that ends it */
+  /** What it needs is loaded after the stage is there. @returns a function that ends it */
   #listenToZoom(scroller: HTMLElement): () => void {
     const { camera } = this.#services;
     const zoom: CameraState["zoom"] = (by, at) => {
@@ -182,22 +182,13 @@ export class StageController {
       });
     };
     camera.setState({ zoom });
-    const end = new AbortController();
-    const { signal } = end;
-    scroller.addEventListener("pointerenter", load, { signal });
-    scroller.addEventListener("wheel", load, { signal, passive: false });
-    let stop = (): void => end.abort();
-    function load(event: Event): void {
-      const isZoom = event instanceof WheelEvent && (event.ctrlKey || event.metaKey);
-      // The browser would zoom the page.
-      if (isZoom) event.preventDefault();
-      void import("./zoom-gestures.ts").then(({ listenToZoom }) => {
-        if (!signal.aborted) stop = listenToZoom(scroller, zoom);
-        end.abort();
-        if (isZoom) scroller.dispatchEvent(new WheelEvent("wheel", event));
-      });
-    }
+    let stop = (): void => {};
+    let isOver = false;
+    void import("./zoom-gestures.ts").then(({ listenToZoom }) => {
+      if (!isOver) stop = listenToZoom(scroller, zoom);
+    });
     return () => {
+      isOver = true;
       stop();
       camera.setState({ zoom: () => {} });
     };
