@@ -260,6 +260,8 @@ test("asks for less motion and gets none but the robot's", async ({ corridor, pa
 test("goes through everything with Tab in the order of the screen", async ({ corridor, page }) => {
   const order: string[] = [];
   await expect(corridor.run).toBeVisible();
+  // comes a moment after the maze
+  await expect(page.getByRole("group", { name: "Zoom" })).toBeVisible();
   for (let stop = 0; stop < 80; stop++) {
     await page.keyboard.press("Tab");
     const place = await page.evaluate(() => {
