@@ -62,6 +62,7 @@ test("takes over with a key after Run and Reset in a mission for the hand", asyn
   await corridor.run.click();
   await expect(corridor.driver("Program")).toBeChecked();
   await corridor.reset.click();
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
   const start = await corridor.robotPlace.textContent();
   await page.keyboard.press("w", { delay: 120 });
   await expect(corridor.driver("Me")).toBeChecked();

@@ -305,5 +305,11 @@ describe("the judge of the run", () => {
       code: "late",
       tick: seconds * 60 + 1,
     });
+    // It waits at this moment, and drives on where the student wants that.
+    expect(bench.loop.isRunning).toBe(false);
+    expect(bench.loop.snapshot().tick).toBe(seconds * 60 + 1);
+    bench.loop.run();
+    bench.pass(100);
+    expect(bench.loop.isRunning).toBe(true);
   });
 });

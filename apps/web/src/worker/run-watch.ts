@@ -67,9 +67,9 @@ export class RunWatch {
     this.#judge?.after(run);
     const line = this.#line;
     const driver = this.#driver;
-    if (driver === "program" && line !== null) this.#lookForNoGoal(recording, line);
+    const isOver = driver === "program" && line !== null && this.#lookForNoGoal(recording, line);
     const isExplained = run.bumps > this.#bumps && this.#bumped(recording);
-    if (run.goalTick === this.#goalTick) return isExplained;
+    if (run.goalTick === this.#goalTick) return isExplained || isOver;
     this.#moments.add("goal", run, line, driver);
     // A script decides for itself what comes after the goal; under a hand the robot rests there like a program's.
     return isExplained || driver !== "remote";
@@ -124,12 +124,15 @@ export class RunWatch {
     this.#moments.add("bump", run, line, driver, explained);
   }
 
-  #lookForNoGoal(recording: Recording, line: LineRef): void {
+  /** @returns whether the time of the challenge is over with this tick */
+  #lookForNoGoal(recording: Recording, line: LineRef): boolean {
     const { run } = recording;
     const isStuck = this.#coach.look(run, line) !== null;
     const isLate = this.#judge?.isLate(run) === true;
-    if (!isStuck && !isLate) return;
-    this.#diagnoseNoGoal(recording, { kind: isLate ? "late" : "stuck", tick: run.tick });
+    if (isStuck || isLate) {
+      this.#diagnoseNoGoal(recording, { kind: isLate ? "late" : "stuck", tick: run.tick });
+    }
+    return isLate;
   }
 
   #diagnoseNoGoal(recording: Recording, failure: NoGoal): void {
