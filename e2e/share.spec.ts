@@ -39,6 +39,37 @@ test("copies a link, and another reader opens the maze from it with their own pr
   expect(new URL(reader.page.url()).hash).toBe("");
 });
 
+test("holds the link in the address bar until what was shared changes", async ({
+  corridor,
+  page,
+  openWindow,
+}) => {
+  await corridor.maze.click({ column: 2, row: 6 });
+  const link = await corridor.shareLink({ withProgram: false });
+  expect(page.url()).toBe(link);
+  // The program is not in the link: it may change, and a reload keeps it.
+  await corridor.program.otherwise.selectOption("reverse");
+  await expect(corridor.saveState).toHaveText("Saved on this device");
+  await corridor.reload();
+  expect(page.url()).toBe(link);
+  await expect(corridor.program.otherwise).toHaveValue("reverse");
+  await expect(corridor.messages.getByRole("listitem")).toHaveCount(0);
+  const reader = await openWindow();
+  await reader.open(page.url());
+  await reader.maze.expectSquare({ column: 2, row: 6 }, "block");
+  await corridor.maze.click({ column: 4, row: 6 });
+  await expect(page).toHaveURL(/\/$/);
+});
+
+test("opens one of our links where it is pasted, and leads back", async ({ corridor, page }) => {
+  await corridor.choosePreset("Spiral");
+  const link = await corridor.shareLink({ withProgram: false });
+  await corridor.choosePreset("Tree");
+  await page.evaluate((text) => navigator.clipboard.writeText(text), `${link}\n`);
+  await page.keyboard.press("ControlOrMeta+V");
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+});
+
 test("puts the program into the link when asked to", async ({ corridor, openWindow }) => {
   await corridor.program.loadAlgorithm("Farthest distance");
   const link = await corridor.shareLink({ withProgram: true });

@@ -2,12 +2,14 @@
 import type { i18n } from "i18next";
 import { missionHash } from "../features/lessons/mission-address.ts";
 import { programForMaze } from "../features/program/own-program.ts";
+import { holdAgain } from "../features/share/held-link.ts";
 import { openEmptyMaze } from "../features/works/empty-maze.ts";
 import { dismiss, tell } from "../stores/screen-store.ts";
 import type { Services } from "./services.ts";
 import { followAddress } from "./url-sync.ts";
 
 export async function followPageAddress(services: Services, words: Pick<i18n, "t">): Promise<void> {
+  if (holdAgain(services.workspace, window)) return;
   await followAddress({
     ...services,
     words,

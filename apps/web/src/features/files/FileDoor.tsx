@@ -40,6 +40,8 @@ export function FileDoor({ children }: { children: ReactNode }) {
       listenForFiles({
         over: setIsOver,
         take: (files) => void take(files),
+        // As if it had been put into the address bar: with the same page only its fragment changes.
+        openLink: (link) => location.assign(link),
         strayText: () => tell(services.screen, { tone: "info", text: t("files.strayText") }),
         clipboardName: () => t("files.pasted"),
       }),

@@ -4,11 +4,14 @@
  */
 import { looksLikeFile } from "./looks-like-file.ts";
 import type { TextFile } from "./open-files.ts";
+import { ownLink } from "./own-link.ts";
 
 interface IncomingPorts {
   /** called when files begin or cease to hang over the page */
   over: (isOver: boolean) => void;
   take: (files: readonly TextFile[]) => void;
+  /** one of our own links was pasted */
+  openLink: (link: URL) => void;
   /** a text was pasted that is neither a document nor a drawn maze */
   strayText: () => void;
   /** what a text from the clipboard is called; the maze in it too */
@@ -19,6 +22,7 @@ interface IncomingPorts {
 export function listenForFiles({
   over,
   take,
+  openLink,
   strayText,
   clipboardName,
 }: IncomingPorts): () => void {
@@ -76,6 +80,11 @@ export function listenForFiles({
       const text = event.clipboardData.getData("text/plain");
       if (files.length === 0 && text.trim() === "") return;
       event.preventDefault();
+      const link = files.length === 0 ? ownLink(text, location.origin) : null;
+      if (link !== null) {
+        openLink(link);
+        return;
+      }
       if (files.length === 0 && !looksLikeFile(text)) {
         strayText();
         return;

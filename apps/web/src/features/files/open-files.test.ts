@@ -85,4 +85,16 @@ describe("opening files", () => {
     expect((await open(...many).reports)[0]?.problems[0]?.found).toBe("11 files");
     expect(text).not.toHaveBeenCalled();
   });
+
+  it.each([
+    { are: "a screenshot from the clipboard", name: "Clipboard", type: "image/png" },
+    { are: "a photo", name: "maze.JPG", type: "" },
+    { are: "a drawing", name: "maze.svg", type: "image/svg+xml" },
+  ])("refuses $are as a picture", async ({ name, type }) => {
+    const { reports, begin } = open({ ...file(name, "\uFFFDPNG"), type });
+    const [report] = await reports;
+    expect(report?.file).toBe(name);
+    expect(report?.problems).toMatchObject([{ found: "a picture" }]);
+    expect(begin).not.toHaveBeenCalled();
+  });
 });

@@ -17,6 +17,8 @@ import { readDocument, titleOf, type OpenedDocument } from "./read-document.ts";
 /** As much of a File as is needed. */
 export interface TextFile {
   name: string;
+  /** media type as the browser knows it; nothing where it does not */
+  type?: string;
   /** bytes */
   size: number;
   text: () => Promise<string>;
@@ -124,6 +126,7 @@ async function readFile(
   file: TextFile,
   words: Pick<i18n, "t" | "language">,
 ): Promise<ReturnType<typeof readDocument>> {
+  if (isPicture(file)) return refuse(words.t("files.aPicture"), words.t("files.noPicture"));
   if (file.size > MAX_BYTES) {
     const size = new Intl.NumberFormat(words.language, {
       maximumFractionDigits: 1,
@@ -140,6 +143,11 @@ async function readFile(
     return refuse(words.t("files.unreadable"), words.t("files.readable"));
   }
   return readDocument(text, titleOf(file.name));
+}
+
+/** A photo or a screenshot of a maze: the name counts where the browser knows no type. */
+function isPicture({ name, type = "" }: TextFile): boolean {
+  return type.startsWith("image/") || /\.(png|jpe?g|gif|webp|bmp|svg|heic|avif)$/i.test(name);
 }
 
 function refuse(found: string, expected: string): { ok: false; problems: FieldProblem[] } {

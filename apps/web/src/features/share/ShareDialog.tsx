@@ -2,7 +2,7 @@
 import { encodeLink, MAX_LINK_LENGTH } from "@corridor/link";
 import { sizeOf } from "@corridor/maze";
 import { Info } from "lucide-react";
-import { useLayoutEffect, useMemo, useState } from "react";
+import { useEffect, useLayoutEffect, useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
@@ -10,6 +10,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { sharedSearch } from "../../app/language.ts";
 import { missionHash } from "../lessons/mission-address.ts";
+import { holdLink } from "./held-link.ts";
 import { LinkField } from "./LinkField.tsx";
 import { QrCard } from "./QrCard.tsx";
 import { RunChoice } from "./RunChoice.tsx";
@@ -87,6 +88,11 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
       ? `${origin}${pathname}${sharedSearch(search)}${missionHash(mission)}`
       : null;
   const shown = isMore || made === null ? (ofMission ?? link) : made.address + sharedSearch(search);
+  // A long run is nothing for an address bar, and a mission is there already.
+  const held = result.ok && !withRun && mission === null ? result.text : null;
+  useEffect(() => {
+    if (held !== null) holdLink(workspace, window, held, withProgram ? "program" : "maze");
+  }, [workspace, held, withProgram]);
   const tooBig = t("share.tooBig", { limit: MAX_LINK_LENGTH });
   const tooLong = t(run === null ? "timeline.share.tooMuch" : "timeline.share.tooLong");
   return (
