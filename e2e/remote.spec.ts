@@ -8,6 +8,7 @@ import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { expectNoBarriers } from "./support/axe.ts";
 import { commandRow, openMore } from "./support/remote-panel.ts";
+import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
 import { exampleOf, runScript } from "./support/script.ts";
 
 const tree = generateTree({ columns: 11, rows: 11, seed: 3, name: "Tree" });
@@ -19,41 +20,9 @@ function linkTo(maze: typeof tree): string {
   return `/#${link.text}`;
 }
 
-/** Lets Remote drive and takes the robot's address as the user does: from the clipboard. */
-async function copyAddress(page: Page): Promise<string> {
-  await page.getByRole("radio", { name: "Remote" }).click();
-  await page.getByRole("button", { name: "Copy address with key" }).click();
-  const address = await page.evaluate(() => navigator.clipboard.readText());
-  expect(address).toMatch(/\/r\/[\w-]{22}#\w+/);
-  return address;
-}
-
 /** What a screen reader is told of the connection. */
 function connection(page: Page): Locator {
   return page.getByRole("region", { name: "Remote" }).getByRole("status");
-}
-
-async function setSpeed(page: Page, speed: string): Promise<void> {
-  await page.getByRole("combobox", { name: "Speed" }).selectOption(speed);
-}
-
-async function api(
-  address: string,
-  path: string,
-  body?: unknown,
-  name?: string,
-): Promise<Response> {
-  const { origin, pathname, hash } = new URL(address);
-  const id = pathname.slice("/r/".length);
-  return fetch(`${origin}/api/v1/robots/${id}${path}`, {
-    method: body === undefined ? "GET" : "POST",
-    headers: {
-      authorization: `Bearer ${hash.slice(1)}`,
-      "content-type": "application/json",
-      ...(name !== undefined && { "script-name": name }),
-    },
-    ...(body === undefined ? {} : { body: JSON.stringify(body) }),
-  });
 }
 
 for (const language of ["Python", "JavaScript"] as const) {

@@ -38,6 +38,18 @@ export class TimelineStrip {
     return this.#transport.locator(`[data-kind=${kind}]`);
   }
 
+  /** The numbered mark of a script's command, or of several: "3", "3–7". */
+  command(label: string): Locator {
+    return this.#transport.locator(`[data-command="${label}"]`);
+  }
+
+  /** Presses on the number of a command. */
+  async pressCommand(label: string): Promise<void> {
+    const box = await this.command(label).locator("text").boundingBox();
+    if (box === null) throw new Error(`command ${label} is not on the timeline`);
+    await this.#page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  }
+
   /** Presses at a share of the shown time, from 0 to 1, draws along to another and lets go. */
   async drag(from: number, to: number): Promise<void> {
     const { x, y } = await this.placeAt(from);

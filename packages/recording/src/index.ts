@@ -1,3 +1,4 @@
+export { CommandLog, type TimelineCommand } from "./command-log.ts";
 export { openRun, Replay } from "./open-run.ts";
 export type { PlaceLog } from "./place-log.ts";
 export type { Playback } from "./playback.ts";

@@ -97,6 +97,7 @@ export class Recording {
     if (isEdit && edits !== null) this.#redo(edits, input);
     this.#edits = edits;
     this.#inputs.add(run.tick, input);
+    this.#noteCommand(input);
     if (isEdit) {
       this.timeline.happened({ kind: "edit", what: input.do, tick: run.tick, who: run.who });
     }
@@ -132,6 +133,7 @@ export class Recording {
     const run = this.#run;
     const { who, bumps, goalTick } = run;
     const from = run.tick;
+    timeline.commands.waits(from, run.driver === "remote" && run.command === null);
     if (run.decidedAt === from) {
       timeline.drives(from, who);
       const turn = turnOf(run.decision);
@@ -140,6 +142,7 @@ export class Recording {
     run.step();
     const { tick } = run;
     timeline.reachedTick(tick);
+    if (run.command === null) timeline.commands.ended(tick, run.commandEnding ?? "completed");
     const pen = this.#pen;
     if (pen.follow(run.x, run.y)) this.corners.push(tick, pen.cornerX, pen.cornerY);
     if (run.bumps !== bumps) {
@@ -149,6 +152,27 @@ export class Recording {
     if (run.goalTick !== goalTick) timeline.happened({ kind: "goal", tick, who });
     if (tick >= this.#keyframes.dueAt) {
       this.#keyframes.add({ state: run.save(), pen: this.#pen.save() });
+    }
+  }
+
+  /** What an input that was taken began or ended of a script's commands. */
+  #noteCommand(input: RunInput): void {
+    const { commands } = this.timeline;
+    const { tick, command: running, commandEnding } = this.#run;
+    switch (input.do) {
+      case "command":
+        commands.ended(tick, "completed");
+        if (input.seq === undefined) return;
+        commands.began(input.seq, input.command, tick);
+        if (running === null) commands.ended(tick, commandEnding ?? "completed");
+        return;
+      case "cancel":
+        return commands.ended(tick, input.superseded === true ? "superseded" : "cancelled");
+      case "driver":
+        return commands.ended(tick, "cancelled");
+      case "program":
+      case "maze":
+        return;
     }
   }
 

@@ -8,8 +8,8 @@ export type RunInput =
   | { do: "driver"; driver: DriverName }
   /** a command of the hand, or with its number `seq` a script's */
   | { do: "command"; command: Command; seq?: number | undefined }
-  /** what the script's command does is over before its end */
-  | { do: "cancel" }
+  /** what the script's command does is over before its end; `superseded` where a newer one takes its place */
+  | { do: "cancel"; superseded?: true | undefined }
   | { do: "program"; program: ProgramDocument }
   | { do: "maze"; maze: MazeDocument };
 

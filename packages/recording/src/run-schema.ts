@@ -24,6 +24,7 @@ const ticksError = `a whole number of ticks from 0 to ${MAX_RUN_TICKS}, 24 hours
 const tickError =
   "a tick: a whole number from 0 to the run's ticks, none smaller than the one before";
 const seqError = "the number of a command: a whole number from 1";
+const supersededError = "true, or no such field";
 const kinds = ["driver", "command", "cancel", "program", "maze"] as const;
 
 const tick = z
@@ -45,7 +46,11 @@ const input = z.discriminatedUnion(
         .max(Number.MAX_SAFE_INTEGER, { error: seqError })
         .optional(),
     }),
-    z.strictObject({ tick, do: z.literal("cancel") }),
+    z.strictObject({
+      tick,
+      do: z.literal("cancel"),
+      superseded: z.literal(true, { error: supersededError }).optional(),
+    }),
     z.strictObject({ tick, do: z.literal("program"), program: programSchema }),
     z.strictObject({ tick, do: z.literal("maze"), maze: mazeSchema }),
   ],

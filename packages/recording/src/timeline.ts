@@ -10,6 +10,7 @@
  * thread by `take` and `merge`.
  */
 import type { LineRef } from "@corridor/protocol";
+import { CommandLog, type CommandNews } from "./command-log.ts";
 import { GrowingArray } from "./growing-array.ts";
 
 /** Who drove: a hand, a script, a program's line; "mixed" where they changed too fast to tell. */
@@ -46,6 +47,8 @@ export interface TimelineNews {
   eventTicks: Int32Array<ArrayBuffer>;
   eventCodes: Int16Array<ArrayBuffer>;
   eventWhos: Int16Array<ArrayBuffer>;
+  /** null where nothing changed in them */
+  commands: CommandNews | null;
   endTick: number;
 }
 
@@ -67,6 +70,8 @@ const SHORTEST = 6;
 const MOST = 50_000;
 
 export class Timeline {
+  /** the commands of scripts, and the waits between them */
+  readonly commands = new CommandLog();
   readonly #ticks = new GrowingArray("int32");
   readonly #whos = new GrowingArray("int16");
   readonly #eventTicks = new GrowingArray("int32");
@@ -103,7 +108,8 @@ export class Timeline {
       this.#whos.byteLength +
       this.#eventTicks.byteLength +
       this.#eventCodes.byteLength +
-      this.#eventWhos.byteLength
+      this.#eventWhos.byteLength +
+      this.commands.byteLength
     );
   }
 
@@ -190,12 +196,15 @@ export class Timeline {
       events--;
     }
     this.#cutEvents(events);
+    this.commands.forgetAfter(tick);
     this.#endTick = tick;
   }
 
   /** What changed since the last call; null when nothing did. */
   take(): TimelineNews | null {
+    const commands = this.commands.take();
     const isSame =
+      commands === null &&
       this.#sameStretches === this.#ticks.length &&
       this.#sameEvents === this.#eventTicks.length &&
       this.#takenStretches === this.#ticks.length &&
@@ -210,6 +219,7 @@ export class Timeline {
       eventTicks: this.#eventTicks.copyFrom(this.#sameEvents),
       eventCodes: this.#eventCodes.copyFrom(this.#sameEvents),
       eventWhos: this.#eventWhos.copyFrom(this.#sameEvents),
+      commands,
       endTick: this.#endTick,
     };
     this.#sameStretches = this.#ticks.length;
@@ -227,6 +237,7 @@ export class Timeline {
     this.#eventTicks.replaceFrom(news.keptEvents, news.eventTicks);
     this.#eventCodes.replaceFrom(news.keptEvents, news.eventCodes);
     this.#eventWhos.replaceFrom(news.keptEvents, news.eventWhos);
+    if (news.commands !== null) this.commands.merge(news.commands);
     this.#endTick = news.endTick;
   }
 

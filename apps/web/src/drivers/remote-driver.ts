@@ -67,8 +67,9 @@ export class RemoteDriver {
   accept(delivery: DeliveredCommand): void {
     const now = this.#now();
     if (delivery.replace) {
+      const isRunning = this.#running !== null;
       this.#endAll("superseded", "replaced");
-      this.#robot.input({ do: "cancel" });
+      this.#robot.input(isRunning ? { do: "cancel", superseded: true } : { do: "cancel" });
     }
     if (isRegister(delivery)) {
       this.#bursts.came(now, delivery.ttl - delivery.remaining);

@@ -16,7 +16,7 @@ import { useTranslation } from "react-i18next";
 import { Chip } from "../../ui/Chip.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import type { ListedCommand } from "../../worker/worker-messages.ts";
-import { commandText, cutShortAfter } from "./command-text.ts";
+import { commandText, cutShortAfter } from "../../text/command-text.ts";
 import styles from "./remote.module.css";
 
 type Tone = ComponentProps<typeof Chip>["tone"];

@@ -1,6 +1,6 @@
 import type { Command, CommandRecord } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { commandText, cutShortAfter } from "./command-text.ts";
+import { commandText, cutShortAfter } from "../../text/command-text.ts";
 import { viewConnection } from "./connection-view.ts";
 import { maskKey, robotAddress } from "./robot-address.ts";
 

@@ -4,6 +4,7 @@ import { memo, useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { classNames } from "../../ui/class-names.ts";
 import { remember } from "../../ui/remember.ts";
+import type { CommandMark } from "./command-marks.ts";
 import type { TimelinePicture } from "./picture.ts";
 import type { Segment } from "./ribbon.ts";
 import { fits, nameOf } from "./segment-name.ts";
@@ -26,8 +27,12 @@ export const Ribbon = memo(function Ribbon({ picture, isNow }: RibbonProps) {
           key={segment.x}
           {...segment}
           isNewest={isNow && segment.isNewest}
-          name={names(segment.who)}
+          // The numbers of its commands say more of a script.
+          name={segment.who === "remote" && picture.commands.length > 0 ? null : names(segment.who)}
         />
+      ))}
+      {picture.commands.map((mark) => (
+        <CommandSegment key={mark.tick} {...mark} />
       ))}
       <g className={styles["axis"]}>
         {picture.axis.map(({ tick, x, unit, value }, at) => (
@@ -55,7 +60,7 @@ const RibbonSegment = memo(function RibbonSegment({
   isNewest,
   name,
 }: RibbonSegmentProps) {
-  const kind = typeof who === "number" || who === "default" || who === "remote" ? "line" : who;
+  const kind = typeof who === "number" || who === "default" ? "line" : who;
   return (
     <g className={classNames(styles["segment"], styles[kind], isNewest && styles["newest"])}>
       <rect x={x} width={width} height="20" rx={Math.min(3, width / 2)} />
@@ -64,6 +69,18 @@ const RibbonSegment = memo(function RibbonSegment({
           {name}
         </text>
       )}
+    </g>
+  );
+});
+
+/** A command of a script; its number begins where it began. */
+const CommandSegment = memo(function CommandSegment({ label, x, width, result }: CommandMark) {
+  return (
+    <g className={styles["command"]} data-command={label} data-result={result}>
+      <rect x={x} y="1" width={width} height="18" rx={Math.min(3, width / 2)} />
+      <text x={x + 3} y={14}>
+        {label}
+      </text>
     </g>
   );
 });

@@ -6,6 +6,7 @@ import { useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore, type StoreApi } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { commandUnder } from "./command-marks.ts";
 import { markUnder } from "./event-marks.ts";
 import { EventMarks } from "./EventMarks.tsx";
 import type { TimelinePicture } from "./picture.ts";
@@ -40,12 +41,19 @@ export function TimelineBar() {
   const [scrubber] = useState(() => new Scrubber(simulator));
 
   /** The moment under the pointer: of the mark there, else by its place; never after now. */
-  function tickUnder(event: PointerEvent<HTMLElement>, { scale, marks, endTick }: TimelinePicture) {
+  function tickUnder(event: PointerEvent<HTMLElement>, picture: TimelinePicture) {
+    const { scale, marks, commands, endTick } = picture;
     const box = track.current?.getBoundingClientRect();
     if (box === undefined) return 0;
     const x = event.clientX - box.left;
-    const mark = event.clientY < box.top ? markUnder(marks, x) : null;
-    return Math.min(mark?.event.tick ?? tickAt(scale, x), endTick);
+    const marked =
+      event.clientY < box.top
+        ? markUnder(marks, x)?.event.tick
+        : // A press on the number of a command is for its begin; a drag goes on from there tick by tick.
+          event.type === "pointerdown"
+          ? commandUnder(commands, x)?.tick
+          : undefined;
+    return Math.min(marked ?? tickAt(scale, x), endTick);
   }
 
   function follow(event: PointerEvent<HTMLElement>): void {

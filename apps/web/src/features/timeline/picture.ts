@@ -1,5 +1,6 @@
 /** Everything that the timeline draws at one size, from one look at the recording. */
 import type { Timeline } from "@corridor/recording";
+import { commandMarksOf, type CommandMark } from "./command-marks.ts";
 import { marksOf, type EventMark } from "./event-marks.ts";
 import { ribbonOf, type Segment } from "./ribbon.ts";
 import { axisOf, scaleOf, xOf, type AxisMark, type TimeScale } from "./time-scale.ts";
@@ -8,6 +9,7 @@ export interface TimelinePicture {
   scale: TimeScale;
   segments: readonly Segment[];
   marks: readonly EventMark[];
+  commands: readonly CommandMark[];
   axis: readonly AxisMark[];
   /** the run's last tick */
   endTick: number;
@@ -22,6 +24,7 @@ export function pictureOf(timeline: Timeline, width: number): TimelinePicture {
     endTick,
     segments: ribbonOf(timeline, scale),
     marks: marksOf(timeline, scale),
+    commands: commandMarksOf(timeline.commands, scale, endTick),
     axis: axisOf(scale),
   };
 }
@@ -30,12 +33,19 @@ export function pictureOf(timeline: Timeline, width: number): TimelinePicture {
  * The same text for pictures that look the same, to a pixel: in a long run, most of what comes is too
  * narrow to be seen.
  */
-export function pictureMark({ scale, segments, marks, endTick }: TimelinePicture): string {
+export function pictureMark({
+  scale,
+  segments,
+  marks,
+  commands,
+  endTick,
+}: TimelinePicture): string {
   return [
     scale.width,
     scale.span,
     Math.round(xOf(scale, endTick)),
     ...segments.map(({ who, x, width }) => `${who} ${Math.round(x)} ${Math.round(width)}`),
     ...marks.map(({ event }) => event.tick),
+    ...commands.map(({ label, width, result }) => `${label} ${Math.round(width)} ${result}`),
   ].join();
 }

@@ -25,7 +25,12 @@ export function nameOf(t: TFunction, who: Who): string | null {
 
 /** @param width of the segment, in px */
 export function fits(name: string, width: number): boolean {
+  return widthOf(name) <= width;
+}
+
+/** The room that a name needs, in px. */
+export function widthOf(name: string): number {
   let needed = NAME_MARGIN;
   for (const character of name) needed += character >= "\u2e80" ? WIDE_CHARACTER : LETTER;
-  return needed <= width;
+  return needed;
 }

@@ -36,4 +36,21 @@ describe("the words for a moment", () => {
   it("before a run are its time alone", () => {
     expect(sayMoment(t, momentAt(new Timeline(), 0))).toBe("0.0 s");
   });
+
+  it("of a script name the command with its number and result, and the wait between two", () => {
+    const run = new Timeline();
+    run.drives(0, "remote");
+    run.commands.began(7, { action: "move", distance: 50 }, 60);
+    run.commands.ended(120, "collided");
+    run.commands.began(8, { action: "left 90" }, 180);
+    run.reachedTick(200);
+    const words = [30, 60, 120, 150, 190].map((tick) => sayMoment(t, momentAt(run, tick)));
+    expect(words).toEqual([
+      "0.5 s, the script waits",
+      "1.0 s, command 7: move 50, collided",
+      "2.0 s, command 7: move 50, collided",
+      "2.5 s, the script waits",
+      "3.1 s, command 8: left 90, running",
+    ]);
+  });
 });

@@ -1,6 +1,13 @@
 /** What the timeline says of a moment in words: when it is, who drives, and what happens. */
-import type { Timeline, TimelineEvent, Who } from "@corridor/recording";
+import type {
+  CommandLog,
+  Timeline,
+  TimelineCommand,
+  TimelineEvent,
+  Who,
+} from "@corridor/recording";
 import type { TFunction } from "i18next";
+import { commandText } from "../../text/command-text.ts";
 import { joinList } from "../../text/joined.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 
@@ -12,13 +19,17 @@ export interface ShownMoment {
   tick: number;
   /** null before anybody drove */
   who: Who | null;
+  /** of a script, at this moment; null where it waits or another drives */
+  command: TimelineCommand | null;
   /** null where nothing happens */
   event: TimelineEvent | null;
 }
 
 /** The moment at the end of a tick. */
 export function momentAt(
-  timeline: Pick<Timeline, "stretchAt" | "whoOf" | "eventsUpTo" | "eventAt">,
+  timeline: Pick<Timeline, "stretchAt" | "whoOf" | "eventsUpTo" | "eventAt"> & {
+    commands: Pick<CommandLog, "countUpTo" | "at">;
+  },
   tick: number,
 ): ShownMoment {
   const stretch = timeline.stretchAt(tick);
@@ -27,16 +38,37 @@ export function momentAt(
   return {
     tick,
     who: stretch < 0 ? null : timeline.whoOf(stretch),
+    command: commandAt(timeline.commands, tick),
     event: event !== null && tick - event.tick <= AFTER ? event : null,
   };
 }
 
+/** The command that runs at the end of a tick, or that ended there. */
+function commandAt(
+  log: Pick<CommandLog, "countUpTo" | "at">,
+  tick: number,
+): TimelineCommand | null {
+  const command = log.at(log.countUpTo(tick) - 1);
+  return command === undefined || (command.to !== null && command.to < tick) ? null : command;
+}
+
 /** "12.4 s, line 2 drives, right 90" */
-export function sayMoment(t: TFunction, { tick, who, event }: ShownMoment): string {
+export function sayMoment(t: TFunction, { tick, who, command, event }: ShownMoment): string {
   const parts = [t("timeline.at", { seconds: formatSeconds(tick) })];
-  if (who !== null) parts.push(sayWho(t, who));
+  if (command !== null) parts.push(sayCommand(t, command));
+  else if (who === "remote") parts.push(t("timeline.waits"));
+  else if (who !== null) parts.push(sayWho(t, who));
   if (event !== null) parts.push(sayEvent(t, event));
   return joinList(t, parts);
+}
+
+/** "command 7: move 50, completed" */
+function sayCommand(t: TFunction, { seq, command, ending }: TimelineCommand): string {
+  return t("timeline.command", {
+    number: seq,
+    command: commandText(command),
+    result: t(`remote.${ending ?? "started"}`),
+  });
 }
 
 function sayWho(t: TFunction, who: Who): string {

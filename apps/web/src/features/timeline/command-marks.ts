@@ -1,0 +1,86 @@
+/**
+ * The commands of scripts as the ribbon shows them: each with its number, from its begin to its end.
+ * Those that lie too close for a number of their own are one mark: "3–7".
+ */
+import type { CommandLog } from "@corridor/recording";
+import { widthOf } from "./segment-name.ts";
+import { xOf, type TimeScale } from "./time-scale.ts";
+
+/** More neighbours than these are not weighed against each other. */
+const MOST_WEIGHED = 256;
+
+/** What of a command log is read here. */
+export type Commands = Pick<CommandLog, "count" | "at" | "countUpTo">;
+
+export interface CommandMark {
+  /** the number, or the first and the last: "3", "3–7" */
+  label: string;
+  /** tick at whose end the first one began */
+  tick: number;
+  /** px from the left end */
+  x: number;
+  /** px that its commands took, at least 1 */
+  width: number;
+  /** px that can be pressed to get to its begin: those of the label */
+  pressWidth: number;
+  /** of several the worst */
+  result: CommandResult;
+}
+
+type CommandResult = "running" | "done" | "collided" | "ended";
+
+/** What says more comes first. */
+const RANK: readonly CommandResult[] = ["collided", "ended", "running", "done"];
+
+/**
+ * Marks from the left to the right, none over another.
+ * @param endTick the run's last tick, up to which a running command goes
+ */
+export function commandMarksOf(log: Commands, scale: TimeScale, endTick: number): CommandMark[] {
+  const marks: CommandMark[] = [];
+  let next = 0;
+  for (;;) {
+    const first = log.at(next);
+    if (first === undefined) return marks;
+    let after = next + 1;
+    let label = String(first.seq);
+    const x = xOf(scale, first.from);
+    // A longer label needs more room, which may take in more commands.
+    for (;;) {
+      const room = (widthOf(label) / scale.width) * scale.span;
+      const reached = Math.max(after, log.countUpTo(Math.ceil(first.from + room) - 1));
+      if (reached === after) break;
+      after = reached;
+      label = `${first.seq}–${log.at(after - 1)?.seq ?? ""}`;
+    }
+    const end = log.at(after - 1)?.to ?? endTick;
+    marks.push({
+      label,
+      tick: first.from,
+      x,
+      width: Math.max(1, xOf(scale, end) - x - 1),
+      pressWidth: widthOf(label),
+      result: worstOf(log, next, Math.min(after, next + MOST_WEIGHED)),
+    });
+    next = after;
+  }
+}
+
+/** The mark whose label lies under a place, in px from the left end; null where there is none. */
+export function commandUnder(marks: readonly CommandMark[], x: number): CommandMark | null {
+  return marks.find((mark) => x >= mark.x && x < mark.x + mark.pressWidth) ?? null;
+}
+
+function worstOf(log: Commands, from: number, to: number): CommandResult {
+  let worst = RANK.length - 1;
+  for (let index = from; index < to; index++) {
+    worst = Math.min(worst, RANK.indexOf(resultOf(log.at(index)?.ending ?? null)));
+  }
+  return RANK[worst] ?? "done";
+}
+
+function resultOf(ending: NonNullable<ReturnType<Commands["at"]>>["ending"]): CommandResult {
+  if (ending === null) return "running";
+  if (ending === "completed") return "done";
+  return ending === "collided" ? "collided" : "ended";
+}

@@ -1,0 +1,168 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { openRun } from "./open-run.ts";
+import { Recording } from "./recording.ts";
+import { readRun } from "./run-schema.ts";
+import { anyLivelyProgram, anyOperations, anySmallMaze, perform } from "./testing/operations.ts";
+import { Timeline } from "./timeline.ts";
+
+/** All commands and waits of a timeline. */
+function logOf({ commands }: Timeline, ticks: number) {
+  return {
+    commands: Array.from({ length: commands.count }, (_, index) => commands.at(index)),
+    waited: Array.from({ length: ticks + 1 }, (_, tick) => commands.waitedUpTo(tick)),
+  };
+}
+
+function resultsOf({ timeline }: Recording) {
+  return logOf(timeline, 0).commands.map((each) => [each?.seq, each?.from, each?.to, each?.ending]);
+}
+
+/** A script has the robot, which looks east through three open squares. */
+function scripted(): Recording {
+  const recording = new Recording(
+    {
+      format: "corridor/maze",
+      version: 1,
+      name: "any",
+      blocks: ["..."],
+      start: { column: 0, row: 0, heading: "east" },
+      goals: [],
+    },
+    { format: "corridor/program", version: 1, name: "any", rules: [], default: "stop" },
+  );
+  recording.input({ do: "driver", driver: "remote" });
+  return recording;
+}
+
+function run(recording: Recording, ticks: number): void {
+  for (let tick = 0; tick < ticks; tick++) recording.step();
+}
+
+describe("the commands of a script", () => {
+  it("are there with their results", () => {
+    const recording = scripted();
+    recording.input({ do: "command", command: { action: "move", distance: 20 }, seq: 4 });
+    run(recording, 60);
+    recording.input({ do: "command", command: { action: "forward" }, seq: 5 });
+    run(recording, 10);
+    recording.input({ do: "command", command: { action: "stop" }, seq: 6 });
+    recording.input({ do: "command", command: { action: "forward" }, seq: 7 });
+    run(recording, 10);
+    recording.input({ do: "cancel", superseded: true });
+    recording.input({ do: "command", command: { action: "turn", degrees: 90 }, seq: 8 });
+    run(recording, 2);
+    recording.input({ do: "cancel" });
+    recording.input({ do: "command", command: { action: "reverse" }, seq: 9 });
+    run(recording, 2);
+    recording.input({ do: "driver", driver: "me" });
+    const [first, ...rest] = resultsOf(recording);
+    expect(first?.slice(0, 2)).toEqual([4, 0]);
+    expect(first?.[2]).toBeLessThan(60);
+    expect(first?.[3]).toBe("completed");
+    expect(rest).toEqual([
+      [5, 60, 70, "completed"],
+      [6, 70, 70, "completed"],
+      [7, 70, 80, "superseded"],
+      [8, 80, 82, "cancelled"],
+      [9, 82, 84, "cancelled"],
+    ]);
+  });
+
+  it("that ran into a wall say so, and one that runs has no result yet", () => {
+    const recording = scripted();
+    recording.input({ do: "command", command: { action: "move", distance: 500 }, seq: 1 });
+    run(recording, 10);
+    expect(resultsOf(recording)).toEqual([[1, 0, null, null]]);
+    run(recording, 600);
+    expect(resultsOf(recording)[0]?.[3]).toBe("collided");
+  });
+
+  it("of a hand are none", () => {
+    const recording = scripted();
+    recording.input({ do: "driver", driver: "me" });
+    recording.input({ do: "command", command: { action: "forward" } });
+    run(recording, 10);
+    expect(resultsOf(recording)).toEqual([]);
+    expect(recording.timeline.commands.waitedUpTo(10)).toBe(0);
+  });
+});
+
+describe("waiting", () => {
+  it("is the time in which a script has the robot and gives no command", () => {
+    const recording = scripted();
+    run(recording, 100);
+    recording.input({ do: "command", command: { action: "forward" }, seq: 1 });
+    run(recording, 30);
+    recording.input({ do: "command", command: { action: "stop" }, seq: 2 });
+    run(recording, 50);
+    const { commands } = recording.timeline;
+    expect([0, 60, 100, 130, 150, 180].map((tick) => commands.waitedUpTo(tick))).toEqual([
+      0, 60, 100, 100, 120, 150,
+    ]);
+  });
+});
+
+it("is the same on the page, in an opened file and after another way was gone", () => {
+  let commands = 0;
+  let waits = 0;
+  fc.assert(
+    fc.property(
+      anySmallMaze,
+      anyLivelyProgram,
+      anyOperations,
+      anyOperations,
+      fc.double({ min: 0, max: 1, noNaN: true }),
+      (maze, program, before, after, part) => {
+        const recording = new Recording(maze, program);
+        const page = new Timeline();
+        const tell = () => {
+          const news = recording.timeline.take();
+          if (news !== null) page.merge(structuredClone(news));
+        };
+        recording.input({ do: "driver", driver: "remote" });
+        let waited = 0;
+        const perTick = [0];
+        let isWaiting = true;
+        const note = () => {
+          if (isWaiting) waited++;
+          perTick.push(waited);
+        };
+        const drive = (operations: typeof before) => {
+          for (const operation of operations) {
+            const { run: live } = recording;
+            isWaiting = live.driver === "remote" && live.command === null;
+            perform(recording, operation, () => {
+              note();
+              isWaiting = live.driver === "remote" && live.command === null;
+            });
+            tell();
+          }
+        };
+        drive(before);
+        const tick = Math.floor(part * recording.run.tick);
+        recording.truncate(tick);
+        perTick.length = tick + 1;
+        waited = perTick[tick] ?? 0;
+        tell();
+        drive(after);
+        const end = recording.run.tick;
+        const log = logOf(recording.timeline, end);
+        expect(log.waited).toEqual(perTick);
+        expect(logOf(page, end)).toEqual(log);
+        const written = recording.toDocument("any");
+        if (!written.ok) throw new Error(written.reason);
+        const read = readRun(written.text);
+        if (!read.ok) throw new Error(JSON.stringify(read.problems));
+        const opened = openRun(read.value);
+        if (!opened.ok) throw new Error(JSON.stringify(opened.problems));
+        // As texts: a file writes the -0 of a power as 0.
+        expect(JSON.stringify(logOf(opened.value.timeline, end))).toBe(JSON.stringify(log));
+        commands += log.commands.length;
+        waits += waited;
+      },
+    ),
+  );
+  expect(commands).toBeGreaterThan(20);
+  expect(waits).toBeGreaterThan(100);
+});
