@@ -120,6 +120,16 @@ export class CorridorPage {
     return this.transport.getByText(/^Time \d+:\d\d\.\d$/);
   }
 
+  /** What a script drove, "Time 0:12.3 driving". */
+  get driving(): Locator {
+    return this.transport.getByText(/^Time \d+:\d\d\.\d driving$/);
+  }
+
+  /** How long a script let the robot wait, "0:40.1 waiting". */
+  get waiting(): Locator {
+    return this.transport.getByText(/^\d+:\d\d\.\d waiting$/);
+  }
+
   get bumps(): Locator {
     return this.transport.getByText(/^\d+ bumps?$/);
   }

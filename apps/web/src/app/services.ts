@@ -109,9 +109,9 @@ export function createServices(browser: Browser): Services {
   simulator.listen((message) => {
     switch (message.type) {
       case "frame": {
-        const { snapshot, progress, view, nowTick, nowDriver } = message.frame;
+        const { snapshot, progress, view, nowTick, waited, nowDriver } = message.frame;
         shownRun.add(message.frame);
-        run.setState({ snapshot, progress, view, nowTick, nowDriver });
+        run.setState({ snapshot, progress, view, nowTick, waited, nowDriver });
         simulator.send({ type: "stage-numbers", snapshot });
         const news = message.timeline;
         if (news !== null) late.after(() => timeline.take(news));

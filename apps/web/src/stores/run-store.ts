@@ -17,6 +17,8 @@ export interface RunState {
   view: RunView;
   /** the run's last tick; the shown one is the snapshot's */
   nowTick: number;
+  /** ticks up to the shown moment in which a script let the robot wait; the others it drove */
+  waited: number;
   /** who drives the newest moment, null before the first frame; the driver of the shown one is the snapshot's */
   nowDriver: DriverName | null;
   /** the maze of the shown moment where it is not the workspace's; null when it is */
@@ -34,6 +36,7 @@ export function createRunStore() {
     progress: null,
     view: "now",
     nowTick: 0,
+    waited: 0,
     nowDriver: null,
     shownMaze: null,
     speed: 1,

@@ -92,6 +92,7 @@ export class ScreenMoment {
       progress: isDecidedAnew(run, program) ? null : run.progress,
       view: this.#view,
       nowTick: recording.run.tick,
+      waited: recording.timeline.commands.waitedUpTo(run.tick),
       nowDriver: driver,
       revision,
       ...this.#trail.take(recording, run.tick),

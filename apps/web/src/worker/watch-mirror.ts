@@ -73,6 +73,7 @@ export class WatchMirror {
       progress: null,
       view: "now",
       nowTick: snapshot.tick,
+      waited: 0,
       nowDriver: snapshot.driver,
       revision: 0,
       corners,

@@ -128,6 +128,8 @@ export interface Frame {
   view: RunView;
   /** the run's last tick; the shown one is the snapshot's */
   nowTick: number;
+  /** ticks up to the shown moment in which a script let the robot wait */
+  waited: number;
   /** who drives the newest moment; the driver of the shown one is the snapshot's */
   nowDriver: DriverName;
   /** rises whenever inputs came to the run or were forgotten: then a run saved before is out of date */

@@ -5,6 +5,7 @@ import { useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { useWaited } from "../../app/use-waited.ts";
 import { allOf } from "../../text/all-of.ts";
 import { formatClock, formatSeconds } from "../../text/numbers.ts";
 import { Button } from "../../ui/Button.tsx";
@@ -38,6 +39,12 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
   const { t, i18n } = useTranslation(["words", "missions"], { useSuspense: false });
   const { simulator, workspace, challenge } = useServices();
   const { ticks, bumps, driver, pose } = solved;
+  // A script's time is that of its driving.
+  const waited = useWaited(ticks);
+  const timeText = (time: number) =>
+    time < CLOCK_FROM_TICKS
+      ? t("words:cards.solved.seconds", { seconds: formatSeconds(time, i18n.language) })
+      : formatClock(time, i18n.language);
   const maze = useStore(workspace, (state) => state.maze);
   const lines = useStore(workspace, (state) => countLines(state.program.rules));
   const allowed = useStore(challenge, (state) => state.challenge?.allowed.lines ?? null);
@@ -63,13 +70,15 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
       </p>
       <dl className={styles["figures"]}>
         <div>
-          <dt>{t("words:cards.solved.time")}</dt>
-          <dd>
-            {ticks < CLOCK_FROM_TICKS
-              ? t("words:cards.solved.seconds", { seconds: formatSeconds(ticks, i18n.language) })
-              : formatClock(ticks, i18n.language)}
-          </dd>
+          <dt>{t(waited > 0 ? "words:cards.solved.driving" : "words:cards.solved.time")}</dt>
+          <dd>{timeText(ticks - waited)}</dd>
         </div>
+        {waited > 0 && (
+          <div>
+            <dt>{t("words:cards.solved.waiting")}</dt>
+            <dd>{timeText(waited)}</dd>
+          </div>
+        )}
         {hasLines && (
           <div>
             <dt>

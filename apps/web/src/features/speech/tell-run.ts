@@ -104,10 +104,10 @@ export function tellRun(
       if (challenge.getState().challenge !== null) return title;
       return joinSentences(t, [title, diagnosisText(known, diagnosis), ...fixCount(t, diagnosis)]);
     }
-    const story = storyOf(moment);
+    const story = storyOf(moment, timeline.timeline.commands.waitedUpTo(moment.tick));
     return t(storyKey(story), {
       ...story,
-      seconds: formatSeconds(moment.tick, language),
+      seconds: formatSeconds(story.after, language),
     });
   }
 

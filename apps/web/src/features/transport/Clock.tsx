@@ -13,20 +13,36 @@ export function Clock() {
   const { t, i18n } = useTranslation();
   const { run } = useServices();
   const { language } = i18n;
+  // The clock of a script counts its driving; its waiting is displayed apart.
+  const isApart = useStore(run, (state) => state.waited > 0 || state.snapshot?.driver === "remote");
   const time = useCallback(
-    ({ snapshot }: RunState) => formatClock(snapshot?.tick ?? 0, language),
-    [language],
+    ({ snapshot, waited }: RunState) => {
+      const driven = formatClock((snapshot?.tick ?? 0) - waited, language);
+      return isApart ? t("shell.run.driving", { time: driven }) : driven;
+    },
+    [language, isApart, t],
+  );
+  const waiting = useCallback(
+    ({ waited }: RunState) => t("shell.run.waiting", { time: formatClock(waited, language) }),
+    [language, t],
   );
   const bumps = useStore(run, ({ snapshot }) => snapshot?.bumps ?? 0);
   const view = useStore(run, (state) => state.view);
   return (
-    <p className={styles["clock"]}>
+    <p className={styles["clock"]} data-apart={isApart || undefined}>
       <span className={styles["time"]}>
         <span className="live-box">
           <span className="visually-hidden">{t("shell.run.time")} </span>
           <LiveText of={run} text={time} />
         </span>
       </span>
+      {isApart && (
+        <span className={styles["waiting"]}>
+          <span className="live-box">
+            <LiveText of={run} text={waiting} />
+          </span>
+        </span>
+      )}
       {view !== "now" && (
         <span className={styles["past"]}>
           <History size={12} aria-hidden="true" />

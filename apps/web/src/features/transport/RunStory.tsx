@@ -5,6 +5,7 @@
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { useWaited } from "../../app/use-waited.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { storyKey, storyOf } from "./story.ts";
 import styles from "./transport.module.css";
@@ -13,8 +14,9 @@ export function RunStory() {
   const { t } = useTranslation();
   const { run } = useServices();
   const moment = useStore(run, (state) => state.moment);
+  const waited = useWaited(moment?.tick ?? 0);
   const isFresh = useStore(run, ({ nowTick }) => nowTick === 0);
-  const story = moment === null ? null : storyOf(moment);
+  const story = moment === null ? null : storyOf(moment, waited);
   return (
     <p role="note" className={classNames(styles["story"], !isFresh && "visually-hidden")}>
       {story !== null && t(storyKey(story), { ...story })}

@@ -21,6 +21,7 @@ describe("storyOf", () => {
       teller: "program",
       line: 0,
       seconds: "13.1",
+      after: 786,
       tick: 786,
       column: 5,
       row: 4,
@@ -38,5 +39,11 @@ describe("storyOf", () => {
     { name: "a script", changes: { line: null, driver: "remote" as const }, teller: "remote" },
   ])("names $name where no numbered line drove", ({ changes, teller }) => {
     expect(storyOf({ ...bump, ...changes }).teller).toBe(teller);
+  });
+
+  it("counts a script's driving up to the goal, and not its waiting", () => {
+    const goal = { ...bump, kind: "goal" as const, driver: "remote" as const, tick: 900 };
+    expect(storyOf(goal, 300)).toMatchObject({ seconds: "10.0", tick: 900 });
+    expect(storyOf({ ...goal, kind: "bump" }, 300).seconds).toBe("15.0");
   });
 });

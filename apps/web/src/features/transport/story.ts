@@ -15,21 +15,28 @@ export interface Story {
   /** 1 for the first line; 0 when no numbered line was in charge */
   line: number;
   seconds: string;
+  /** those seconds in ticks */
+  after: number;
   tick: number;
   /** square of the maze, counted from 1 as the maze's grid says it */
   column: number;
   row: number;
 }
 
-/** What there is to tell about a moment. */
-export function storyOf({ kind, line, driver, tick, pose }: Moment): Story {
+/**
+ * What there is to tell about a moment.
+ * @param waited ticks up to it in which a script let the robot wait: a goal is reached after the driving alone
+ */
+export function storyOf({ kind, line, driver, tick, pose }: Moment, waited = 0): Story {
   const isNumbered = typeof line === "number" && kind === "goal";
+  const after = kind === "goal" ? tick - waited : tick;
   return {
     kind,
     teller:
       kind === "bump" ? driver : isNumbered ? "line" : line === "default" ? "otherwise" : driver,
     line: isNumbered ? line + 1 : 0,
-    seconds: formatSeconds(tick),
+    seconds: formatSeconds(after),
+    after,
     tick,
     column: Math.floor(pose.x / SQUARE) + 1,
     row: Math.floor(pose.y / SQUARE) + 1,

@@ -9,6 +9,7 @@ export function frameOf(changes: Partial<Frame> = {}): Frame {
     progress: null,
     view: "now",
     nowTick: snapshot.tick,
+    waited: 0,
     nowDriver: snapshot.driver,
     revision: 0,
     corners: [],

@@ -1,0 +1,45 @@
+/** The timeline and the clock of a run that a script drives. */
+import { expect, test } from "./fixtures.ts";
+import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
+
+/** Turns on the spot for four seconds. */
+const spin = { action: "drive", left: 0.2, right: -0.2, milliseconds: 4000 };
+
+test("numbers the commands of a script, with their results; selecting one shows it", async ({
+  corridor,
+  page,
+}) => {
+  const { timeline } = corridor;
+  await corridor.open();
+  await setSpeed(page, "4");
+  const address = await copyAddress(page);
+  for (const command of [spin, spin, { action: "move", distance: 5000 }]) {
+    await api(address, "/commands", command);
+  }
+  await expect(timeline.command("3")).toHaveAttribute("data-result", "collided");
+  await expect(timeline.command("1")).toHaveAttribute("data-result", "done");
+
+  await timeline.pressCommand("2");
+  await expect(timeline.inThePast).toBeVisible();
+  await timeline.expectMoment(/command 2: drive 0\.2 -0\.2 4000 ms, completed$/);
+  await timeline.slider.press("ArrowRight");
+  await timeline.expectMoment(/command 3: move 5000, collided$/);
+  await timeline.slider.press("ArrowLeft");
+  await timeline.slider.press("ArrowLeft");
+  await timeline.expectMoment(/command 1: drive 0\.2 -0\.2 4000 ms, completed$/);
+});
+
+test("the clock of a script counts driving, and waiting apart", async ({ corridor, page }) => {
+  await corridor.open();
+  await setSpeed(page, "4");
+  const address = await copyAddress(page);
+  await expect(corridor.driving).toHaveText("Time 0:00.0 driving");
+  await expect(corridor.waiting).not.toHaveText(/^0:00/);
+  await api(address, "/commands", { action: "right 90" });
+  await api(address, "/commands/1?wait=20");
+  await expect(corridor.driving).toHaveText(/^Time 0:00\.[1-9]/);
+  const driven = (await corridor.driving.textContent()) ?? "";
+  const waited = (await corridor.waiting.textContent()) ?? "";
+  await expect(corridor.waiting).not.toHaveText(waited);
+  await expect(corridor.driving).toHaveText(driven);
+});
