@@ -5,6 +5,7 @@
 import type { i18n } from "i18next";
 import { createContext, useContext } from "react";
 import { createAdviceStore, type AdviceStore } from "../features/program/advice-store.ts";
+import { namedAfterEdit } from "../features/program/own-program.ts";
 import { createSolvedStore, type SolvedStore } from "../features/presets/solved-presets.ts";
 import { Speech } from "../features/speech/speech.ts";
 import { LessonsGate } from "../features/lessons/lessons-gate.ts";
@@ -92,7 +93,9 @@ export function createServices(browser: Browser): Services {
   );
   const { maze, program } = current.work;
   const simulator = new SimulatorClient(worker);
-  const workspace = createWorkspaceStore(maze, program);
+  const workspace = createWorkspaceStore(maze, program, (before, after) =>
+    namedAfterEdit(before, after, words),
+  );
   const run = createRunStore();
   const late = new LateRun(run, nextFrame);
   const cards = createCardStore();

@@ -12,7 +12,11 @@ export interface Workspace {
   program: ProgramDocument;
   /** one id a rule, so that a line keeps its focus and its badge's place when it moves */
   lineIds: readonly number[];
+  /** an edited program under the name that it goes on with */
+  named: NameEdit;
 }
+
+type NameEdit = (before: ProgramDocument, after: ProgramDocument) => ProgramDocument;
 
 /** Steps that undo can take back. */
 const HISTORY_LIMIT = 200;
@@ -23,9 +27,14 @@ export function newLineIds(count: number): number[] {
   return Array.from({ length: count }, () => ++lastLineId);
 }
 
-export function createWorkspaceStore(maze: MazeDocument, program: ProgramDocument) {
+export function createWorkspaceStore(
+  maze: MazeDocument,
+  program: ProgramDocument,
+  named: NameEdit = (_before, after) => after,
+) {
+  const lineIds = newLineIds(program.rules.length);
   return createStore<Workspace>()(
-    temporal((): Workspace => ({ maze, program, lineIds: newLineIds(program.rules.length) }), {
+    temporal((): Workspace => ({ maze, program, lineIds, named }), {
       limit: HISTORY_LIMIT,
       equality: (a, b) => a.maze === b.maze && a.program === b.program,
     }),
@@ -45,11 +54,11 @@ export function setProgram(
   program: ProgramDocument,
   lineIds?: readonly number[],
 ): void {
-  const { lineIds: before } = store.getState();
+  const { program: before, lineIds: ids, named } = store.getState();
   const count = program.rules.length;
   store.setState({
-    program,
-    lineIds: lineIds ?? (count === before.length ? before : newLineIds(count)),
+    program: named(before, program),
+    lineIds: lineIds ?? (count === ids.length ? ids : newLineIds(count)),
   });
 }
 

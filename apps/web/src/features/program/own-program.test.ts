@@ -3,7 +3,8 @@ import { describe, expect, it } from "vitest";
 import { firstWork } from "../../app/first-visit.ts";
 import { en } from "../../text/en/index.ts";
 import { createI18n, showLanguage } from "../../text/i18n.ts";
-import { isOwnProgram, programForMaze } from "./own-program.ts";
+import { createWorkspaceStore, redo, setProgram, undo } from "../../stores/workspace-store.ts";
+import { isOwnProgram, namedAfterEdit, programForMaze } from "./own-program.ts";
 
 const words = createI18n(en);
 
@@ -46,5 +47,42 @@ describe("a program of the student's own", () => {
     expect(programForMaze({ ...firstWork(words).program, name: "Mine" }, words)).toBeNull();
     expect(programForMaze(firstWork(words).program, words)).toEqual(emptyProgram());
     expect(programForMaze(emptyProgram("Mine"), words)).toEqual(emptyProgram("Mine"));
+  });
+});
+
+describe("the name of a ready-made program whose lines are changed", () => {
+  const changed = (name: string) => {
+    const program = { ...firstWork(words).program, name };
+    const edit = setNumber(program, 0, 70);
+    if (!edit.ok) throw new Error(edit.code);
+    const workspace = createWorkspaceStore(firstWork(words).maze, program, (before, after) =>
+      namedAfterEdit(before, after, words),
+    );
+    setProgram(workspace, edit.program);
+    return { workspace, name: () => workspace.getState().program.name };
+  };
+
+  it.each(["Example: right wall", "Right wall"])(
+    "is no longer %s, and undo gives it back",
+    (was) => {
+      const { workspace, name } = changed(was);
+      expect(name()).toBe("My program");
+      undo(workspace);
+      expect(name()).toBe(was);
+      redo(workspace);
+      expect(name()).toBe("My program");
+    },
+  );
+
+  it.each(["Mine", ""])("stays where the student has named it %j", (was) => {
+    expect(changed(was).name()).toBe(was);
+  });
+
+  it("stays where a student's own lines have the name of a ready-made one", () => {
+    const { workspace, name } = changed("Right wall");
+    const own = workspace.getState().program;
+    setProgram(workspace, { ...own, name: "Right wall" });
+    setProgram(workspace, { ...own, name: "Right wall", default: "reverse" });
+    expect(name()).toBe("Right wall");
   });
 });
