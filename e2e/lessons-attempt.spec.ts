@@ -187,20 +187,20 @@ test("begins a mission again, and is told of a program only where one was taken 
 }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(6);
-  await lessons.button("Begin again").click();
+  await lessons.button("Restart").click();
   await expect(corridor.messages).toContainText("The mission begins again.");
   await expect(corridor.messages).not.toContainText("program");
   await corridor.messages.getByRole("button", { name: "Dismiss" }).click();
 
   await corridor.program.button("Add line").click();
-  await lessons.button("Begin again").click();
+  await lessons.button("Restart").click();
   await expect(corridor.program.lines).toHaveCount(0);
   await expect(corridor.messages).toContainText("Your program was removed.");
   await corridor.messages.getByRole("button", { name: "Undo" }).click();
   await expect(corridor.program.lines).toHaveCount(1);
 
   // What can be taken back in one mission is not offered in another.
-  await lessons.button("Begin again").click();
+  await lessons.button("Restart").click();
   await expect(corridor.messages).toContainText("Your program was removed.");
   await lessons.openMission(7);
   await expect(corridor.messages).not.toContainText("taken away");
