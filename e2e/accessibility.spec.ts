@@ -261,7 +261,7 @@ test("goes through everything with Tab in the order of the screen", async ({ cor
   const order: string[] = [];
   await expect(corridor.run).toBeVisible();
   // comes a moment after the maze
-  await expect(page.getByRole("group", { name: "Zoom" })).toBeVisible();
+  await expect(page.getByRole("group", { name: "Zoom", exact: true })).toBeVisible();
   for (let stop = 0; stop < 80; stop++) {
     await page.keyboard.press("Tab");
     const place = await page.evaluate(() => {

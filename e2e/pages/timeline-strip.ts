@@ -38,6 +38,24 @@ export class TimelineStrip {
     return this.#transport.locator(`[data-kind=${kind}]`);
   }
 
+  /** The times below the ribbon. */
+  get axis(): Locator {
+    return this.#transport.locator("svg g > g > text");
+  }
+
+  get zoomIn(): Locator {
+    return this.#transport.getByRole("button", { name: "Zoom the timeline in" });
+  }
+
+  get wholeRun(): Locator {
+    return this.#transport.getByRole("button", { name: "Whole run" });
+  }
+
+  /** The bar that scrolls a part of the run. */
+  get visiblePart(): Locator {
+    return this.#transport.getByRole("region", { name: "Visible part of the run" });
+  }
+
   /** The numbered mark of a script's command, or of several: "3", "3–7". */
   command(label: string): Locator {
     return this.#transport.locator(`[data-command="${label}"]`);

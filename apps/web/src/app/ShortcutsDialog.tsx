@@ -23,6 +23,7 @@ const rows = [
   ["shell.keys.timeline", ["←", "→", "Home", "End"]],
   ["speech.keys.timelineTick", ["Shift+←", "Shift+→"]],
   ["speech.keys.timelineFar", ["Page Down", "Page Up"]],
+  ["runDetails:timelineZoom.keys", ["+", "-", "0"]],
   ["shell.keys.undo", ["Ctrl+Z"]],
   ["shell.keys.redo", ["Ctrl+Shift+Z"]],
   ["speech.keys.describe", ["I"]],

@@ -20,12 +20,13 @@ const turnIcons: Readonly<Record<TurnName, PlainAction>> = {
 };
 
 export const EventMarks = memo(function EventMarks({ marks }: { marks: readonly EventMark[] }) {
-  return marks.map(({ event, x }) => (
+  return marks.map(({ event, x, more }) => (
     <Mark
       key={event.tick}
       kind={event.kind}
       turn={event.kind === "turn" ? event.turn : null}
       x={x}
+      isGroup={more > 0}
     />
   ));
 });
@@ -34,12 +35,19 @@ interface MarkProps {
   kind: TimelineEvent["kind"];
   turn: TurnName | null;
   x: number;
+  /** whether others that would overlap it are one mark with it */
+  isGroup: boolean;
 }
 
 /** Events stay where they are while the run goes on: only new ones are drawn. */
-const Mark = memo(function Mark({ kind, turn, x }: MarkProps) {
+const Mark = memo(function Mark({ kind, turn, x, isGroup }: MarkProps) {
   return (
-    <span className={styles["mark"]} data-kind={kind} style={{ insetInlineStart: x }}>
+    <span
+      className={styles["mark"]}
+      data-kind={kind}
+      data-group={isGroup || undefined}
+      style={{ insetInlineStart: x }}
+    >
       <EventIcon kind={kind} turn={turn} />
     </span>
   );

@@ -26,7 +26,10 @@ export function Playhead({ scale, event }: PlayheadProps) {
   useLayoutEffect(() => {
     let drawn = -1;
     const move = () => {
-      const x = Math.min(scale.width, Math.round(xOf(scale, run.getState().snapshot?.tick ?? 0)));
+      const place = Math.round(xOf(scale, run.getState().snapshot?.tick ?? 0));
+      // Outside of the displayed part it waits at an end of it, unseen.
+      const isOutside = scale.isPart && (place < 0 || place > scale.width);
+      const x = isOutside ? -1000 : Math.min(scale.width, place);
       if (x === drawn || head.current === null) return;
       drawn = x;
       head.current.style.transform = `translateX(${x}px)`;

@@ -2,6 +2,7 @@
 import type { Who } from "@corridor/recording";
 import { memo, useMemo } from "react";
 import { useTranslation } from "react-i18next";
+import { formatClock } from "../../text/numbers.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { remember } from "../../ui/remember.ts";
 import type { CommandMark } from "./command-marks.ts";
@@ -10,6 +11,10 @@ import type { Segment } from "./ribbon.ts";
 import { fits, nameOf } from "./segment-name.ts";
 import styles from "./timeline.module.css";
 
+/** Half of a long name of the axis, in px. */
+const END_PX = 20;
+const TICKS_PER_SECOND = 60;
+
 interface RibbonProps {
   picture: TimelinePicture;
   /** whether the newest moment is shown, so that the newest segment is alive */
@@ -17,7 +22,7 @@ interface RibbonProps {
 }
 
 export const Ribbon = memo(function Ribbon({ picture, isNow }: RibbonProps) {
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
   const names = useMemo(() => remember((who: Who) => nameOf(t, who)), [t]);
   return (
     <svg className={styles["picture"]} aria-hidden="true">
@@ -38,8 +43,12 @@ export const Ribbon = memo(function Ribbon({ picture, isNow }: RibbonProps) {
         {picture.axis.map(({ tick, x, unit, value }, at) => (
           <g key={tick} transform={`translate(${x} 0)`}>
             <path d="M0.5 22v4" />
-            <text x={at === 0 ? 0 : 0.5} y={38} textAnchor={anchorOf(at, picture.axis.length)}>
-              {at === 0 ? t(`timeline.axis.${unit}`, { number: value }) : value}
+            <text x={x === 0 ? 0 : 0.5} y={38} textAnchor={anchorOf(x, picture.scale.width)}>
+              {unit === "tick"
+                ? clockText(value, picture.scale.step, i18n.language)
+                : at === 0
+                  ? t(`timeline.axis.${unit}`, { number: value })
+                  : value}
             </text>
           </g>
         ))}
@@ -85,8 +94,14 @@ const CommandSegment = memo(function CommandSegment({ label, x, width, result }:
   );
 });
 
-/** The first and the last name of the axis stay within its ends. */
-function anchorOf(at: number, count: number): "start" | "middle" | "end" {
-  if (at === 0) return "start";
-  return at === count - 1 ? "end" : "middle";
+/** Names at the ends of the axis stay within them. */
+function anchorOf(x: number, width: number): "start" | "middle" | "end" {
+  if (x < END_PX) return "start";
+  return x > width - END_PX ? "end" : "middle";
+}
+
+/** "2:30"; with tenths where the axis names them. */
+function clockText(tick: number, step: number, language: string): string {
+  const text = formatClock(tick, language);
+  return step % TICKS_PER_SECOND === 0 ? text.slice(0, -2) : text;
 }

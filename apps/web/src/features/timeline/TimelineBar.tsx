@@ -16,10 +16,17 @@ import { Scrubber } from "./scrubber.ts";
 import { momentAt, sayMoment, type ShownMoment } from "./shown-moment.ts";
 import { timelineKey } from "./timeline-keys.ts";
 import { tickAt, xOf, type TimeScale } from "./time-scale.ts";
+import { createTimelineZoom } from "./timeline-zoom-store.ts";
 import { TimelineSlider } from "./TimelineSlider.tsx";
 import styles from "./timeline.module.css";
+import { waitingPart } from "../../ui/lazy-part.tsx";
 import { usePicture } from "./use-picture.ts";
 import { useShownMoment } from "./use-shown-moment.ts";
+
+const TimelineZoom = waitingPart(async () => (await import("./TimelineZoom.tsx")).TimelineZoom);
+
+/** From five seconds on a run asks for zoom; before, it comes in the background only. */
+const LONG_TICKS = 300;
 
 /** What the tooltip tells, and where it points, in px from the left end. */
 interface Tip {
@@ -30,9 +37,13 @@ interface Tip {
 export function TimelineBar() {
   const { t } = useTranslation();
   const { run, simulator, timeline } = useServices();
+  const bar = useRef<HTMLDivElement>(null);
   const track = useRef<HTMLDivElement>(null);
   const slider = useRef<HTMLInputElement>(null);
-  const picture = usePicture(track);
+  const [zoom] = useState(createTimelineZoom);
+  const picture = usePicture(track, zoom);
+  const isFresh = useStore(run, ({ nowTick }) => nowTick === 0);
+  const isLong = useStore(run, ({ nowTick }) => nowTick >= LONG_TICKS);
   const moment = useShownMoment();
   const eventKind = useStore(moment, ({ event }) => event?.kind);
   const isNow = useStore(run, ({ view }) => view === "now");
@@ -57,13 +68,13 @@ export function TimelineBar() {
   }
 
   function follow(event: PointerEvent<HTMLElement>): void {
-    if (picture === null || picture.endTick === 0) return;
+    if (picture === null || picture.endTick === 0 || zoom.getState().isPinching) return;
     const tick = tickUnder(event, picture);
     const isHeld = event.currentTarget.hasPointerCapture(event.pointerId);
     if (isHeld) show(tick);
     setPointed({
       x: xOf(picture.scale, tick),
-      text: sayMoment(t, momentAt(timeline.timeline, tick)),
+      text: `${sayMoment(t, momentAt(timeline.timeline, tick))}${moreAt(picture, tick)}`,
     });
   }
 
@@ -77,7 +88,7 @@ export function TimelineBar() {
   }
 
   function press(event: PointerEvent<HTMLElement>): void {
-    if (event.button !== 0 || picture === null || picture.endTick === 0) return;
+    if (event.button !== 0 || !event.isPrimary || picture === null || picture.endTick === 0) return;
     event.currentTarget.setPointerCapture(event.pointerId);
     // From here on the arrow keys go on.
     event.preventDefault();
@@ -97,48 +108,58 @@ export function TimelineBar() {
   }
 
   return (
-    <div
-      className={styles["timeline"]}
-      data-focused={isFocused || undefined}
-      onPointerDown={press}
-      onPointerMove={follow}
-      onPointerUp={(event) => {
-        if (event.pointerType !== "mouse") setPointed(null);
-      }}
-      onPointerLeave={() => setPointed(null)}
-      onPointerCancel={() => setPointed(null)}
-    >
-      {/* The pointer has the picture. */}
-      <TimelineSlider
-        inputRef={slider}
-        moment={moment}
-        endTick={picture?.endTick ?? 0}
-        onMove={show}
-        onKeyDown={onKey}
-        onFocus={(event) => setFocused(event.currentTarget.matches(":focus-visible"))}
-        onBlur={() => setFocused(false)}
-      />
-      <div ref={track} className={styles["body"]}>
-        {picture !== null && (
-          <>
-            <Ribbon picture={picture} isNow={isNow} />
-            <EventMarks marks={picture.marks} />
-            {picture.endTick > 0 && (
-              <Playhead
-                scale={picture.scale}
-                event={eventKind === "goal" || eventKind === "bump" ? eventKind : null}
-              />
-            )}
-            {pointed !== null ? (
-              <TimelineTip {...pointed} width={picture.scale.width} />
-            ) : (
-              isFocused && <FocusTip moment={moment} scale={picture.scale} />
-            )}
-          </>
-        )}
+    <div className={styles["place"]}>
+      <div
+        ref={bar}
+        className={styles["timeline"]}
+        data-focused={isFocused || undefined}
+        onPointerDown={press}
+        onPointerMove={follow}
+        onPointerUp={(event) => {
+          if (event.pointerType !== "mouse") setPointed(null);
+        }}
+        onPointerLeave={() => setPointed(null)}
+        onPointerCancel={() => setPointed(null)}
+      >
+        {/* The pointer has the picture. */}
+        <TimelineSlider
+          inputRef={slider}
+          moment={moment}
+          endTick={picture?.endTick ?? 0}
+          onMove={show}
+          onKeyDown={onKey}
+          onFocus={(event) => setFocused(event.currentTarget.matches(":focus-visible"))}
+          onBlur={() => setFocused(false)}
+        />
+        <div ref={track} className={styles["body"]}>
+          {picture !== null && (
+            <>
+              <Ribbon picture={picture} isNow={isNow} />
+              <EventMarks marks={picture.marks} />
+              {picture.endTick > 0 && (
+                <Playhead
+                  scale={picture.scale}
+                  event={eventKind === "goal" || eventKind === "bump" ? eventKind : null}
+                />
+              )}
+              {pointed !== null ? (
+                <TimelineTip {...pointed} width={picture.scale.width} />
+              ) : (
+                isFocused && <FocusTip moment={moment} scale={picture.scale} />
+              )}
+            </>
+          )}
+        </div>
       </div>
+      {!isFresh && <TimelineZoom isWanted={isLong} element={bar} zoom={zoom} />}
     </div>
   );
+}
+
+/** How many events are one mark with that of a tick: " (+3)"; empty for none. */
+function moreAt({ marks }: TimelinePicture, tick: number): string {
+  const more = marks.find(({ event }) => event.tick === tick)?.more ?? 0;
+  return more === 0 ? "" : ` (+${more})`;
 }
 
 /** What the slider tells those who listen, for those who look. */

@@ -38,22 +38,28 @@ const RANK: readonly CommandResult[] = ["collided", "ended", "running", "done"];
  */
 export function commandMarksOf(log: Commands, scale: TimeScale, endTick: number): CommandMark[] {
   const marks: CommandMark[] = [];
-  let next = 0;
+  const right = scale.from + scale.span;
+  let next = Math.max(0, log.countUpTo(scale.from) - 1);
   for (;;) {
     const first = log.at(next);
-    if (first === undefined) return marks;
+    if (first === undefined || first.from > right) return marks;
     let after = next + 1;
     let label = String(first.seq);
-    const x = xOf(scale, first.from);
+    const from = Math.max(scale.from, first.from);
+    const x = xOf(scale, from);
     // A longer label needs more room, which may take in more commands.
     for (;;) {
       const room = (widthOf(label) / scale.width) * scale.span;
-      const reached = Math.max(after, log.countUpTo(Math.ceil(first.from + room) - 1));
+      const reached = Math.max(after, log.countUpTo(Math.ceil(from + room) - 1));
       if (reached === after) break;
       after = reached;
       label = `${first.seq}–${log.at(after - 1)?.seq ?? ""}`;
     }
-    const end = log.at(after - 1)?.to ?? endTick;
+    const end = Math.min(right, log.at(after - 1)?.to ?? endTick);
+    if (end < scale.from) {
+      next = after;
+      continue;
+    }
     marks.push({
       label,
       tick: first.from,

@@ -25,17 +25,21 @@ export interface EventMark {
   event: TimelineEvent;
   /** px from the left end to its middle */
   x: number;
+  /** how many that would overlap it are one mark with it */
+  more: number;
 }
 
 /** Marks from the left to the right, none closer to another than it is wide. */
 export function marksOf(timeline: Events, scale: TimeScale): EventMark[] {
   const leastTicks = (MARK_PX / scale.width) * scale.span;
   const marks: EventMark[] = [];
-  let next = 0;
+  let next = timeline.eventsUpTo(scale.from - 1);
   while (next < timeline.eventCount) {
     const event = mostTelling(timeline, next, leastTicks);
-    marks.push({ event, x: xOf(scale, event.tick) });
-    next = timeline.eventsUpTo(Math.ceil(event.tick + leastTicks) - 1);
+    if (event.tick > scale.from + scale.span) break;
+    const after = timeline.eventsUpTo(Math.ceil(event.tick + leastTicks) - 1);
+    marks.push({ event, x: xOf(scale, event.tick), more: after - next - 1 });
+    next = after;
   }
   return marks;
 }

@@ -3,7 +3,14 @@ import type { Timeline } from "@corridor/recording";
 import { commandMarksOf, type CommandMark } from "./command-marks.ts";
 import { marksOf, type EventMark } from "./event-marks.ts";
 import { ribbonOf, type Segment } from "./ribbon.ts";
-import { axisOf, scaleOf, xOf, type AxisMark, type TimeScale } from "./time-scale.ts";
+import {
+  axisOf,
+  scaleOf,
+  xOf,
+  type AxisMark,
+  type TimeScale,
+  type TimeWindow,
+} from "./time-scale.ts";
 
 export interface TimelinePicture {
   scale: TimeScale;
@@ -15,10 +22,17 @@ export interface TimelinePicture {
   endTick: number;
 }
 
-/** @param width of the timeline, in px */
-export function pictureOf(timeline: Timeline, width: number): TimelinePicture {
+/**
+ * @param width of the timeline, in px
+ * @param window the part that is displayed; null for the whole run
+ */
+export function pictureOf(
+  timeline: Timeline,
+  width: number,
+  window: TimeWindow | null = null,
+): TimelinePicture {
   const { endTick } = timeline;
-  const scale = scaleOf(endTick, width);
+  const scale = window === null ? scaleOf(endTick, width) : { ...window, width, isPart: true };
   return {
     scale,
     endTick,
@@ -42,10 +56,11 @@ export function pictureMark({
 }: TimelinePicture): string {
   return [
     scale.width,
+    scale.from,
     scale.span,
     Math.round(xOf(scale, endTick)),
     ...segments.map(({ who, x, width }) => `${who} ${Math.round(x)} ${Math.round(width)}`),
-    ...marks.map(({ event }) => event.tick),
+    ...marks.map(({ event, more }) => `${event.tick} ${more}`),
     ...commands.map(({ label, width, result }) => `${label} ${Math.round(width)} ${result}`),
   ].join();
 }

@@ -32,18 +32,20 @@ export function ribbonOf(timeline: Stretches, scale: TimeScale): Segment[] {
   const { stretchCount, endTick } = timeline;
   const leastTicks = (LEAST_PX / scale.width) * scale.span;
   const segments: Segment[] = [];
-  let next = 0;
+  const end = scale.from + scale.span;
+  let next = Math.max(0, timeline.stretchAt(scale.from));
   while (next < stretchCount) {
-    const from = timeline.tickOf(next);
+    const from = Math.max(scale.from, timeline.tickOf(next));
+    if (from > end) break;
     // All that begins and ends within the least width, but never the newest: it shows who drives now.
     const reached = Math.min(timeline.stretchAt(from + leastTicks), stretchCount - 1);
     const isSingle = reached <= next + 1;
     const after = isSingle ? next + 1 : reached;
-    const end = after < stretchCount ? timeline.tickOf(after) : endTick;
+    const until = Math.min(end, after < stretchCount ? timeline.tickOf(after) : endTick);
     add(segments, {
       who: isSingle ? timeline.whoOf(next) : "mixed",
       x: xOf(scale, from),
-      width: Math.max(1, xOf(scale, end) - xOf(scale, from) - GAP_PX),
+      width: Math.max(1, xOf(scale, until) - xOf(scale, from) - GAP_PX),
       isNewest: after === stretchCount,
     });
     next = after;

@@ -29,10 +29,29 @@ const STEPS: readonly number[] = [
 const LEAST_STEP_PX = 44;
 
 type AxisUnit = "s" | "min" | "h";
-const TICKS_OF_UNIT: Readonly<Record<AxisUnit, number>> = { s: SECOND, min: MINUTE, h: HOUR };
+const TICKS_OF_UNIT: Readonly<Record<AxisUnit | "tick", number>> = {
+  tick: 1,
+  s: SECOND,
+  min: MINUTE,
+  h: HOUR,
+};
+
+/** The part of a run that a zoomed timeline displays. */
+export interface TimeWindow {
+  /** tick at the left end */
+  from: number;
+  /** ticks from the left end to the right end */
+  span: number;
+  /** ticks between two names of the axis */
+  step: number;
+}
 
 /** How ticks lie on a timeline of some width. */
 export interface TimeScale {
+  /** tick at the left end: 0 while the whole run is displayed */
+  from: number;
+  /** whether a part of the run is displayed: the axis then names times of the clock */
+  isPart: boolean;
   /** ticks from the left end to the right end */
   span: number;
   /** ticks between two names of the axis; divides the span */
@@ -46,7 +65,7 @@ export interface AxisMark {
   tick: number;
   /** px from the left end */
   x: number;
-  unit: AxisUnit;
+  unit: AxisUnit | "tick";
   /** whole, in that unit */
   value: number;
 }
@@ -58,26 +77,27 @@ export function scaleOf(endTick: number, width: number): TimeScale {
   const unit = TICKS_OF_UNIT[unitOf(span)];
   const isRoomy = (step: number) => (step / span) * width >= LEAST_STEP_PX;
   const step = STEPS.find((each) => each % unit === 0 && span % each === 0 && isRoomy(each));
-  return { span, step: step ?? span, width };
+  return { from: 0, isPart: false, span, step: step ?? span, width };
 }
 
 /** Where a tick lies, in px from the left end, without fractions of a tenth. */
-export function xOf({ span, width }: TimeScale, tick: number): number {
-  return Math.round((tick / span) * width * 10) / 10;
+export function xOf({ from, span, width }: TimeScale, tick: number): number {
+  return Math.round(((tick - from) / span) * width * 10) / 10;
 }
 
 /** The tick at a place; places outside are the ends. */
-export function tickAt({ span, width }: TimeScale, x: number): number {
-  if (width <= 0) return 0;
-  return Math.round(Math.min(1, Math.max(0, x / width)) * span);
+export function tickAt({ from, span, width }: TimeScale, x: number): number {
+  if (width <= 0) return from;
+  return from + Math.round(Math.min(1, Math.max(0, x / width)) * span);
 }
 
-/** The moments that the axis names, from 0 to its end; all in one unit. */
+/** The moments that the axis names, from its left end to its right; all in one unit. */
 export function axisOf(scale: TimeScale): AxisMark[] {
-  const { span, step } = scale;
-  const unit = unitOf(span);
-  return Array.from({ length: Math.round(span / step) + 1 }, (_, at) => {
-    const tick = at * step;
+  const { from, span, step, isPart } = scale;
+  const unit = isPart ? "tick" : unitOf(span);
+  const first = Math.ceil(from / step) * step;
+  return Array.from({ length: Math.floor((from + span - first) / step) + 1 }, (_, at) => {
+    const tick = first + at * step;
     return { tick, x: xOf(scale, tick), unit, value: tick / TICKS_OF_UNIT[unit] };
   });
 }

@@ -5,10 +5,14 @@
 import { useEffect, useState, type RefObject } from "react";
 import { createStore, useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import type { TimelineZoomStore } from "./timeline-zoom-store.ts";
 import { pictureMark, pictureOf, type TimelinePicture } from "./picture.ts";
 
 /** @returns null before the element was measured */
-export function usePicture(element: RefObject<HTMLElement | null>): TimelinePicture | null {
+export function usePicture(
+  element: RefObject<HTMLElement | null>,
+  zoom: TimelineZoomStore,
+): TimelinePicture | null {
   const { run, timeline: timelines } = useServices();
   // A store's news are drawn with those of the run, in the same frame of the page; React's own come later.
   const [shown] = useState(() => createStore<{ picture: TimelinePicture | null }>(() => NOTHING));
@@ -19,7 +23,7 @@ export function usePicture(element: RefObject<HTMLElement | null>): TimelinePict
       if (width === 0) return;
       const { timeline } = timelines;
       const isRunning = run.getState().snapshot?.state === "running";
-      const next = pictureOf(timeline, width);
+      const next = pictureOf(timeline, width, zoom.getState().window);
       const mark = pictureMark(next) + (isRunning ? "" : ` ${next.endTick}`);
       if (mark === painted) return;
       painted = mark;
@@ -31,11 +35,13 @@ export function usePicture(element: RefObject<HTMLElement | null>): TimelinePict
     });
     if (element.current !== null) measure.observe(element.current);
     const endListening = timelines.listen(paint);
+    const endZoom = zoom.subscribe(paint);
     return () => {
       measure.disconnect();
       endListening();
+      endZoom();
     };
-  }, [run, timelines, element, shown]);
+  }, [run, timelines, element, shown, zoom]);
   return useStore(shown).picture;
 }
 

@@ -1,0 +1,116 @@
+/** Buttons that zoom the timeline, and the bar that scrolls a part of it; wheel, fingers and keys do the same. */
+import { Scan, ZoomIn, ZoomOut } from "lucide-react";
+import { useEffect, useLayoutEffect, useRef, useState, type RefObject } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { IconButton } from "../../ui/Button.tsx";
+import type { TimeWindow } from "./time-scale.ts";
+import type { TimelineZoomStore } from "./timeline-zoom-store.ts";
+import styles from "./timeline-zoom.module.css";
+import { listenToTimelineZoom, ZOOM_STEP } from "./zoom-input.ts";
+import { TimelineZoomer } from "./timeline-zoomer.ts";
+
+/** Between each end of the timeline and those of its time, in px. */
+const MARGIN = 10;
+
+interface TimelineZoomProps {
+  /** of the timeline */
+  element: RefObject<HTMLElement | null>;
+  zoom: TimelineZoomStore;
+}
+
+export function TimelineZoom({ element, zoom }: TimelineZoomProps) {
+  const { t, ready } = useTranslation("runDetails", { useSuspense: false });
+  const services = useServices();
+  const [zoomer] = useState(() => new TimelineZoomer(services, zoom, () => widthOf(element)));
+  const window = useStore(zoom, (state) => state.window);
+
+  useEffect(() => {
+    if (element.current === null) return undefined;
+    return listenToTimelineZoom(element.current, MARGIN, zoomer);
+  }, [element, zoomer]);
+  useEffect(() => services.run.subscribe(zoomer.follow), [services, zoomer]);
+
+  if (!ready) return null;
+  return (
+    <>
+      <fieldset className={styles["buttons"]} aria-label={t("timelineZoom.name")}>
+        <IconButton
+          size="small"
+          label={t("timelineZoom.in")}
+          onClick={() => zoomer.zoomHere(ZOOM_STEP)}
+        >
+          <ZoomIn aria-hidden="true" />
+        </IconButton>
+        <IconButton
+          size="small"
+          label={t("timelineZoom.out")}
+          disabled={window === null}
+          onClick={() => zoomer.zoomHere(1 / ZOOM_STEP)}
+        >
+          <ZoomOut aria-hidden="true" />
+        </IconButton>
+        <IconButton
+          size="small"
+          className={styles["whole"]}
+          label={t("timelineZoom.fit")}
+          disabled={window === null}
+          onClick={() => zoomer.zoomHere(null)}
+        >
+          <Scan aria-hidden="true" />
+        </IconButton>
+      </fieldset>
+      {window !== null && (
+        <ScrollBar
+          window={window}
+          whole={zoomer.whole}
+          label={t("timelineZoom.part")}
+          onScroll={zoomer.scrollTo}
+        />
+      )}
+    </>
+  );
+}
+
+/** Of the time, in px. */
+function widthOf({ current }: RefObject<HTMLElement | null>): number {
+  return (current?.clientWidth ?? 0) - 2 * MARGIN;
+}
+
+interface ScrollBarProps {
+  window: TimeWindow;
+  /** ticks of the whole axis */
+  whole: number;
+  label: string;
+  onScroll: (from: number) => void;
+}
+
+/** A native scrolling box: mouse, finger and keys work as everywhere. */
+function ScrollBar({ window, whole, label, onScroll }: ScrollBarProps) {
+  const box = useRef<HTMLDivElement>(null);
+  /** where it was put, in px: what it then tells of itself is no wish of the reader */
+  const put = useRef(0);
+  useLayoutEffect(() => {
+    if (box.current === null) return;
+    box.current.scrollLeft = (window.from / whole) * box.current.scrollWidth;
+    put.current = box.current.scrollLeft;
+  }, [window, whole]);
+  return (
+    <section
+      ref={box}
+      // Boxes that scroll are for the keyboard as well.
+      // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex
+      tabIndex={0}
+      aria-label={label}
+      className={styles["scroll"]}
+      onScroll={({ currentTarget: { scrollLeft, scrollWidth } }) => {
+        if (Math.abs(scrollLeft - put.current) < 1) return;
+        put.current = scrollLeft;
+        onScroll((scrollLeft / scrollWidth) * whole);
+      }}
+    >
+      <div style={{ inlineSize: `${(whole / window.span) * 100}%` }} />
+    </section>
+  );
+}

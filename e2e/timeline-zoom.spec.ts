@@ -1,0 +1,90 @@
+/** The timeline is zoomed and scrolled. */
+import { expect, test } from "./fixtures.ts";
+
+test("zooms by buttons, keys and the wheel, and scrolls", async ({ corridor, page }) => {
+  const { timeline } = corridor;
+  await corridor.open();
+  await corridor.speed.selectOption("8×");
+  await corridor.run.click();
+  await expect(timeline.mark("turn").nth(2)).toBeVisible();
+  await corridor.pause.click();
+  await expect(corridor.run).toBeVisible();
+  await expect(timeline.axis.first()).toHaveText("0 s");
+  await expect(timeline.visiblePart).toBeHidden();
+
+  await timeline.zoomIn.click();
+  await timeline.zoomIn.click();
+  await timeline.zoomIn.click();
+  await expect(timeline.axis.first()).toHaveText(/^\d+:\d\d$/);
+  await expect(timeline.visiblePart).toBeVisible();
+  const names = await timeline.axis.allTextContents();
+  expect(new Set(names).size).toBe(names.length);
+
+  await timeline.visiblePart.evaluate((box) => box.scrollTo(0, 0));
+  await expect(timeline.axis.first()).toHaveText("0:00");
+  await timeline.slider.press("Home");
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
+  await timeline.slider.press("End");
+  await expect(timeline.axis.first()).not.toHaveText("0:00");
+
+  await timeline.slider.press("0");
+  await expect(timeline.axis.first()).toHaveText("0 s");
+  await timeline.slider.press("+");
+  await expect(timeline.axis.first()).toHaveText(/^\d+:\d\d$/);
+  await timeline.slider.press("-");
+  await expect(timeline.axis.first()).toHaveText("0 s");
+
+  const { x, y } = await timeline.placeAt(0.3);
+  await page.mouse.move(x, y);
+  await page.keyboard.down("Control");
+  await page.mouse.wheel(0, -100);
+  await page.keyboard.up("Control");
+  await expect(timeline.visiblePart).toBeVisible();
+  await timeline.wholeRun.click();
+  await expect(timeline.visiblePart).toBeHidden();
+});
+
+test("a phone zooms with two fingers, and the whole run comes back", async ({ openWindow }) => {
+  const phone = await openWindow({
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+  });
+  await phone.open();
+  const { timeline } = phone;
+  await phone.speed.selectOption("8×");
+  await phone.run.click();
+  await expect(timeline.mark("turn").nth(2)).toBeVisible();
+  await phone.pause.click();
+  const before = await timeline.mark("turn").first().boundingBox();
+  const last = await timeline.mark("turn").nth(1).boundingBox();
+  const apart = (last?.x ?? 0) - (before?.x ?? 0);
+  const { x, y } = await timeline.placeAt(0.1);
+  await timeline.slider.evaluate(
+    (slider, at) => {
+      const bar = slider.parentElement;
+      if (bar === null) return;
+      const touch = (identifier: number, clientX: number) =>
+        new Touch({ identifier, target: bar, clientX, clientY: at.y });
+      const send = (type: string, half: number | null) =>
+        bar.dispatchEvent(
+          new TouchEvent(type, {
+            touches: half === null ? [] : [touch(0, at.x - half), touch(1, at.x + half)],
+            bubbles: true,
+            cancelable: true,
+          }),
+        );
+      send("touchstart", 10);
+      send("touchmove", 20);
+      send("touchend", null);
+    },
+    { x, y },
+  );
+  await expect
+    .poll(async () => {
+      const one = await timeline.mark("turn").first().boundingBox();
+      const two = await timeline.mark("turn").nth(1).boundingBox();
+      return ((two?.x ?? 0) - (one?.x ?? 0)) / apart;
+    })
+    .toBeGreaterThan(1.5);
+});
