@@ -1,4 +1,5 @@
 /** The sheet of the phone: Drive, Program and Presets behind tabs, as far open as the reader wants. */
+import type { Rights } from "@corridor/challenge";
 import { LayoutGrid, List, User } from "lucide-react";
 import { useEffect, useLayoutEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
@@ -22,17 +23,21 @@ const icons: Readonly<Record<SheetTab, ReactNode>> = {
 const tabs = ["drive", "program", "presets"] as const;
 type SheetTab = (typeof tabs)[number];
 
+function tabFor(rights: Rights | null): SheetTab {
+  return rights?.drivers[0] === "me" ? "drive" : "program";
+}
+
 export function PhoneSheet({ hold }: { hold: HoldStore }) {
   const { t } = useTranslation();
-  const [tab, setTab] = useState<SheetTab>("program");
   const { challenge, camera } = useServices();
+  // A mission opens where it is to be done; one of the address may be open before the sheet is there.
+  const [tab, setTab] = useState<SheetTab>(() => tabFor(challenge.getState().rights));
   const isMission = useRights() !== null;
   useEffect(
     () =>
-      // A mission opens where it is to be done.
       challenge.subscribe((next, before) => {
         if (next.challenge === null || next.mission === before.mission) return;
-        setTab(next.rights?.drivers[0] === "me" ? "drive" : "program");
+        setTab(tabFor(next.rights));
       }),
     [challenge],
   );

@@ -3,12 +3,20 @@ import { useId, type ReactNode } from "react";
 import { classNames } from "./class-names.ts";
 import styles from "./segmented.module.css";
 
+interface SegmentedOption<Value extends string> {
+  value: Value;
+  label: string;
+  icon?: ReactNode;
+  /** why it does nothing now, for an option that looks fixed; it can be chosen, to leave another one */
+  fixed?: string | undefined;
+}
+
 interface SegmentedProps<Value extends string> {
   /** names the group for everyone; shown above only with `showLabel` */
   label: string;
   showLabel?: boolean;
   value: Value;
-  options: readonly { value: Value; label: string; icon?: ReactNode }[];
+  options: readonly SegmentedOption<Value>[];
   onChange: (value: Value) => void;
   /** "track" fills the width on a sunken track; "strip" is as wide as its words, on a raised bar */
   look?: "track" | "strip";
@@ -35,6 +43,8 @@ export function Segmented<Value extends string>({
               name={name}
               value={option.value}
               checked={option.value === value}
+              aria-disabled={option.fixed !== undefined || undefined}
+              title={option.fixed}
               onChange={() => onChange(option.value)}
             />
             {option.icon}

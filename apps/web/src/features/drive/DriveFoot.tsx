@@ -8,6 +8,7 @@ import { useServices } from "../../app/services.ts";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { useRights } from "../lessons/use-rights.ts";
 import { DrivePad } from "./DrivePad.tsx";
+import { isHandRefused } from "./hand-control.ts";
 import styles from "./drive-foot.module.css";
 import type { HoldStore } from "./hold-store.ts";
 import { SensorCross } from "./SensorCross.tsx";
@@ -49,6 +50,6 @@ function useIsCompact(): boolean {
   const isBeside = useMediaQuery("(min-width: 56.25em)");
   const isProgram = useStore(run, ({ snapshot }) => (snapshot?.driver ?? "program") === "program");
   const isLong = useStore(workspace, ({ program }) => program.rules.length > FEW_LINES);
-  const isHandsOff = rights !== null && !rights.drivers.includes("me");
-  return isProgram && isBeside && (isLong || isHandsOff);
+  const isRefused = useStore(run, (state) => isHandRefused(state, rights));
+  return isRefused || (isProgram && isBeside && isLong);
 }

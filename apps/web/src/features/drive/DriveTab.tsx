@@ -7,27 +7,33 @@ import { Button } from "../../ui/Button.tsx";
 import { useRights } from "../lessons/use-rights.ts";
 import { runButton, runOrPause } from "../transport/run-button.ts";
 import { DrivePad } from "./DrivePad.tsx";
+import { isHandRefused } from "./hand-control.ts";
 import styles from "./drive-tab.module.css";
 import type { HoldStore } from "./hold-store.ts";
 import { SensorCross } from "./SensorCross.tsx";
 
 export function DriveTab({ hold }: { hold: HoldStore }) {
-  const { t } = useTranslation();
+  const { t } = useTranslation(["words", "runDetails"], { useSuspense: false });
   const { run } = useServices();
   const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
   const isNow = useStore(run, ({ view }) => view === "now");
-  const drivers = useRights()?.drivers;
+  const rights = useRights();
+  const isRefused = useStore(run, (state) => isHandRefused(state, rights));
   return (
     <div className={styles["tab"]}>
       <div className={styles["head"]}>
-        <h2 className={styles["caption"]}>{t("drive.hold")}</h2>
+        <h2 className={styles["caption"]}>{t(isRefused ? "drive.sensors" : "drive.hold")}</h2>
         <SensorCross look="row" />
       </div>
-      <DrivePad hold={hold} caps="words" />
+      {isRefused ? (
+        <p className={styles["refused"]}>{t("runDetails:hand.refused")}</p>
+      ) : (
+        <DrivePad hold={hold} caps="words" />
+      )}
       <div className={styles["foot"]}>
         <p className={styles["says"]}>{t(`drive.says.${driver}`)}</p>
         {/* In the past the transport is in sight, with its own button; some missions are for the hand alone. */}
-        {isNow && drivers?.includes("program") !== false && <RunProgram />}
+        {isNow && rights?.drivers.includes("program") !== false && <RunProgram />}
       </div>
     </div>
   );

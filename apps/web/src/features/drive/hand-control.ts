@@ -15,6 +15,11 @@ export type HandRun = Pick<RunState, "snapshot" | "view" | "nowDriver" | "fault"
  */
 export type HandAction = "drive" | "take-over" | "pause" | "refuse" | "none";
 
+/** Whether drive keys would do nothing but refuse: then they are not displayed. */
+export function isHandRefused(run: HandRun, rights: Pick<Rights, "drivers"> | null): boolean {
+  return handAction("forward", run, rights) === "refuse";
+}
+
 /** @param rights of the open challenge; null: no challenge is open */
 export function handAction(
   key: DriveKey,

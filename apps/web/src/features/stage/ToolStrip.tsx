@@ -45,6 +45,7 @@ export function ToolStrip() {
               value,
               label: t(`stage.tool.${value}`),
               icon: <Icon aria-hidden="true" />,
+              fixed: isFixed && value !== "measure" ? t("stage.refused.maze-fixed") : undefined,
             };
           })}
           onChange={(value) => screen.setState({ tool: value })}

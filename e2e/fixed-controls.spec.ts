@@ -1,0 +1,39 @@
+/** What a mission fixes looks fixed: the tools of its maze, and the drive keys where no hand may drive. */
+import type { BrowserContextOptions, Page } from "playwright/test";
+import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
+
+type OpenWindow = (options?: BrowserContextOptions) => Promise<CorridorPage>;
+
+async function openMission(openWindow: OpenWindow, width: number, id: string): Promise<Page> {
+  const corridor = await openWindow({ viewport: { width, height: 860 } });
+  await corridor.open(`/#mission/${id}`);
+  return corridor.page;
+}
+
+test("the tools of a maze that a mission fixes say so, and Measure stays", async ({
+  openWindow,
+}) => {
+  const page = await openMission(openWindow, 1440, "centimetres");
+  for (const name of ["Blocks", "Start", "Goal"]) {
+    const tool = page.getByRole("radio", { name });
+    await expect(tool).toBeDisabled();
+    await expect(tool).toHaveAccessibleDescription(/^You cannot change the maze of this mission/);
+  }
+  await expect(page.getByRole("radio", { name: "Measure" })).toBeEnabled();
+});
+
+test("no drive keys on a phone where the hand may not drive, but the reason", async ({
+  openWindow,
+}) => {
+  const page = await openMission(openWindow, 390, "centimetres");
+  await page.getByRole("tab", { name: "Drive" }).click();
+  await expect(page.getByText("You cannot drive by hand in this mission.")).toBeVisible();
+  await expect(page.getByRole("group", { name: "Hold to drive" })).toBeHidden();
+  await expect(page.getByRole("button", { name: "Run program" })).toBeVisible();
+});
+
+test("drive keys are there where a mission is for the hand", async ({ openWindow }) => {
+  const page = await openMission(openWindow, 390, "make-it-move");
+  await expect(page.getByRole("group", { name: "Hold to drive" })).toBeVisible();
+});
