@@ -175,6 +175,109 @@ function covered(page: Page): Promise<string[]> {
   });
 }
 
+/** What of the card and the messages lies over the robot, a button of the run or a tab. */
+async function covering(corridor: CorridorPage): Promise<string[]> {
+  const { page } = corridor;
+  const [, x = "0", y = "0"] =
+    /^Robot at (\d+), (\d+)/.exec((await corridor.robotPlace.textContent()) ?? "") ?? [];
+  const grid = await corridor.maze.grid.boundingBox();
+  if (grid === null) throw new Error("the maze is not on the screen");
+  const scale = grid.width / (room.columns * 100);
+  // Its middle and 20 cm around.
+  const robot = {
+    left: grid.x + (Number(x) - 20) * scale,
+    top: grid.y + (Number(y) - 20) * scale,
+    right: grid.x + (Number(x) + 20) * scale,
+    bottom: grid.y + (Number(y) + 20) * scale,
+  };
+  return page.evaluate((robotBox) => {
+    const over = [
+      ...document.querySelectorAll("[data-card], section[aria-label=Messages] span:has(> button)"),
+    ];
+    const kept = [
+      ...document.querySelectorAll("section[aria-label=Run] button, [role=tab]"),
+    ].filter((each) => each.checkVisibility());
+    const boxes = [
+      { name: "robot", box: robotBox },
+      ...kept.map((each) => ({ name: each.textContent, box: each.getBoundingClientRect() })),
+    ];
+    return over.flatMap((each) => {
+      const one = each.getBoundingClientRect();
+      return boxes.flatMap(({ name, box }) =>
+        Math.min(one.right, box.right) - Math.max(one.left, box.left) > 1 &&
+        Math.min(one.bottom, box.bottom) - Math.max(one.top, box.top) > 1
+          ? [`${each.textContent} | ${name}`]
+          : [],
+      );
+    });
+  }, robot);
+}
+
+const screens = [
+  { width: 1440, height: 900 },
+  { width: 1024, height: 768 },
+  { width: 844, height: 390 },
+  { width: 390, height: 844 },
+  { width: 320, height: 640 },
+];
+
+const room = { columns: 11, rows: 9 };
+
+/** A bump in the middle of the maze, in two corners and in the middle of two edges: straight ahead from a start. */
+const bumps = [
+  { start: { column: 2, row: 4, heading: "east" }, block: { column: 6, row: 4 } },
+  { start: { column: 5, row: 3, heading: "south" }, block: null },
+  { start: { column: 5, row: 3, heading: "north" }, block: null },
+  { start: { column: 3, row: 0, heading: "west" }, block: null },
+  { start: { column: 7, row: 8, heading: "east" }, block: null },
+] as const;
+
+function linkTo({ start, block }: (typeof bumps)[number]): string {
+  const blocks = Array.from({ length: room.rows }, (_, row) =>
+    Array.from({ length: room.columns }, (__, column) =>
+      block?.column === column && block.row === row ? "#" : ".",
+    ).join(""),
+  );
+  const maze = { format: "corridor/maze", version: 1, name: "", blocks, start, goals: [] } as const;
+  const program = {
+    format: "corridor/program",
+    version: 1,
+    name: "",
+    default: "forward",
+    rules: [],
+  } as const;
+  const link = encodeLink({ maze: { ...maze, goals: [] }, program: { ...program, rules: [] } });
+  if (!link.ok) throw new Error(link.code);
+  return link.text;
+}
+
+for (const viewport of screens) {
+  test(`sees the robot beside every card and message at ${viewport.width} x ${viewport.height}`, async ({
+    openWindow,
+  }) => {
+    const corridor = await openWindow({ viewport });
+    const { page } = corridor;
+    await corridor.open();
+    await corridor.speed.selectOption("max");
+    for (const bump of bumps) {
+      await page.evaluate((hash) => (location.hash = hash), linkTo(bump));
+      await expect(corridor.program.lines).toHaveCount(0);
+      await expect(corridor.clock).toHaveText("Time 0:00.0");
+      await corridor.run.click();
+      const card = page.getByRole("region", { name: /^Bump/ });
+      await expect(card).toBeVisible();
+      await page.evaluate(() => navigator.clipboard.writeText("hello"));
+      await page.keyboard.press("ControlOrMeta+V");
+      await expect(corridor.message(/^The text you pasted/).first()).toBeVisible();
+      await atRest(page);
+      expect(await covering(corridor), JSON.stringify(bump)).toEqual([]);
+      await expect(card.getByRole("heading")).toBeInViewport({ ratio: 1 });
+      await corridor.reset.click();
+      await corridor.dismissMessages();
+    }
+  });
+}
+
 for (const [width, height] of [
   [1440, 900],
   [1024, 768],

@@ -3,6 +3,7 @@ import type { Rights } from "@corridor/challenge";
 import { LayoutGrid, List, User } from "lucide-react";
 import { useEffect, useLayoutEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
+import { CardDock } from "../features/cards/CardDock.tsx";
 import { LazyDriveTab } from "../features/drive/lazy-drive-tab.ts";
 import type { HoldStore } from "../features/drive/hold-store.ts";
 import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
@@ -29,7 +30,7 @@ function tabFor(rights: Rights | null): SheetTab {
 
 export function PhoneSheet({ hold }: { hold: HoldStore }) {
   const { t } = useTranslation();
-  const { challenge, camera } = useServices();
+  const { challenge, camera, cardDock } = useServices();
   // A mission opens where it is to be done; one of the address may be open before the sheet is there.
   const [tab, setTab] = useState<SheetTab>(() => tabFor(challenge.getState().rights));
   const isMission = useRights() !== null;
@@ -42,6 +43,23 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
     [challenge],
   );
   const [position, setPosition] = useState<SheetPosition>("half");
+  const openedForCard = useRef<SheetPosition | null>(null);
+  useEffect(
+    () =>
+      // What explains the run is to be read, however far the sheet was open; then it is as it was.
+      cardDock.subscribe(({ isTaken, element }, before) => {
+        if (isTaken === before.isTaken) return;
+        const room = element?.parentElement?.clientHeight ?? 0;
+        const isTooHigh = (element?.offsetHeight ?? 0) > room;
+        setPosition((now) => {
+          if (!isTaken) return openedForCard.current ?? now;
+          openedForCard.current = now;
+          return isTooHigh ? "open" : now === "closed" ? "half" : now;
+        });
+        if (!isTaken) openedForCard.current = null;
+      }),
+    [cardDock],
+  );
   const isDriving = tab === "drive" && position !== "closed";
   useLayoutEffect(() => {
     camera.setState({ isDriving });
@@ -56,7 +74,13 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
       aria-label={t("shell.panel")}
     >
       <Later until="early-sheet">
-        <GrabBar position={position} onChange={setPosition} />
+        <GrabBar
+          position={position}
+          onChange={(next) => {
+            openedForCard.current = null;
+            setPosition(next);
+          }}
+        />
         <Tabs
           label={t("shell.panel")}
           value={tab}
@@ -71,6 +95,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
           }}
           panelClassName={styles["content"]}
         >
+          <CardDock />
           {tab === "drive" && (
             <>
               {isMission && <MissionPlace look="slim" />}

@@ -1,6 +1,7 @@
 /** The panel beside the stage: who drives, what they drive with, sensors and keys at its foot. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { CardDock } from "../features/cards/CardDock.tsx";
 import { DriveFoot } from "../features/drive/DriveFoot.tsx";
 import { DriverChoice } from "../features/drive/DriverChoice.tsx";
 import type { HoldStore } from "../features/drive/hold-store.ts";
@@ -23,11 +24,13 @@ export function SidePanel({ hold }: { hold: HoldStore }) {
         </div>
         {isRemote ? (
           <div className={styles["remote"]}>
+            <CardDock />
             <LazyRemotePanel />
           </div>
         ) : (
           <>
             <div className={styles["program"]}>
+              <CardDock />
               <MissionPlace />
               <ProgramEditor />
             </div>

@@ -11,7 +11,14 @@ import { Speech } from "../features/speech/speech.ts";
 import { LessonsGate } from "../features/lessons/lessons-gate.ts";
 import { LessonsStorage } from "../features/lessons/lessons-storage.ts";
 import { createCameraStore, type CameraStore } from "../stores/camera-store.ts";
-import { createCardStore, explain, forgetAfter, type CardStore } from "../stores/card-store.ts";
+import {
+  createCardDock,
+  createCardStore,
+  explain,
+  forgetAfter,
+  type CardDock,
+  type CardStore,
+} from "../stores/card-store.ts";
 import { createChallengeStore, type ChallengeStore } from "../stores/challenge-store.ts";
 import { createMomentTeller } from "../stores/moment-teller.ts";
 import { LateRun } from "../stores/late-run.ts";
@@ -58,6 +65,7 @@ export interface Services {
   lateRun: RunStore;
   /** what there is to explain of the run */
   cards: CardStore;
+  cardDock: CardDock;
   timeline: TimelineStore;
   remote: RemoteStore;
   race: RaceStore;
@@ -99,6 +107,7 @@ export function createServices(browser: Browser): Services {
   const run = createRunStore();
   const late = new LateRun(run, nextFrame);
   const cards = createCardStore();
+  const cardDock = createCardDock();
   const challenge = createChallengeStore();
   const camera = createCameraStore();
   const remote = createRemoteStore();
@@ -206,6 +215,7 @@ export function createServices(browser: Browser): Services {
     advice,
     camera,
     cards,
+    cardDock,
     simulator,
     workspace,
     run,

@@ -25,6 +25,17 @@ export function createCardStore() {
 }
 export type CardStore = ReturnType<typeof createCardStore>;
 
+/** Where a card stands that has no place beside the robot: at the upper end of the panel or the sheet. */
+export interface CardDockState {
+  /** null before there is one */
+  element: HTMLElement | null;
+  isTaken: boolean;
+}
+
+export function createCardDock() {
+  return createStore<CardDockState>()(() => ({ element: null, isTaken: false }));
+}
+
 /**
  * Keeps a moment that has a card: the goal, and a bump for which the run has paused.
  * @param newest the program that stands on the page, which may have been edited in the same moment
@@ -45,3 +56,4 @@ export function forgetAfter(store: CardStore, tick: number): void {
   const { bump, goal } = store.getState();
   store.setState({ bump: kept(bump), goal: kept(goal) });
 }
+export type CardDock = ReturnType<typeof createCardDock>;

@@ -1,13 +1,15 @@
 /**
  * A card beside the robot, with its tail; a good one stands away from it, so that the whole way can be
- * seen. It stands still while it is open, follows the stage's layout
- * and size, and lies over the sheet on phones, where the maze has no room to spare.
+ * seen. It stands still while it is open and follows the stage's layout and size. On phones, and wherever
+ * it would cover the robot, it is a part of the sheet or the panel.
  */
 import { X } from "lucide-react";
 import { useId, useLayoutEffect, useRef, useState, type ReactNode } from "react";
+import { createPortal } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import type { Pose } from "@corridor/protocol";
+import { useServices } from "../../app/services.ts";
 import { viewX, viewY, viewportAt, type Box, type Viewport } from "../../canvas/viewport.ts";
 import { IconButton } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
@@ -19,6 +21,8 @@ import styles from "./cards.module.css";
 /** Half of the robot's width as it is drawn, in units. */
 const ROBOT_HALF = 28;
 const CELL = 100;
+/** A stage so narrow or so low has no room beside the robot: phones, upright and on their side. */
+const SMALL = "(max-width: 37.49em), (max-height: 33.75em)";
 /** Half of the tail's side. */
 const TAIL_PX = 8;
 /** The legend below the drawing area, over which messages stand too, in px. */
@@ -43,25 +47,38 @@ export function FloatingCard(props: FloatingCardProps) {
   const { view, pose, keepClear, tone, icon, title, onClose, children } = props;
   const { t } = useTranslation();
   const layout = useStore(view, (state) => state.layout);
-  const isPhone = useMediaQuery("(max-width: 37.49em)");
+  const { cardDock } = useServices();
+  const dock = useStore(cardDock, ({ element }) => element);
+  const isSmall = useMediaQuery(SMALL);
   const card = useRef<HTMLElement>(null);
   const [place, setPlace] = useState<CardPlace | null>(null);
+  /** the layout in which every place would cover the robot */
+  const [tooFull, setTooFull] = useState<typeof layout>(null);
+  const isDocked = dock !== null && (isSmall || (layout !== null && tooFull === layout));
   const [half, setHalf] = useState<"upper" | "lower">("upper");
   const titleId = useId();
 
   // Messages stand on the other side (messages.module.css). Said at the root, since a selector that asked
   // for the card would look at the whole page again each time that something on it comes or goes.
   useLayoutEffect(() => {
+    if (isDocked) return undefined;
     const { dataset } = document.documentElement;
     dataset["cardIn"] = half;
     return () => {
       delete dataset["cardIn"];
     };
-  }, [half]);
+  }, [half, isDocked]);
+
+  useLayoutEffect(() => {
+    if (!isDocked) return undefined;
+    cardDock.setState({ isTaken: true });
+    showFromTop(dock);
+    return () => cardDock.setState({ isTaken: false });
+  }, [cardDock, isDocked, dock]);
 
   useLayoutEffect(() => {
     const element = card.current;
-    if (element === null || layout === null || isPhone) return undefined;
+    if (element === null || layout === null || isDocked) return undefined;
     const put = () => {
       // In the content of the stage, so that the card scrolls with the robot that it belongs to.
       const viewport = viewportAt(layout, { x: 0, y: 0 });
@@ -90,6 +107,10 @@ export function FloatingCard(props: FloatingCardProps) {
           ? placeCard([area, stage], robot, shapes, squares)
           : placeCardAway([inMaze, area, stage], robot, shapes, squares);
       if (next === null) return;
+      if (next.coversRobot) {
+        setTooFull(layout);
+        return;
+      }
       element.dataset["shape"] = next.shape.shape;
       const above = next.y - area.y;
       const below = area.height - above - next.shape.height + LEGEND;
@@ -100,16 +121,16 @@ export function FloatingCard(props: FloatingCardProps) {
     const resize = new ResizeObserver(put);
     resize.observe(element);
     return () => resize.disconnect();
-  }, [layout, isPhone, pose, keepClear, tone]);
+  }, [layout, isDocked, pose, keepClear, tone]);
 
-  const at = isPhone ? null : place;
-  return (
+  const at = isDocked ? null : place;
+  const section = (
     <section
       ref={card}
       aria-labelledby={titleId}
       data-card=""
-      className={classNames(styles["card"], styles[tone], isPhone && styles["onPhone"])}
-      style={isPhone ? undefined : at === null ? HIDDEN : { left: at.x, top: at.y }}
+      className={classNames(styles["card"], styles[tone], isDocked && styles["docked"])}
+      style={isDocked ? undefined : at === null ? HIDDEN : { left: at.x, top: at.y }}
     >
       {at !== null && <Tail place={at} />}
       <header className={styles["header"]}>
@@ -124,6 +145,17 @@ export function FloatingCard(props: FloatingCardProps) {
       {children}
     </section>
   );
+  return isDocked ? createPortal(section, dock) : section;
+}
+
+/** The lines below may have been scrolled; the page itself stays where it is. */
+function showFromTop(dock: HTMLElement): void {
+  const panel = dock.closest("aside");
+  let each = dock.parentElement;
+  while (each !== null && panel?.contains(each) === true) {
+    each.scrollTop = 0;
+    each = each.parentElement;
+  }
 }
 
 /** Placed by left and top whatever the language: the maze that it points into never mirrors. */

@@ -15,6 +15,8 @@ export interface CardPlace<Shape extends Size = Size> {
   shape: Shape;
   /** how much of what should stay in sight lies below it; 0 is what is wanted */
   covered: number;
+  /** whether there is no place at all that leaves the robot in sight */
+  coversRobot: boolean;
 }
 
 interface Size {
@@ -112,7 +114,8 @@ function leastCovering<Shape extends Size>(
       for (const spot of spotsIn(area, shape, seen, robot)) {
         const covered = coveredBy({ ...spot, ...shape }, robot, keepClear);
         if (inArea === null || isBetter(spot, covered, inArea)) {
-          inArea = { ...spot, shape, covered };
+          const coversRobot = overlap({ ...spot, ...shape }, robot) > 0;
+          inArea = { ...spot, shape, covered, coversRobot };
         }
       }
     }

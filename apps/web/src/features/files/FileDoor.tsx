@@ -35,17 +35,37 @@ export function FileDoor({ children }: { children: ReactNode }) {
     [services, i18n],
   );
 
+  const paste = useCallback(
+    async (text: string): Promise<void> => {
+      let pasted: "file" | "other" | URL;
+      try {
+        const { readPasted } = await import("./read-pasted.ts");
+        pasted = readPasted(text, location.origin);
+      } catch {
+        tell(services.screen, { tone: "bad", text: i18n.t("offline.partFailed") });
+        return;
+      }
+      if (pasted === "file") {
+        const name = t("files.pasted");
+        await take([{ name, size: text.length, text: () => Promise.resolve(text) }]);
+      } else if (pasted === "other") {
+        tell(services.screen, { tone: "info", text: t("files.strayText") });
+      } else {
+        // As if it had been put into the address bar: with the same page only its fragment changes.
+        location.assign(pasted);
+      }
+    },
+    [take, services, i18n, t],
+  );
+
   useEffect(
     () =>
       listenForFiles({
         over: setIsOver,
         take: (files) => void take(files),
-        // As if it had been put into the address bar: with the same page only its fragment changes.
-        openLink: (link) => location.assign(link),
-        strayText: () => tell(services.screen, { tone: "info", text: t("files.strayText") }),
-        clipboardName: () => t("files.pasted"),
+        pasted: (text) => void paste(text),
       }),
-    [take, services, t],
+    [take, paste],
   );
 
   return (

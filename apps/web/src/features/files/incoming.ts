@@ -2,30 +2,18 @@
  * Files on their way into the page: dragged over it, dropped, pasted, or chosen in the browser's own
  * dialog. Small, because it listens from the first moment; reading them comes in a file of its own.
  */
-import { looksLikeFile } from "./looks-like-file.ts";
 import type { TextFile } from "./open-files.ts";
-import { ownLink } from "./own-link.ts";
 
 interface IncomingPorts {
   /** called when files begin or cease to hang over the page */
   over: (isOver: boolean) => void;
   take: (files: readonly TextFile[]) => void;
-  /** one of our own links was pasted */
-  openLink: (link: URL) => void;
-  /** a text was pasted that is neither a document nor a drawn maze */
-  strayText: () => void;
-  /** what a text from the clipboard is called; the maze in it too */
-  clipboardName: () => string;
+  /** a text was pasted outside of all fields */
+  pasted: (text: string) => void;
 }
 
 /** Listens on the window. @returns a function that ends it */
-export function listenForFiles({
-  over,
-  take,
-  openLink,
-  strayText,
-  clipboardName,
-}: IncomingPorts): () => void {
+export function listenForFiles({ over, take, pasted }: IncomingPorts): () => void {
   const end = new AbortController();
   const { signal } = end;
   // A drag enters each element before it leaves the one around it.
@@ -80,21 +68,8 @@ export function listenForFiles({
       const text = event.clipboardData.getData("text/plain");
       if (files.length === 0 && text.trim() === "") return;
       event.preventDefault();
-      const link = files.length === 0 ? ownLink(text, location.origin) : null;
-      if (link !== null) {
-        openLink(link);
-        return;
-      }
-      if (files.length === 0 && !looksLikeFile(text)) {
-        strayText();
-        return;
-      }
-      const pasted = {
-        name: clipboardName(),
-        size: text.length,
-        text: () => Promise.resolve(text),
-      };
-      take(files.length > 0 ? files : [pasted]);
+      if (files.length > 0) take(files);
+      else pasted(text);
     },
     { signal },
   );

@@ -65,6 +65,8 @@ export class LineFollower {
   readonly #bringIntoSight = (): void => {
     // A field that is being typed in must not move away.
     if (!this.#isFollowing || this.#list.contains(document.activeElement)) return;
+    // A card at the upper end explains the line, and is to be read first.
+    if (this.#scroller()?.querySelector("[data-card]")) return;
     const hidden = this.#hidden();
     if (hidden !== 0) this.#scroller()?.scrollBy({ top: hidden, behavior: "instant" });
   };

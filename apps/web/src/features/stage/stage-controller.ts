@@ -144,6 +144,7 @@ export class StageController {
         this.#show();
       }),
       this.#listenToZoom(scroller),
+      this.#tellRobotSide(),
       () => measure.disconnect(),
       () => scroller.removeEventListener("scroll", onScroll),
       () => window.removeEventListener("keydown", onKey, { capture: true }),
@@ -192,6 +193,21 @@ export class StageController {
       stop();
       camera.setState({ zoom: () => {} });
     };
+  }
+
+  /** Once there are messages, they have to keep clear of it. @returns a function that ends it */
+  #tellRobotSide(): () => void {
+    const { screen, run } = this.#services;
+    let stop = screen.subscribe(({ messages }) => {
+      if (messages.length === 0) return;
+      stop();
+      let isOver = false;
+      stop = () => (isOver = true);
+      void import("./robot-side.ts").then(({ tellRobotSide }) => {
+        if (!isOver) stop = tellRobotSide(this.view, run);
+      });
+    });
+    return () => stop();
   }
 
   /** @returns a function that ends it */

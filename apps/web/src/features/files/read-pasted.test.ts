@@ -1,11 +1,11 @@
 import { expect, it } from "vitest";
-import { ownLink } from "./own-link.ts";
+import { readPasted } from "./read-pasted.ts";
 
 const origin = "https://corridor.example";
 
 it.each([`${origin}/#m1abc`, ` ${origin}/?lang=de#mission/one-line\n`, `${origin}/m/abcd`])(
   "opens the pasted link %j",
-  (text) => expect(ownLink(text, origin)?.href).toBe(text.trim()),
+  (text) => expect(String(readPasted(text, origin))).toBe(text.trim()),
 );
 
 it.each([
@@ -17,4 +17,6 @@ it.each([
   "https://elsewhere.example/#m1abc",
   "javascript:alert(1)",
   "#m1abc",
-])("takes %j for another text", (text) => expect(ownLink(text, origin)).toBeNull());
+])("takes %j for another text", (text) => expect(readPasted(text, origin)).toBe("other"));
+
+it("takes a drawn maze for a file", () => expect(readPasted("#S.G#", origin)).toBe("file"));

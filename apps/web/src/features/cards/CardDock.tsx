@@ -1,0 +1,12 @@
+/** The place of a card at the upper end of the panel or the sheet, where the stage has none to spare. */
+import { useCallback } from "react";
+import { useServices } from "../../app/services.ts";
+
+export function CardDock() {
+  const { cardDock } = useServices();
+  const hold = useCallback(
+    (element: HTMLElement | null) => cardDock.setState({ element }),
+    [cardDock],
+  );
+  return <div ref={hold} />;
+}
