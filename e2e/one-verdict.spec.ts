@@ -166,6 +166,9 @@ async function expectOneVerdict(corridor: CorridorPage, lessons: LessonsPanel): 
     "aria-valuetext",
     new RegExp(`^${time} s`),
   );
+  // The red mark of the timeline is the line's number, and no other line's.
+  const number = /line (\d)/.exec(culprit ?? "")?.[1] ?? "";
+  await expect(corridor.timeline.playhead).toHaveText(number);
   await expect
     .poll(async () => (await spokenOn(page)).filter((text) => /^Bump[:.]/.test(text)))
     .toEqual([`${title}.`]);

@@ -12,6 +12,11 @@ export class TimelineStrip {
     this.slider = transport.getByRole("slider", { name: "Timeline" });
   }
 
+  /** The mark of the shown moment; pictures only, since the slider says it. */
+  get playhead(): Locator {
+    return this.#transport.locator("[data-playhead]");
+  }
+
   get backToNow(): Locator {
     return this.#transport.getByRole("button", { name: "Back to now" });
   }

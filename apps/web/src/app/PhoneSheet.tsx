@@ -3,6 +3,7 @@ import type { Rights } from "@corridor/challenge";
 import { LayoutGrid, List, User } from "lucide-react";
 import { useEffect, useLayoutEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
 import { CardDock } from "../features/cards/CardDock.tsx";
 import { LazyDriveTab } from "../features/drive/lazy-drive-tab.ts";
 import type { HoldStore } from "../features/drive/hold-store.ts";
@@ -42,24 +43,10 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
       }),
     [challenge],
   );
-  const [position, setPosition] = useState<SheetPosition>("half");
-  const openedForCard = useRef<SheetPosition | null>(null);
-  useEffect(
-    () =>
-      // What explains the run is to be read, however far the sheet was open; then it is as it was.
-      cardDock.subscribe(({ isTaken, element }, before) => {
-        if (isTaken === before.isTaken) return;
-        const room = element?.parentElement?.clientHeight ?? 0;
-        const isTooHigh = (element?.offsetHeight ?? 0) > room;
-        setPosition((now) => {
-          if (!isTaken) return openedForCard.current ?? now;
-          openedForCard.current = now;
-          return isTooHigh ? "open" : now === "closed" ? "half" : now;
-        });
-        if (!isTaken) openedForCard.current = null;
-      }),
-    [cardDock],
-  );
+  const [chosen, setPosition] = useState<SheetPosition>("half");
+  // What explains the run is to be read, however far the sheet was open; then it is as it was.
+  const need = useStore(cardDock, (state) => state.need);
+  const position = need === null || chosen === "open" ? chosen : need;
   const isDriving = tab === "drive" && position !== "closed";
   useLayoutEffect(() => {
     camera.setState({ isDriving });
@@ -77,7 +64,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
         <GrabBar
           position={position}
           onChange={(next) => {
-            openedForCard.current = null;
+            cardDock.setState({ need: null });
             setPosition(next);
           }}
         />

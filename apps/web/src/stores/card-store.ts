@@ -29,11 +29,12 @@ export type CardStore = ReturnType<typeof createCardStore>;
 export interface CardDockState {
   /** null before there is one */
   element: HTMLElement | null;
-  isTaken: boolean;
+  /** how far a sheet has to be open for the card that stands there; null while none does */
+  need: "half" | "open" | null;
 }
 
 export function createCardDock() {
-  return createStore<CardDockState>()(() => ({ element: null, isTaken: false }));
+  return createStore<CardDockState>()(() => ({ element: null, need: null }));
 }
 
 /**

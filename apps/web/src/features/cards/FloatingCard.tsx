@@ -71,9 +71,10 @@ export function FloatingCard(props: FloatingCardProps) {
 
   useLayoutEffect(() => {
     if (!isDocked) return undefined;
-    cardDock.setState({ isTaken: true });
+    const room = dock.parentElement?.clientHeight ?? 0;
+    cardDock.setState({ need: dock.offsetHeight > room ? "open" : "half" });
     showFromTop(dock);
-    return () => cardDock.setState({ isTaken: false });
+    return () => cardDock.setState({ need: null });
   }, [cardDock, isDocked, dock]);
 
   useLayoutEffect(() => {

@@ -5,7 +5,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
 import { useRights } from "../lessons/use-rights.ts";
-import { runButton, runOrPause } from "../transport/run-button.ts";
+import { runButton } from "../transport/run-button.ts";
 import { DrivePad } from "./DrivePad.tsx";
 import { isHandRefused } from "./hand-control.ts";
 import styles from "./drive-tab.module.css";
@@ -54,7 +54,7 @@ function RunProgram() {
       icon={<Icon aria-hidden="true" fill="currentColor" />}
       disabled={isFault}
       aria-keyshortcuts="Control+Enter"
-      onClick={() => simulator.send(runOrPause(run.getState()))}
+      onClick={() => simulator.send({ type: isPause ? "pause" : "run" })}
     >
       {t(isPause ? "shell.run.pause" : "shell.run.runProgram")}
     </Button>

@@ -5,7 +5,7 @@ import { Button, IconButton } from "../../ui/Button.tsx";
 import styles from "./line-notes.module.css";
 import type { AdviceText } from "./advice-text.ts";
 
-interface AdviceNoteProps {
+export interface AdviceNoteProps {
   text: AdviceText;
   /** applies the fix; left out in a challenge, where the student finds the change */
   onMend?: (() => void) | undefined;

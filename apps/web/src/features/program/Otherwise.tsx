@@ -11,7 +11,7 @@ import { followText } from "../../ui/follow-text.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import { ActionMenu } from "./ActionMenu.tsx";
 import { adviceOn } from "./advice-store.ts";
-import { AdviceNote } from "./AdviceNote.tsx";
+import { LazyAdviceNote } from "./lazy-advice.ts";
 import { LineNote } from "./LineNotes.tsx";
 import frame from "./line-frame.module.css";
 import { decidingLine, shownBump } from "./line-state.ts";
@@ -68,7 +68,7 @@ export function Otherwise({ element }: OtherwiseProps) {
       <LineNote line="default" bump={bump} />
       {given !== null && text !== null && (
         <div className={styles["advice"]}>
-          <AdviceNote text={text} onHide={() => advice.hide(given)} />
+          <LazyAdviceNote isWanted text={text} onHide={() => advice.hide(given)} />
         </div>
       )}
     </fieldset>

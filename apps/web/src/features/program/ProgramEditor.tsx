@@ -11,7 +11,7 @@ import { lazyPart } from "../../ui/lazy-part.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { useRights } from "../lessons/use-rights.ts";
 import { AddLine } from "./AddLine.tsx";
-import { AdviceNews } from "./AdviceNews.tsx";
+import { LazyAdviceNews } from "./lazy-advice.ts";
 import { decidingLine } from "./line-state.ts";
 import { Otherwise } from "./Otherwise.tsx";
 import { addLine } from "./program-actions.ts";
@@ -46,9 +46,10 @@ export function ProgramEditor() {
 function ProgramLines() {
   const { t } = useTranslation();
   const rights = useRights();
-  const { workspace, screen, run } = useServices();
+  const { workspace, screen, run, advice } = useServices();
   const program = useStore(workspace, (state) => state.program);
   const hasBegun = useStore(run, hasProgramBegun);
+  const hasNews = useStore(advice, ({ news }) => news !== null);
   const lineIds = useStore(workspace, (state) => state.lineIds);
   const body = useRef<HTMLDivElement>(null);
   const rod = useRef<HTMLSpanElement>(null);
@@ -104,7 +105,7 @@ function ProgramLines() {
       <Otherwise element={otherwise} />
       <RunningLine list={list} otherwise={otherwise} />
       <AddLine onAdd={add} />
-      <AdviceNews />
+      <LazyAdviceNews isWanted={hasNews} />
     </div>
   );
 }

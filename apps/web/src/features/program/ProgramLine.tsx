@@ -13,7 +13,7 @@ import { classNames } from "../../ui/class-names.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import { ActionMenu } from "./ActionMenu.tsx";
 import { adviceOn } from "./advice-store.ts";
-import { AdviceNote } from "./AdviceNote.tsx";
+import { LazyAdviceNote } from "./lazy-advice.ts";
 import { ConditionMenu, ConditionNumber } from "./ConditionField.tsx";
 import { lineFeed } from "./line-feed.ts";
 import frame from "./line-frame.module.css";
@@ -161,7 +161,12 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       <LineNote line={index} bump={bump} />
       {adviceText !== null && (
         <div className={styles["advice"]} data-over={isBumped ? "" : undefined}>
-          <AdviceNote text={adviceText} onMend={isChallenge ? undefined : mend} onHide={hide} />
+          <LazyAdviceNote
+            isWanted
+            text={adviceText}
+            onMend={isChallenge ? undefined : mend}
+            onHide={hide}
+          />
         </div>
       )}
     </li>

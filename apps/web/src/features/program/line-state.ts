@@ -1,5 +1,5 @@
 /** How the lines of the program stand at the shown moment. */
-import { causeLine } from "@corridor/coach";
+import { causeLine, type Diagnosis } from "@corridor/coach";
 import { truthOf, type Condition } from "@corridor/program";
 import type { LineRef, Snapshot } from "@corridor/protocol";
 import type { RunState } from "../../stores/run-store.ts";
@@ -100,15 +100,24 @@ export interface ShownBump {
 /** What of a moment tells of a bump. */
 type BumpMoment = Pick<Moment, "kind" | "line" | "bumps" | "cause" | "diagnosis">;
 
+/** Why the program's robot touches a wall at the shown moment; null where it does not, or nobody knows why. */
+export function shownDiagnosis({
+  snapshot,
+  moment,
+}: Pick<RunState, "snapshot"> & { moment: BumpMoment | null }): Diagnosis | null {
+  if (snapshot === null || !snapshot.bumping || snapshot.driver !== "program") return null;
+  // The newest bump is the one that is seen when no other came after or before it.
+  const isKnown = moment?.kind === "bump" && moment.bumps === snapshot.bumps;
+  return isKnown ? moment.diagnosis : null;
+}
+
 /** @returns null unless the robot touches a wall at the shown moment and this line caused that bump */
 export function shownBump(
   line: LineRef,
   { snapshot, moment }: Pick<RunState, "snapshot"> & { moment: BumpMoment | null },
 ): ShownBump | null {
-  if (snapshot === null || !snapshot.bumping || snapshot.driver !== "program") return null;
-  // The newest bump is the one that is seen when no other came after or before it.
-  const isKnown = moment?.kind === "bump" && moment.bumps === snapshot.bumps;
-  if (!isKnown || moment.diagnosis === null || causeLine(moment.diagnosis) !== line) return null;
+  const diagnosis = shownDiagnosis({ snapshot, moment });
+  if (moment === null || diagnosis === null || causeLine(diagnosis) !== line) return null;
   const { cause } = moment;
   // Another line may have driven into the wall.
   if (cause === null || moment.line !== line) return { driven: null, needed: null };

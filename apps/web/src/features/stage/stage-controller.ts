@@ -183,13 +183,11 @@ export class StageController {
       });
     };
     camera.setState({ zoom });
-    let stop = (): void => {};
-    let isOver = false;
-    void import("./zoom-gestures.ts").then(({ listenToZoom }) => {
-      if (!isOver) stop = listenToZoom(scroller, zoom);
+    const stop = startLater(async () => {
+      const { listenToZoom } = await import("./zoom-gestures.ts");
+      return listenToZoom(scroller, zoom);
     });
     return () => {
-      isOver = true;
       stop();
       camera.setState({ zoom: () => {} });
     };
@@ -201,10 +199,9 @@ export class StageController {
     let stop = screen.subscribe(({ messages }) => {
       if (messages.length === 0) return;
       stop();
-      let isOver = false;
-      stop = () => (isOver = true);
-      void import("./robot-side.ts").then(({ tellRobotSide }) => {
-        if (!isOver) stop = tellRobotSide(this.view, run);
+      stop = startLater(async () => {
+        const { tellRobotSide } = await import("./robot-side.ts");
+        return tellRobotSide(this.view, run);
       });
     });
     return () => stop();
@@ -397,4 +394,10 @@ export class StageController {
       text: this.#words.t(`stage.refused.${code}`, { most }),
     });
   }
+}
+
+/** @param start begins something and gives what ends it. @returns a function that ends it, begun or not */
+function startLater(start: () => Promise<() => void>): () => void {
+  const begun = start();
+  return () => void begun.then((stop) => stop());
 }

@@ -1,7 +1,8 @@
 /**
- * Where in the run the shown moment is, and who drives it: the badge of a line, the flag at the goal,
- * red at a bump. It moves by itself between two pictures of the timeline.
+ * Where in the run the shown moment is, and who drives it: the badge of a line, the flag at the goal; at a bump in
+ * red the line that caused it. It moves by itself between two pictures of the timeline.
  */
+import { causeLine } from "@corridor/coach";
 import { CornerDownRight, Flag, RadioTower, User } from "lucide-react";
 import { useLayoutEffect, useRef } from "react";
 import { useStore } from "zustand";
@@ -9,6 +10,8 @@ import { useServices } from "../../app/services.ts";
 import { Badge } from "../../ui/Badge.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { followText } from "../../ui/follow-text.ts";
+import { shownDiagnosis } from "../program/line-state.ts";
+import { BurstIcon } from "./BurstIcon.tsx";
 import { xOf, type TimeScale } from "./time-scale.ts";
 import styles from "./timeline.module.css";
 
@@ -43,6 +46,7 @@ export function Playhead({ scale, event }: PlayheadProps) {
       ref={head}
       // The slider says the moment and who drives; a number alone says nothing.
       aria-hidden="true"
+      data-playhead=""
       className={classNames(styles["playhead"], styles[tone ?? (isNow ? "live" : "rest")])}
     >
       {tone === "good" ? (
@@ -62,10 +66,14 @@ export function Playhead({ scale, event }: PlayheadProps) {
 /** The number of the line in charge, else a picture of who drives; the bent arrow is "otherwise": past all lines. */
 function DriverMark() {
   const { run } = useServices();
+  const diagnosis = useStore(run, shownDiagnosis);
   const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
   if (driver === "me") return <User size={14} aria-hidden="true" />;
   if (driver === "remote") return <RadioTower size={14} aria-hidden="true" />;
-  return <LineMark />;
+  if (diagnosis === null) return <LineMark />;
+  const line = causeLine(diagnosis);
+  if (line === null) return <BurstIcon size={14} />;
+  return line === "default" ? <CornerDownRight size={14} aria-hidden="true" /> : line + 1;
 }
 
 /** Number and arrow share a place, and one has the colour of its ground: see line-notes.module.css. */

@@ -4,7 +4,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
-import { runButton, runOrPause } from "./run-button.ts";
+import { runButton } from "./run-button.ts";
 import styles from "./transport.module.css";
 
 export function RunButton() {
@@ -35,7 +35,8 @@ export function RunButton() {
       disabled={isFault}
       title={note}
       aria-keyshortcuts="Control+Enter"
-      onClick={() => simulator.send(runOrPause(run.getState()))}
+      // What it says, though the robot may have come to rest by itself meanwhile.
+      onClick={() => simulator.send({ type: does })}
     >
       {does === "run-here" ? t("timeline.runFromHere") : t(`shell.run.${does}`)}
     </Button>
