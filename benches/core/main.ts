@@ -9,6 +9,7 @@ import { generateTree, type MazeDocument } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
 import { digits, goalLine, isMet, type Goal } from "./goals.ts";
 import { measureGrading } from "./grading.ts";
+import { measureJudging } from "./judging.ts";
 import { Limit } from "./limit.ts";
 import { allocatedPerTick, measureRounds, median, timesSlower, type Timed } from "./measure.ts";
 import { NaiveMatter } from "./naive-matter.ts";
@@ -69,6 +70,10 @@ printRow("product", (side) => digits(bytes[sides.indexOf(side)] ?? Number.NaN));
 
 const grading = measureGrading(program);
 console.log(`\ngrade, 1,000 runs of 7,200 ticks at 33 x 33: ${digits(grading.seconds)} s`);
+const judging = measureJudging();
+console.log(
+  `diagnosis of ${judging.runs} failed runs of a minute: median ${digits(judging.median)} ms, longest ${digits(judging.longest)} ms`,
+);
 console.log(`${ROUNDS} rounds; Node ${process.versions.node}, ${machine()}\n`);
 
 const goals: Goal[] = [
@@ -119,6 +124,12 @@ const goals: Goal[] = [
     measured: grading.timesIdeal,
     bound: { atMost: 1.3 },
     unit: "times",
+  },
+  {
+    words: "the longest wait for a diagnosis after a run of a minute",
+    measured: judging.longest,
+    bound: { atMost: 50 },
+    unit: "ms",
   },
 ];
 for (const goal of goals) console.log(goalLine(goal));
