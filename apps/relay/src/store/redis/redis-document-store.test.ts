@@ -31,4 +31,32 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     // Deleting the older one leaves the way from the text to its code.
     expect(await store.add({ ...again, keyHash: "newer", ids: ["GHJK"] })).toBe("BCDF");
   });
+
+  it("never gives one code to two texts, though two relays want the same codes at the same moment", async () => {
+    const server = await startTestRedis();
+    const relays = await Promise.all(
+      [0, 1].map(async () => {
+        const redis = await connectRedis(server.url, () => undefined);
+        onTestFinished(() => redis.destroy());
+        return new RedisDocumentStore(redis, new ForgottenBytes(redis));
+      }),
+    );
+    // Both try the same codes in the same order, each for texts of its own.
+    const wanted = Array.from({ length: 120 }, (_, at) => `C${String(at).padStart(3, "0")}`);
+    const given = await Promise.all(
+      Array.from({ length: 50 }, (_, at) =>
+        relays.map(async (relay, which) => {
+          const text = `{"relay":${which},"text":${at}}`;
+          const document = { hash: text, text, keyHash: "key", now: 1, ids: wanted };
+          return { text, id: await relay.add(document) };
+        }),
+      ).flat(),
+    );
+    expect(new Set(given.map(({ id }) => id)).size).toBe(given.length);
+    const [first, second] = relays;
+    for (const { text, id } of given) {
+      expect(await first?.read(id, 1, 1)).toBe(text);
+      expect(await second?.read(id, 1, 1)).toBe(text);
+    }
+  });
 });
