@@ -169,7 +169,8 @@ test("opens a link: Run waits for what it brings", async ({ corridor, page, open
   letCome();
   await other.isReady();
   await expect(other.mazeMenu).toHaveAccessibleName("Comb, Maze menu");
-  await expect(page).toHaveURL("/");
+  await expect(other.page).toHaveURL("/");
+  await expect(page).toHaveURL(link);
 });
 
 test("sees the invitation all the time from the first paint on, in one place, when the page moves in", async ({

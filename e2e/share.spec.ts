@@ -68,6 +68,22 @@ test("opens one of our links where it is pasted, and leads back", async ({ corri
   await page.evaluate((text) => navigator.clipboard.writeText(text), `${link}\n`);
   await page.keyboard.press("ControlOrMeta+V");
   await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+  await expect(page).toHaveURL("/");
+});
+
+test("goes back in the browser to what was shared, though another link is open", async ({
+  corridor,
+  page,
+}) => {
+  await corridor.choosePreset("Comb");
+  const other = await corridor.shareLink({ withProgram: false });
+  await corridor.choosePreset("Spiral");
+  await corridor.shareLink({ withProgram: false });
+  await page.evaluate((text) => navigator.clipboard.writeText(text), other);
+  await page.keyboard.press("ControlOrMeta+V");
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Comb, Maze menu");
+  await page.goBack();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
 });
 
 test("puts the program into the link when asked to", async ({ corridor, openWindow }) => {

@@ -39,6 +39,7 @@ export class MazeGrid {
 
   /** Taps the middle of a square with a finger. */
   async tap(square: Square): Promise<void> {
+    await this.#isStill();
     await this.grid.tap({ position: await this.#middleOf(square) });
   }
 
@@ -96,6 +97,19 @@ export class MazeGrid {
   async squareBox({ column, row }: Square): Promise<{ x: number; y: number; side: number }> {
     const { x, y, side } = await this.robotBox(100 * column + 50, 100 * row + 50);
     return { x: x - side / 2, y: y - side / 2, side: 2 * side };
+  }
+
+  /** Waits until the maze has its size: on a phone another tab moves the sheet below it. */
+  async #isStill(): Promise<void> {
+    let before = "";
+    await expect
+      .poll(async () => {
+        const now = JSON.stringify(await this.grid.boundingBox());
+        const isStill = now === before;
+        before = now;
+        return isStill;
+      })
+      .toBe(true);
   }
 
   async #middleOf({ column, row }: Square): Promise<{ x: number; y: number }> {

@@ -108,17 +108,17 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   guardLeaving(screen, window);
 
   const isAsked = () => location.hash.length > 1 || location.pathname.startsWith("/m/");
-  const follow = async (): Promise<void> => {
+  const follow = async (isLoad: boolean): Promise<void> => {
     if (!isAsked()) return;
     const { followPageAddress } = await import("./app/follow-page-address.ts");
-    await followPageAddress(services, words);
+    await followPageAddress(services, words, isLoad);
   };
-  const followOrTell = () =>
-    follow().catch(() => {
+  const followOrTell = (isLoad: boolean) =>
+    follow(isLoad).catch(() => {
       tell(screen, { tone: "bad", text: words.t("offline.linkFailed") });
     });
   window.addEventListener("online", () => services.connection.networkIsBack());
-  window.addEventListener("hashchange", () => void followOrTell());
+  window.addEventListener("hashchange", () => void followOrTell(false));
 
   screen.setState({ isOpening: isAsked() });
   const page = (
@@ -134,7 +134,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   await takeOver(house, () => startTransition(() => root.render(page)));
 
   // The page stands before what its address asks for: a link may take long, or never come to an end.
-  void followOrTell().finally(() => {
+  void followOrTell(true).finally(() => {
     screen.setState({ isOpening: false });
     void services.runKeeper.resume().then(() => {
       services.connection.goOn();

@@ -8,8 +8,13 @@ import { dismiss, tell } from "../stores/screen-store.ts";
 import type { Services } from "./services.ts";
 import { followAddress } from "./url-sync.ts";
 
-export async function followPageAddress(services: Services, words: Pick<i18n, "t">): Promise<void> {
-  if (holdAgain(services.workspace, window)) return;
+/** @param isLoad whether the page has just opened; otherwise the reader went to another address of it */
+export async function followPageAddress(
+  services: Services,
+  words: Pick<i18n, "t">,
+  isLoad: boolean,
+): Promise<void> {
+  if (isLoad && holdAgain(services.workspace, window)) return;
   await followAddress({
     ...services,
     words,
