@@ -2,7 +2,7 @@
  * Tells advice that came up once to those who listen; those who look see it in its line. Where the lines
  * scroll, the one that is being edited comes into sight with what it was told.
  */
-import { useLayoutEffect } from "react";
+import { useEffect } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -24,11 +24,15 @@ export function AdviceNews() {
     line === "default" ? null : (program.rules[line]?.when ?? null),
   );
   const text = useAdviceText(news, when);
-  useLayoutEffect(() => {
-    if (news === null || news.line === "default") return;
+  useEffect(() => {
+    if (news === null || news.line === "default") return undefined;
     const id = workspace.getState().lineIds[news.line];
     const element = document.getElementById(lineElementId(id ?? -1));
-    if (element?.contains(document.activeElement)) element.scrollIntoView({ block: "nearest" });
+    // The note of the first advice may come with the same frame.
+    const frame = requestAnimationFrame(() => {
+      if (element?.contains(document.activeElement)) element.scrollIntoView({ block: "nearest" });
+    });
+    return () => cancelAnimationFrame(frame);
   }, [news, workspace]);
   useSay(
     text === null

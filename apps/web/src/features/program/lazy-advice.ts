@@ -1,9 +1,12 @@
 /** There is no advice before the coach has come, which is after the first screen. */
 import { waitingPart } from "../../ui/lazy-part.tsx";
 
-export const LazyAdviceNote = waitingPart(
-  async () => (await import("./AdviceNote.tsx")).AdviceNote,
-);
-export const LazyAdviceNews = waitingPart(
-  async () => (await import("./AdviceNews.tsx")).AdviceNews,
-);
+const loadNote = async () => (await import("./AdviceNote.tsx")).AdviceNote;
+
+export const LazyAdviceNote = waitingPart(loadNote);
+
+/** Comes after the note, which it brings into sight. */
+export const LazyAdviceNews = waitingPart(async () => {
+  const [{ AdviceNews }] = await Promise.all([import("./AdviceNews.tsx"), loadNote()]);
+  return AdviceNews;
+});
