@@ -28,6 +28,7 @@ const view = { width: 1028, height: 644 };
 const scene: Scene = {
   layout: layOut({ columns: 3, rows: 3 }, view, padding, 30),
   scroll: { x: 0, y: 0 },
+  answers: 0,
   pixelRatio: 1,
   palette: readPalette(() => "black"),
   maze,
@@ -270,7 +271,7 @@ describe("a maze larger than the stage", () => {
     renderer.show(large);
     drive(12_000, 12_000, true);
     expect(scrolls).toHaveLength(1);
-    renderer.show({ ...large, scroll: scrolls[0] ?? { x: 0, y: 0 } });
+    renderer.show({ ...large, scroll: scrolls[0] ?? { x: 0, y: 0 }, answers: 1 });
     paint();
     drive(12_001, 12_000);
     expect(scrolls).toHaveLength(1);
@@ -290,7 +291,7 @@ describe("a maze larger than the stage", () => {
     const { renderer, paint, drive, scrolls } = newStage();
     renderer.show(large);
     drive(12_000, 12_000, true);
-    renderer.show({ ...large, scroll: { x: 0, y: 0 } });
+    renderer.show({ ...large, scroll: { x: 0, y: 0 }, answers: 1 });
     paint();
     expect(scrolls).toHaveLength(2);
     expect(scrolls[1]).toEqual(scrolls[0]);

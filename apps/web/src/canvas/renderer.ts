@@ -89,8 +89,10 @@ export class StageRenderer {
   #request: number | null = null;
   /** the division of the stage in which the robot was last brought into sight */
   #followed: Layout | null = null;
-  /** the requested scroll position, until the page answers with a scene */
+  /** the requested scroll position, until the page shows another scene */
   #asked: Scroll | null = null;
+  /** requests to scroll that the page has not handled yet: they may be for places that the robot has left */
+  #unanswered = 0;
 
   constructor(port: RendererPort) {
     this.#port = port;
@@ -105,6 +107,7 @@ export class StageRenderer {
     };
     this.#followed = null;
     this.#asked = null;
+    this.#unanswered = 0;
     this.repaint();
   }
 
@@ -120,8 +123,9 @@ export class StageRenderer {
     const before = this.#scene;
     this.#scene = scene;
     if (before !== null && (before.layout !== scene.layout || before.scroll !== scene.scroll)) {
-      // The answer may be for an older layout, so the robot's place is checked again.
-      if (this.#asked !== null) this.#followed = null;
+      // An answer may be for an older layout or an older place of the robot, so its place is checked again.
+      if (this.#unanswered > 0) this.#followed = null;
+      this.#unanswered = Math.max(0, this.#unanswered - (scene.answers - before.answers));
       this.#asked = null;
     }
     for (const layer of layers) {
@@ -279,6 +283,7 @@ export class StageRenderer {
     if (isSame(next, scroll) || (this.#asked !== null && isSame(next, this.#asked))) return;
     // The page may take a moment to get there; it is asked once.
     this.#asked = next;
+    this.#unanswered += 1;
     this.#port.scrollTo(next);
   }
 }

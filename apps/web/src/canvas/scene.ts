@@ -12,6 +12,8 @@ export interface Scene extends PlaceWords {
   layout: Layout;
   /** always one of this layout: both change in one message, so neither is drawn with another's */
   scroll: Scroll;
+  /** how many of the painter's requests to scroll the page has handled so far */
+  answers: number;
   /** device pixels per CSS pixel */
   pixelRatio: number;
   palette: Palette;

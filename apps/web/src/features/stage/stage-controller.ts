@@ -19,7 +19,7 @@ import { MazeEditor } from "./maze-editor.ts";
 import { MeasureTool } from "./measure-tool.ts";
 import { gridOffset, isInPort } from "./grid-place.ts";
 import { divideStage, hasRulers, type StageRoom } from "./stage-layout.ts";
-import { applyScroll, followRequest, readScroll, setLayout } from "./stage-scroll.ts";
+import { applyScroll, followRequest, moveScroll, readScroll, setLayout } from "./stage-scroll.ts";
 import { openStageScreen } from "./open-stage-screen.ts";
 import type { StageScreen } from "./stage-screen.ts";
 import { tapePointAt, tapeWords, type Tape, type TapePoint } from "./tape.ts";
@@ -162,7 +162,7 @@ export class StageController {
 
   /** Brings another part of the maze into view. */
   readonly scrollTo = (scroll: Scroll): void => {
-    if (this.#elements !== null) followRequest(this.view, this.#elements.scroller, scroll);
+    if (this.#elements !== null) moveScroll(this.view, this.#elements.scroller, scroll);
   };
 
   /** The elements have the sizes of the newest layout. */
@@ -334,13 +334,14 @@ export class StageController {
   }
 
   #show(): void {
-    const { layout, scroll, hover, tape } = this.view.getState();
+    const { layout, scroll, answers, hover, tape } = this.view.getState();
     if (layout === null || this.#palette === null) return;
     const { program } = this.#services.workspace.getState();
     const { showBeams, showTrail, showRulers } = this.#services.screen.getState();
     this.#drawing?.show({
       layout,
       scroll,
+      answers,
       pixelRatio: this.#pixelRatio,
       palette: this.#palette,
       maze: this.#shownMaze(),

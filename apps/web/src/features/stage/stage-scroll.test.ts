@@ -197,11 +197,12 @@ class Stage {
   }
 
   #show(): void {
-    const { layout, scroll } = this.view.getState();
+    const { layout, scroll, answers } = this.view.getState();
     if (layout === null || this.#maze === null) return;
     this.#renderer.show({
       layout,
       scroll,
+      answers,
       pixelRatio: 1,
       palette,
       maze: this.#maze,
@@ -266,56 +267,65 @@ class Stage {
 const share = fc.double({ min: 0, max: 1, noNaN: true });
 const side = fc.constantFrom(1, 3, 7, 11, 21, 37, 60, 256);
 type Step = (stage: Stage) => void;
-const anyStep: fc.Arbitrary<Step> = fc.oneof(
-  fc.tuple(side, side).map(
-    ([columns, rows]): Step =>
-      (stage) =>
-        stage.openMaze(columns, rows),
-  ),
-  fc
-    .record({
-      width: fc.integer({ min: 200, max: 2000 }),
-      height: fc.integer({ min: 108, max: 1400 }),
-    })
-    .map((room): Step => (stage) => {
-      stage.room = room;
-      stage.divide();
-    }),
-  fc.tuple(share, share).map(
-    ([x, y]): Step =>
-      (stage) =>
-        stage.box.scrollTo({ left: x * stage.box.most.x, top: y * stage.box.most.y }),
-  ),
-  fc.tuple(share, share).map(
-    ([x, y]): Step =>
-      (stage) =>
-        stage.drive(x, y),
-  ),
-  fc.boolean().map((follows): Step => (stage) => {
-    stage.follows = follows;
+/** What the page and its painter do, in any order. */
+const anyTurn = fc.constantFrom<Step>(
+  (stage) => stage.paint(),
+  (stage) => stage.answer(),
+  (stage) => stage.fireScroll(),
+);
+const anyDrive = fc.tuple(share, share).map(
+  ([x, y]): Step =>
+    (stage) =>
+      stage.drive(x, y),
+);
+const anyMaze = fc.tuple(side, side).map(
+  ([columns, rows]): Step =>
+    (stage) =>
+      stage.openMaze(columns, rows),
+);
+const anyRoom = fc
+  .record({
+    width: fc.integer({ min: 200, max: 2000 }),
+    height: fc.integer({ min: 108, max: 1400 }),
+  })
+  .map((room): Step => (stage) => {
+    stage.room = room;
     stage.divide();
-  }),
-  fc
-    .tuple(
-      fc.oneof(
-        fc.constantFrom<ZoomBy>("in", "out", "fit"),
-        fc.record({ factor: fc.double({ min: 0.3, max: 3, noNaN: true }) }),
-      ),
-      fc.option(fc.tuple(share, share)),
-    )
-    .map(
-      ([by, at]): Step =>
-        (stage) =>
-          stage.zoom(
-            by,
-            at === null ? null : { x: at[0] * stage.room.width, y: at[1] * stage.room.height },
-          ),
+  });
+const anyFollowing = fc.boolean().map((follows): Step => (stage) => {
+  stage.follows = follows;
+  stage.divide();
+});
+/** The reader moves the view. */
+const anyScroll = fc.tuple(share, share).map(
+  ([x, y]): Step =>
+    (stage) =>
+      stage.box.scrollTo({ left: x * stage.box.most.x, top: y * stage.box.most.y }),
+);
+const anyZoom = fc
+  .tuple(
+    fc.oneof(
+      fc.constantFrom<ZoomBy>("in", "out", "fit"),
+      fc.record({ factor: fc.double({ min: 0.3, max: 3, noNaN: true }) }),
     ),
-  fc.constantFrom<Step>(
-    (stage) => stage.paint(),
-    (stage) => stage.answer(),
-    (stage) => stage.fireScroll(),
-  ),
+    fc.option(fc.tuple(share, share)),
+  )
+  .map(
+    ([by, at]): Step =>
+      (stage) =>
+        stage.zoom(
+          by,
+          at === null ? null : { x: at[0] * stage.room.width, y: at[1] * stage.room.height },
+        ),
+  );
+const anyStep = fc.oneof(anyTurn, anyDrive, anyMaze, anyRoom, anyFollowing, anyScroll, anyZoom);
+/** All but the reader's hand on the view; mostly a drive that the page does not keep up with. */
+const anyEvent = fc.oneof(
+  { weight: 6, arbitrary: anyTurn },
+  { weight: 4, arbitrary: anyDrive },
+  { weight: 2, arbitrary: anyRoom },
+  anyMaze,
+  anyFollowing,
 );
 
 beforeEach(() => {
@@ -350,6 +360,32 @@ describe("the drawn maze, the grid and the pointer", () => {
       ),
       { numRuns: 300 },
     );
+  });
+
+  it("keep the robot in view as long as the reader does not move the view", () => {
+    fc.assert(
+      fc.property(fc.array(anyEvent, { maxLength: 30 }), (steps) => {
+        const stage = new Stage();
+        for (const step of steps) step(stage);
+        stage.settle();
+        expect(stage.robotIsInView()).toBe(true);
+      }),
+      { numRuns: 1000 },
+    );
+  });
+
+  it("keep the robot in view when a card makes the stage smaller while the robot drives fast", () => {
+    const stage = new Stage();
+    stage.openMaze(37, 37);
+    stage.settle();
+    // The page is slow to answer: its answer is for a place that the robot has left long ago.
+    stage.drive(0.5, 0.9);
+    stage.paint();
+    stage.drive(0.5, 0.1);
+    stage.room = { width: 1028, height: 600 };
+    stage.divide();
+    stage.settle();
+    expect(stage.robotIsInView()).toBe(true);
   });
 
   it("agree after the robot has left the view more often than the page has answered", () => {

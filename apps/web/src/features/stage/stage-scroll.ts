@@ -36,6 +36,14 @@ export function readScroll(view: StageViewStore, box: ScrollBox): void {
 
 /** Scrolls on the painter's request. It is answered even where nothing moves, so that it can ask again. */
 export function followRequest(view: StageViewStore, box: ScrollBox, scroll: Scroll): void {
+  const { layout, answers } = view.getState();
+  if (layout === null) return;
+  view.setState({ scroll: clampScroll(layout, scroll), answers: answers + 1 });
+  applyScroll(view, box);
+}
+
+/** Scrolls where the reader points to on the small map. */
+export function moveScroll(view: StageViewStore, box: ScrollBox, scroll: Scroll): void {
   const { layout } = view.getState();
   if (layout === null) return;
   view.setState({ scroll: clampScroll(layout, scroll) });

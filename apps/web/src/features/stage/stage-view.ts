@@ -10,6 +10,8 @@ export interface StageView {
   layout: Layout | null;
   /** which part shows of a maze that is larger than the stage; of this layout */
   scroll: Scroll;
+  /** how many of the painter's requests to scroll were handled */
+  answers: number;
   /** what the reader chose */
   zoom: Zoom;
   /** the square that a press would change; null while the pointer is elsewhere or presses */
@@ -24,6 +26,7 @@ export function createStageView() {
   return createStore<StageView>()(() => ({
     layout: null,
     scroll: { x: 0, y: 0 },
+    answers: 0,
     zoom: null,
     hover: null,
     cursor: null,

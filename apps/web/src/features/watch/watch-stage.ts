@@ -46,11 +46,12 @@ export function openWatchStage(ports: WatchStagePorts): () => void {
     const next = stageLayout(sizeOf(maze), room, true);
     const before = view.getState().layout;
     if (before === null || JSON.stringify(next) !== JSON.stringify(before)) setLayout(view, next);
-    const { layout, scroll } = view.getState();
+    const { layout, scroll, answers } = view.getState();
     if (layout === null) return;
     screen.show({
       layout,
       scroll,
+      answers,
       pixelRatio,
       palette,
       maze,
