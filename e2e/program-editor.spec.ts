@@ -14,6 +14,7 @@ test("builds the right-wall program from nothing with the mouse, runs it, reache
   await expect(program.line(1)).toHaveAccessibleName(
     "Line 1: choose a condition. Skipped until then.",
   );
+  await expect(program.line(1).getByText("skipped", { exact: true })).toBeVisible();
   await program.condition(1).selectOption("right >");
   await program.number(1).fill("60");
   await program.action(1).selectOption("delayed right 90");

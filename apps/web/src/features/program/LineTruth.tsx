@@ -48,7 +48,7 @@ export function LineTruth({ feed, condition, truth, className }: LineTruthProps)
   );
   if (condition === null) {
     return (
-      <span className={styles["truth"]}>
+      <span className={styles["truth"]} data-is="skipped">
         <span className={classNames("live-box", styles["sides"])}>{t("program.skipped")}</span>
       </span>
     );
