@@ -44,10 +44,11 @@ export function drawLive(
     if (scene.measured !== null) measureLayer()?.(brush, viewport, palette, scene.measured, dirt);
   });
   if (shown === null) return;
-  drawNumbers(surface, viewport, scene, shown);
+  // Below the numbers: beside the frame both may have the same place.
   if (scene.showRulers) {
     drawRulerMarks(brush, viewport, palette, shown.frame.snapshot.pose, dirt);
   }
+  drawNumbers(surface, viewport, scene, shown);
 }
 
 /** The bump at which the robot stands. */

@@ -13,8 +13,8 @@ export interface PlaceWords {
 
 /** Smallest square in which a word can be read. */
 const WORD_FROM_PX = 60;
-/** Smallest square in which the word of the start is read below a robot that stands there. */
-const START_WORD_FROM_PX = 76;
+/** Smallest square in which the word of the start is read below a robot that stands there: its wheels reach 27 cm. */
+const START_WORD_FROM_PX = 96;
 /** From the middle of a goal down to the middle of its word. */
 const WORD_DOWN_PX = 16;
 /** Side of the largest flag. */

@@ -18,7 +18,7 @@ import {
 import { RobotFace } from "../../ui/RobotFace.tsx";
 import { MazePicture } from "../presets/MazePicture.tsx";
 import styles from "./camera-view.module.css";
-import { mapSide } from "./map-side.ts";
+import { hasMapRoom, mapSide } from "./map-side.ts";
 import type { StageViewStore } from "./stage-view.ts";
 
 /** The picture's longer side, in CSS pixels. */
@@ -40,7 +40,9 @@ export function SmallMap({ view, onScroll }: SmallMapProps) {
   const { columns, rows } = sizeOf(maze);
   const scale = LONGEST_PX / Math.max(columns, rows);
   const picture = { width: columns * scale, height: rows * scale };
-  const side = useSide(view, picture);
+  const map = { width: picture.width + FRAME_PX, height: picture.height + FRAME_PX };
+  const side = useSide(view, map);
+  const hasRoom = useStore(view, ({ layout }) => layout !== null && hasMapRoom(layout.view, map));
   const robot = useRef<HTMLDivElement>(null);
   const look = (event: PointerEvent<HTMLDivElement>): void => {
     const { layout } = view.getState();
@@ -61,7 +63,8 @@ export function SmallMap({ view, onScroll }: SmallMapProps) {
     };
     place();
     return run.subscribe(place);
-  }, [run, scale]);
+  }, [run, scale, hasRoom]);
+  if (!hasRoom) return null;
   return (
     <div
       className={styles["map"]}
@@ -109,10 +112,9 @@ function VisiblePart({ view, scale }: { view: StageViewStore; scale: number }) {
 }
 
 /** The lower corner that the robot is not in. */
-function useSide(view: StageViewStore, picture: { width: number; height: number }) {
+function useSide(view: StageViewStore, map: { width: number; height: number }) {
   const { run } = useServices();
   const layout = useStore(view, (state) => state.layout);
-  const map = { width: picture.width + FRAME_PX, height: picture.height + FRAME_PX };
   return useStore(run, ({ snapshot }) => {
     if (layout === null || snapshot === null) return "left";
     const { x, y } = snapshot.pose;

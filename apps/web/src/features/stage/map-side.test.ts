@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { mapSide } from "./map-side.ts";
+import { hasMapRoom, mapSide } from "./map-side.ts";
 
 const view = { width: 390, height: 320 };
 
@@ -17,4 +17,10 @@ it.each([
   { name: "left where it is low enough for that reading", x: 60, y: 160, map: 42, side: "left" },
 ])("the small map stands $name", ({ x, y, map, side }) => {
   expect(mapSide({ x, y }, view, { width: 106, height: map })).toBe(side);
+});
+
+it("the small map is left out where it would stand over the tools above the stage", () => {
+  const map = { width: 106, height: 106 };
+  expect(hasMapRoom({ width: 320, height: 64 }, map)).toBe(false);
+  expect(hasMapRoom({ width: 473, height: 182 }, map)).toBe(true);
 });

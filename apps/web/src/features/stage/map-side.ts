@@ -13,6 +13,11 @@ interface Size {
   height: number;
 }
 
+/** Whether the map stays inside of the stage: a low one would have it over the tools above. */
+export function hasMapRoom(view: Size, map: Size): boolean {
+  return map.height + EDGE_PX <= view.height;
+}
+
 /** Left and right as in the maze, in every language. */
 export function mapSide(robot: { x: number; y: number }, view: Size, map: Size): "left" | "right" {
   const isLow = robot.y + REACH_PX > view.height - EDGE_PX - map.height;
