@@ -175,8 +175,18 @@ function covered(page: Page): Promise<string[]> {
   });
 }
 
-/** What of the card and the messages lies over the robot, a button of the run or a tab. */
-async function covering(corridor: CorridorPage): Promise<string[]> {
+const behind = {
+  east: { dx: -1, dy: 0 },
+  west: { dx: 1, dy: 0 },
+  north: { dx: 0, dy: 1 },
+  south: { dx: 0, dy: -1 },
+};
+
+/** What of the card and the messages lies over the robot, its trail's end, a button of the run or a tab. */
+async function covering(
+  corridor: CorridorPage,
+  { start }: (typeof bumps)[number],
+): Promise<string[]> {
   const { page } = corridor;
   const [, x = "0", y = "0"] =
     /^Robot at (\d+), (\d+)/.exec((await corridor.robotPlace.textContent()) ?? "") ?? [];
@@ -190,27 +200,42 @@ async function covering(corridor: CorridorPage): Promise<string[]> {
     right: grid.x + (Number(x) + 20) * scale,
     bottom: grid.y + (Number(y) + 20) * scale,
   };
-  return page.evaluate((robotBox) => {
-    const over = [
-      ...document.querySelectorAll("[data-card], section[aria-label=Messages] span:has(> button)"),
-    ];
-    const kept = [
-      ...document.querySelectorAll("section[aria-label=Run] button, [role=tab]"),
-    ].filter((each) => each.checkVisibility());
-    const boxes = [
-      { name: "robot", box: robotBox },
-      ...kept.map((each) => ({ name: each.textContent, box: each.getBoundingClientRect() })),
-    ];
-    return over.flatMap((each) => {
-      const one = each.getBoundingClientRect();
-      return boxes.flatMap(({ name, box }) =>
-        Math.min(one.right, box.right) - Math.max(one.left, box.left) > 1 &&
-        Math.min(one.bottom, box.bottom) - Math.max(one.top, box.top) > 1
-          ? [`${each.textContent} | ${name}`]
-          : [],
-      );
-    });
-  }, robot);
+  // The end of its trail: the last 100 cm that lead to its centre, for a robot that drove forward.
+  const { dx, dy } = behind[start.heading];
+  const [endX, endY] = [Number(x) + 100 * dx, Number(y) + 100 * dy];
+  const trail = {
+    left: grid.x + (Math.min(Number(x), endX) - 5) * scale,
+    top: grid.y + (Math.min(Number(y), endY) - 5) * scale,
+    right: grid.x + (Math.max(Number(x), endX) + 5) * scale,
+    bottom: grid.y + (Math.max(Number(y), endY) + 5) * scale,
+  };
+  return page.evaluate(
+    ([robotBox, trailBox]) => {
+      const over = [
+        ...document.querySelectorAll(
+          "[data-card], section[aria-label=Messages] span:has(> button)",
+        ),
+      ];
+      const kept = [
+        ...document.querySelectorAll("section[aria-label=Run] button, [role=tab]"),
+      ].filter((each) => each.checkVisibility());
+      const boxes = [
+        { name: "robot", box: robotBox },
+        { name: "trail's end", box: trailBox },
+        ...kept.map((each) => ({ name: each.textContent, box: each.getBoundingClientRect() })),
+      ];
+      return over.flatMap((each) => {
+        const one = each.getBoundingClientRect();
+        return boxes.flatMap(({ name, box }) =>
+          Math.min(one.right, box.right) - Math.max(one.left, box.left) > 1 &&
+          Math.min(one.bottom, box.bottom) - Math.max(one.top, box.top) > 1
+            ? [`${each.textContent} | ${name}`]
+            : [],
+        );
+      });
+    },
+    [robot, trail] as const,
+  );
 }
 
 const screens = [
@@ -270,7 +295,7 @@ for (const viewport of screens) {
       await page.keyboard.press("ControlOrMeta+V");
       await expect(corridor.message(/^The text you pasted/).first()).toBeVisible();
       await atRest(page);
-      expect(await covering(corridor), JSON.stringify(bump)).toEqual([]);
+      expect(await covering(corridor, bump), JSON.stringify(bump)).toEqual([]);
       await expect(card.getByRole("heading")).toBeInViewport({ ratio: 1 });
       await corridor.reset.click();
       await corridor.dismissMessages();

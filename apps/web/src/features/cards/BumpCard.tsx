@@ -18,6 +18,7 @@ import { FloatingCard } from "./FloatingCard.tsx";
 import { fixText } from "./fix-text.ts";
 import { RoomBars } from "./RoomBars.tsx";
 import { runFromStart, tellMended } from "./run-from-start.ts";
+import { trailWay } from "./trail-end.ts";
 import { watchAgain } from "./watch-again.ts";
 
 /** Four seconds, or what led to the bump where that began earlier. */
@@ -43,6 +44,10 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
     const event = diagnosis?.event;
     return [...(event?.kind === "bump" ? [event.contact.cell] : []), ...goals];
   }, [diagnosis, goals]);
+  const trailWays = useMemo(() => {
+    const event = diagnosis?.event;
+    return event?.kind === "bump" ? [trailWay(pose, event.contact)] : [];
+  }, [diagnosis, pose]);
   const line = diagnosis === null ? null : causeLine(diagnosis);
   const lineId = useStore(workspace, (state) =>
     typeof line === "number" ? state.lineIds[line] : undefined,
@@ -64,6 +69,7 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
       view={view}
       pose={pose}
       keepClear={keepClear}
+      trailWays={trailWays}
       tone="bad"
       icon={<BurstIcon size={18} />}
       title={diagnosisTitle(words, diagnosis)}

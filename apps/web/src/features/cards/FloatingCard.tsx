@@ -1,7 +1,7 @@
 /**
  * A card beside the robot, with its tail; a good one stands away from it, so that the whole way can be
  * seen. It stands still while it is open and follows the stage's layout and size. On phones, and wherever
- * it would cover the robot, it is a part of the sheet or the panel.
+ * it would cover the robot or the end of its trail, it is a part of the sheet or the panel.
  */
 import { X } from "lucide-react";
 import { useId, useLayoutEffect, useRef, useState, type ReactNode } from "react";
@@ -15,8 +15,9 @@ import { IconButton } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
-import { placeCard, placeCardAway, type CardPlace } from "./card-place.ts";
+import { overlap, placeCard, placeCardAway, type CardPlace } from "./card-place.ts";
 import styles from "./cards.module.css";
+import { trailEnd, type TrailWay } from "./trail-end.ts";
 
 /** Half of the robot's width as it is drawn, in units. */
 const ROBOT_HALF = 28;
@@ -36,6 +37,8 @@ interface FloatingCardProps {
   pose: Pose;
   /** squares that the card should not cover: a goal, the block that was hit */
   keepClear: readonly { column: number; row: number }[];
+  /** where the end of the trail leaves the robot; both ways where it is not known */
+  trailWays: readonly TrailWay[];
   tone: "bad" | "good";
   icon: ReactNode;
   title: string;
@@ -44,7 +47,7 @@ interface FloatingCardProps {
 }
 
 export function FloatingCard(props: FloatingCardProps) {
-  const { view, pose, keepClear, tone, icon, title, onClose, children } = props;
+  const { view, pose, keepClear, trailWays, tone, icon, title, onClose, children } = props;
   const { t } = useTranslation();
   const layout = useStore(view, (state) => state.layout);
   const { cardDock } = useServices();
@@ -52,7 +55,7 @@ export function FloatingCard(props: FloatingCardProps) {
   const isSmall = useMediaQuery(SMALL);
   const card = useRef<HTMLElement>(null);
   const [place, setPlace] = useState<CardPlace | null>(null);
-  /** the layout in which every place would cover the robot */
+  /** the layout in which every place would cover the robot or the end of its trail */
   const [tooFull, setTooFull] = useState<typeof layout>(null);
   const isDocked = dock !== null && (isSmall || (layout !== null && tooFull === layout));
   const [half, setHalf] = useState<"upper" | "lower">("upper");
@@ -93,6 +96,8 @@ export function FloatingCard(props: FloatingCardProps) {
         boxOf(viewport, column * CELL + CELL / 2, row * CELL + CELL / 2, CELL / 2),
       );
       const robot = boxOf(viewport, pose.x, pose.y, ROBOT_HALF);
+      const trailEnds = trailWays.map((way) => boxAt(viewport, trailEnd(pose, way)));
+      const seen = [...trailEnds, ...squares];
       const { port } = layout;
       const inMaze = { ...port, x: area.x + port.x, y: area.y + port.y };
       // Over the legend as the last resort, where nothing scrolls below it.
@@ -105,10 +110,11 @@ export function FloatingCard(props: FloatingCardProps) {
       const shapes = [shaped("tall"), shaped("wide")];
       const next =
         tone === "bad"
-          ? placeCard([area, stage], robot, shapes, squares)
-          : placeCardAway([inMaze, area, stage], robot, shapes, squares);
+          ? placeCard([area, stage], robot, shapes, seen)
+          : placeCardAway([inMaze, area, stage], robot, shapes, seen);
       if (next === null) return;
-      if (next.coversRobot) {
+      const covered = { ...next.shape, x: next.x, y: next.y };
+      if (next.coversRobot || trailEnds.some((end) => overlap(covered, end) > 0)) {
         setTooFull(layout);
         return;
       }
@@ -122,7 +128,7 @@ export function FloatingCard(props: FloatingCardProps) {
     const resize = new ResizeObserver(put);
     resize.observe(element);
     return () => resize.disconnect();
-  }, [layout, isDocked, pose, keepClear, tone]);
+  }, [layout, isDocked, pose, keepClear, trailWays, tone]);
 
   const at = isDocked ? null : place;
   const section = (
@@ -173,10 +179,15 @@ function Tail({ place: { tail, tailAt } }: { place: CardPlace }) {
 }
 
 function boxOf(viewport: Viewport, x: number, y: number, half: number): Box {
+  return boxAt(viewport, { x: x - half, y: y - half, width: 2 * half, height: 2 * half });
+}
+
+/** @param box in units */
+function boxAt(viewport: Viewport, { x, y, width, height }: Box): Box {
   return {
-    x: viewX(viewport, x - half),
-    y: viewY(viewport, y - half),
-    width: 2 * half * viewport.scale,
-    height: 2 * half * viewport.scale,
+    x: viewX(viewport, x),
+    y: viewY(viewport, y),
+    width: width * viewport.scale,
+    height: height * viewport.scale,
   };
 }

@@ -21,6 +21,9 @@ import { watchAgain } from "./watch-again.ts";
 /** From 100 s on minutes are easier to read, as on the clock of the run. */
 const CLOCK_FROM_TICKS = 6000;
 
+/** Who drives in reverse comes to the goal as well. */
+const EITHER_WAY = [-1, 1] as const;
+
 /** Who solved it, where the robot stands, and what it took. */
 export interface Solved {
   ticks: number;
@@ -60,6 +63,7 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
       view={view}
       pose={pose}
       keepClear={keepClear}
+      trailWays={EITHER_WAY}
       tone="good"
       icon={<Flag size={18} aria-hidden="true" />}
       title={isPart ? t("missions:bar.here", allOf(mazes)) : t("words:cards.solved.title")}
