@@ -5,6 +5,7 @@
 import type { i18n } from "i18next";
 import { createContext, useContext } from "react";
 import { createAdviceStore, type AdviceStore } from "../features/program/advice-store.ts";
+import { followLanguage } from "../features/program/follow-language.ts";
 import { namedAfterEdit } from "../features/program/own-program.ts";
 import { createSolvedStore, type SolvedStore } from "../features/presets/solved-presets.ts";
 import { Speech } from "../features/speech/speech.ts";
@@ -51,7 +52,7 @@ export interface Browser {
   /** sessionStorage: what stays in this tab */
   tab: KeyValueStorage;
   /** already in the reader's language */
-  words: Pick<i18n, "t" | "language" | "loadNamespaces">;
+  words: Pick<i18n, "t" | "on" | "language" | "loadNamespaces">;
   screen: ScreenStore;
   /** reads stored works; loaded already where something is stored */
   reader: WorkReader;
@@ -105,6 +106,7 @@ export function createServices(browser: Browser): Services {
     namedAfterEdit(before, after, words),
   );
   const run = createRunStore();
+  followLanguage({ workspace, run }, words);
   const late = new LateRun(run, nextFrame);
   const cards = createCardStore();
   const cardDock = createCardDock();

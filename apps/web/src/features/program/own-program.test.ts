@@ -21,6 +21,20 @@ describe("a program of the student's own", () => {
     expect(isOwnProgram(firstWork(other).program, other)).toBe(false);
   });
 
+  it("is not the example or a ready-made one that was named before the language changed", async () => {
+    const other = createI18n(en);
+    await showLanguage(other, "de");
+    const { program } = firstWork(other);
+    const backAndForth = {
+      ...emptyProgram(other.t("program.preset.back-and-forth.name")),
+      rules: programPresets.find(({ id }) => id === "back-and-forth")?.program.rules ?? [],
+    };
+    await showLanguage(other, "fr");
+    expect(isOwnProgram(program, other)).toBe(false);
+    expect(isOwnProgram(backAndForth, other)).toBe(false);
+    expect(isOwnProgram(firstWork(words).program, other)).toBe(false);
+  });
+
   it.each(programPresets)("is not $id as it is loaded", ({ id, program }) => {
     expect(isOwnProgram(program, words)).toBe(false);
     const name = words.t(`program.preset.${id}.name`);

@@ -4,6 +4,7 @@
  */
 import { emptyProgram, programPresets, type ProgramDocument } from "@corridor/program";
 import type { i18n } from "i18next";
+import { languages } from "../../text/languages.ts";
 
 /** Empty programs and unchanged ready-made ones, under the names that they were given, are nobody's own. */
 export function isOwnProgram(program: ProgramDocument, words: Pick<i18n, "t">): boolean {
@@ -25,13 +26,29 @@ export function namedAfterEdit(
 }
 
 function isReadyMade(program: ProgramDocument, words: Pick<i18n, "t">): boolean {
+  return readyMadeName(program, words) !== null;
+}
+
+/**
+ * The name of a ready-made program in the reader's language; null for any other program. The program may have
+ * got its name in a language from before: each one that the page has loaded counts.
+ */
+export function readyMadeName(program: ProgramDocument, words: Pick<i18n, "t">): string | null {
   const behaviour = behaviourOf(program);
   // A student may have found the same lines alone, in a program of another name.
-  return programPresets.some(({ id, program: preset }) => {
-    const name = words.t(`program.preset.${id}.name`);
-    const names = [preset.name, name, words.t("program.example")];
-    return behaviour === behaviourOf(preset) && names.includes(program.name);
-  });
+  for (const { id, program: preset } of programPresets) {
+    if (behaviour !== behaviourOf(preset)) continue;
+    for (const { tag } of languages) {
+      if (program.name === words.t("program.example", { lng: tag })) {
+        return words.t("program.example");
+      }
+      const name = words.t(`program.preset.${id}.name`, { lng: tag });
+      if (program.name === name || program.name === preset.name) {
+        return words.t(`program.preset.${id}.name`);
+      }
+    }
+  }
+  return null;
 }
 
 /**

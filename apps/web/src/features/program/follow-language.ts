@@ -1,0 +1,23 @@
+/** A ready-made program goes on under its name in the language that the reader changes to. */
+import type { i18n } from "i18next";
+import type { RunStore } from "../../stores/run-store.ts";
+import type { WorkspaceStore } from "../../stores/workspace-store.ts";
+import { readyMadeName } from "./own-program.ts";
+
+interface Followers {
+  workspace: WorkspaceStore;
+  run: RunStore;
+}
+
+/** The new name is no step of the history. During a run the old one stays: an edit would be recorded. */
+export function followLanguage({ workspace, run }: Followers, words: Pick<i18n, "t" | "on">): void {
+  words.on("languageChanged", () => {
+    const { program } = workspace.getState();
+    const name = readyMadeName(program, words);
+    if (name === null || name === program.name || run.getState().nowTick > 0) return;
+    const history = workspace.temporal.getState();
+    history.pause();
+    workspace.setState({ program: { ...program, name } });
+    history.resume();
+  });
+}
