@@ -67,6 +67,9 @@ test("races a friend's run of a link on one clock, and compares time, bumps and 
     .fill(`http://localhost${other.link}`);
   await dialog.getByRole("button", { name: "Add ghost" }).click();
   await expect(dialog.getByRole("alert")).toContainText("another maze, “spiral”");
+  await dialog.getByRole("textbox", { name: "Link of a run" }).fill("http://localhost/m/SRCN");
+  await dialog.getByRole("button", { name: "Add ghost" }).click();
+  await expect(dialog.getByRole("alert")).toContainText("This link has no run.");
   await dialog.getByRole("button", { name: "Remove ghost A" }).click();
   await expect(dialog).toBeHidden();
   await expect(page.getByRole("button", { name: "Race against 1 ghost" })).toBeHidden();
@@ -83,6 +86,9 @@ test("offers the race on a phone too, and ends it when the maze changes", async 
   await expect(chip).toBeVisible();
   const box = await chip.boundingBox();
   expect(box?.height).toBeGreaterThanOrEqual(44);
+  // One row of tools: a second one would be taken from the maze.
+  const view = await page.getByRole("button", { name: "View", exact: true }).boundingBox();
+  expect(view?.y).toBe(box?.y);
   await corridor.dismissMessages();
   await chip.click();
   await expect(corridor.dialog("Race").getByRole("row")).toHaveCount(3);

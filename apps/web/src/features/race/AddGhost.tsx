@@ -11,7 +11,7 @@ import styles from "./race.module.css";
 const NOTE_ID = "race-link-note";
 
 export function AddGhost({ race }: { race: RaceService }) {
-  const { t } = useTranslation(["race", "words"], { useSuspense: false });
+  const { t } = useTranslation("race", { useSuspense: false });
   const [link, setLink] = useState("");
   const [problem, setProblem] = useState<string | null>(null);
   const [isBusy, setBusy] = useState(false);
@@ -21,7 +21,7 @@ export function AddGhost({ race }: { race: RaceService }) {
     try {
       setProblem(await problemOf());
     } catch {
-      setProblem(t("race:refused.failed"));
+      setProblem(t("refused.failed"));
     } finally {
       setBusy(false);
     }
@@ -29,13 +29,11 @@ export function AddGhost({ race }: { race: RaceService }) {
 
   /** Adds the ghost. @returns why it is not in the race; null when it is */
   async function problemOf(): Promise<string | null> {
-    const { decodeLink } = await import("@corridor/link");
-    const read = decodeLink(link.slice(link.indexOf("#") + 1).trim());
-    if (!read.ok) return t(`words:share.linkProblems.${read.code}`);
-    const { run } = read.value;
-    if (run === undefined) return t("race:refused.not-a-run");
-    const refusal = await race.add(run);
-    if (refusal !== null) return race.refusalText(refusal, run);
+    const { readRunLink } = await import("./run-link.ts");
+    const read = readRunLink(link);
+    if (!read.ok) return t(`refused.${read.refusal}`);
+    const refusal = await race.add(read.run);
+    if (refusal !== null) return race.refusalText(refusal, read.run);
     setLink("");
     return null;
   }
@@ -50,7 +48,7 @@ export function AddGhost({ race }: { race: RaceService }) {
     >
       <div className={styles["field"]}>
         <TextField
-          label={t("race:link")}
+          label={t("link")}
           value={link}
           onChange={(text) => {
             setLink(text);
@@ -63,7 +61,7 @@ export function AddGhost({ race }: { race: RaceService }) {
         />
         {problem === null ? (
           <p id={NOTE_ID} className={styles["note"]}>
-            {t("race:linkNote")}
+            {t("linkNote")}
           </p>
         ) : (
           <FieldError id={NOTE_ID}>{problem}</FieldError>
@@ -74,7 +72,7 @@ export function AddGhost({ race }: { race: RaceService }) {
         disabled={isBusy || link.trim() === ""}
         icon={<Plus aria-hidden="true" />}
       >
-        {t("race:add")}
+        {t("add")}
       </Button>
     </form>
   );
