@@ -122,6 +122,8 @@ for (const width of [390, 320]) {
       isMobile: true,
     });
     await phone.open();
+    const label = phone.program.region.getByText("Example: right wall", { exact: true });
+    await expect(label).toBeInViewport();
     const writeOwn = phone.transport.getByRole("button", { name: "Write my own" });
     const own = await writeOwn.boundingBox();
     const run = await phone.run.boundingBox();
@@ -129,8 +131,24 @@ for (const width of [390, 320]) {
     await writeOwn.tap();
     await expect(phone.program.region.getByText("Get the robot to the goal.")).toBeInViewport();
     await expect(phone.reset).toBeVisible();
+    await expect(label).toHaveCount(0);
   });
 }
+
+test("has the example in the language that is chosen, and opens mazes with an empty program then", async ({
+  corridor,
+}) => {
+  const { page } = corridor;
+  await page.getByRole("button", { name: "EN, Language" }).click();
+  await page.getByRole("menuitemradio", { name: "Deutsch" }).click();
+  await expect(page.getByLabel("Name des Programms")).toHaveValue("Beispiel: rechte Wand");
+  await page.getByRole("button", { name: "Vorlagen", exact: true }).click();
+  await page
+    .getByRole("dialog", { name: "Vorlagen" })
+    .getByRole("button", { name: /^Kamm/ })
+    .click();
+  await expect(page.getByText("Bring den Roboter ans Ziel.", { exact: true })).toBeVisible();
+});
 
 test("opens a maze with an empty program, unless it has written one", async ({ corridor }) => {
   const { program } = corridor;

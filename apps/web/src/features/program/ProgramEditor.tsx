@@ -11,6 +11,7 @@ import { lazyPart } from "../../ui/lazy-part.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { useRights } from "../lessons/use-rights.ts";
 import { AddLine } from "./AddLine.tsx";
+import { isExample } from "./example.ts";
 import { LazyAdviceNews } from "./lazy-advice.ts";
 import { decidingLine } from "./line-state.ts";
 import { Otherwise } from "./Otherwise.tsx";
@@ -36,9 +37,22 @@ export function ProgramEditor() {
     <section className={styles["editor"]} aria-label={t("program.program")}>
       {/* The lines come first where the sheet shows three of them. */}
       {!isPhone && <ProgramHeader />}
+      {isPhone && rights === null && <ExampleLabel />}
       <ProgramLines />
       {isPhone && <ProgramHeader />}
     </section>
+  );
+}
+
+/** The name of the example, on the edge of its first line, where the header is out of sight below. */
+function ExampleLabel() {
+  const { workspace } = useServices();
+  const name = useStore(workspace, ({ program }) => (isExample(program) ? program.name : null));
+  if (name === null) return null;
+  return (
+    <p className={styles["label"]} aria-hidden="true">
+      <span>{name}</span>
+    </p>
   );
 }
 
