@@ -137,7 +137,9 @@ test("is told that the robot goes in circles, and no line is blamed where two wo
   await corridor.program.addLine("front <", "50", "turn 180");
   await corridor.speed.selectOption("max");
   await corridor.run.click();
-  await expect(corridor.message(/^The robot passed here 3 times the same way\.$/)).toBeVisible();
+  await expect(
+    corridor.message(/^The robot passed here 3 times in the same direction\.$/),
+  ).toBeVisible();
   await expect(corridor.messages.getByRole("button", { name: /^Show line/ })).toHaveCount(0);
 });
 

@@ -180,7 +180,7 @@ test("chooses every maze of the menu and solves those that have a goal", async (
   await corridor.speed.selectOption("max");
   for (const { title, end } of presets) {
     await corridor.choosePreset(title);
-    await expect(corridor.message(`“${title}” is in place.`)).toBeVisible();
+    await expect(corridor.message(`“${title}” is open.`)).toBeVisible();
     await expect(corridor.clock).toHaveText("Time 0:00.0");
     await corridor.dismissMessages();
     if (end === null) continue;
@@ -193,6 +193,6 @@ test("takes a chosen maze back with Undo in its message", async ({ corridor }) =
   await corridor.choosePreset("Spiral");
   await corridor.messages.getByRole("button", { name: "Undo" }).click();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
-  await expect(corridor.message(/is in place/)).toBeHidden();
+  await expect(corridor.message(/is open/)).toBeHidden();
   await corridor.maze.expectSquare({ column: 10, row: 0 }, "open, goal");
 });

@@ -188,7 +188,7 @@ test("begins a mission again, and is told of a program only where one was taken 
   const lessons = new LessonsPanel(page);
   await lessons.openMission(6);
   await lessons.button("Restart").click();
-  await expect(corridor.messages).toContainText("The mission begins again.");
+  await expect(corridor.messages).toContainText("The mission starts again.");
   await expect(corridor.messages).not.toContainText("program");
   await corridor.messages.getByRole("button", { name: "Dismiss" }).click();
 

@@ -16,7 +16,7 @@ test("draws a random maze with rooms and the size slider", async ({ corridor, pa
   await presets.getByRole("button", { name: "Use this maze" }).click();
 
   await expect(corridor.mazeMenu).toHaveAccessibleName("Rooms 31, seed 4711, Maze menu");
-  await expect(corridor.message("“Rooms 31, seed 4711” is in place.")).toBeVisible();
+  await expect(corridor.message("“Rooms 31, seed 4711” is open.")).toBeVisible();
   await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "31");
   // The same kind, size and seed give the same maze everywhere.
   const same = generateMaze({ kind: "rooms", columns: 31, rows: 31, seed: 4711, name: "" });

@@ -33,14 +33,14 @@ describe("choosing a maze", () => {
       program: emptyProgram(),
       lineIds: [],
     });
-    expect(text).toBe("“Spiral” is in place. Your program is empty: get the robot to the goal.");
+    expect(text).toBe("“Spiral” is open. Your program is empty: get the robot to the goal.");
     expect(sent).toEqual(["reset"]);
   });
 
   it("leaves a program that the student has written", () => {
     const { workspace, text } = choose(mine);
     expect(workspace.getState()).toMatchObject({ maze: chosen, program: mine });
-    expect(text).toBe("“Spiral” is in place. Your program did not change.");
+    expect(text).toBe("“Spiral” is open. Your program did not change.");
   });
 
   it("is one step of the history", () => {

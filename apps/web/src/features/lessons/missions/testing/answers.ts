@@ -227,7 +227,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
       why: "believes that what passes the first maze is right",
       attempt: lines("forward", line(front("<", 50), "left 90")),
       reads:
-        "Maze 2: The goal was not reached in 40 s. At 3.5 s right was 250 cm, and no line turns right.",
+        "Maze 2: The goal was not reached in 40 s. At 3.5 s, right was 250 cm, and no line turns right.",
       feedback: { code: "not-reached", maze: 1, line: "default", tick: 2400, needed: 7, found: 5 },
     },
   },
@@ -264,7 +264,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
         line(leftMoreThanRight, "left 90"),
       ),
       reads:
-        "Maze 1: Bump at 6.8 s. At 6.6 s the wall was 50 cm ahead, and “otherwise” chose “forward”. A line for this place is missing.",
+        "Maze 1: Bump at 6.8 s. At 6.6 s, the wall was 50 cm ahead, and “otherwise” chose “forward”. A line for this place is missing.",
       feedback: {
         code: "bump",
         maze: 0,
