@@ -26,7 +26,7 @@ import { robotRoutes } from "./routes/robots.ts";
 import { openToAllSites, securityHeaders } from "./routes/security-headers.ts";
 import { scriptRoutes } from "./routes/scripts.ts";
 import { sensorRoutes } from "./routes/sensors.ts";
-import { wrongAddress } from "./routes/wrong-address.ts";
+import { unreadableAddress, wrongAddress } from "./routes/wrong-address.ts";
 import type { SessionHub } from "./sessions/session-hub.ts";
 
 export interface AppDependencies {
@@ -81,6 +81,7 @@ export function createApp(dependencies: AppDependencies): Express {
   app.use("/api/v1", api);
 
   app.use(page);
+  app.use(unreadableAddress);
   app.use(wrongAddress(() => metrics.refused("not-found")));
   app.use(notFound);
   app.use(problemAnswers(log, (kind) => metrics.refused(kind)));

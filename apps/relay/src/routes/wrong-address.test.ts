@@ -1,6 +1,9 @@
 import { problemSchema } from "@corridor/protocol";
+import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
+import { hardSentences } from "../../../web/src/text/testing/reading-level.ts";
 import { startTestRelay } from "../testing/test-relay.ts";
+import { wrongAddressWords } from "./wrong-address-words.ts";
 
 const BROWSER = "text/html,application/xhtml+xml,application/xml;q=0.9,*/*;q=0.8";
 
@@ -14,7 +17,16 @@ describe("a wrong address", () => {
   ])("is a page in words with a way home for a browser in $language", async (example) => {
     const { language, lang, words } = example;
     const { origin } = await startTestRelay();
-    for (const path of ["/foo", "/m/", "/r/", "/assets/none.js", "/apis", "/%3Cscript%3E"]) {
+    for (const path of [
+      "/foo",
+      "/m/",
+      "/r/",
+      "/assets/none.js",
+      "/apis",
+      "/%3Cscript%3E",
+      "/r/%E0",
+      "/m/%FF",
+    ]) {
       const headers = { accept: BROWSER, "accept-language": language };
       const answer = await fetch(origin + path, { headers });
       expect([path, answer.status]).toEqual([path, 404]);
@@ -34,6 +46,7 @@ describe("a wrong address", () => {
       ["/api", BROWSER],
       ["/api/v1/foo", BROWSER],
       ["/api/v2/robots", BROWSER],
+      ["/r/%E0", "application/json"],
       ["/foo", "*/*"],
       ["/foo", "application/json"],
     ] as const) {
@@ -43,5 +56,18 @@ describe("a wrong address", () => {
     }
     const sent = await fetch(`${origin}/foo`, { method: "POST", headers: { accept: BROWSER } });
     expect(sent.headers.get("content-type")).toMatch(/^application\/problem\+json/);
+  });
+
+  it("is read at grade 6 or below in English", () => {
+    expect(hardSentences(new Map(Object.entries(wrongAddressWords.en)))).toEqual([]);
+  });
+
+  it("has the same words in all languages on hosts of static files", () => {
+    const file = new URL("../../../web/public/404.html", import.meta.url);
+    const html = readFileSync(file, "utf8");
+    for (const [lang, { title, text, home }] of Object.entries(wrongAddressWords)) {
+      expect(html).toContain(`<section lang="${lang}"`);
+      for (const words of [title, text, home]) expect(html).toContain(words);
+    }
   });
 });

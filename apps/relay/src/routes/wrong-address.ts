@@ -2,10 +2,20 @@
  * The page for people at an address that does not exist: what is wrong, and a link home. It needs no script.
  * API paths, and clients that do not ask for HTML, get a problem document instead.
  */
-import type { RequestHandler } from "express";
+import type { ErrorRequestHandler, RequestHandler } from "express";
 import { wrongAddressWords, type WrongAddressWords } from "./wrong-address-words.ts";
 
 const API = /^\/api(?:\/|$)/;
+
+/** Escapes that are no UTF-8, such as /r/%E0: an address of the page that cannot be read is a wrong one. */
+export const unreadableAddress: ErrorRequestHandler = (
+  error: unknown,
+  request,
+  _response,
+  next,
+) => {
+  next(error instanceof URIError && !API.test(request.path) ? undefined : error);
+};
 
 /** @param refused called when the page was sent, for the metrics */
 export function wrongAddress(refused: () => void): RequestHandler {
