@@ -110,7 +110,7 @@ test("opens a maze and a program together as one work", async ({ corridor }) => 
 test("pastes a text maze", async ({ corridor, page }) => {
   await corridor.run.focus();
   await paste(page, "#######\r\n#>....#\r\n#####G#\r\n#######");
-  await expect(corridor.message("“Clipboard” is in place. Your program is empty")).toBeVisible();
+  await expect(corridor.message("“Clipboard” is open. Your program is empty")).toBeVisible();
   await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "7");
   await expect(corridor.robotPlace).toHaveText("Robot at 150, 150, facing right");
   await corridor.maze.expectSquare({ column: 5, row: 2 }, "open, goal");
@@ -168,6 +168,39 @@ test("is told what is wrong with a broken file and keeps the work", async ({ cor
   await expect(dialog).toBeHidden();
   await expect(corridor.program.name).toHaveValue("Example: right wall");
   await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
+});
+
+test("is told that a pasted picture is no maze, without advice for texts", async ({
+  corridor,
+  page,
+}) => {
+  await page.evaluate(async () => {
+    const canvas = document.createElement("canvas");
+    canvas.width = canvas.height = 20;
+    canvas.getContext("2d")?.fillRect(0, 0, 9, 9);
+    const png = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve));
+    if (png === null) throw new Error("no picture");
+    await navigator.clipboard.write([new ClipboardItem({ "image/png": png })]);
+  });
+  await page.keyboard.press("Control+V");
+  const dialog = corridor.dialog("This file cannot be opened");
+  await expect(dialog.getByText("Found: a picture")).toBeVisible();
+  await expect(dialog).toContainText("A maze cannot be read from a picture.");
+  await expect(dialog).not.toContainText("text editor");
+  await expect(dialog).not.toContainText("The whole file");
+});
+
+test("stays on the page when an address that leads nowhere here is pasted", async ({
+  corridor,
+  page,
+  relay,
+}) => {
+  await corridor.run.focus();
+  await paste(page, `${relay}/foo`);
+  await expect(corridor.message("The text you pasted is not a maze")).toBeVisible();
+  await paste(page, `${relay}/r/AAAAAAAAAAAAAAAAAAAAAA#drv_AAAAAAAAAAAAAAAAAAAAAA`);
+  await expect(corridor.message("This address is for a script.")).toBeVisible();
+  await expect(page).toHaveURL(`${relay}/`);
 });
 
 test("saves the maze as a file and opens it again", async ({ corridor }) => {

@@ -37,7 +37,7 @@ export function FileDoor({ children }: { children: ReactNode }) {
 
   const paste = useCallback(
     async (text: string): Promise<void> => {
-      let pasted: "file" | "other" | URL;
+      let pasted: "file" | "script" | "other" | URL;
       try {
         const { readPasted } = await import("./read-pasted.ts");
         pasted = readPasted(text, location.origin);
@@ -48,8 +48,9 @@ export function FileDoor({ children }: { children: ReactNode }) {
       if (pasted === "file") {
         const name = t("files.pasted");
         await take([{ name, size: text.length, text: () => Promise.resolve(text) }]);
-      } else if (pasted === "other") {
-        tell(services.screen, { tone: "info", text: t("files.strayText") });
+      } else if (pasted === "script" || pasted === "other") {
+        const key = pasted === "script" ? "files.scriptAddress" : "files.strayText";
+        tell(services.screen, { tone: "info", text: t(key) });
       } else {
         // As if it had been put into the address bar: with the same page only its fragment changes.
         location.assign(pasted);

@@ -24,25 +24,31 @@ export function FileProblems({ isOpen, reports, onClose }: FileProblemsProps) {
       title={t("files.problems.title", { count: reports.length })}
       subtitle={t("files.problems.kept")}
       width="narrow"
-      footer={t("files.problems.mend")}
+      footer={reports.some(({ isTextWrong }) => isTextWrong) ? t("files.problems.mend") : undefined}
     >
       <div className={styles["reports"]}>
-        {withKeys(reports, ({ file }) => file).map(({ key, value: { file, problems } }) => (
-          <section key={key} className={styles["report"]} aria-label={file}>
-            <h3 className={styles["file"]}>{file}</h3>
-            <ul className={styles["problems"]}>
-              {withKeys(problems, lineOf).map(({ key: line, value: { path, found, expected } }) => (
-                <li key={line} className={styles["problem"]}>
-                  <span className={styles["where"]}>
-                    {path === "" ? t("files.problems.whole") : path}
-                  </span>
-                  <span>{t("files.problems.found", { found })}</span>
-                  <span>{t("files.problems.expected", { expected })}</span>
-                </li>
-              ))}
-            </ul>
-          </section>
-        ))}
+        {withKeys(reports, ({ file }) => file).map(
+          ({ key, value: { file, problems, isTextWrong } }) => (
+            <section key={key} className={styles["report"]} aria-label={file}>
+              <h3 className={styles["file"]}>{file}</h3>
+              <ul className={styles["problems"]}>
+                {withKeys(problems, lineOf).map(
+                  ({ key: line, value: { path, found, expected } }) => (
+                    <li key={line} className={styles["problem"]}>
+                      {isTextWrong && (
+                        <span className={styles["where"]}>
+                          {path === "" ? t("files.problems.whole") : path}
+                        </span>
+                      )}
+                      <span>{t("files.problems.found", { found })}</span>
+                      <span>{t("files.problems.expected", { expected })}</span>
+                    </li>
+                  ),
+                )}
+              </ul>
+            </section>
+          ),
+        )}
         <Button
           className={styles["again"]}
           onClick={() => {

@@ -94,7 +94,7 @@ describe("opening files", () => {
     const { reports, begin } = open({ ...file(name, "\uFFFDPNG"), type });
     const [report] = await reports;
     expect(report?.file).toBe(name);
-    expect(report?.problems).toMatchObject([{ found: "a picture" }]);
+    expect(report).toMatchObject({ problems: [{ found: "a picture" }], isTextWrong: false });
     expect(begin).not.toHaveBeenCalled();
   });
 });

@@ -28,6 +28,8 @@ export interface TextFile {
 export interface FileReport {
   file: string;
   problems: readonly FieldProblem[];
+  /** whether the text of the file is wrong, so that changing it helps: not of a picture or of too many files */
+  isTextWrong: boolean;
 }
 
 /** The longest run fits; a film that was chosen by mistake is not even read. */
@@ -52,7 +54,10 @@ export async function openFiles(
   for (const file of files) {
     const result = await readFile(file, words);
     if (result.ok) opened.push(result.value);
-    else reports.push({ file: file.name, problems: result.problems });
+    else {
+      const { problems, isTextWrong } = result;
+      reports.push({ file: file.name, problems, isTextWrong });
+    }
   }
   const mazes = opened.flatMap((each) => (each.kind === "maze" ? [each.maze] : []));
   const programs = opened.flatMap((each) => (each.kind === "program" ? [each.program] : []));
@@ -71,7 +76,9 @@ export async function openFiles(
   const [run] = runs;
   if (run !== undefined) {
     const problems = await openRun(services, words, run);
-    return problems.length === 0 ? [] : [{ file: files[0]?.name ?? "", problems }];
+    return problems.length === 0
+      ? []
+      : [{ file: files[0]?.name ?? "", problems, isTextWrong: true }];
   }
   openDocuments(services, words, mazes[0], programs[0]);
   return [];
@@ -85,6 +92,7 @@ function tooMuch(files: readonly TextFile[], found: string, words: Pick<i18n, "t
       files.map(({ name }) => name),
     ),
     problems: [{ path: "", found, expected }],
+    isTextWrong: false,
   };
 }
 
@@ -122,10 +130,9 @@ function openDocuments(
   });
 }
 
-async function readFile(
-  file: TextFile,
-  words: Pick<i18n, "t" | "language">,
-): Promise<ReturnType<typeof readDocument>> {
+type ReadFile = { ok: true; value: OpenedDocument } | ({ ok: false } & Omit<FileReport, "file">);
+
+async function readFile(file: TextFile, words: Pick<i18n, "t" | "language">): Promise<ReadFile> {
   if (isPicture(file)) return refuse(words.t("files.aPicture"), words.t("files.noPicture"));
   if (file.size > MAX_BYTES) {
     const size = new Intl.NumberFormat(words.language, {
@@ -142,7 +149,8 @@ async function readFile(
     // A folder, or a file that was moved or locked in the meantime.
     return refuse(words.t("files.unreadable"), words.t("files.readable"));
   }
-  return readDocument(text, titleOf(file.name));
+  const read = readDocument(text, titleOf(file.name));
+  return read.ok ? read : { ...read, isTextWrong: true };
 }
 
 /** A photo or a screenshot of a maze: the name counts where the browser knows no type. */
@@ -150,6 +158,6 @@ function isPicture({ name, type = "" }: TextFile): boolean {
   return type.startsWith("image/") || /\.(png|jpe?g|gif|webp|bmp|svg|heic|avif)$/i.test(name);
 }
 
-function refuse(found: string, expected: string): { ok: false; problems: FieldProblem[] } {
-  return { ok: false, problems: [{ path: "", found, expected }] };
+function refuse(found: string, expected: string): ReadFile {
+  return { ok: false, problems: [{ path: "", found, expected }], isTextWrong: false };
 }

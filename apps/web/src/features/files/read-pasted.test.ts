@@ -3,9 +3,13 @@ import { readPasted } from "./read-pasted.ts";
 
 const origin = "https://corridor.example";
 
-it.each([`${origin}/#m1abc`, ` ${origin}/?lang=de#mission/one-line\n`, `${origin}/m/abcd`])(
-  "opens the pasted link %j",
-  (text) => expect(String(readPasted(text, origin))).toBe(text.trim()),
+it.each([
+  `${origin}/#m1abc`,
+  ` ${origin}/?lang=de#mission/one-line\n`,
+  `${origin}/m/abcd`,
+  `${origin}/r/robot#wch_key`,
+])("opens the pasted link %j", (text) =>
+  expect(String(readPasted(text, origin))).toBe(text.trim()),
 );
 
 it.each([
@@ -13,6 +17,9 @@ it.each([
   "hello",
   origin,
   `${origin}/`,
+  `${origin}/foo`,
+  `${origin}/m/`,
+  `${origin}/api/v1/mazes/abcd`,
   `Look: ${origin}/#m1abc`,
   "https://elsewhere.example/#m1abc",
   "javascript:alert(1)",
@@ -20,3 +27,6 @@ it.each([
 ])("takes %j for another text", (text) => expect(readPasted(text, origin)).toBe("other"));
 
 it("takes a drawn maze for a file", () => expect(readPasted("#S.G#", origin)).toBe("file"));
+
+it("does not leave the page for an address that is for a script", () =>
+  expect(readPasted(`${origin}/r/robot#drv_key`, origin)).toBe("script"));

@@ -1,9 +1,18 @@
 /** What a text is that somebody pastes into the page. Loaded with the first one. */
 import { looksLikeFile } from "./looks-like-file.ts";
 
-/** @returns the address of one of our own links, or whether the text is meant to be opened as a file */
-export function readPasted(text: string, origin: string): "file" | "other" | URL {
-  return ownLink(text, origin) ?? (looksLikeFile(text) ? "file" : "other");
+/** Paths of links: the page with a fragment, short links, and addresses of robots. */
+const LINK_PATH = /^\/(?:[mr]\/[^/]+\/?)?$/;
+
+/**
+ * @returns the address of one of our own links, "script" for the address of a robot with a script's key, or
+ *   whether the text is meant to be opened as a file
+ */
+export function readPasted(text: string, origin: string): "file" | "script" | "other" | URL {
+  const link = ownLink(text, origin);
+  // The page would leave its own robot for a page that says no more than this.
+  if (link !== null && link.hash.startsWith("#drv_")) return "script";
+  return link ?? (looksLikeFile(text) ? "file" : "other");
 }
 
 /**
@@ -15,5 +24,5 @@ function ownLink(text: string, origin: string): URL | null {
   if (/\s/.test(trimmed) || !URL.canParse(trimmed)) return null;
   const url = new URL(trimmed);
   const leadsSomewhere = url.pathname !== "/" || url.hash.length > 1;
-  return url.origin === origin && leadsSomewhere ? url : null;
+  return url.origin === origin && leadsSomewhere && LINK_PATH.test(url.pathname) ? url : null;
 }
