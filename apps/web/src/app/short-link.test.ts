@@ -30,6 +30,13 @@ it("tells what was deleted or forgotten from what cannot be read", async () => {
   }
 });
 
+it("says to wait where too many wrong short links came", async () => {
+  expect(await readShortLink(id, answers(429, {}))).toEqual({
+    ok: false,
+    sentence: "share.shortLink.wait",
+  });
+});
+
 it("asks the service for nothing that can be no short link", async () => {
   const get = vi.fn<ReturnType<typeof answers>>(answers(200, maze));
   for (const wrong of ["", "short", "../../healthz", "AAAAAAAAAAAA/x", "é".repeat(12)]) {

@@ -15,7 +15,9 @@ export interface ShortLinkContent {
 export type ShortLinkResult =
   | { ok: true; value: ShortLinkContent }
   /** what is told about it, as a key of the words */
-  | { ok: false; sentence: "share.shortLink.gone" | "share.linkProblems.unknown-version" };
+  | { ok: false; sentence: "share.shortLink.gone" | "share.linkProblems.unknown-version" }
+  /** too many wrong codes came from this network: the same link may open later */
+  | { ok: false; sentence: "share.shortLink.wait" };
 
 /** As much of an answer as is needed. */
 interface Answer {
@@ -39,6 +41,7 @@ export async function readShortLink(
     return { ok: false, sentence: "share.shortLink.gone" };
   const answer = await get(`/api/v1/mazes/${id}`);
   if (answer.status === 404) return { ok: false, sentence: "share.shortLink.gone" };
+  if (answer.status === 429) return { ok: false, sentence: "share.shortLink.wait" };
   if (!answer.ok) throw new Error(`The short link was answered with ${answer.status}.`);
   const text = await answer.text();
   const format = text.length > MAX_DOCUMENT_BYTES ? "" : formatOf(text);

@@ -372,6 +372,23 @@ describe("opening a short link", () => {
     await vi.waitFor(() => expect(page.shown()).toBe("Shared"));
     expect(page.asked).toHaveLength(2);
   });
+
+  it("stays in the address while too many wrong codes come from the network", async () => {
+    const page = openPage(new MemoryStorage());
+    page.shelved.set("BCDF", { ok: false, sentence: "share.shortLink.wait" });
+    await page.go("/m/BCDF", "");
+    expect(page.message()?.text).toContain("Too many wrong short links");
+    expect(page.addresses).toEqual([]);
+    page.shelved.set("BCDF", { ok: true, value: { maze: sharedMaze } });
+    page.message()?.action?.run();
+    await vi.waitFor(() => expect(page.shown()).toBe("Shared"));
+  });
+
+  it("opens with a slash after the code as well", async () => {
+    const page = openPage(new MemoryStorage());
+    await page.go("/m/BCDF/", "");
+    expect(page.asked).toEqual(["BCDF"]);
+  });
 });
 
 describe("deleting a work", () => {

@@ -100,9 +100,13 @@ async function followShortLink(ports: UrlPorts): Promise<void> {
   const { pathname, search } = location;
   let result: ShortLinkResult;
   try {
-    result = await ports.readShortLink(pathname.slice("/m/".length));
+    const [, , id = ""] = pathname.split("/");
+    result = await ports.readShortLink(id);
   } catch {
     return tellNotLoaded(ports);
+  }
+  if (!result.ok && result.sentence === "share.shortLink.wait") {
+    return tellNotOpened(ports, words.t(result.sentence));
   }
   const clean = () => {
     if (location.pathname === pathname) replaceAddress(`/${search}`);
@@ -146,10 +150,15 @@ function tellBadLink(ports: UrlPorts, text: string): void {
 }
 
 function tellNotLoaded(ports: UrlPorts): void {
+  tellNotOpened(ports, ports.words.t("offline.linkFailed"));
+}
+
+/** The address keeps the link, so that it can be tried again. */
+function tellNotOpened(ports: UrlPorts, text: string): void {
   const { screen, words } = ports;
   const id = tell(screen, {
     tone: "bad",
-    text: words.t("offline.linkFailed"),
+    text,
     action: {
       label: words.t("offline.tryAgain"),
       run: () => {

@@ -16,7 +16,8 @@ export function ShortLinkChoice({ short, isMore }: ShortLinkChoiceProps) {
   const { isOffered, link, isBusy, outcome } = short;
   if (!isOffered) return null;
   const isShown = link !== null && !isMore;
-  const rest = isMore ? t("share.shortLink.alone") : isShown ? t("share.shortLink.note") : "";
+  // Who can open it is said before it is made.
+  const note = t(isMore ? "share.shortLink.alone" : "share.shortLink.note");
   const said = outcome === null || isMore ? "" : t(`share.shortLink.${outcome}`);
   // The button stays where it is: what comes in its place could be hit by a double click.
   return (
@@ -35,7 +36,7 @@ export function ShortLinkChoice({ short, isMore }: ShortLinkChoiceProps) {
           {t("share.shortLink.delete")}
         </Button>
       )}
-      {rest !== "" && <p className={styles["note"]}>{rest}</p>}
+      <p className={styles["note"]}>{note}</p>
       <output className={outcome === "made" ? "visually-hidden" : styles["note"]}>{said}</output>
     </div>
   );
