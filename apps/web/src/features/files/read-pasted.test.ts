@@ -12,6 +12,11 @@ it.each([
   expect(String(readPasted(text, origin))).toBe(text.trim()),
 );
 
+it.each(["corridor.example/m/BCDF", " corridor.example/m/BCDF "])(
+  "opens %j as it is written on a board",
+  (text) => expect(String(readPasted(text, origin))).toBe(`${origin}/m/BCDF`),
+);
+
 it.each([
   "",
   "hello",
@@ -22,6 +27,8 @@ it.each([
   `${origin}/api/v1/mazes/abcd`,
   `Look: ${origin}/#m1abc`,
   "https://elsewhere.example/#m1abc",
+  "corridor.example",
+  "corridor.example.org/m/BCDF",
   "javascript:alert(1)",
   "#m1abc",
 ])("takes %j for another text", (text) => expect(readPasted(text, origin)).toBe("other"));

@@ -20,9 +20,12 @@ export function readPasted(text: string, origin: string): "file" | "script" | "o
  * @returns null for a text that is no link, and for the page's own plain address
  */
 function ownLink(text: string, origin: string): URL | null {
+  const { host, protocol } = new URL(origin);
   const trimmed = text.trim();
-  if (/\s/.test(trimmed) || !URL.canParse(trimmed)) return null;
-  const url = new URL(trimmed);
+  // On a board, and where Remote displays its address, it begins with the host.
+  const whole = trimmed.startsWith(`${host}/`) ? `${protocol}//${trimmed}` : trimmed;
+  if (/\s/.test(whole) || !URL.canParse(whole)) return null;
+  const url = new URL(whole);
   const leadsSomewhere = url.pathname !== "/" || url.hash.length > 1;
   return url.origin === origin && leadsSomewhere && LINK_PATH.test(url.pathname) ? url : null;
 }
