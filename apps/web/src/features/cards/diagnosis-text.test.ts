@@ -54,6 +54,16 @@ describe("the words of a diagnosis", () => {
     );
   });
 
+  it.each([
+    { side: "front" as const, text: "“move 2000” needed 2025 cm ahead. Front read 50 cm." },
+    { side: "back" as const, text: "“move -2000” needed 2025 cm behind. Back read 50 cm." },
+  ])("name a command of a script as its list does ($side)", ({ side, text }) => {
+    const words = wordsFor(["diagnosis", "words"]);
+    const move = { action: "move" as const, phase: "measured" as const, line: null, needs: 2025 };
+    const facts: Diagnosis = { event: { ...bump, ...move, side }, cause: null, fixes: [] };
+    expect(diagnosisText(words, facts)).toBe(`Bump at 2.1 s. ${text}`);
+  });
+
   it("tell of a corner that the beam passes", () => {
     const words = wordsFor(["diagnosis", "words"]);
     const event = {

@@ -10,6 +10,7 @@ import { numberOf } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
 import { ROBOT_RADIUS } from "@corridor/simulation";
 import type { TFunction } from "i18next";
+import { commandText } from "../../text/command-text.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 import { joinSentences } from "../../text/joined.ts";
 
@@ -84,7 +85,10 @@ function eventText(words: DiagnosisWords, event: FailureEvent, isShort: boolean)
     case "way-out":
       return t("diagnosis:event.wayOut", known);
     case "measured":
-      return t(isFront ? "diagnosis:event.measuredFront" : "diagnosis:event.measuredBack", known);
+      return t(isFront ? "diagnosis:event.measuredFront" : "diagnosis:event.measuredBack", {
+        ...known,
+        action: measuredText(words, event),
+      });
     case "steady":
       return t(isFront ? "diagnosis:event.steadyFront" : "diagnosis:event.steadyBack", known);
   }
@@ -221,6 +225,13 @@ function actionText({ t }: DiagnosisWords, action: BumpEvent["action"]): string 
   return action === "move" || action === "turn" || action === "drive"
     ? action
     : t(`words:program.action.${action}`);
+}
+
+/** As the list of commands names it: "move 120", or "move -120" for the way back. */
+function measuredText(words: DiagnosisWords, { action, needs, side }: BumpEvent): string {
+  if (action !== "move" || needs === null) return actionText(words, action);
+  const distance = Math.round(needs - ROBOT_RADIUS);
+  return commandText({ action, distance: side === "front" ? distance : -distance });
 }
 
 /** "Line 1" or "“otherwise”" at the beginning of a sentence. */
