@@ -71,8 +71,8 @@ describe("the rays of a reached goal", () => {
 
 describe("the word of the start", () => {
   it.each([
-    { name: "stands below the robot in a large square", side: 96, words: ["Start"] },
-    { name: "is left out where the robot would cover half of it", side: 80, words: [] },
+    { name: "stands below the robot in a large square", side: 80, words: ["Start"] },
+    { name: "is left out where the robot would cover half of it", side: 70, words: [] },
   ])("$name", ({ side, words }) => {
     const written: string[] = [];
     const pen = new Proxy(

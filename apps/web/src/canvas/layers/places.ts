@@ -14,7 +14,7 @@ export interface PlaceWords {
 /** Smallest square in which a word can be read. */
 const WORD_FROM_PX = 60;
 /** Smallest square in which the word of the start is read below a robot that stands there: its wheels reach 27 cm. */
-const START_WORD_FROM_PX = 96;
+const START_WORD_FROM_PX = 76;
 /** From the middle of a goal down to the middle of its word. */
 const WORD_DOWN_PX = 16;
 /** Side of the largest flag. */
@@ -141,7 +141,7 @@ export function drawStart(
   if (box.width >= START_WORD_FROM_PX) {
     // A robot that stands here covers the middle; the word stays readable below it.
     const isDown = start.heading === "south";
-    const y = isDown ? box.y + inset + 12 : box.y + box.height - inset - 11;
+    const y = isDown ? box.y + inset + 9 : box.y + box.height - inset - 8;
     label(context, palette, palette.ink3, word, box, y);
   }
 }
