@@ -174,6 +174,20 @@ describe("placeCardAway", () => {
     expect(touches({ ...place, ...card }, robot)).toBe(false);
   });
 
+  it("keeps its close button in a stage that is narrower than its lower shape reaches", () => {
+    const stage = { x: 0, y: 0, width: 652, height: 480 };
+    const maze = { x: 70, y: 56, width: 548, height: 392 };
+    const shapes = [
+      { width: 476, height: 262 },
+      { width: 608, height: 218 },
+    ];
+    const robot = { x: 324, y: 289, width: 44, height: 44 };
+    const goal = { x: 307, y: 293, width: 78, height: 78 };
+    const place = placed(cardPlace.placeCardAway([maze, stage], robot, shapes, [goal]));
+    expect(place.x + place.shape.width).toBeLessThanOrEqual(stage.width);
+    expect(place.covered).toBe(0);
+  });
+
   it("takes a lower shape where only that leaves the robot in sight", () => {
     const low = { x: 0, y: 0, width: 640, height: 470 };
     const tall = { width: 476, height: 230 };

@@ -107,10 +107,13 @@ function leastCovering<Shape extends Size>(
   spotsIn: (area: Box, card: Size, seen: readonly Box[], robot: Box) => Spot[],
 ): CardPlace<Shape> | null {
   let best: CardPlace<Shape> | null = null;
+  // One that reaches over the edge of its area is the last resort: its end would be out of sight.
+  const someFits = areas.some((area) => shapes.some((shape) => fits(shape, area)));
   for (const area of areas) {
     const seen = keepClear.filter((each) => overlap(each, area) > 0).slice(0, LOOKED_PAST);
     let inArea: CardPlace<Shape> | null = null;
     for (const shape of shapes) {
+      if (someFits && !fits(shape, area)) continue;
       for (const spot of spotsIn(area, shape, seen, robot)) {
         const covered = coveredBy({ ...spot, ...shape }, robot, keepClear);
         if (inArea === null || isBetter(spot, covered, inArea)) {
@@ -122,6 +125,10 @@ function leastCovering<Shape extends Size>(
     if (best === null || (inArea !== null && inArea.covered < best.covered)) best = inArea;
   }
   return best;
+}
+
+function fits(card: Size, area: Box): boolean {
+  return card.width + 2 * EDGE <= area.width && card.height + 2 * EDGE <= area.height;
 }
 
 function isBetter(spot: Spot, covered: number, than: CardPlace): boolean {
