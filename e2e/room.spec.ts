@@ -149,7 +149,7 @@ for (const lang of ["en", "ar"]) {
   });
 }
 
-for (const lang of ["de", "ar"]) {
+for (const lang of ["en", "de", "ar"]) {
   for (const width of [390, 320]) {
     test(`has run, steps, reset and speed in one row at ${width} px, in ${lang}`, async ({
       openWindow,
@@ -172,6 +172,11 @@ for (const lang of ["de", "ar"]) {
         return Math.max(...tops) - Math.min(...tops);
       };
       const [step, back] = [button("shell.run.step"), button("timeline.stepBack")];
+      // On the first visit "Write my own" is among them, in two rows of words at most.
+      const own = button("program.writeOwn");
+      await expect(own).toBeVisible();
+      expect(await apart(button("shell.run.run"), own, step, speed)).toBeLessThan(4);
+      expect((await own.boundingBox())?.height).toBeLessThan(46);
       await speed.selectOption("0.25");
       await button("shell.run.run").tap();
       const pause = button("shell.run.pause");
