@@ -26,14 +26,15 @@ const icons: Record<Tool, typeof Flag> = {
 };
 
 export function ToolStrip() {
-  const { screen } = useServices();
+  const { screen, race } = useServices();
   const { t } = useTranslation();
   const isFixed = useRights()?.maze === false;
   const tool = useStore(screen, (state) => state.tool);
+  const hasRace = useStore(race, ({ ghosts }) => ghosts.length > 0);
   const [dialog, setDialog] = useState<"clear" | "resize" | null>(null);
   const close = (): void => setDialog(null);
   return (
-    <div className={styles["strip"]}>
+    <div className={styles["strip"]} data-race={hasRace}>
       <div className={styles["tools"]}>
         <Segmented
           look="strip"
