@@ -9,6 +9,7 @@ import { allOf } from "../../text/all-of.ts";
 import { Button } from "../../ui/Button.tsx";
 import type { LessonsService } from "../lessons/lessons-service.ts";
 import { chooseMaze } from "../presets/choose-preset.ts";
+import styles from "./cards.module.css";
 
 interface OnwardProps {
   maze: MazeDocument;
@@ -63,7 +64,7 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
   return (
     <Button kind="primary" onClick={() => void lessons.openMission(next)}>
       {t("words:cards.solved.nextMission")}
-      <ArrowRight aria-hidden="true" />
+      <ArrowRight className={styles["onward"]} aria-hidden="true" />
     </Button>
   );
 }

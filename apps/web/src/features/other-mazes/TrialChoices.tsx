@@ -82,7 +82,7 @@ function SeedField() {
       </span>
       <Button onClick={() => trialChoice.setState({ first: next })}>
         {t("otherMazes:next", { all: TRIALS })}
-        <ArrowRight aria-hidden="true" />
+        <ArrowRight className={styles["onward"]} aria-hidden="true" />
       </Button>
       {draft.hasErrorRoom && draft.isInvalid && (
         <div className={styles["error"]}>
