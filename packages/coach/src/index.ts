@@ -23,5 +23,6 @@ export {
   type Cause,
   type Diagnosis,
   type FailureEvent,
+  type WrongNumber,
 } from "./diagnosis/diagnosis.ts";
 export type { SolvedCheck } from "./diagnosis/run-trace.ts";

@@ -13,6 +13,8 @@ import type { RunTrace } from "./run-trace.ts";
 
 /** The reading ahead that a delayed turn needs. */
 export const DELAY_NEEDS = DELAY_DISTANCE + ROBOT_RADIUS;
+/** A robot that saw the side open so many ticks ago, within 20 cm, is at the edge of it. */
+const EDGE_TICKS = 12;
 /** So many times forward and back are no coincidence. */
 const MANY_REVERSALS = 10;
 
@@ -54,19 +56,31 @@ export function causeOf(trace: RunTrace, fix: Mend, from: number): Cause | null 
 }
 
 function actionCause(
-  { program, reversals }: RunTrace,
+  trace: RunTrace,
   { action }: Extract<Mend, { kind: "action" }>,
   moment: DecisionMoment,
 ): Cause {
+  const { program, reversals } = trace;
   const side = sideOf(moment.action);
   if (side !== null && delayedTurn[moment.action] === action) {
-    const isAtEdge = moment.readings[side] >= OPENING;
+    const isAtEdge = beginsAt(trace, moment, side);
     return { kind: "not-delayed", moment, side, drivesOn: DELAY_DISTANCE, isAtEdge };
   }
   if (side !== null && turnOnTheSpot[moment.action] === action) {
     return { kind: "delayed", moment, side, needs: DELAY_NEEDS };
   }
   return { kind: "action", moment, detail: detailOf(program, moment, reversals) };
+}
+
+/** Whether the side opened just before the moment, while the robot drove on: in a room it is open all along. */
+function beginsAt(trace: RunTrace, { tick, readings }: DecisionMoment, side: Side): boolean {
+  if (readings[side] < OPENING) return false;
+  for (let at = tick; at > tick - EDGE_TICKS; at--) {
+    const before = trace.decisionBefore(at);
+    if (before === null) return false;
+    if (before.readings[side] < OPENING) return true;
+  }
+  return false;
 }
 
 function detailOf(
@@ -99,19 +113,43 @@ function numberCause(
 ): WrongNumber | null {
   const when = trace.program.rules[line]?.when ?? null;
   if (when === null) return null;
-  const hasDecided = trace.decisions.some((each) => each.line === line);
-  const isAlways =
-    when.than !== "right" && when.is === ">" && when.than < ROBOT_RADIUS - 1 && hasDecided;
+  const kind = numberKind(trace, line, moment);
   return {
-    // With the better number the line does not decide here yet, or it decides here already.
-    kind: moment.line === line ? "too-early" : "too-late",
+    kind,
     line,
     number: numberOf(when),
     better,
     when,
     moment,
-    extreme: isAlways ? "always" : hasDecided ? null : "never",
+    extreme: extremeOf(trace, line, kind, moment.tick),
   };
+}
+
+function extremeOf(
+  trace: RunTrace,
+  line: number,
+  kind: WrongNumber["kind"],
+  tick: number,
+): WrongNumber["extreme"] {
+  const when = trace.program.rules[line]?.when ?? null;
+  if (!trace.decisions.some((each) => each.line === line)) return "never";
+  if (when === null || when.than === "right") return null;
+  if (when.is === ">" && when.than < ROBOT_RADIUS - 1) return "always";
+  return kind === "too-late" && !trace.isEverTrue(when, tick) ? "missed" : null;
+}
+
+/**
+ * With the better number the line does not decide at the moment, or it does. Which of the two ends of its
+ * being true is wrong shows the decision before.
+ */
+function numberKind(
+  trace: RunTrace,
+  line: number,
+  { tick, line: decided }: DecisionMoment,
+): WrongNumber["kind"] {
+  const hasDecidedBefore = trace.decisionBefore(tick)?.line === line;
+  if (decided === line) return hasDecidedBefore ? "too-long" : "too-early";
+  return hasDecidedBefore ? "too-short" : "too-late";
 }
 
 /** The side that a turn goes to; null for what turns to neither. */

@@ -12,7 +12,7 @@ import { candidates } from "./candidates.ts";
 import { causeOf } from "./cause-of.ts";
 import type { BumpEvent, BumpPhase, Cause, Diagnosis, FailureEvent } from "./diagnosis.ts";
 import { RunTrace, type SolvedCheck, type TraceStart } from "./run-trace.ts";
-import { tryProgram, type TrialTask } from "./trial.ts";
+import { tryProgram, type TrialResult, type TrialTask } from "./trial.ts";
 
 /** Simulated ticks that trials may take together: it bounds the time, and the same everywhere. */
 const MOST_TRIAL_TICKS = 60_000;
@@ -146,6 +146,9 @@ function explain(
     const trial = tryProgram(trace, program, trialTask, isBump);
     cost += trial.cost;
     if (trial.from === null || trial.outcome === "fails") continue;
+    // In another maze of the task it may be what is needed.
+    const isIdleHere = fix.kind === "number" && isIdle(trace, program, fix.line, trial);
+    if (isIdleHere && task.solvesAll?.(program) !== true) continue;
     found.push({ fix, from: trial.from, program, isSolved: trial.outcome === "solved" });
   }
   const best = ranked(trace, found, task);
@@ -158,9 +161,29 @@ function explain(
   return { cause: first.cause, fixes: named.slice(0, MOST_FIXES).map(({ fix }) => fix) };
 }
 
+/**
+ * Whether a line with another number does nothing any more: the run then shows that the line is wrong there,
+ * but not by how much.
+ */
+function isIdle(
+  trace: RunTrace,
+  { rules }: ProgramDocument,
+  line: number,
+  { outcome, lines, from }: TrialResult,
+): boolean {
+  const hasDecided = trace.decisions.some((each) => each.line === line && each.tick < (from ?? 0));
+  if (hasDecided || lines.has(line)) return false;
+  const when = rules[line]?.when ?? null;
+  // A trial that ends soon after the failure may not have come to the place of the line yet.
+  return outcome === "solved" || when === null || !trace.isEverTrue(when);
+}
+
+/** Several numbers of one line count once: they name the same cause. */
 function isEnough(found: readonly Found[], { solvesAll }: DiagnosisTask): boolean {
   if (solvesAll === null) return found.length >= MOST_FIXES;
-  return found.filter(({ isSolved }) => isSolved).length >= MOST_WHOLE_TRIALS;
+  const solving = found.filter(({ isSolved }) => isSolved);
+  const numbers = solving.flatMap(({ fix }) => (fix.kind === "number" ? [fix.line] : []));
+  return solving.length - numbers.length + new Set(numbers).size >= MOST_WHOLE_TRIALS;
 }
 
 /**

@@ -86,18 +86,24 @@ export interface WrongOrder {
   sensor: SensorName;
 }
 
-/** The number of a line lets it decide too early or too late. */
+/**
+ * The number of a line is wrong: it decides too early, still decides where it should not any more, is not
+ * yet true where it should decide, or is true no longer there.
+ */
 export interface WrongNumber {
-  kind: "too-early" | "too-late";
+  kind: "too-early" | "too-long" | "too-late" | "too-short";
   line: number;
   /** the number of the line, and the nearest one that removes the failure */
   number: number;
   better: number;
   when: Condition;
-  /** too early: the line decides; too late: the line would have decided here with the better number */
+  /** too early, too long: the line decides here; otherwise it would decide here with the better number */
   moment: DecisionMoment;
-  /** whether the line is true for every reading that a robot can have, or decided at no time */
-  extreme: "always" | "never" | null;
+  /**
+   * always: the line is true for every reading that a robot can have; never: it decided at no time; missed: it
+   * decided before the moment, and is true at no time after it
+   */
+  extreme: "always" | "never" | "missed" | null;
 }
 
 /** The comparison of a line points the wrong way. */

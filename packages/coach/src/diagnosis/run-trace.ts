@@ -3,7 +3,7 @@
  * decision with its readings, how a bump came about, and the robot at any tick of it.
  */
 import type { MazeDocument } from "@corridor/maze";
-import { CompiledProgram, type ProgramDocument } from "@corridor/program";
+import { CompiledProgram, type Condition, type ProgramDocument } from "@corridor/program";
 import type { LineRef, PlainAction, SensorReadings } from "@corridor/protocol";
 import {
   Approach,
@@ -155,6 +155,12 @@ export class RunTrace {
     return { tick, line, action, readings: this.readingsAt(tick) };
   }
 
+  /** The decision for the tick before, where the robot drives on; null where a manoeuvre ran, and at the start. */
+  decisionBefore(tick: number): DecisionMoment | null {
+    const before = tick > this.from ? this.decisionAt(tick - 1) : null;
+    return before !== null && isSteady(before.action) ? before : null;
+  }
+
   /** The first tick from `from` on for which another program chooses another action; null: none. */
   firstDifference(other: CompiledProgram, from: number = this.from): number | null {
     const readings = new Float64Array(4);
@@ -169,6 +175,17 @@ export class RunTrace {
     return null;
   }
 
+  /** Whether a condition holds for the readings of any tick from `from` on. */
+  isEverTrue(when: Condition, from: number = this.from): boolean {
+    const asked = new CompiledProgram({ ...this.program, rules: [{ when, do: "stop" }] });
+    const readings = new Float64Array(4);
+    for (let at = (from - this.from) * 4; at < (this.until - this.from) * 4; at += 4) {
+      readings.set(this.#readings.subarray(at, at + 4));
+      if (asked.decide(readings) === 0) return true;
+    }
+    return false;
+  }
+
   /** Lines that decided, the newest decision first. */
   decidingLines(): LineRef[] {
     return [...new Set(this.decisions.map(({ line }) => line).toReversed())];
@@ -178,6 +195,11 @@ export class RunTrace {
 function namedReadings(readings: Float64Array): SensorReadings {
   const [front = 0, right = 0, back = 0, left = 0] = readings;
   return { front, right, back, left };
+}
+
+/** Whether the action lasts until another one is chosen. */
+function isSteady(action: PlainAction): boolean {
+  return action === "forward" || action === "reverse" || action === "stop";
 }
 
 function isOpposite(one: PlainAction | undefined, other: PlainAction): boolean {

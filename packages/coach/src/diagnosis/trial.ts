@@ -3,6 +3,7 @@
  * up to there the two runs are the same.
  */
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
+import type { LineRef } from "@corridor/protocol";
 import { ProgramRun } from "@corridor/simulation";
 import { LoopWatch } from "../loop-watch.ts";
 import type { RunTrace, SolvedCheck } from "./run-trace.ts";
@@ -29,6 +30,8 @@ export interface TrialResult {
   from: number | null;
   /** ticks that were simulated */
   cost: number;
+  /** lines that decided since the first different decision */
+  lines: ReadonlySet<LineRef>;
 }
 
 /**
@@ -46,7 +49,8 @@ export function tryProgram(
 ): TrialResult {
   const compiled = new CompiledProgram(program);
   const start = trace.firstDifference(compiled, from);
-  if (start === null) return { outcome: "fails", from: null, cost: 0 };
+  const lines = new Set<LineRef>();
+  if (start === null) return { outcome: "fails", from: null, cost: 0, lines };
   const simulation = trace.at(start);
   const run = new ProgramRun(simulation, compiled);
   const solved = task.newSolvedCheck?.() ?? null;
@@ -55,6 +59,7 @@ export function tryProgram(
     outcome,
     from: start,
     cost: simulation.tick - start,
+    lines,
   });
   const without = isBump ? simulation.bumps : Infinity;
   const allowed = task.bumps === null ? without : Math.max(task.bumps, simulation.bumps);
@@ -65,6 +70,7 @@ export function tryProgram(
   while (simulation.tick < last) {
     if (simulation.tick === trace.until) distance = simulation.distance;
     run.step();
+    lines.add(run.line);
     if (simulation.bumps > allowed) return result(isPast ? "past" : "fails");
     if (solved?.(simulation) === true) {
       return result(simulation.tick <= task.until ? "solved" : isPast ? "past" : "fails");

@@ -5,6 +5,7 @@ import {
   type Cause,
   type Diagnosis,
   type FailureEvent,
+  type WrongNumber,
 } from "@corridor/coach";
 import { numberOf } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
@@ -128,7 +129,9 @@ function causeText(words: DiagnosisWords, cause: Cause): string {
         inner: inner(words, line),
       });
     case "too-early":
+    case "too-long":
     case "too-late":
+    case "too-short":
       return numberText(words, cause, seconds);
     case "comparison": {
       const decided = line === cause.line;
@@ -190,11 +193,7 @@ function causeText(words: DiagnosisWords, cause: Cause): string {
   }
 }
 
-function numberText(
-  words: DiagnosisWords,
-  cause: Extract<Cause, { kind: "too-early" | "too-late" }>,
-  seconds: string,
-): string {
+function numberText(words: DiagnosisWords, cause: WrongNumber, seconds: string): string {
   const { t } = words;
   const { when, moment, better } = cause;
   const known = {
@@ -214,11 +213,16 @@ function numberText(
     return t("diagnosis:cause.sides", { ...known, ...both });
   }
   if (cause.extreme === "never") return t("diagnosis:cause.never", known);
-  return t(
-    cause.kind === "too-early" ? "diagnosis:cause.tooEarly" : "diagnosis:cause.tooLate",
-    known,
-  );
+  if (cause.extreme === "missed") return t("diagnosis:cause.missed", known);
+  return t(numberKeys[cause.kind], known);
 }
+
+const numberKeys = {
+  "too-early": "diagnosis:cause.tooEarly",
+  "too-long": "diagnosis:cause.tooLong",
+  "too-late": "diagnosis:cause.tooLate",
+  "too-short": "diagnosis:cause.tooShort",
+} as const;
 
 /** As the menus call it; what only scripts can ask for, as the API does. */
 function actionText({ t }: DiagnosisWords, action: BumpEvent["action"]): string {

@@ -3,7 +3,7 @@ import type { MazeDocument } from "@corridor/maze";
 import { numberOf, truthOf, type ProgramDocument } from "@corridor/program";
 import type { SensorReadings } from "@corridor/protocol";
 import { applyMend } from "../../apply-mend.ts";
-import { causeLine, type Cause, type Diagnosis } from "../diagnosis.ts";
+import { causeLine, type Cause, type Diagnosis, type WrongNumber } from "../diagnosis.ts";
 import { actionIn, plainRun, switchedRun, type PlainTick } from "./plain-run.ts";
 
 /** Readings of two runs that are the same differ by nothing; text rounds to whole numbers. */
@@ -87,18 +87,29 @@ function falseReason(
     switch (cause.kind) {
       case "not-delayed":
         return (
-          moment.action === `${cause.side} 90` && cause.isAtEdge === readings[cause.side] >= 125
+          moment.action === `${cause.side} 90` && (!cause.isAtEdge || readings[cause.side] >= 125)
         );
       case "delayed":
         return moment.action === `delayed ${cause.side} 90` && cause.needs === 75;
       case "order":
         return isTrue(cause.line) && typeof moment.line === "number" && moment.line < cause.line;
       case "too-early":
-        return moment.line === cause.line && extremeHolds(cause, ticks);
+      case "too-long":
+        return (
+          moment.line === cause.line &&
+          droveOn(cause, ticks) === (cause.kind === "too-long") &&
+          extremeHolds(cause, ticks)
+        );
       case "too-late":
-        return !isTrue(cause.line) && extremeHolds(cause, ticks);
+      case "too-short":
+        return (
+          !isTrue(cause.line) &&
+          droveOn(cause, ticks) === (cause.kind === "too-short") &&
+          extremeHolds(cause, ticks)
+        );
       case "comparison":
-        return (moment.line === cause.line) === isTrue(cause.line) || isTrue(cause.line);
+        // What is said of it: it decided, or it was not true.
+        return moment.line === cause.line || !isTrue(cause.line);
       case "sensor":
         return cause.when.sensor === program.rules[cause.line]?.when?.sensor;
       case "action": {
@@ -123,12 +134,17 @@ function falseReason(
   return holds ? [] : [cause.kind];
 }
 
-function extremeHolds(
-  cause: Extract<Cause, { kind: "too-early" | "too-late" }>,
-  ticks: readonly PlainTick[],
-): boolean {
+/** Whether the line drove the robot up to the moment. */
+function droveOn({ line, moment }: WrongNumber, ticks: readonly PlainTick[]): boolean {
+  const before = ticks[moment.tick - 1];
+  return before?.line === line && !/90|180/.test(before.action ?? "");
+}
+
+function extremeHolds(cause: WrongNumber, ticks: readonly PlainTick[]): boolean {
   if (cause.number !== numberOf(cause.when)) return false;
-  if (cause.extreme === "never") return !ticks.some(({ line }) => line === cause.line);
+  const decided = ticks.flatMap(({ line }, tick) => (line === cause.line ? [tick] : []));
+  if (cause.extreme === "never") return decided.length === 0;
+  if (cause.extreme === "missed") return decided.every((tick) => tick < cause.moment.tick);
   if (cause.extreme !== "always" || cause.when.than === "right") return true;
   const { sensor, than } = cause.when;
   return ticks.every(({ readings }) => readings[sensor] > than);
