@@ -7,9 +7,9 @@ import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
 
 const KIB = 1024;
-/** The goal is 152.7: docs/performance.md says what could wait. */
-const SCRIPT_BUDGET = 156 * KIB;
-const WHOLE_BUDGET = 230 * KIB;
+/** The goals of docs/performance.md. */
+const SCRIPT_BUDGET = 152.7 * KIB;
+const WHOLE_BUDGET = 223.1 * KIB;
 
 interface Loaded {
   path: string;

@@ -6,5 +6,5 @@ import { useServices } from "./services.ts";
 export function useWaited(tick: number): number {
   const { timeline } = useServices();
   const listen = useCallback((listener: () => void) => timeline.listen(listener), [timeline]);
-  return useSyncExternalStore(listen, () => timeline.timeline.commands.waitedUpTo(tick));
+  return useSyncExternalStore(listen, () => timeline.waitedUpTo(tick));
 }

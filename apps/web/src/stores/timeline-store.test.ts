@@ -6,8 +6,9 @@ import { TimelineStore } from "./timeline-store.ts";
 function newStore() {
   const recorded = new Timeline();
   const store = new TimelineStore();
+  const timeline = store.open(() => new Timeline());
   const told: number[] = [];
-  const end = store.listen(() => told.push(store.timeline.endTick));
+  const end = store.listen(() => told.push(timeline.endTick));
   const record = (...ticks: number[]) => {
     for (const tick of ticks) recorded.reachedTick(tick);
     const news = recorded.take();
@@ -36,5 +37,23 @@ describe("the page's timeline", () => {
     end();
     record(1);
     expect(told).toEqual([]);
+  });
+
+  it("has all that came before it was opened, and tells so", () => {
+    const recorded = new Timeline();
+    const store = new TimelineStore();
+    const waited: number[] = [];
+    store.listen(() => waited.push(store.waitedUpTo(90)));
+    for (const tick of [30, 60]) {
+      recorded.commands.waits(tick, tick === 30);
+      recorded.reachedTick(tick);
+      const news = recorded.take();
+      if (news !== null) store.take(news);
+    }
+    expect(waited).toEqual([]);
+    const opened = store.open(() => new Timeline());
+    expect(opened.endTick).toBe(60);
+    expect(waited).toEqual([30]);
+    expect(store.open(() => new Timeline())).toBe(opened);
   });
 });

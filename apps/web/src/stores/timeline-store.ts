@@ -1,23 +1,48 @@
 /**
  * The page's copy of the run's timeline. News come with the frames of the panels, whose calm rate the
- * worker keeps.
+ * worker keeps. What reads them comes later than the first of them: they wait for it.
  */
-import { Timeline, type TimelineNews } from "@corridor/recording";
+import type { Timeline, TimelineNews } from "@corridor/recording";
 
 export class TimelineStore {
-  /** changes with the news: read it in a listener, not while rendering */
-  readonly timeline = new Timeline();
+  #timeline: Timeline | null = null;
+  /** news from before it was opened */
+  #waiting: TimelineNews[] = [];
   readonly #listeners = new Set<() => void>();
+
+  /** The timeline, which changes with the news: read it in a listener, not while rendering. */
+  open(create: () => Timeline): Timeline {
+    if (this.#timeline !== null) return this.#timeline;
+    const timeline = create();
+    this.#timeline = timeline;
+    for (const news of this.#waiting) timeline.merge(news);
+    this.#waiting = [];
+    this.#tell();
+    return timeline;
+  }
+
+  /** Ticks up to the end of `tick` in which a script let the robot wait. */
+  waitedUpTo(tick: number): number {
+    return this.#timeline?.commands.waitedUpTo(tick) ?? 0;
+  }
 
   /** Takes in what the worker recorded. */
   take(news: TimelineNews): void {
-    this.timeline.merge(news);
-    for (const listener of this.#listeners) listener();
+    if (this.#timeline === null) {
+      this.#waiting.push(news);
+      return;
+    }
+    this.#timeline.merge(news);
+    this.#tell();
   }
 
   /** Hears of news. @returns a function that ends it */
   listen(listener: () => void): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
+  }
+
+  #tell(): void {
+    for (const listener of this.#listeners) listener();
   }
 }

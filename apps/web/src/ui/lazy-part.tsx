@@ -6,7 +6,7 @@
  * When a file does not come (no network, a newer Corridor on the server), the part says so where it
  * would stand and can be asked for again; nothing else on the page is touched.
  */
-import { useEffect, useSyncExternalStore, type ComponentType } from "react";
+import { useEffect, useSyncExternalStore, type ComponentType, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "./Button.tsx";
 import { Dialog } from "./Dialog.tsx";
@@ -53,22 +53,27 @@ export function lazyPart<Props extends object>(
   };
 }
 
+export interface WaitingProps {
+  isWanted: boolean;
+  children?: ReactNode;
+}
+
 /**
- * A part that can wait: it is fetched once it is wanted, or with all the others in the background. Its place
- * stays empty until then, so the place must have a size of its own.
+ * A part that can wait: it is fetched once it is wanted, or with all the others in the background. Until then
+ * its children stand in its place, which must have a size of its own.
  */
 export function waitingPart<Props extends object>(
   load: () => Promise<ComponentType<Props>>,
-): ComponentType<Props & { isWanted: boolean }> {
+): ComponentType<Props & WaitingProps> {
   const loader = loaderOf(load);
-  return function WaitingPart(props: Props & { isWanted: boolean }) {
-    const { isWanted } = props;
+  return function WaitingPart(props: Props & WaitingProps) {
+    const { isWanted, children } = props;
     const state = useLoaded(loader, isWanted);
     if (state.kind === "ready") return <state.part {...props} />;
     if (state.kind === "failed" && isWanted) {
       return <PartFailure onRetry={() => void tryAgain(loader)} />;
     }
-    return null;
+    return children;
   };
 }
 

@@ -7,6 +7,7 @@ import type { RunState } from "../../stores/run-store.ts";
 import type { Moment } from "../../worker/worker-messages.ts";
 import { diagnosisText, diagnosisTitle, diagnosisWords } from "../cards/diagnosis-text.ts";
 import { momentAt, sayMoment } from "../timeline/shown-moment.ts";
+import { timelineOf } from "../timeline/timeline-of.ts";
 import { storyKey, storyOf } from "../transport/story.ts";
 import { RunEar, type RunTalk } from "./run-ear.ts";
 import { decisionText, type Words } from "./run-words.ts";
@@ -85,7 +86,7 @@ export function tellRun(
   function shownMoment(): string[] {
     const { snapshot } = run.getState();
     if (snapshot === null || document.activeElement?.matches("[type=range]") === true) return [];
-    const moment = momentAt(timeline.timeline, snapshot.tick);
+    const moment = momentAt(timelineOf(timeline), snapshot.tick);
     const { t } = words();
     const line = decision();
     if (line === "") return [asSentence(t, sayMoment(t, moment))];
@@ -104,7 +105,7 @@ export function tellRun(
       if (challenge.getState().challenge !== null) return title;
       return joinSentences(t, [title, diagnosisText(known, diagnosis), ...fixCount(t, diagnosis)]);
     }
-    const story = storyOf(moment, timeline.timeline.commands.waitedUpTo(moment.tick));
+    const story = storyOf(moment, timeline.waitedUpTo(moment.tick));
     return t(storyKey(story), {
       ...story,
       seconds: formatSeconds(story.after, language),

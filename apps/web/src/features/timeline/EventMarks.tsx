@@ -6,7 +6,7 @@ import { memo } from "react";
 import { ActionIcon } from "../program/ProgramIcons.tsx";
 import { BurstIcon } from "./BurstIcon.tsx";
 import type { EventMark } from "./event-marks.ts";
-import styles from "./timeline.module.css";
+import styles from "./run-timeline.module.css";
 
 /** A mark this small shows which way the robot turned, not how it came to. */
 const turnIcons: Readonly<Record<TurnName, PlainAction>> = {

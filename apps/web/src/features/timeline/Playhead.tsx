@@ -13,7 +13,7 @@ import { followText } from "../../ui/follow-text.ts";
 import { shownDiagnosis } from "../program/line-state.ts";
 import { BurstIcon } from "./BurstIcon.tsx";
 import { xOf, type TimeScale } from "./time-scale.ts";
-import styles from "./timeline.module.css";
+import styles from "./run-timeline.module.css";
 
 interface PlayheadProps {
   scale: TimeScale;

@@ -1,19 +1,16 @@
-/** The ribbon of who drove, and the axis below it. */
+/** The ribbon of who drove, on its track with the axis below it. */
 import type { Who } from "@corridor/recording";
 import { memo, useMemo } from "react";
 import { useTranslation } from "react-i18next";
-import { formatClock } from "../../text/numbers.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { remember } from "../../ui/remember.ts";
 import type { CommandMark } from "./command-marks.ts";
 import type { TimelinePicture } from "./picture.ts";
 import type { Segment } from "./ribbon.ts";
 import { fits, nameOf } from "./segment-name.ts";
+import runStyles from "./run-timeline.module.css";
 import styles from "./timeline.module.css";
-
-/** Half of a long name of the axis, in px. */
-const END_PX = 20;
-const TICKS_PER_SECOND = 60;
+import { TimelineAxis } from "./TimelineAxis.tsx";
 
 interface RibbonProps {
   picture: TimelinePicture;
@@ -22,11 +19,11 @@ interface RibbonProps {
 }
 
 export const Ribbon = memo(function Ribbon({ picture, isNow }: RibbonProps) {
-  const { t, i18n } = useTranslation();
+  const { t } = useTranslation();
   const names = useMemo(() => remember((who: Who) => nameOf(t, who)), [t]);
   return (
     <svg className={styles["picture"]} aria-hidden="true">
-      <rect className={styles["track"]} width="100%" height="20" rx="4" />
+      <TimelineAxis scale={picture.scale} marks={picture.axis} />
       {picture.segments.map((segment) => (
         <RibbonSegment
           key={segment.x}
@@ -39,20 +36,6 @@ export const Ribbon = memo(function Ribbon({ picture, isNow }: RibbonProps) {
       {picture.commands.map((mark) => (
         <CommandSegment key={mark.tick} {...mark} />
       ))}
-      <g className={styles["axis"]}>
-        {picture.axis.map(({ tick, x, unit, value }, at) => (
-          <g key={tick} transform={`translate(${x} 0)`}>
-            <path d="M0.5 22v4" />
-            <text x={x === 0 ? 0 : 0.5} y={38} textAnchor={anchorOf(x, picture.scale.width)}>
-              {unit === "tick"
-                ? clockText(value, picture.scale.step, i18n.language)
-                : at === 0
-                  ? t(`timeline.axis.${unit}`, { number: value })
-                  : value}
-            </text>
-          </g>
-        ))}
-      </g>
     </svg>
   );
 });
@@ -71,7 +54,9 @@ const RibbonSegment = memo(function RibbonSegment({
 }: RibbonSegmentProps) {
   const kind = typeof who === "number" || who === "default" ? "line" : who;
   return (
-    <g className={classNames(styles["segment"], styles[kind], isNewest && styles["newest"])}>
+    <g
+      className={classNames(runStyles["segment"], runStyles[kind], isNewest && runStyles["newest"])}
+    >
       <rect x={x} width={width} height="20" rx={Math.min(3, width / 2)} />
       {name !== null && fits(name, width) && (
         <text x={x + width / 2} y={14}>
@@ -85,7 +70,7 @@ const RibbonSegment = memo(function RibbonSegment({
 /** A command of a script; its number begins where it began. */
 const CommandSegment = memo(function CommandSegment({ label, x, width, result }: CommandMark) {
   return (
-    <g className={styles["command"]} data-command={label} data-result={result}>
+    <g className={runStyles["command"]} data-command={label} data-result={result}>
       <rect x={x} y="1" width={width} height="18" rx={Math.min(3, width / 2)} />
       <text x={x + 3} y={14}>
         {label}
@@ -93,15 +78,3 @@ const CommandSegment = memo(function CommandSegment({ label, x, width, result }:
     </g>
   );
 });
-
-/** Names at the ends of the axis stay within them. */
-function anchorOf(x: number, width: number): "start" | "middle" | "end" {
-  if (x < END_PX) return "start";
-  return x > width - END_PX ? "end" : "middle";
-}
-
-/** "2:30"; with tenths where the axis names them. */
-function clockText(tick: number, step: number, language: string): string {
-  const text = formatClock(tick, language);
-  return step % TICKS_PER_SECOND === 0 ? text.slice(0, -2) : text;
-}

@@ -6,7 +6,7 @@ import { useEffectEvent, useLayoutEffect, type ComponentProps, type RefObject } 
 import { useTranslation } from "react-i18next";
 import type { StoreApi } from "zustand";
 import { sayMoment, type ShownMoment } from "./shown-moment.ts";
-import styles from "./timeline.module.css";
+import styles from "./run-timeline.module.css";
 
 interface TimelineSliderProps extends Pick<
   ComponentProps<"input">,

@@ -2,6 +2,7 @@
 import type { RunState, RunStore } from "../../stores/run-store.ts";
 import type { TimelineStore } from "../../stores/timeline-store.ts";
 import { scaleOf, type TimeWindow } from "./time-scale.ts";
+import { timelineOf } from "./timeline-of.ts";
 import type { TimelineZoomStore } from "./timeline-zoom-store.ts";
 import type { ZoomActions } from "./zoom-input.ts";
 import { following, holds, movedTo, zoomedBy, type Zoomed } from "./zoom-window.ts";
@@ -68,7 +69,7 @@ export class TimelineZoomer implements ZoomActions {
   };
 
   get #now(): Zoomed {
-    const { endTick } = this.#sources.timeline.timeline;
+    const { endTick } = timelineOf(this.#sources.timeline);
     return { window: this.#zoom.getState().window, endTick, width: this.#width() };
   }
 

@@ -2,11 +2,12 @@
  * The timeline's picture for the width that an element has. While the robot drives it is painted anew
  * only when something in it has moved by a pixel; otherwise it is exact to the tick.
  */
-import { useEffect, useState, type RefObject } from "react";
+import { useLayoutEffect, useState, type RefObject } from "react";
 import { createStore, useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import type { TimelineZoomStore } from "./timeline-zoom-store.ts";
 import { pictureMark, pictureOf, type TimelinePicture } from "./picture.ts";
+import { timelineOf } from "./timeline-of.ts";
 
 /** @returns null before the element was measured */
 export function usePicture(
@@ -16,14 +17,14 @@ export function usePicture(
   const { run, timeline: timelines } = useServices();
   // A store's news are drawn with those of the run, in the same frame of the page; React's own come later.
   const [shown] = useState(() => createStore<{ picture: TimelinePicture | null }>(() => NOTHING));
-  useEffect(() => {
-    let width = 0;
+  // Before the browser paints: it takes the place of the empty track.
+  useLayoutEffect(() => {
+    let width = element.current?.clientWidth ?? 0;
     let painted = "";
     const paint = () => {
       if (width === 0) return;
-      const { timeline } = timelines;
       const isRunning = run.getState().snapshot?.state === "running";
-      const next = pictureOf(timeline, width, zoom.getState().window);
+      const next = pictureOf(timelineOf(timelines), width, zoom.getState().window);
       const mark = pictureMark(next) + (isRunning ? "" : ` ${next.endTick}`);
       if (mark === painted) return;
       painted = mark;
@@ -34,6 +35,7 @@ export function usePicture(
       paint();
     });
     if (element.current !== null) measure.observe(element.current);
+    paint();
     const endListening = timelines.listen(paint);
     const endZoom = zoom.subscribe(paint);
     return () => {

@@ -6,6 +6,7 @@ import { useLayoutEffect, useState } from "react";
 import { createStore, type StoreApi } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { momentAt, type ShownMoment } from "./shown-moment.ts";
+import { timelineOf } from "./timeline-of.ts";
 
 const SECOND = 60;
 
@@ -19,7 +20,7 @@ export function useShownMoment(): StoreApi<ShownMoment> {
       const tick = snapshot?.tick ?? 0;
       const isRunning = snapshot?.state === "running";
       if (shown !== null && isRunning && isSameSecond(tick, shown.tick)) return;
-      const next = momentAt(timeline.timeline, tick);
+      const next = momentAt(timelineOf(timeline), tick);
       if (shown !== null && isSame(shown, next)) return;
       shown = next;
       store.setState(next, true);

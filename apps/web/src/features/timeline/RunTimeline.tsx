@@ -1,0 +1,187 @@
+/**
+ * The timeline of a run: who drove when and what happened, as a slider that shows any moment of it. A press
+ * or a drag shows the moment under the pointer, a press on a mark exactly that of the event.
+ */
+import { useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore, type StoreApi } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { commandUnder } from "./command-marks.ts";
+import { markUnder } from "./event-marks.ts";
+import { EventMarks } from "./EventMarks.tsx";
+import type { TimelinePicture } from "./picture.ts";
+import { Playhead } from "./Playhead.tsx";
+import { Ribbon } from "./Ribbon.tsx";
+import { Scrubber } from "./scrubber.ts";
+import { momentAt, sayMoment, type ShownMoment } from "./shown-moment.ts";
+import { timelineKey } from "./timeline-keys.ts";
+import { tickAt, xOf, type TimeScale } from "./time-scale.ts";
+import { createTimelineZoom } from "./timeline-zoom-store.ts";
+import { TimelineSlider } from "./TimelineSlider.tsx";
+import runStyles from "./run-timeline.module.css";
+import { timelineOf } from "./timeline-of.ts";
+import styles from "./timeline.module.css";
+import { classNames } from "../../ui/class-names.ts";
+import { waitingPart } from "../../ui/lazy-part.tsx";
+import { usePicture } from "./use-picture.ts";
+import { useShownMoment } from "./use-shown-moment.ts";
+
+const TimelineZoom = waitingPart(async () => (await import("./TimelineZoom.tsx")).TimelineZoom);
+
+/** From five seconds on a run asks for zoom; before, it comes in the background only. */
+const LONG_TICKS = 300;
+
+/** What the tooltip tells, and where it points, in px from the left end. */
+interface Tip {
+  x: number;
+  text: string;
+}
+
+export function RunTimeline() {
+  const { t } = useTranslation();
+  const { run, simulator, timeline } = useServices();
+  const bar = useRef<HTMLDivElement>(null);
+  const track = useRef<HTMLDivElement>(null);
+  const slider = useRef<HTMLInputElement>(null);
+  const [zoom] = useState(createTimelineZoom);
+  const picture = usePicture(track, zoom);
+  const isFresh = useStore(run, ({ nowTick }) => nowTick === 0);
+  const isLong = useStore(run, ({ nowTick }) => nowTick >= LONG_TICKS);
+  const moment = useShownMoment();
+  const eventKind = useStore(moment, ({ event }) => event?.kind);
+  const isNow = useStore(run, ({ view }) => view === "now");
+  const [pointed, setPointed] = useState<Tip | null>(null);
+  const [isFocused, setFocused] = useState(false);
+  const [scrubber] = useState(() => new Scrubber(simulator));
+
+  /** The moment under the pointer: of the mark there, else by its place; never after now. */
+  function tickUnder(event: PointerEvent<HTMLElement>, picture: TimelinePicture) {
+    const { scale, marks, commands, endTick } = picture;
+    const box = track.current?.getBoundingClientRect();
+    if (box === undefined) return 0;
+    const x = event.clientX - box.left;
+    const marked =
+      event.clientY < box.top
+        ? markUnder(marks, x)?.event.tick
+        : // A press on the number of a command is for its begin; a drag goes on from there tick by tick.
+          event.type === "pointerdown"
+          ? commandUnder(commands, x)?.tick
+          : undefined;
+    return Math.min(marked ?? tickAt(scale, x), endTick);
+  }
+
+  function follow(event: PointerEvent<HTMLElement>): void {
+    if (picture === null || picture.endTick === 0 || zoom.getState().isPinching) return;
+    const tick = tickUnder(event, picture);
+    const isHeld = event.currentTarget.hasPointerCapture(event.pointerId);
+    if (isHeld) show(tick);
+    setPointed({
+      x: xOf(picture.scale, tick),
+      text: `${sayMoment(t, momentAt(timelineOf(timeline), tick))}${moreAt(picture, tick)}`,
+    });
+  }
+
+  function show(tick: number): void {
+    if (tick < run.getState().nowTick) {
+      scrubber.show(tick);
+      return;
+    }
+    scrubber.stop();
+    if (run.getState().view !== "now") simulator.send({ type: "now" });
+  }
+
+  function press(event: PointerEvent<HTMLElement>): void {
+    if (event.button !== 0 || !event.isPrimary || picture === null || picture.endTick === 0) return;
+    event.currentTarget.setPointerCapture(event.pointerId);
+    // From here on the arrow keys go on.
+    event.preventDefault();
+    slider.current?.focus();
+    follow(event);
+  }
+
+  function onKey(event: KeyboardEvent): void {
+    if (event.altKey || event.ctrlKey || event.metaKey) return;
+    const { snapshot, nowTick } = run.getState();
+    const message = timelineKey(event.key, snapshot?.tick ?? 0, nowTick, event.shiftKey);
+    if (message === null) return;
+    event.preventDefault();
+    setFocused(true);
+    scrubber.stop();
+    if (nowTick > 0) simulator.send(message);
+  }
+
+  return (
+    <>
+      <div
+        ref={bar}
+        className={classNames(styles["timeline"], runStyles["bar"])}
+        data-focused={isFocused || undefined}
+        onPointerDown={press}
+        onPointerMove={follow}
+        onPointerUp={(event) => {
+          if (event.pointerType !== "mouse") setPointed(null);
+        }}
+        onPointerLeave={() => setPointed(null)}
+        onPointerCancel={() => setPointed(null)}
+      >
+        {/* The pointer has the picture. */}
+        <TimelineSlider
+          inputRef={slider}
+          moment={moment}
+          endTick={picture?.endTick ?? 0}
+          onMove={show}
+          onKeyDown={onKey}
+          onFocus={(event) => setFocused(event.currentTarget.matches(":focus-visible"))}
+          onBlur={() => setFocused(false)}
+        />
+        <div ref={track} className={styles["body"]}>
+          {picture !== null && (
+            <>
+              <Ribbon picture={picture} isNow={isNow} />
+              <EventMarks marks={picture.marks} />
+              {picture.endTick > 0 && (
+                <Playhead
+                  scale={picture.scale}
+                  event={eventKind === "goal" || eventKind === "bump" ? eventKind : null}
+                />
+              )}
+              {pointed !== null ? (
+                <TimelineTip {...pointed} width={picture.scale.width} />
+              ) : (
+                isFocused && <FocusTip moment={moment} scale={picture.scale} />
+              )}
+            </>
+          )}
+        </div>
+      </div>
+      {!isFresh && <TimelineZoom isWanted={isLong} element={bar} zoom={zoom} />}
+    </>
+  );
+}
+
+/** How many events are one mark with that of a tick: " (+3)"; empty for none. */
+function moreAt({ marks }: TimelinePicture, tick: number): string {
+  const more = marks.find(({ event }) => event.tick === tick)?.more ?? 0;
+  return more === 0 ? "" : ` (+${more})`;
+}
+
+/** What the slider tells those who listen, for those who look. */
+function FocusTip({ moment, scale }: { moment: StoreApi<ShownMoment>; scale: TimeScale }) {
+  const { t } = useTranslation();
+  const shown = useStore(moment);
+  return <TimelineTip x={xOf(scale, shown.tick)} text={sayMoment(t, shown)} width={scale.width} />;
+}
+
+/** Points at its place and stays above the timeline: at the left end it begins there, at the right it ends. */
+function TimelineTip({ x, text, width }: Tip & { width: number }) {
+  const transform = `translateX(${(-100 * x) / width}%)`;
+  return (
+    <span
+      className={runStyles["tip"]}
+      style={{ insetInlineStart: x, transform }}
+      aria-hidden="true"
+    >
+      <bdi>{text}</bdi>
+    </span>
+  );
+}
