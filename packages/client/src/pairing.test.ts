@@ -59,6 +59,12 @@ describe("pairing by a code", () => {
     await expect(withAnswers(...answers).pair()).rejects.toMatchObject({ code });
   });
 
+  it("sends a code again that was not checked beside the wrong ones of others", async () => {
+    const { requests, pair } = withAnswers(problem(429, "too-fast"), asked, said(ADDRESS));
+    expect(await pair()).toBe(ADDRESS);
+    expect(requests.map(({ method }) => method)).toEqual(["POST", "POST", "GET"]);
+  });
+
   it("asks nobody for what is no code, or where there is no service", async () => {
     const { requests, pair } = withAnswers(asked);
     await expect(pair("ABCDEFGH")).rejects.toMatchObject({ code: "wrong-code" });

@@ -18,6 +18,10 @@ const MAX_ANSWER = 4_096;
 const WAIT_SECONDS = 10;
 /** Beyond the wait that was asked for, the line counts as lost. */
 const GRACE_MS = 10_000;
+/** Beside many wrong codes of the same network, the service checks a code after so long at most. */
+const CHECK_MS = 10_000;
+/** The service asks for as much when too many codes of the network wait. */
+const TOO_FAST_PAUSE_MS = 1_000;
 const FIRST_PAUSE_MS = 250;
 const MAX_PAUSE_MS = 10_000;
 /** Wrong codes of one page load or run: whoever types wrong so often has another problem than a slip. */
@@ -60,7 +64,7 @@ export async function pairRobot(
     if (!wish.ok) throw wrongCode("It has 8 letters, such as BCDF GHJK, and no vowel.");
     const body = JSON.stringify(wish.value);
     const asking = { method: "POST", url, key: null, body };
-    const answer = await answerTo(platform, asking, GRACE_MS, answerMs);
+    const answer = await answerTo(platform, asking, CHECK_MS + GRACE_MS, answerMs);
     const asked = read(pairingAskedSchema, answer, "wrong-code");
     return await untilYes(platform, url, asked, answerMs);
   } catch (error) {
@@ -102,9 +106,11 @@ async function answerTo(
   const began = clock.now();
   for (let pauseMs = FIRST_PAUSE_MS; ; pauseMs = Math.min(MAX_PAUSE_MS, pauseMs * 2)) {
     const answer = await once(platform, request, lineMs);
-    if (answer !== null && answer.status < 500) return answer;
-    const wait = platform.random() * pauseMs;
+    const isTooFast = answer?.status === 429;
+    if (answer !== null && answer.status < 500 && !isTooFast) return answer;
+    const wait = platform.random() * pauseMs + (isTooFast ? TOO_FAST_PAUSE_MS : 0);
     if (clock.now() - began + wait > answerMs) {
+      if (isTooFast) return answer;
       throw new ClientError(
         "timeout",
         "The service does not answer",
@@ -150,7 +156,7 @@ function read<T>(
     throw new ClientError("pairing-refused", "The robot's owner said no", detail);
   }
   if (type === "/problems/too-fast") {
-    throw new ClientError("too-many-tries", "Too many wrong codes came", detail);
+    throw new ClientError("too-many-tries", "Too many codes come from this network", detail);
   }
   if (type === "/problems/no-pairing" && unknown === "pairing-over") {
     throw new ClientError("pairing-over", "The code counts no more", detail);

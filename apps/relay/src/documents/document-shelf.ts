@@ -6,7 +6,7 @@ import { readShortCode, type ShortLink } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../clock.ts";
 import { hashKey, mintKey, mintLinkIds } from "../keys.ts";
-import { GuessGuard } from "../pairing/guess-guard.ts";
+import { CheckQueue } from "../pairing/check-queue.ts";
 import { notAuthorised, Refusal, retryAfter } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import { TokenBucket } from "../sessions/token-bucket.ts";
@@ -20,7 +20,7 @@ export class DocumentShelf {
   readonly #clock: Clock;
   readonly #log: Logger;
   /** of short codes; the older ids are too long to be guessed */
-  readonly #guesses = new GuessGuard("short links", false);
+  readonly #checks: CheckQueue;
   /** by address; kept in memory only */
   readonly #stored = new Map<string, TokenBucket>();
   #cancelTimer: () => void;
@@ -29,6 +29,7 @@ export class DocumentShelf {
     this.#store = store;
     this.#clock = clock;
     this.#log = log;
+    this.#checks = new CheckQueue(clock, limits.codeChecks, null);
     this.#cancelTimer = clock.after(0, () => void this.#sweep());
   }
 
@@ -57,7 +58,7 @@ export class DocumentShelf {
    * The document as JSON text.
    * @param id a code in capital or small letters, or an older id
    * @param from address of who asks, for the limit of guesses only
-   * @throws Refusal no-document, or too-fast after too many wrong codes
+   * @throws Refusal no-document, or too-fast when too many codes wait to be checked
    */
   async read(id: string, from: string): Promise<string> {
     const now = this.#clock.now();
@@ -79,23 +80,16 @@ export class DocumentShelf {
 
   async close(): Promise<void> {
     this.#cancelTimer();
+    this.#checks.close();
     await this.#store.close();
   }
 
   /** @param look gives null where there is no document: of a short code, that is a wrong guess */
   async #tried<T>(id: string, from: string, look: (id: string) => Promise<T | null>): Promise<T> {
     const code = readShortCode(id);
-    const right = code === null ? null : this.#guesses.begin(from, this.#clock.now());
-    let found: T | null;
-    try {
-      found = await look(code ?? id);
-    } catch (error) {
-      // A store that does not answer is nobody's wrong guess.
-      right?.();
-      throw error;
-    }
+    const found =
+      code === null ? await look(id) : await this.#checks.run(from, async () => look(code));
     if (found === null) throw noDocument();
-    right?.();
     return found;
   }
 
@@ -116,7 +110,6 @@ export class DocumentShelf {
     for (const [from, bucket] of this.#stored) {
       if (bucket.isFull(now)) this.#stored.delete(from);
     }
-    this.#guesses.forget(now);
     try {
       const count = await this.#store.removeUnused(now - limits.documentIdleMs);
       if (count > 0) this.#log.info({ count }, "forgot documents that nobody used");

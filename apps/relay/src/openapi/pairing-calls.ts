@@ -63,8 +63,8 @@ export const pairingCalls: ZodOpenApiPathsObject = {
       operationId: "askToPair",
       summary: "Ask the owner of a robot by the code that its page shows",
       description:
-        "The answer comes by `GET` with the key that is given here. Wrong codes are limited to 60 a network " +
-        "in 10 minutes and 100 a minute for all; beyond that every try waits, longer each time.",
+        "The answer comes by `GET` with the key that is given here. The codes of one network are checked in order " +
+        "of arrival, at most 5 a second after wrong ones. 429: 50 codes wait already; this one was not checked.",
       security: [],
       parameters: parameters("header", nameHeader),
       requestBody: {

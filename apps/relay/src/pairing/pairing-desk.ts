@@ -12,7 +12,7 @@ import type { KeyRing } from "../sessions/key-ring.ts";
 import { limits } from "../sessions/limits.ts";
 import type { PairingStore, StoredPairing } from "../store/pairing-store.ts";
 import type { SessionStore } from "../store/session-store.ts";
-import { GuessGuard } from "./guess-guard.ts";
+import { CheckQueue } from "./check-queue.ts";
 import { Waits } from "./waits.ts";
 
 const SWEEP_MS = 60_000;
@@ -42,12 +42,13 @@ export interface Asking {
 
 export class PairingDesk {
   readonly #parts: PairingDeskParts;
-  readonly #guard = new GuessGuard("pairing codes", true);
+  readonly #checks: CheckQueue;
   readonly #waits: Waits;
   #cancelTimer: () => void;
 
   constructor(parts: PairingDeskParts) {
     this.#parts = parts;
+    this.#checks = new CheckQueue(parts.clock, limits.codeChecks, limits.codeChecksForAll);
     this.#waits = new Waits(parts.clock);
     this.#cancelTimer = parts.clock.after(SWEEP_MS, () => void this.#sweep());
   }
@@ -122,22 +123,17 @@ export class PairingDesk {
    * @throws Refusal no-pairing, code-used or too-fast
    */
   async ask({ code, name, client, from }: Asking): Promise<PairingAsked> {
-    const now = this.#parts.clock.now();
-    const wasRight = this.#guard.begin(from, now);
-    let found: StoredPairing | null;
     const hash = hashKey(code);
-    try {
-      found = await this.#find({ code: hash });
-    } catch (error) {
-      wasRight();
-      throw error;
-    }
-    // Found by its hash, of which whoever guesses can choose no part, and compared as keys are.
-    if (found === null || !isSameHash(found.code, hash)) throw wrongCode();
+    const found = await this.#checks.run(from, async () => {
+      const pairing = await this.#find({ code: hash });
+      // Found by its hash, of which whoever guesses can choose no part, and compared as keys are.
+      return pairing !== null && isSameHash(pairing.code, hash) ? pairing : null;
+    });
+    if (found === null) throw wrongCode();
     if (found.state !== "open") throw codeUsed();
-    wasRight();
     const key = mintKey("drive");
     const question = { key: hashKey(key), name, client };
+    const now = this.#parts.clock.now();
     if (!(await this.#parts.pairings.ask(hash, question, now))) throw codeUsed();
     this.#waits.wake();
     return { key, endsInSeconds: this.#left(found.endsAt) };
@@ -170,6 +166,7 @@ export class PairingDesk {
   /** Ends what waits. */
   close(): void {
     this.#cancelTimer();
+    this.#checks.close();
     this.#waits.close();
   }
 
@@ -201,7 +198,6 @@ export class PairingDesk {
 
   async #sweep(): Promise<void> {
     const { pairings, clock, log } = this.#parts;
-    this.#guard.forget(clock.now());
     try {
       await pairings.removeEnded(clock.now());
     } catch (error) {

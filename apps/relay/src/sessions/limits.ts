@@ -21,12 +21,12 @@ export const limits = {
   documentNoteMs: 24 * 60 * 60 * 1000,
   /** a pairing code counts for so long */
   pairingMs: 10 * 60 * 1000,
-  /** wrong pairing codes in a time: from one address, where a class of 40 may sit, and from anybody */
-  wrongCodesPerAddress: { count: 60, inMs: 10 * 60 * 1000 },
-  wrongCodes: { count: 100, inMs: 60 * 1000 },
-  /** beyond that nobody may try for a while, which doubles with every further wrong one */
-  wrongCodeDelay: { firstMs: 10_000, mostMs: 10 * 60 * 1000 },
-  wrongCodeDelayForAll: { firstMs: 1_000, mostMs: 60 * 1000 },
+  /**
+   * after a wrong code, checks a second: of one address, where a class of 40 may sit, and of all. 100 a second find one
+   * of 1,000 open codes among 25,600,000,000 in 3 days on average, and then its owner still has to accept.
+   */
+  codeChecks: { perSecond: 5, waiting: 50 },
+  codeChecksForAll: { perSecond: 100, waiting: 50 },
   /** whoever waits for a pairing hears within so long what came of it at another relay */
   pairingLookMs: 500,
   /** requests that wait for one pairing, and all of them at this relay */

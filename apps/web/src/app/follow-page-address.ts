@@ -21,7 +21,11 @@ export async function followPageAddress(
     loadLinks: () => import("@corridor/link"),
     readShortLink: async (id) => {
       const { readShortLink } = await import("./short-link.ts");
-      return readShortLink(id, (url) => fetch(url));
+      return readShortLink(
+        id,
+        (url) => fetch(url),
+        async () => new Promise((resolve) => setTimeout(resolve, 1_000)),
+      );
     },
     maze: () => services.workspace.getState().maze,
     programForMaze: () => programForMaze(services.workspace.getState().program, words),

@@ -7,6 +7,8 @@ const id = "AAAAAAAAAAAA";
 const maze = mazePresets[0]?.maze;
 const program = programPresets[0]?.program;
 
+const pause = vi.fn<() => Promise<void>>(() => Promise.resolve());
+
 const answers = (status: number, body: unknown) => () =>
   Promise.resolve({
     ok: status === 200,
@@ -18,15 +20,15 @@ it.each([
   { what: "a maze", document: maze, value: { maze } },
   { what: "a program", document: program, value: { program } },
 ])("brings $what", async ({ document, value }) => {
-  expect(await readShortLink(id, answers(200, document))).toEqual({ ok: true, value });
+  expect(await readShortLink(id, answers(200, document), pause)).toEqual({ ok: true, value });
 });
 
 it("tells what was deleted or forgotten from what cannot be read", async () => {
   const gone = { ok: false, sentence: "share.shortLink.gone" };
-  expect(await readShortLink(id, answers(404, {}))).toEqual(gone);
+  expect(await readShortLink(id, answers(404, {}), pause)).toEqual(gone);
   const unknown = { ok: false, sentence: "share.linkProblems.unknown-version" };
   for (const body of ["<html>", "{}", { ...maze, version: 2 }, `${" ".repeat(70_000)}{}`]) {
-    expect(await readShortLink(id, answers(200, body))).toEqual(unknown);
+    expect(await readShortLink(id, answers(200, body), pause)).toEqual(unknown);
   }
 });
 
@@ -40,14 +42,27 @@ it("says to wait where too many wrong short links came", async () => {
 it("asks the service for nothing that can be no short link", async () => {
   const get = vi.fn<ReturnType<typeof answers>>(answers(200, maze));
   for (const wrong of ["", "short", "../../healthz", "AAAAAAAAAAAA/x", "é".repeat(12)]) {
-    expect(await readShortLink(wrong, get)).toMatchObject({ sentence: "share.shortLink.gone" });
+    expect(await readShortLink(wrong, get, pause)).toMatchObject({
+      sentence: "share.shortLink.gone",
+    });
   }
   expect(get).not.toHaveBeenCalled();
 });
 
 it("throws where the service does not answer, so that it can be tried again", async () => {
-  await expect(readShortLink(id, answers(503, ""))).rejects.toThrow("503");
-  await expect(readShortLink(id, () => Promise.reject(new Error("offline")))).rejects.toThrow(
-    "offline",
-  );
+  await expect(readShortLink(id, answers(503, ""), pause)).rejects.toThrow("503");
+  await expect(
+    readShortLink(id, () => Promise.reject(new Error("offline")), pause),
+  ).rejects.toThrow("offline");
+});
+
+it("waits while the service checks the codes of classmates, and opens then", async () => {
+  pause.mockClear();
+  const get = vi
+    .fn<ReturnType<typeof answers>>(answers(200, maze))
+    .mockImplementationOnce(answers(429, ""))
+    .mockImplementationOnce(answers(429, ""));
+  expect(await readShortLink(id, get, pause)).toEqual({ ok: true, value: { maze } });
+  expect(pause).toHaveBeenCalledTimes(2);
+  await expect(readShortLink(id, answers(429, ""), pause)).rejects.toThrow("429");
 });

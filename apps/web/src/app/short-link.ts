@@ -32,14 +32,25 @@ const readers = new Map<string, (text: string) => ReadResult<ShortLinkContent>>(
   ["corridor/challenge", (text) => under("challenge", readChallenge(text))],
 ]);
 
-/** @throws Error when the service does not answer, or not now */
+/** Tries while the codes of the whole network wait to be checked. */
+const MAX_TRIES = 10;
+
+/**
+ * @param pause waits a second, which the service asks for when too many codes of the network wait
+ * @throws Error when the service does not answer, or not now
+ */
 export async function readShortLink(
   id: string,
   get: (url: string) => Promise<Answer>,
+  pause: () => Promise<void>,
 ): Promise<ShortLinkResult> {
   if (!shortLinkIdSchema.safeParse(id).success)
     return { ok: false, sentence: "share.shortLink.gone" };
-  const answer = await get(`/api/v1/mazes/${id}`);
+  let answer = await get(`/api/v1/mazes/${id}`);
+  for (let tries = 1; answer.status === 429 && tries < MAX_TRIES; tries++) {
+    await pause();
+    answer = await get(`/api/v1/mazes/${id}`);
+  }
   if (answer.status === 404) return { ok: false, sentence: "share.shortLink.gone" };
   if (answer.status === 429) return { ok: false, sentence: "share.shortLink.wait" };
   if (!answer.ok) throw new Error(`The short link was answered with ${answer.status}.`);

@@ -21,6 +21,8 @@ _FIRST_TRY_PAUSE = 0.25
 _LONGEST_TRY_PAUSE = 10.0
 _ANSWER_POLL = 10.0
 _LINE_GRACE = 10.0
+#: Beside many wrong codes of the same network, the service checks a code after so long at most.
+_LONGEST_CHECK = 10.0
 _LETTERS = re.compile(r"[BCDFGHJKLMNPQRSTVWXZ]{8}")
 #: Whoever types wrong so often has another problem than a slip of the hand.
 _MOST_WRONG_CODES = 10
@@ -53,7 +55,7 @@ def pair(
         _Tries.wrong += 1
         raise _wrong_code("It has 8 letters, such as BCDF GHJK, and no vowel.")
     wish = json.dumps({"code": letters, "name": name or None}).encode()
-    asking = Request("POST", url, _headers(), wish, _LINE_GRACE)
+    asking = Request("POST", url, _headers(), wish, _LONGEST_CHECK + _LINE_GRACE)
     asked = yield from _tried(asking, answer_timeout, clock, chance)
     ends = clock() + float(asked["endsInSeconds"])
     waiting = Request(
@@ -87,12 +89,14 @@ def _tried(
             raise TypeError("whoever runs a talk answers its requests")
         if 200 <= answer.status < 300:
             return _said(answer)
-        if answer.status == 429 or not may_pass(answer):
+        if not may_pass(answer):
             raise _refusal_of(request, answer)
         pause = chance() * min(_LONGEST_TRY_PAUSE, _FIRST_TRY_PAUSE * 2**tries)
         pause = max(pause, answer.retry_after or 0.0)
         tries += 1
         if clock() - began + pause > limit:
+            if answer.status == 429:
+                raise _refusal_of(request, answer)
             raise NoAnswerError(
                 "timeout",
                 f"The service does not answer: {reason_of(answer)}",
@@ -106,7 +110,7 @@ def _refusal_of(request: Request, answer: Answer) -> Exception:
     if kind == "pairing-refused":
         return PairingError("pairing-refused", "The robot's owner said no", reason)
     if kind == "too-fast":
-        return PairingError("too-many-tries", "Too many wrong codes came", reason)
+        return PairingError("too-many-tries", "Too many codes come from this network", reason)
     if kind == "no-pairing" and request.method == "GET":
         return PairingError("pairing-over", "The code counts no more", reason)
     if kind in ("no-pairing", "code-used"):
