@@ -84,6 +84,38 @@ describe("readConfig", () => {
     expect(text).not.toContain("hunter2");
   });
 
+  it.each([
+    { name: "ALLOWED_HOST", nearest: "ALLOWED_HOSTS" },
+    { name: "ALLOW_HOSTS", nearest: "ALLOWED_HOSTS" },
+    { name: "allowed_hosts", nearest: "ALLOWED_HOSTS" },
+    { name: "TRUST_PROXY", nearest: "TRUSTED_PROXIES" },
+    { name: "TRSUTED_PROXIES", nearest: "TRUSTED_PROXIES" },
+    { name: "PUBLIC_URI", nearest: "PUBLIC_URL" },
+    { name: "STORAGE_URL", nearest: "STORE_URL" },
+    { name: "METRIC_PORT", nearest: "METRICS_PORT" },
+    { name: "METRIC_HOST", nearest: "METRICS_HOST" },
+    { name: "LOGLEVEL", nearest: "LOG_LEVEL" },
+    { name: "DATADIR", nearest: "DATA_DIR" },
+  ])("refuses the misspelt setting $name and names $nearest", ({ name, nearest }) => {
+    const result = readConfig({ [name]: "1" });
+    const text = result.ok ? "" : describeConfigProblems(result.problems);
+    expect(text).toContain(`${name}: found a name that is no setting, expected ${nearest}`);
+  });
+
+  it("leaves the variables of other programs alone", () => {
+    const names = [
+      "HOSTNAME",
+      "HOME",
+      "PATH",
+      "PUBLIC_KEY",
+      "METRICS_PATH",
+      "DATABASE_URL",
+      "LOG_FILE",
+    ];
+    for (const name of names) expect(readConfig({ [name]: "1" }).ok).toBe(true);
+    expect(readConfig({ LOG_LEVEL: "info", LOGLEVEL: "3" }).ok).toBe(true);
+  });
+
   it("names every wrong setting at once, in words", () => {
     const result = readConfig({ PORT: "x", LOG_LEVEL: "loud" });
     const text = result.ok ? "" : describeConfigProblems(result.problems);

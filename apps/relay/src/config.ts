@@ -1,6 +1,7 @@
 /** Settings of the relay: the environment, checked once at the start. Every problem is named. */
 import { describeProblem, readValue, type FieldProblem } from "@corridor/protocol";
 import { z } from "zod";
+import { misspeltSettings } from "./misspelt-settings.ts";
 import { readNetwork, type TrustedProxies } from "./entrance/trusted-proxies.ts";
 
 const DEFAULT_PORT = 8080;
@@ -122,7 +123,11 @@ export function readConfig(
     Object.entries(environment).filter(([, value]) => value !== undefined && value !== ""),
   );
   const result = readValue(environmentSchema, given);
-  if (!result.ok) return { ok: false, problems: result.problems.map(withoutSecrets) };
+  const problems = [
+    ...(result.ok ? [] : result.problems.map(withoutSecrets)),
+    ...misspeltSettings(Object.keys(environmentSchema.shape), Object.keys(given)),
+  ];
+  if (!result.ok || problems.length > 0) return { ok: false, problems };
   const { value } = result;
   return {
     ok: true,
