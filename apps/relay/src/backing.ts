@@ -38,11 +38,21 @@ export async function openBacking(
   clock: Clock,
   log: Logger,
 ): Promise<Backing> {
-  return storeUrl === null ? sqliteBacking(dataDir, clock) : redisBacking(storeUrl, clock, log);
+  return storeUrl === null
+    ? sqliteBacking(dataDir, clock, log)
+    : redisBacking(storeUrl, clock, log);
 }
 
-function sqliteBacking(dataDir: string, clock: Clock): Backing {
-  const file = new SqliteFile(join(dataDir, "corridor.sqlite"), { isThreaded: true });
+function sqliteBacking(dataDir: string, clock: Clock, log: Logger): Backing {
+  const file = new SqliteFile(join(dataDir, "corridor.sqlite"), {
+    isThreaded: true,
+    setAside: (to) => {
+      log.error(
+        { path: to },
+        "the database was damaged and moved here; the relay starts with a new one",
+      );
+    },
+  });
   return {
     clock,
     sessions: new SqliteStore(file),

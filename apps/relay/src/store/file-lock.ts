@@ -4,6 +4,7 @@
  * ends, however that came about.
  */
 import { DatabaseSync } from "node:sqlite";
+import { preparePrivateFile } from "./database-file.ts";
 
 const SQLITE_BUSY = 5;
 /** A relay that is on its way out has it until its last connection is closed. */
@@ -17,6 +18,7 @@ export class FileLock {
    * @throws Error that says what to do when another relay has the database
    */
   constructor(path: string, waitMs = WAIT_MS) {
+    preparePrivateFile(`${path}-lock`);
     this.#db = new DatabaseSync(`${path}-lock`, { timeout: waitMs });
     try {
       this.#db.exec("PRAGMA journal_mode = MEMORY; BEGIN EXCLUSIVE");

@@ -6,16 +6,15 @@
  * full disk the ballast is given up: what ends or deletes something still works, what is new is refused
  * until there is as much room again.
  */
-import { mkdirSync } from "node:fs";
-import { dirname } from "node:path";
 import type { DatabaseSync } from "node:sqlite";
 import { BallastFile, type Ballast } from "./ballast.ts";
+import { openIntactDatabase, preparePrivateFile } from "./database-file.ts";
 import { isDiskFull, StoreFull, takeRoom } from "./disk-full.ts";
 import { FileLock } from "./file-lock.ts";
 import { GroupCommit, type Memory } from "./group-commit.ts";
 import { InlineJournal } from "./journal.ts";
 import type { Entry } from "./journal-writer.ts";
-import { openDatabase, openForReading } from "./sqlite-schema.ts";
+import { openForReading } from "./sqlite-schema.ts";
 import { AdaptiveJournal } from "./adaptive-journal.ts";
 import { Statements } from "./statements.ts";
 import { ThreadedJournal } from "./threaded-journal.ts";
@@ -53,6 +52,8 @@ export interface SqliteFileParts {
   waitMs?: number;
   /** much of the journal is written on a thread of its own */
   isThreaded?: boolean;
+  /** receives where a damaged database was moved to; a new one is open then */
+  setAside?: (to: string) => void;
 }
 
 export class SqliteFile {
@@ -74,14 +75,21 @@ export class SqliteFile {
 
   /**
    * @param path of the database, made with its folder when it is missing
-   * @throws Error when another relay has it, or a newer one wrote it
+   * @throws DatabaseFileError when it cannot be read or written; Error when another relay has it, or a newer one
+   *   wrote it
    */
-  constructor(path: string, { ballast, waitMs, isThreaded = false }: SqliteFileParts = {}) {
-    mkdirSync(dirname(path), { recursive: true });
+  constructor(
+    path: string,
+    { ballast, waitMs, isThreaded = false, setAside }: SqliteFileParts = {},
+  ) {
+    preparePrivateFile(path);
     this.#ballast = ballast ?? new BallastFile(`${path}-ballast`);
     this.#lock = new FileLock(path, waitMs);
     try {
-      this.#db = withRoom(() => openDatabase(path), this.#ballast);
+      this.#db = withRoom(
+        () => openIntactDatabase(path, setAside ?? (() => undefined)),
+        this.#ballast,
+      );
       this.#readOnly = openForReading(path);
     } catch (error) {
       this.#lock.free();

@@ -255,7 +255,7 @@ export function openForReading(file: string): DatabaseSync {
  * Brings an open database to the schema of this version.
  * @throws Error when the file was written by a newer version
  */
-function prepareDatabase(db: DatabaseSync, newest: number): void {
+export function prepareDatabase(db: DatabaseSync, newest: number = STEPS.length): void {
   db.exec(PROMISES);
   const version = Number(db.prepare("PRAGMA user_version").get()?.["user_version"] ?? 0);
   if (version > newest) {

@@ -33,7 +33,10 @@ export async function connectRedis(url: string, log: (error: unknown) => void): 
   } catch (error) {
     redis.destroy();
     const why = error instanceof Error ? error.message : String(error);
-    throw new Error(`STORE_URL leads to no Redis that answers (${why}).`, { cause: error });
+    throw new Error(
+      `No Redis answers at ${new URL(url).host} (${why}). Start it, or correct STORE_URL.`,
+      { cause: error },
+    );
   }
   isConnected = true;
   watch(redis, log);

@@ -1,0 +1,97 @@
+import {
+  chmodSync,
+  mkdirSync,
+  openSync,
+  readdirSync,
+  readFileSync,
+  statSync,
+  writeFileSync,
+  writeSync,
+} from "node:fs";
+import { join } from "node:path";
+import { describe, expect, it, onTestFinished, vi } from "vitest";
+import { testFolder } from "../testing/test-relay.ts";
+import { SqliteDocumentStore } from "./sqlite-document-store.ts";
+import { SqliteFile } from "./sqlite-file.ts";
+
+const document = { ids: ["BBBB"], hash: "h", text: "{}", keyHash: "k", now: 1 };
+
+/** Opens the database as the relay does. */
+function opened(path: string) {
+  const setAside = vi.fn<(to: string) => void>();
+  const file = new SqliteFile(path, { setAside });
+  const documents = new SqliteDocumentStore(file);
+  onTestFinished(() => file.close());
+  return { file, documents, setAside };
+}
+
+describe("the database file", () => {
+  it("cannot be read by other users of the machine, nor can the files beside it", async () => {
+    const path = join(testFolder(), "corridor.sqlite");
+    writeFileSync(path, "");
+    chmodSync(path, 0o644);
+    const { documents } = opened(path);
+    await documents.add(document);
+    const files = readdirSync(join(path, ".."));
+    expect(files).toContain("corridor.sqlite-wal");
+    for (const name of files) {
+      expect([name, statSync(join(path, "..", name)).mode & 0o077]).toEqual([name, 0]);
+    }
+  });
+
+  it.each([
+    {
+      name: "is no database",
+      damage: (path: string) => writeFileSync(path, "x".repeat(20_000)),
+    },
+    {
+      name: "has a damaged page",
+      damage: (path: string) => {
+        const file = openSync(path, "r+");
+        // The header and the list of tables stay whole.
+        writeSync(file, Buffer.alloc(4_096, 0xff), 0, 4_096, 3 * 4_096);
+      },
+    },
+  ])("is set aside whole when it $name, and a new one takes its place", async ({ damage }) => {
+    const path = join(testFolder(), "corridor.sqlite");
+    const before = opened(path);
+    await before.documents.add(document);
+    await before.file.close();
+    damage(path);
+    const damaged = readFileSync(path);
+    const { file, documents, setAside } = opened(path);
+    expect(setAside).toHaveBeenCalledExactlyOnceWith(`${path}.damaged`);
+    expect(readFileSync(`${path}.damaged`).equals(damaged)).toBe(true);
+    expect(await documents.read("BBBB", 1, 1)).toBeNull();
+    await documents.add(document);
+    expect(await documents.read("BBBB", 1, 1)).toBe("{}");
+    await file.close();
+    writeFileSync(path, "x".repeat(20_000));
+    expect(opened(path).setAside).toHaveBeenCalledWith(`${path}.damaged-2`);
+  });
+
+  it("stays in its place when it is whole", async () => {
+    const path = join(testFolder(), "corridor.sqlite");
+    const before = opened(path);
+    await before.documents.add(document);
+    await before.file.close();
+    const { documents, setAside } = opened(path);
+    expect(setAside).not.toHaveBeenCalled();
+    expect(await documents.read("BBBB", 1, 1)).toBe("{}");
+  });
+
+  it("names its path and what to do when it cannot be opened", () => {
+    const folder = testFolder();
+    writeFileSync(join(folder, "file"), "");
+    mkdirSync(join(folder, "folder"));
+    for (const path of [join(folder, "file", "corridor.sqlite"), join(folder, "folder")]) {
+      expect(() => new SqliteFile(path)).toThrow(
+        expect.objectContaining({
+          name: "DatabaseFileError",
+          message: expect.stringMatching(/permission.*set DATA_DIR to another folder/) as string,
+        }),
+      );
+      expect(() => new SqliteFile(path)).toThrow(path);
+    }
+  });
+});

@@ -1,0 +1,115 @@
+/**
+ * The SQLite file on disk: private to the user of this process, checked before it is used, and set aside when it is
+ * damaged, so that the relay serves an intact database or none.
+ */
+import {
+  chmodSync,
+  closeSync,
+  existsSync,
+  mkdirSync,
+  openSync,
+  renameSync,
+  statSync,
+} from "node:fs";
+import { dirname } from "node:path";
+import { DatabaseSync } from "node:sqlite";
+import { prepareDatabase } from "./sqlite-schema.ts";
+
+/** SQLite's error codes: https://www.sqlite.org/rescode.html */
+const SQLITE_PERM = 3;
+const SQLITE_READONLY = 8;
+const SQLITE_IOERR = 10;
+const SQLITE_CORRUPT = 11;
+const SQLITE_CANTOPEN = 14;
+const SQLITE_NOTADB = 26;
+const DAMAGED: ReadonlySet<number> = new Set([SQLITE_CORRUPT, SQLITE_NOTADB]);
+const NO_ACCESS: ReadonlySet<number> = new Set([
+  SQLITE_PERM,
+  SQLITE_READONLY,
+  SQLITE_IOERR,
+  SQLITE_CANTOPEN,
+]);
+/** An extended code carries the primary one in its lowest byte. */
+const PRIMARY_CODE = 0xff;
+
+/** Read and write for the owner, nothing for others. SQLite gives -wal and -shm the same mode. */
+const PRIVATE = 0o600;
+
+/** The database cannot be used; the message names its path and what to do. */
+export class DatabaseFileError extends Error {
+  override readonly name = "DatabaseFileError";
+
+  constructor(path: string, cause: unknown) {
+    const reason = cause instanceof Error ? cause.message : String(cause);
+    super(
+      `The database ${path} cannot be opened: ${reason}. Give the user that runs Corridor permission to read and ` +
+        "write this file and its folder, or set DATA_DIR to another folder.",
+      { cause },
+    );
+  }
+}
+
+/**
+ * Makes the file and its folder where they are missing, and takes every permission on the file from other users.
+ * @throws DatabaseFileError
+ */
+export function preparePrivateFile(path: string): void {
+  try {
+    mkdirSync(dirname(path), { recursive: true });
+    closeSync(openSync(path, "a", PRIVATE));
+    for (const file of filesOf(path)) {
+      if ((statSync(file).mode & 0o777) !== PRIVATE) chmodSync(file, PRIVATE);
+    }
+  } catch (error) {
+    throw new DatabaseFileError(path, error);
+  }
+}
+
+/**
+ * Opens the database and brings it to the newest schema. A damaged file is renamed, and a new one takes its place.
+ * @param setAside receives the new path of a damaged file
+ * @throws DatabaseFileError where it cannot be read, or as `prepareDatabase` does
+ */
+export function openIntactDatabase(path: string, setAside: (to: string) => void): DatabaseSync {
+  try {
+    return open(path);
+  } catch (error) {
+    const code = primaryCode(error);
+    if (NO_ACCESS.has(code)) throw new DatabaseFileError(path, error);
+    if (!DAMAGED.has(code)) throw error;
+  }
+  const to = freePath(`${path}.damaged`);
+  for (const file of filesOf(path)) renameSync(file, to + file.slice(path.length));
+  setAside(to);
+  preparePrivateFile(path);
+  return open(path);
+}
+
+function open(path: string): DatabaseSync {
+  const db = new DatabaseSync(path);
+  try {
+    const found = db.prepare("PRAGMA quick_check(1)").get()?.["quick_check"];
+    if (found !== "ok") throw Object.assign(new Error(String(found)), { errcode: SQLITE_CORRUPT });
+    prepareDatabase(db);
+    return db;
+  } catch (error) {
+    db.close();
+    throw error;
+  }
+}
+
+function primaryCode(error: unknown): number {
+  return error instanceof Error && "errcode" in error ? Number(error.errcode) & PRIMARY_CODE : 0;
+}
+
+/** The database and SQLite's own files beside it. */
+function filesOf(path: string): string[] {
+  return [path, `${path}-wal`, `${path}-shm`].filter((file) => existsSync(file));
+}
+
+function freePath(path: string): string {
+  if (!existsSync(path)) return path;
+  for (let count = 2; ; count++) {
+    if (!existsSync(`${path}-${count}`)) return `${path}-${count}`;
+  }
+}
