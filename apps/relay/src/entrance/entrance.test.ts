@@ -7,11 +7,11 @@ import { startTestRelay, type TestRelay } from "../testing/test-relay.ts";
 
 type Headers = Record<string, string>;
 
-/** A bare request, whose Host may be any. */
+/** A bare request, whose Host may be any. @param headers also as names and values by turns */
 function ask(
   relay: TestRelay,
   path: string,
-  { method = "GET", headers = {} }: { method?: string; headers?: Headers } = {},
+  { method = "GET", headers = {} }: { method?: string; headers?: Headers | string[] } = {},
 ): Promise<{ status: number; text: string }> {
   return new Promise((resolve, reject) => {
     const asked = request(relay.origin + path, { method, headers, agent: false });
@@ -86,6 +86,23 @@ describe("a service that knows its names", () => {
     const headers = { Host: "evil.example", "X-Forwarded-Host": "robots.example" };
     expect((await ask(relay, register.path, { method: "POST", headers })).status).toBe(421);
     expect((await ask(relay, SOCKET, { headers: upgrade(headers) })).status).toBe(421);
+  });
+});
+
+describe("a request with two Host headers", () => {
+  it.each([
+    ["robots.example", "evil.example"],
+    ["robots.example", "robots.example"],
+  ])("is answered with 400: %s, %s", async (first, second) => {
+    const relay = await startTestRelay();
+    const headers = ["Host", first, "Host", second];
+    const answer = await ask(relay, register.path, { method: "POST", headers });
+    expect(answer.status).toBe(400);
+    expect(problemSchema.parse(JSON.parse(answer.text)).detail).toContain("Send it once");
+    const socket = await ask(relay, SOCKET, {
+      headers: [...headers, ...Object.entries(upgrade({})).flat()],
+    });
+    expect(socket.status).toBe(400);
   });
 });
 

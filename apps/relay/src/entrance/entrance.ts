@@ -34,6 +34,10 @@ export class Entrance {
         "The header Host is missing. Every HTTP/1.1 request has it.",
       );
     }
+    // Node keeps the first of several, a proxy in front may go by another.
+    if (headersNamed("host", request) > 1) {
+      throw new Refusal("bad-request", "The header Host is there more than once. Send it once.");
+    }
     if (this.#hosts === null) return;
     const url = `http://${this.#visitor(request).host}`;
     if (URL.canParse(url) && this.#hosts.has(new URL(url).hostname)) return;
@@ -63,4 +67,10 @@ export class Entrance {
     if (origin === undefined || origin === this.#publicOrigin) return true;
     return URL.canParse(origin) && new URL(origin).host === this.#visitor(request).host;
   }
+}
+
+/** How often a header came. @param name in small letters */
+function headersNamed(name: string, { rawHeaders }: IncomingMessage): number {
+  // Names and values by turns.
+  return rawHeaders.filter((text, at) => at % 2 === 0 && text.toLowerCase() === name).length;
 }
