@@ -9,6 +9,7 @@ import { leanClasses } from "./build/lean-classes.ts";
 import { leanIcons } from "./build/lean-icons.ts";
 import { leanWords } from "./build/lean-words.ts";
 import { precompress } from "./build/precompress.ts";
+import { publish } from "./build/publish.ts";
 
 /** Addresses at which the page shows itself; all others belong to the relay. */
 const PAGE = /^\/(\?.*)?$/;
@@ -81,6 +82,7 @@ export default defineConfig({
     englishWords(),
     firstScript(),
     precompress(),
+    publish(),
   ],
   worker: { format: "es" },
   css: { modules: { generateScopedName: scopedName } },

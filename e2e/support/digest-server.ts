@@ -2,7 +2,7 @@
  * A page that runs the product's simulator worker on given inputs and posts the digest back. Any
  * browser that can open an address can take part; it needs no driver.
  */
-import { readFileSync, readdirSync } from "node:fs";
+import { readFileSync, readdirSync, statSync } from "node:fs";
 import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
 
@@ -43,7 +43,11 @@ export class DigestServer {
     const scripts = readdirSync(assets).filter((name) => name.endsWith(".js"));
     // The worker and the parts of it that come when they are asked for.
     const files = new Set(scripts.map((name) => `/assets/${name}`));
-    const worker = scripts.find((name) => name.startsWith("simulator.worker-"));
+    // The build before this one leaves its parts there, too.
+    const modified = (name: string): number => statSync(new URL(name, assets)).mtimeMs;
+    const worker = scripts
+      .filter((name) => name.startsWith("simulator.worker-"))
+      .toSorted((a, b) => modified(b) - modified(a))[0];
     if (worker === undefined) throw new Error("no worker in apps/web/dist: run npm run build");
     const { promise, resolve } = Promise.withResolvers<string[]>();
     const server = createServer((request, response) => {

@@ -1,0 +1,77 @@
+/**
+ * Builds beside the served folder and moves the finished files into it, so that a relay that runs during a build
+ * serves the old page or the new one, and never a missing file. What the new page loads is there before the page
+ * itself, and the files of the build before stay, for pages that are open and load a part of theirs later.
+ */
+import {
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from "node:fs";
+import { dirname, join } from "node:path";
+import type { Plugin } from "vite";
+
+/** In the served folder, which does not serve names with a dot in front. */
+const BUILT = ".next";
+const LIST = ".published.json";
+
+export function publish(): Plugin {
+  let served = "";
+  return {
+    name: "corridor-publish",
+    apply: "build",
+    config: () => ({ build: { outDir: join("dist", BUILT), emptyOutDir: true } }),
+    configResolved(config) {
+      served = join(config.root, "dist");
+    },
+    // After the compressed files, which are the last to be written.
+    closeBundle: {
+      order: "post",
+      sequential: true,
+      handler(error) {
+        if (error === undefined) publishFiles(join(served, BUILT), served);
+      },
+    },
+  };
+}
+
+/**
+ * Moves all files of a finished build into the served folder.
+ * @param built is empty and deleted afterwards
+ */
+export function publishFiles(built: string, served: string): void {
+  const before = publishedFiles(served);
+  const files = filesIn(built);
+  const isPart = (file: string): boolean => file.startsWith("assets");
+  // Parts have a hash of their content in their name, so a new one never replaces an old one.
+  for (const file of files.toSorted((a, b) => Number(isPart(b)) - Number(isPart(a)))) {
+    const to = join(served, file);
+    mkdirSync(dirname(to), { recursive: true });
+    renameSync(join(built, file), to);
+  }
+  rmSync(built, { recursive: true });
+  const current = new Set([...files, ...before.filter(isPart)]);
+  for (const file of filesIn(served)) {
+    if (!current.has(file) && file !== LIST) rmSync(join(served, file));
+  }
+  writeFileSync(join(served, LIST), JSON.stringify(files));
+}
+
+/** The files of the build before, where there was one. */
+function publishedFiles(served: string): string[] {
+  const list = join(served, LIST);
+  if (!existsSync(list)) return [];
+  const files: unknown = JSON.parse(readFileSync(list, "utf8"));
+  return Array.isArray(files) ? files.filter((file) => typeof file === "string") : [];
+}
+
+function filesIn(folder: string): string[] {
+  return readdirSync(folder, { recursive: true, encoding: "utf8" }).filter((file) =>
+    statSync(join(folder, file)).isFile(),
+  );
+}
