@@ -16,6 +16,8 @@ export interface RedisServer {
   url: string;
   port: number;
   pid: number;
+  /** when it has ended, however that came about */
+  ended: Promise<void>;
   /** Ends it. What it was given stays in its folder. */
   stop(signal?: "SIGTERM" | "SIGKILL"): Promise<void>;
 }
@@ -69,6 +71,7 @@ export async function startRedis(
     url: `redis://127.0.0.1:${chosen}`,
     port: chosen,
     pid: child.pid ?? 0,
+    ended: end,
     stop: async (signal = "SIGTERM") => {
       child.kill(signal);
       await end;

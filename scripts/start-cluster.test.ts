@@ -3,7 +3,8 @@ import { once } from "node:events";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { describe, expect, it, onTestFinished } from "vitest";
+import { registrationSchema } from "@corridor/protocol";
+import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { findRedis } from "./redis-server.ts";
 
 const SCRIPT = join(import.meta.dirname, "start-cluster.ts");
@@ -28,12 +29,31 @@ describe.skipIf(findRedis() === null)("npm run start:cluster", () => {
     const origin = /Corridor is ready: (http\S+)/.exec(text)?.[1] ?? "";
     const ready = await fetch(`${origin}/readyz`);
     expect(await ready.json()).toEqual({ status: "ready" });
-    const pids = [...text.matchAll(/kill -9 (\d+)/g)].map(([, pid]) => Number(pid));
-    expect(pids).toHaveLength(2);
+    const relays = [...text.matchAll(/^Relay.*kill -9 (\d+)/gm)].map(([, pid]) => Number(pid));
+    expect(relays).toHaveLength(2);
+
+    // A Redis that ends comes back with the same data, and the relays with it.
+    const robot = await fetch(`${origin}/api/v1/robots`, { method: "POST" });
+    const { id, ownerKey } = registrationSchema.parse(await robot.json());
+    const before = text.length;
+    process.kill(Number(/^Redis.*kill -9 (\d+)/m.exec(text)?.[1]), "SIGKILL");
+    const restarted = /^Redis.*kill -9 (\d+)/m;
+    while (!restarted.test(text.slice(before))) {
+      text += String((await once(cluster.stdout, "data"))[0]);
+    }
+    await vi.waitFor(
+      async () => {
+        const headers = { Authorization: `Bearer ${ownerKey}` };
+        const keys = await fetch(`${origin}/api/v1/robots/${id}/keys`, { headers });
+        expect(keys.status).toBe(200);
+      },
+      { timeout: 30_000, interval: 200 },
+    );
+    const redisPid = Number(restarted.exec(text.slice(before))?.[1]);
 
     cluster.kill("SIGINT");
     expect(await end).toEqual([0, null]);
-    for (const pid of pids) expect(() => process.kill(pid, 0)).toThrow(/ESRCH/);
+    for (const pid of [...relays, redisPid]) expect(() => process.kill(pid, 0)).toThrow(/ESRCH/);
     const [, redis = ""] = /redis:\/\/(\S+?),/.exec(text) ?? [];
     await expect(fetch(`http://${redis}`)).rejects.toThrow(/fetch failed/);
   });

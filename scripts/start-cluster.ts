@@ -1,6 +1,6 @@
 /**
  * `npm run start:cluster`: Redis, two relays and a balancer on this machine, to see what a cluster does.
- * Ends all of it on Ctrl+C. A relay that ends before is started again in a moment, so that it can be killed.
+ * Ends all of it on Ctrl+C. A relay or Redis that ends before is started again in a moment, so that it can be killed.
  */
 import { spawn, type ChildProcess } from "node:child_process";
 import { mkdirSync } from "node:fs";
@@ -20,12 +20,35 @@ let isEnding = false;
 
 requireRedis();
 mkdirSync(folder, { recursive: true });
-const redis = await startRedis(folder);
+let redis = await startRedis(folder);
 const balancer = await startBalancer([], port);
 console.log(`Redis       ${redis.url}, its files in ${folder}`);
+watchRedis();
 process.on("SIGINT", () => void end());
 process.on("SIGTERM", () => void end());
 for (const name of ["A", "B"]) startRelay(name);
+
+/** Restarts a Redis that has ended, on the same port and with the same files: the relays reconnect to it. */
+function watchRedis(): void {
+  console.log(`Redis       to be killed by: kill -9 ${redis.pid}`);
+  void redis.ended.then(() => {
+    if (isEnding) return;
+    console.log(`Redis has ended and is started again in ${RESTART_MS / 1000} s`);
+    setTimeout(() => void restartRedis(), RESTART_MS);
+  });
+}
+
+async function restartRedis(): Promise<void> {
+  if (isEnding) return;
+  try {
+    redis = await startRedis(folder, { port: redis.port });
+  } catch (error) {
+    console.error(error instanceof Error ? error.message : error);
+    setTimeout(() => void restartRedis(), RESTART_MS);
+    return;
+  }
+  watchRedis();
+}
 
 function startRelay(name: string): void {
   const settings = { PORT: "0", HOST: "127.0.0.1", STORE_URL: redis.url };
