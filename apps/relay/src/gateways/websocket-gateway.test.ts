@@ -124,6 +124,17 @@ describe("the WebSocket: who may", () => {
     expect(await alive.next("ack")).toMatchObject({ record: { seq: 4 } });
   });
 
+  it("is closed after 45 s without an answer, also when the answer comes later", async () => {
+    const clock = new FakeClock();
+    const relay = await startTestRelay({ clock });
+    const robot = await relay.register();
+    const late = await TestSocket.open(relay, robot.id, {}, { autoPong: false });
+    late.send({ ...hello, key: robot.driverKey });
+    await late.next("welcome");
+    await clock.pass(limits.silenceMs);
+    expect((await late.closed).code).toBe(1006);
+  });
+
   it("asks whether they live those who have said nothing for a while, and nobody else", async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });

@@ -55,6 +55,8 @@ interface Guest {
   /** ends the wait for its first message */
   cancelTimer: () => void;
   heardAt: number;
+  /** when it last received a heartbeat */
+  beatAt: number;
   /** what the log may show of its key */
   key: string | null;
   conversation: Conversation | null;
@@ -86,7 +88,7 @@ export class WebSocketGateway {
     this.#options = options;
     this.#heartbeats = new Sweep({
       clock: options.clock,
-      everyMs: limits.heartbeatMs,
+      everyMs: limits.silenceCheckMs,
       members: () => this.#guests,
       visit: (guest) => this.#beat(guest),
     });
@@ -153,6 +155,7 @@ export class WebSocketGateway {
         if (guest.conversation === null) closeWith(socket, closeReasons.notAuthorised);
       }),
       heardAt: clock.now(),
+      beatAt: clock.now(),
       key: null,
       conversation: null,
     };
@@ -231,10 +234,13 @@ export class WebSocketGateway {
   }
 
   #beat(guest: Guest): void {
-    const silentMs = this.#options.clock.now() - guest.heardAt;
-    if (silentMs > limits.silenceMs) {
-      guest.socket.terminate();
-    } else if (guest.socket.readyState === guest.socket.OPEN) {
+    const now = this.#options.clock.now();
+    const silentMs = now - guest.heardAt;
+    if (silentMs >= limits.silenceMs) return guest.socket.terminate();
+    // Half a check early rather than half a check late, since checks wander by some ms.
+    const isDue = now - guest.beatAt >= limits.heartbeatMs - limits.silenceCheckMs / 2;
+    if (isDue && guest.socket.readyState === guest.socket.OPEN) {
+      guest.beatAt = now;
       // Whoever speaks lives, and is not asked. An answer to the ping before came a while after that.
       if (silentMs >= limits.heartbeatMs / 2) guest.socket.ping();
       guest.conversation?.heartbeat();

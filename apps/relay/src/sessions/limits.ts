@@ -68,9 +68,11 @@ export const limits = {
   unfinishedStops: 128,
   /** time for the first message of a socket */
   helloMs: 5_000,
-  /** a heartbeat each so often, and a ping to whoever said nothing; silence of more than twice that closes the socket */
+  /** a heartbeat each so often, with a ping to a client that sent nothing; silence of more than twice that closes the socket */
   heartbeatMs: 20_000,
   silenceMs: 45_000,
+  /** a silent socket is closed at most so much later */
+  silenceCheckMs: 5_000,
   /** a line by HTTPS on which no request waits, and none comes for so long, is closed */
   lineSilenceMs: 15_000,
   /** a page that connects but does not tick for so long sleeps; looked for once a second, and told within 5 s */
