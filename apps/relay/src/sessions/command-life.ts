@@ -128,13 +128,14 @@ export class CommandLife {
     resume: Resume,
     { settled, seated }: { settled: number | null; seated: () => void },
   ): Promise<void> {
-    const { lastApplied, fresh, endings, page: name = "" } = resume;
+    const { lastApplied, fresh, endings, snapshot, page: name = "" } = resume;
     await this.#work.run(async () => {
       const taken = await this.#store.takeOver(this.#robot, {
         lastApplied,
         // What a page had started that is another one can never end.
         fresh: fresh || (this.#seat.name !== "" && !this.handover.isSame(resume)),
         endings,
+        pose: snapshot?.pose ?? null,
         page: name,
         settled,
       });

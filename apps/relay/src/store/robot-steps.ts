@@ -150,7 +150,9 @@ export function meetPage(
   known: (seq: number) => CommandRecord | null,
   newest: (what: "stop" | "replace") => number | null,
 ): { changed: CommandRecord[]; refused: CommandRecord[] } {
-  const { lastApplied, fresh, isSettled, endings } = page;
+  const { lastApplied, fresh, isSettled, endings, pose } = page;
+  // The robot that came has driven nothing of them.
+  const ending = { state: "cancelled", pose, distance: pose === null ? null : 0 } as const;
   const changed = new Map<number, CommandRecord>();
   const refused: CommandRecord[] = [];
   const change = (row: CommandRow, how: Partial<CommandRow>): void => {
@@ -169,12 +171,11 @@ export function meetPage(
     const why = isSettled ? row.recalled : doubtReasons.delivered;
     if (row.seq <= lastApplied) change(row, { state: "started", reason: null });
     else if (why === null) change(row, { state: "accepted", reason: null });
-    else change(row, { state: "cancelled", reason: why });
+    else change(row, { ...ending, reason: why });
   }
   if (fresh || !isSettled) {
     const reason = isSettled ? "the page was reloaded" : doubtReasons.started;
-    for (const row of robot.open)
-      if (row.state === "started") change(row, { state: "cancelled", reason });
+    for (const row of robot.open) if (row.state === "started") change(row, { ...ending, reason });
   }
   // What was delivered when something overtook it may wait again now; it was overtaken all the same.
   for (const what of ["stop", "replace"] as const) {

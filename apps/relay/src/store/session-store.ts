@@ -5,7 +5,7 @@
  * every change of state names the states that it may come from, and the first writer wins.
  * Wall-clock times are milliseconds since 1970. Every implementation passes `testing/store.cases.ts`.
  */
-import type { Command, CommandRecord, Ending } from "@corridor/protocol";
+import type { Command, CommandRecord, Ending, Pose } from "@corridor/protocol";
 
 /** own: be the robot's page. drive: send commands and read. watch: read. */
 export const keyKinds = ["own", "drive", "watch"] as const;
@@ -171,6 +171,8 @@ export interface PageState {
   /** the page was loaded anew: what had started can never end by itself */
   fresh: boolean;
   endings: Ending[];
+  /** where its robot is: a command that is cancelled because the page came ends there; null where it is not known */
+  pose: Pose | null;
   /** by which it is known on each of its lines, where it says so */
   page?: string | undefined;
   /**

@@ -8,7 +8,7 @@ import type { Line, News, Switchboard } from "../switchboard.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";
-const nothingDone = { lastApplied: 0, fresh: false, endings: [], settled: null };
+const nothingDone = { lastApplied: 0, fresh: false, endings: [], pose: null, settled: null };
 const scripts = { connected: 1, client: "Python", silentMs: 5, alive: [], scripts: [] };
 
 export interface TestRelay {

@@ -226,9 +226,10 @@ export class RedisSessionStore implements SessionStore {
   }
 
   async takeOver(id: string, { endings, page = "", ...state }: PageState) {
-    const { lastApplied, fresh, settled } = state;
+    const { lastApplied, fresh, settled, pose } = state;
     const told = { lastApplied, fresh, settled, page, endings: endings.map(endingOf) };
-    const values = { ...told, doubt: doubtReasons };
+    const where = pose === null ? null : JSON.stringify(pose);
+    const values = { ...told, pose: where, doubt: doubtReasons };
     return takeAnswer.parse(await this.#step("takeOver", id, values));
   }
 

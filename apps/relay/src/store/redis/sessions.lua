@@ -381,15 +381,21 @@ function steps.takeOver()
     local row, known = finish(ending)
     if not row and known and known.state ~= ending.state then refused[#refused + 1] = known end
   end
+  -- The robot that came has driven nothing of what it ends.
+  local function cancel(row, reason)
+    row.pose = given.pose
+    row.distance = given.pose ~= cjson.null and '0' or cjson.null
+    change(row, 'cancelled', reason)
+  end
   for _, row in ipairs(open(function(row) return row.state == HELD end)) do
     if row.seq <= given.lastApplied then change(row, RUNS)
-    elseif not isSettled then change(row, 'cancelled', given.doubt.delivered)
-    elseif row.recalled then change(row, 'cancelled', row.recalled)
+    elseif not isSettled then cancel(row, given.doubt.delivered)
+    elseif row.recalled then cancel(row, row.recalled)
     else change(row, WAITS) end
   end
   if given.fresh or not isSettled then
     for _, row in ipairs(open(function(row) return row.state == RUNS end)) do
-      change(row, 'cancelled', isSettled and 'the page was reloaded' or given.doubt.started)
+      cancel(row, isSettled and 'the page was reloaded' or given.doubt.started)
     end
   end
   -- What was delivered when something overtook it may wait again now; it was overtaken all the same.

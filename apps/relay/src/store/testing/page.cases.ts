@@ -66,6 +66,24 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await store.command(ID, 1)).toMatchObject({ reason: "the page was reloaded" });
     });
 
+    it("says where the restored robot stands of each command that a reload has cancelled", async () => {
+      const pose = { x: 50.25, y: 150, heading: 90.5 };
+      for (const settled of [Number.MAX_SAFE_INTEGER, null]) {
+        const { add, store, deliver } = await withRobot();
+        for (let n = 0; n < 3; n++) await add(LEFT);
+        await deliver(2);
+        await store.start(ID, EPOCH, 1);
+        const page = pageState({ lastApplied: 2, fresh: true, pose, settled });
+        const { changed = [] } = (await store.takeOver(ID, page)) ?? {};
+        expect(changed.map(({ seq, state }) => [seq, state])).toEqual([
+          [1, "cancelled"],
+          [2, "cancelled"],
+        ]);
+        for (const record of changed) expect(record).toMatchObject({ pose, distance: 0 });
+        expect(await store.command(ID, 2)).toMatchObject({ pose, distance: 0 });
+      }
+    });
+
     it("ends what the page before may have begun, where nobody knows, and puts nothing back", async () => {
       for (const settled of [null, EPOCH - 1]) {
         const { add, store, states, deliver } = await withRobot();

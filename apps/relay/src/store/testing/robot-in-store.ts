@@ -35,6 +35,7 @@ export const pageState = (state: Partial<PageState> = {}): PageState => ({
   lastApplied: 0,
   fresh: false,
   endings: [],
+  pose: null,
   settled: Number.MAX_SAFE_INTEGER,
   ...state,
 });
