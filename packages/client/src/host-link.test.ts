@@ -1,7 +1,7 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import type { AliveDriver, CommandState, DeliveredCommand } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { HostLink, type HostStatus } from "./host-link.ts";
+import { HostLink, type HostLinkOptions, type HostStatus } from "./host-link.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
 import { record } from "./testing/messages.ts";
 
@@ -22,7 +22,9 @@ const command = (seq: number) => ({
 const recordOf = (seq: number, state: CommandState) =>
   record(seq, "key-0001", { action: "left 90" }, { state });
 
-function host(start: { lastApplied?: number; fresh?: boolean } = {}) {
+function host(
+  start: Partial<Pick<HostLinkOptions, "lastApplied" | "fresh" | "endings" | "save">> = {},
+) {
   const platform = new FakePlatform();
   const commands: number[] = [];
   const stops: DeliveredCommand[] = [];
@@ -414,5 +416,98 @@ describe("HostLink", () => {
     }
     platform.socket.receive(command(1));
     expect(commands).toEqual([1]);
+  });
+});
+
+/** A page whose device stores its world when the test says so. */
+function savingHost() {
+  const saves: ((isMine: boolean) => void)[] = [];
+  const save = () => new Promise<boolean>((resolve) => void saves.push(resolve));
+  const page = host({ save });
+  page.welcome();
+  const sent = () => page.platform.socket.sent.slice(2).filter(({ type }) => type !== "snapshot");
+  const saved = async (isMine = true) => {
+    for (const resolve of saves.splice(0)) resolve(isMine);
+    for (let n = 0; n < 5; n++) await Promise.resolve();
+  };
+  return { ...page, sent, saved };
+}
+
+describe("HostLink, where the world is stored", () => {
+  it("sends an ending once its world is stored, and nothing that follows before it", async () => {
+    const { platform, link, sent, saved } = savingHost();
+    platform.socket.receive(command(1));
+    platform.socket.receive(command(2));
+    link.started(1);
+    link.ended(1, done);
+    link.started(2);
+    expect(sent()).toMatchObject([{ type: "started", seq: 1 }]);
+    expect(link.journal).toEqual({ lastApplied: 2, endings: [{ seq: 1, ...done }] });
+    await saved();
+    expect(sent().slice(1)).toMatchObject([
+      { type: "ended", seq: 1 },
+      { type: "started", seq: 2 },
+    ]);
+  });
+
+  it("says nothing of an ending that is not stored when it comes back on a new line", async () => {
+    const { platform, link, reconnect, saved, sent } = savingHost();
+    platform.socket.receive(command(1));
+    link.started(1);
+    link.ended(1, done);
+    reconnect(2);
+    expect(platform.socket.sent[1]).toMatchObject({ lastApplied: 1, endings: [] });
+    expect(sent()).toEqual([]);
+    await saved();
+    expect(sent()).toMatchObject([{ type: "ended", seq: 1, epoch: 2 }]);
+  });
+
+  it("closes, and gives the robot up, after the endings of before", async () => {
+    const { platform, link, saved, sent } = savingHost();
+    platform.socket.receive(command(1));
+    link.started(1);
+    platform.socket.receive({ type: "yield" });
+    link.ended(1, { ...done, state: "cancelled" });
+    link.close();
+    expect(platform.socket.isClosed).toBe(false);
+    expect(link.isConnected).toBe(false);
+    await saved();
+    expect(sent().map(({ type }) => type)).toContain("ended");
+    expect(platform.socket.isClosed).toBe(true);
+  });
+
+  it("stays open where it is opened again before those are stored", async () => {
+    const { platform, link, saved, sent } = savingHost();
+    platform.socket.receive(command(1));
+    link.started(1);
+    link.ended(1, done);
+    link.close();
+    link.open();
+    await saved();
+    expect(sent().at(-1)).toMatchObject({ type: "ended", seq: 1 });
+    expect(platform.socket.isClosed).toBe(false);
+    expect(link.isConnected).toBe(true);
+  });
+
+  it("is not the robot any more where another page has claimed the world", async () => {
+    const { platform, link, statuses, saved, sent } = savingHost();
+    platform.socket.receive(command(1));
+    link.started(1);
+    link.ended(1, done);
+    await saved(false);
+    expect(sent()).toMatchObject([{ type: "started" }]);
+    expect(platform.socket.isClosed).toBe(true);
+    expect(statuses.at(-1)?.kind).toBe("replaced");
+    link.open();
+    expect(platform.sockets).toHaveLength(1);
+  });
+
+  it("tells what had ended in the restored world, until the relay has stored it", () => {
+    const endings = [{ seq: 6, ...done }];
+    const { platform, link, welcome } = host({ lastApplied: 7, fresh: true, endings });
+    welcome();
+    expect(platform.socket.sent[1]).toMatchObject({ lastApplied: 7, fresh: true, endings });
+    platform.socket.receive({ type: "stored", seq: 6 });
+    expect(link.journal).toEqual({ lastApplied: 7, endings: [] });
   });
 });

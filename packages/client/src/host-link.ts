@@ -29,6 +29,7 @@ import {
 } from "@corridor/protocol";
 import { AppliedCommands } from "./applied-commands.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
+import { Outbox } from "./outbox.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
 import { doorUrls } from "./robot-address.ts";
 import { TransitClock } from "./transit-clock.ts";
@@ -46,12 +47,26 @@ export type HostStatus =
   /** another page took the robot */
   | { kind: "replaced"; reason: CloseReason };
 
+/** What a page stores of its commands together with its world, for the page after a reload. */
+export interface CommandJournal {
+  lastApplied: number;
+  /** endings of which it is not known that the relay has stored them, oldest first */
+  endings: Ending[];
+}
+
 export interface HostLinkOptions {
   /** of the service, such as https://robots.example.org */
   origin: string;
   credentials: { id: string; ownerKey: string };
   /** highest seq that this page has ever started or ended; 0 when none */
   lastApplied: number;
+  /** endings in the restored world that the relay may not have stored; default: none */
+  endings?: readonly Ending[];
+  /**
+   * Stores the world together with `journal`. An ending is sent once this resolves: true when it is stored, or
+   * when no reload restores this world; false when another page has it, so that this page is not the robot any more.
+   */
+  save?(): Promise<boolean>;
   /** true when the page was loaded anew and no longer runs what it had started */
   fresh: boolean;
   /** The robot as it is now: sent before all endings, so that who waits for one reads fresh sensors. */
@@ -89,8 +104,15 @@ export interface HostLinkOptions {
 export class HostLink {
   readonly #options: HostLinkOptions;
   readonly #connection: Connection<RelayToPage>;
-  /** endings that are not known to be stored, by seq, oldest first */
+  /** endings that the relay is not known to have stored, by seq, oldest first */
   readonly #endings = new Map<number, Ending>();
+  /** those of them that wait for `save` */
+  readonly #unsaved = new Set<number>();
+  readonly #outbox = new Outbox();
+  /** `close` was called, and endings before it are being saved */
+  #isClosing = false;
+  /** another page has this page's world */
+  #isReplaced = false;
   /** endings that the newest greeting carried */
   #resumed = new Set<number>();
   #epoch = 1;
@@ -108,6 +130,7 @@ export class HostLink {
     this.#options = options;
     this.#fresh = options.fresh;
     this.#applied = new AppliedCommands(options.lastApplied);
+    for (const ending of options.endings ?? []) this.#endings.set(ending.seq, ending);
     const { origin, credentials, platform = globalPlatform() } = options;
     this.#clock = platform.clock;
     this.#page = Math.floor(platform.random() * 2 ** 48)
@@ -129,8 +152,13 @@ export class HostLink {
     return this.#applied.last;
   }
 
+  /** To be stored together with the world. */
+  get journal(): CommandJournal {
+    return { lastApplied: this.#applied.last, endings: [...this.#endings.values()] };
+  }
+
   get isConnected(): boolean {
-    return this.#connection.isConnected;
+    return this.#connection.isConnected && !this.#isClosing;
   }
 
   /**
@@ -145,16 +173,27 @@ export class HostLink {
   /** The robot has begun with a command. */
   started(seq: number): void {
     this.#applied.begun(seq);
-    this.#send({ type: "started", epoch: this.#epoch, seq });
+    this.#outbox.send(() => this.#send({ type: "started", epoch: this.#epoch, seq }));
   }
 
-  /** A command is over: its one and only ending. */
+  /** A command is over: its one and only ending. It is sent once the world that it leaves is stored. */
   ended(seq: number, ending: Omit<Ending, "seq">): void {
+    if (this.#isReplaced) return;
     this.#applied.ended(seq);
     const { state, reason, pose, distance } = ending;
     const kept: Ending = { seq, state, reason, pose, distance };
     this.#endings.set(seq, kept);
-    if (this.#connection.isConnected) this.#tellEnding(kept);
+    const tell = (): void => {
+      this.#unsaved.delete(seq);
+      if (this.#connection.isConnected) this.#tellEnding(kept);
+    };
+    const saved = this.#options.save?.();
+    if (saved === undefined) return this.#outbox.send(tell);
+    this.#unsaved.add(seq);
+    const isMine = saved.then((isSaved) => {
+      if (!isSaved) this.#replaced();
+    });
+    this.#outbox.send(tell, isMine);
   }
 
   /**
@@ -162,15 +201,30 @@ export class HostLink {
    * is open or being opened, and once it is over.
    */
   open(): void {
+    if (this.#isReplaced) return;
+    this.#isClosing = false;
     this.#connection.open();
   }
 
   /**
-   * Leaves the relay until `open`. Scripts are told that the robot is gone; what waits there goes on
-   * waiting, and endings that come meanwhile are kept.
+   * Leaves the relay until `open`, after the endings so far. Scripts are told that the robot is gone; what waits
+   * there goes on waiting, and endings that come meanwhile are kept.
    */
   close(): void {
+    this.#isClosing = true;
+    this.#outbox.send(() => {
+      if (this.#isClosing) this.#connection.close();
+    });
+  }
+
+  /** Another page goes on with the stored world, in which what is not sent yet never happened. */
+  #replaced(): void {
+    if (this.#isReplaced) return;
+    this.#isReplaced = true;
+    this.#outbox.clear();
+    this.#endings.clear();
     this.#connection.close();
+    this.#options.onStatus({ kind: "replaced", reason: closeReasons.replaced });
   }
 
   #greeting(): string[] {
@@ -178,7 +232,8 @@ export class HostLink {
     this.#applied.giveBack();
     this.#options.onGiveBack();
     this.#transit.greeted(this.#clock.now());
-    const endings = [...this.#endings.values()].slice(0, MAX_RESUMED_ENDINGS);
+    const saved = [...this.#endings.values()].filter(({ seq }) => !this.#unsaved.has(seq));
+    const endings = saved.slice(0, MAX_RESUMED_ENDINGS);
     this.#resumed = new Set(endings.map(({ seq }) => seq));
     const { ownerKey } = this.#options.credentials;
     const snapshot = this.#options.snapshot();
@@ -196,13 +251,16 @@ export class HostLink {
   }
 
   #received(message: RelayToPage): void {
+    // What is delivered now counts as not begun, and comes again.
+    if (this.#isClosing) return;
     switch (message.type) {
       case "welcome":
         this.#transit.answered(message.at, this.#clock.now());
         this.#epoch = message.epoch;
         this.#fresh = false;
         for (const ending of this.#endings.values()) {
-          if (!this.#resumed.has(ending.seq)) this.#tellEnding(ending);
+          const isTold = this.#resumed.has(ending.seq) || this.#unsaved.has(ending.seq);
+          if (!isTold) this.#tellEnding(ending);
         }
         return this.#askTime();
       case "command": {
@@ -254,7 +312,10 @@ export class HostLink {
     this.#applied.giveBack();
     this.#options.onGiveBack();
     this.#options.onYield();
-    this.#send({ type: "yielded", epoch: this.#epoch });
+    this.#outbox.send(() => {
+      // On a new connection it has the robot again.
+      if (this.#hasYielded) this.#send({ type: "yielded", epoch: this.#epoch });
+    });
   }
 
   /** Asks for the relay's time where it is not known well, about as often as it tells of scripts. */
@@ -275,8 +336,9 @@ export class HostLink {
     if (this.#hasYielded) return false;
     if (this.#applied.take(seq)) return true;
     const ending = this.#endings.get(seq);
-    if (ending !== undefined) this.#tellEnding(ending);
-    else if (seq <= this.#applied.last) this.started(seq);
+    if (ending !== undefined) {
+      if (!this.#unsaved.has(seq)) this.#tellEnding(ending);
+    } else if (seq <= this.#applied.last) this.started(seq);
     return false;
   }
 

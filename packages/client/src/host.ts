@@ -1,3 +1,8 @@
 /** Entry "@corridor/client/host": for the page that owns a robot. */
-export { HostLink, type HostLinkOptions, type HostStatus } from "./host-link.ts";
+export {
+  HostLink,
+  type CommandJournal,
+  type HostLinkOptions,
+  type HostStatus,
+} from "./host-link.ts";
 export { registerRobot, RegistrationError } from "./register-robot.ts";
