@@ -19,6 +19,7 @@ const RULE_BYTES = 160;
 export class Inputs {
   readonly #inputs: TimedInput[] = [];
   #revision = 0;
+  #edition = 0;
 
   get length(): number {
     return this.#inputs.length;
@@ -29,6 +30,11 @@ export class Inputs {
     return this.#revision;
   }
 
+  /** Rises when inputs are removed or the start changes: until then, inputs only follow the ones before. */
+  get edition(): number {
+    return this.#edition;
+  }
+
   at(index: number): TimedInput | undefined {
     return this.#inputs[index];
   }
@@ -36,6 +42,7 @@ export class Inputs {
   /** What the run began with is another: documents written before are out of date. */
   touch(): void {
     this.#revision++;
+    this.#edition++;
   }
 
   add(tick: number, input: RunInput): void {
@@ -49,6 +56,7 @@ export class Inputs {
    */
   dropEdits(from: number, kind: "program" | "maze"): TimedInput[] {
     const left = this.#inputs.slice(from).filter((input) => input.do !== kind);
+    this.#edition++;
     this.#inputs.length = from;
     this.#inputs.push(...left);
     return left;
@@ -68,6 +76,7 @@ export class Inputs {
 
   forgetAfter(tick: number): void {
     this.#revision++;
+    this.#edition++;
     this.#inputs.length = this.indexAt(tick + 1);
   }
 
@@ -88,8 +97,9 @@ export class Inputs {
     return bytes;
   }
 
-  list(): TimedInput[] {
-    return [...this.#inputs];
+  /** @param from index of the first one */
+  list(from = 0): TimedInput[] {
+    return this.#inputs.slice(from);
   }
 }
 

@@ -24,6 +24,23 @@ export type WrittenRun =
   | { ok: true; run: RunDocument; text: string }
   | { ok: false; reason: "too-long" | "too-many-inputs" };
 
+/** How much of a run is stored already. */
+export interface RunMark {
+  edition: number;
+  inputs: number;
+}
+
+/** What has to be added to a stored run so that it can be repeated up to its newest tick. */
+export interface RunUpdate {
+  /** the documents that the run began with; null: the inputs follow those that are stored */
+  first: { maze: MazeDocument; program: ProgramDocument } | null;
+  inputs: TimedInput[];
+  ticks: number;
+  digest: string;
+  /** what is stored once this is */
+  mark: RunMark;
+}
+
 /** Edits of one tick: the index of the first, and the run before it. */
 interface EditsOfTick {
   from: number;
@@ -60,6 +77,25 @@ export class Recording {
   /** Rises whenever inputs came or were forgotten: then a document written before is out of date. */
   get revision(): number {
     return this.#inputs.revision;
+  }
+
+  /**
+   * What a store needs to repeat the run up to now.
+   * @param stored how much it has already; null for nothing
+   * @returns null for a run that is longer than a document may be
+   */
+  updateSince(stored: RunMark | null): RunUpdate | null {
+    const { tick } = this.#run;
+    const { edition, length } = this.#inputs;
+    if (tick > MAX_RUN_TICKS || length > MAX_RUN_INPUTS) return null;
+    const follows = stored?.edition === edition;
+    return {
+      first: follows ? null : this.#first,
+      inputs: this.#inputs.list(follows ? stored.inputs : 0),
+      ticks: tick,
+      digest: this.#run.digest(),
+      mark: { edition, inputs: length },
+    };
   }
 
   /** Tick of the newest input up to the end of a tick; 0 where none came since the start. */

@@ -1,33 +1,62 @@
 import { describe, expect, it } from "vitest";
 import { createWorkspaceStore } from "../stores/workspace-store.ts";
+import { restoreWorld, type RestoredJournal } from "../worker/restored-world.ts";
 import { RunLoader } from "../worker/run-loader.ts";
 import { RunLoop } from "../worker/run-loop.ts";
-import type { FromWorker, ToWorker } from "../worker/worker-messages.ts";
+import { MemoryWorldStore } from "../worker/testing/memory-world-store.ts";
+import { WorldKeeper } from "../worker/world-keeper.ts";
+import type { WorldJournal } from "../worker/world-store.ts";
+import type { FromWorker, LoadedRun, ToWorker } from "../worker/worker-messages.ts";
 import { firstMaze, firstProgram } from "../worker/first-work.ts";
-import { readKeptRun } from "./read-kept-run.ts";
 import { RunKeeper } from "./run-keeper.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 
-/** A page with the real run behind it, in a tab whose storage may be that of a page before it. */
+/** What a page leaves behind: its tab, and the device. */
+interface Left {
+  tab: MemoryStorage;
+  store: MemoryWorldStore;
+}
+
+let writers = 0;
+
+/** A page with the real run behind it, wired as the worker's entry does it. */
 function openPage(
-  tab = new MemoryStorage(),
+  { tab, store }: Left = { tab: new MemoryStorage(), store: new MemoryWorldStore() },
   maze = firstMaze,
-  loadReader = () => Promise.resolve(readKeptRun),
 ) {
   let time = 0;
   const listeners = new Set<(message: FromWorker) => void>();
-  const timers: (() => void)[] = [];
-  const lost: string[] = [];
+  const told: string[] = [];
   const loop = new RunLoop(maze, firstProgram, () => time);
   const post = (message: FromWorker) => {
     for (const listener of listeners) listener(message);
   };
   const tellNews = () => {
     const news = loop.takeNews();
-    if (news === null) return;
-    const after = news.forgottenAfter;
-    if (after !== null) post({ type: "forgotten", after });
-    post({ type: "frame", frame: news.frame, timeline: null });
+    if (news !== null) post({ type: "frame", frame: news.frame, timeline: null });
+    worlds.follow();
+  };
+  const notes: ((ok: boolean) => void)[] = [];
+  const of: { journal: WorldJournal | null; restored: RestoredJournal | null } = {
+    journal: null,
+    restored: null,
+  };
+  const worlds = new WorldKeeper({
+    openStore: async () => store,
+    recording: () => loop.recording,
+    journal: () => of.journal ?? of.restored,
+    noteKey: (key) => {
+      const noted = new Promise<boolean>((resolve) => notes.push(resolve));
+      post({ type: "run-key", key });
+      return noted;
+    },
+    newId: () => `id-${(writers += 1)}`,
+    now: () => time,
+    after: () => () => undefined,
+  });
+  const answer = (id: number, loaded: LoadedRun) => {
+    worlds.claimed();
+    post({ type: "run-loaded", id, loaded });
   };
   /** a slice of a long run takes all its time */
   let isSlow = false;
@@ -36,20 +65,23 @@ function openPage(
   const loader = new RunLoader({
     now: () => (isSlow ? (slowTime += 10) : time),
     later: () => void slices.push(() => loader.goOn()),
-    post,
-    open: (recording) => loop.open(recording),
+    tellPart: () => undefined,
+    answer,
   });
   const send = (message: ToWorker) => {
-    if (message.type === "save-run") {
-      const written = loop.saveRun();
-      const saved = written.ok
-        ? { ok: true as const, text: written.text, ticks: written.run.ticks }
-        : written;
-      post({ type: "run-saved", id: message.id, saved });
-    }
+    if (message.type === "run-key-noted") notes.shift()?.(message.ok);
     if (message.type === "edit-program") loop.editProgram(message.program);
     if (message.type === "cancel-load") loader.cancel(message.id);
-    if (message.type === "load-run") loader.load(message);
+    if (message.type === "restore-run") {
+      const { id } = message;
+      void restoreWorld(message, {
+        keeper: worlds,
+        run: () => loop,
+        load: (run, open) => loader.load({ id, run }, open),
+        answer: (loaded) => answer(id, loaded),
+        restored: (journal) => (of.restored = journal),
+      });
+    }
     tellNews();
   };
   const workspace = createWorkspaceStore(maze, firstProgram);
@@ -64,195 +96,275 @@ function openPage(
     },
     workspace,
     tab,
-    later: (run) => void timers.push(run),
-    loadReader,
-    onLost: () => void lost.push("lost"),
+    onNotStored: () => void told.push("not stored"),
+    onLost: () => void told.push("lost"),
   });
-  const pass = (milliseconds: number) => {
+  const pass = async (milliseconds: number) => {
     for (const end = time + milliseconds; time < end;) {
       time += 8;
       loop.advance();
       tellNews();
+      await settle();
     }
-  };
-  const ring = () => {
-    for (const timer of timers.splice(0)) timer();
   };
   const beSlow = () => void (isSlow = true);
   const slice = () => slices.shift()?.();
   tellNews();
-  return { loop, keeper, tab, workspace, pass, ring, lost, tellNews, beSlow, slice };
+  return { loop, keeper, worlds, of, tab, store, workspace, pass, told, beSlow, slice };
+}
+
+/** Lets all that waits for nothing else come to its end. */
+async function settle(): Promise<void> {
+  for (let n = 0; n < 20; n++) await Promise.resolve();
 }
 
 describe("a run over a reload", () => {
-  it("comes back paused at the same tick and goes on as it would have", async () => {
+  it("comes back paused where it was stored last, at most a quarter of a second ago", async () => {
     const page = openPage();
     page.loop.run();
-    page.pass(4000);
-    page.keeper.flush();
-    const before = page.loop.snapshot();
-    const reloaded = openPage(page.tab);
+    await page.pass(4_000);
+    const reloaded = openPage(page);
     await reloaded.keeper.resume();
-    expect(reloaded.loop.snapshot()).toMatchObject({
-      tick: before.tick,
-      pose: before.pose,
-      state: "paused",
-    });
+    const { tick, pose, state } = reloaded.loop.snapshot();
+    expect(state).toBe("paused");
+    expect(page.loop.snapshot().tick - tick).toBeLessThanOrEqual(16);
+    const again = page.loop.recording.playback();
+    again.goTo(tick);
+    expect(pose).toEqual(again.run.pose);
+  });
+
+  it("stands to the bit where a robot that is paused stood, with the hand's driving of before", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(500);
+    page.loop.hold("left");
+    await page.pass(300);
+    page.loop.hold("stop");
+    await page.pass(300);
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    const { tick, pose, driver } = page.loop.snapshot();
+    expect(reloaded.loop.snapshot()).toMatchObject({ tick, pose, driver });
     for (const each of [page, reloaded]) {
-      each.loop.pause();
       each.loop.run();
-      each.pass(3000);
+      await each.pass(1_000);
     }
     expect(reloaded.loop.snapshot().pose).toEqual(page.loop.snapshot().pose);
   });
 
-  it("has the edits and the hand's driving of before", async () => {
+  it("has what happened up to an ending that was sent, and how its commands ended", async () => {
     const page = openPage();
     page.loop.run();
-    page.pass(500);
-    page.loop.hold("left");
-    page.pass(300);
-    page.loop.hold("stop");
-    page.tellNews();
-    page.ring();
-    page.keeper.flush();
-    const reloaded = openPage(page.tab);
+    await page.pass(100);
+    page.of.journal = { robot: "AAAA", lastApplied: 7, endings: [], running: null };
+    expect(await page.worlds.save()).toBe(true);
+    const reloaded = openPage(page);
     await reloaded.keeper.resume();
-    const { tick, pose, driver } = page.loop.snapshot();
-    expect(reloaded.loop.snapshot()).toMatchObject({ tick, pose, driver });
+    expect(reloaded.loop.snapshot().pose).toEqual(page.loop.snapshot().pose);
+    expect(reloaded.of.restored).toEqual(page.of.journal);
   });
 
-  it("loses at most what came after the inputs that the page knew of", async () => {
+  it("ends the command that ran where the restored robot stands", async () => {
     const page = openPage();
     page.loop.run();
-    page.pass(1000);
-    page.loop.hold("left");
-    page.pass(100);
-    // The page was not told the hand's input yet: no timer has rung.
-    page.keeper.flush();
-    const reloaded = openPage(page.tab);
+    await page.pass(1_000);
+    page.loop.pause();
+    const running = { seq: 8, distance: 20 };
+    page.of.journal = { robot: "AAAA", lastApplied: 8, endings: [], running };
+    await page.worlds.save();
+    const reloaded = openPage(page);
     await reloaded.keeper.resume();
-    expect(reloaded.lost).toEqual([]);
-    expect(reloaded.loop.snapshot().tick).toBeLessThanOrEqual(60);
+    const { pose } = page.loop.snapshot();
+    const distance = page.loop.recording.run.distance - 20;
+    const reason = "the page was reloaded";
+    expect(distance).toBeGreaterThan(0);
+    expect(reloaded.of.restored).toMatchObject({
+      running: null,
+      endings: [{ seq: 8, state: "cancelled", reason, pose, distance }],
+    });
+  });
+
+  it("is written together for all that asks meanwhile", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(100);
+    const before = page.store.writes;
+    const saves = Array.from({ length: 50 }, () => page.worlds.save());
+    expect(await Promise.all(saves)).toEqual(saves.map(() => true));
+    expect(page.store.writes - before).toBeLessThanOrEqual(2);
+  });
+
+  it("is the other page's where a tab was doubled, and this one stores another", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(1_000);
+    const tab = new MemoryStorage();
+    tab.setItem("corridor.run", page.tab.getItem("corridor.run") ?? "");
+    const double = openPage({ tab, store: page.store });
+    await double.keeper.resume();
+    expect(double.loop.snapshot().tick).toBeGreaterThan(0);
+    // Nothing that happens here from now on is known there.
+    expect(await page.worlds.save()).toBe(false);
+    await page.pass(300);
+    expect(page.tab.getItem("corridor.run")).not.toBe(tab.getItem("corridor.run"));
+    expect(await page.worlds.save()).toBe(true);
+    expect(page.told).toEqual([]);
   });
 
   it.each([
-    { name: "Reset and Run", begin: (loop: RunLoop) => loop.reset() },
-    { name: "Run from an earlier moment", begin: (loop: RunLoop) => loop.seek(6) },
+    { name: "Reset", begin: (loop: RunLoop) => loop.reset() },
+    { name: "Reset and Run", begin: (loop: RunLoop) => (loop.reset(), loop.run()) },
+    { name: "Run from an earlier moment", begin: (loop: RunLoop) => (loop.seek(6), loop.run()) },
   ])("is the new one right after $name, never the one before", async ({ begin }) => {
     const page = openPage();
     page.loop.run();
-    page.pass(1000);
+    await page.pass(1_000);
     page.loop.hold("left");
-    page.pass(1000);
-    page.ring();
-    // No timer rings from here on: all of it comes sooner.
+    await page.pass(1_000);
     begin(page.loop);
-    page.tellNews();
-    page.loop.run();
-    page.pass(80);
-    page.keeper.flush();
-    const reloaded = openPage(page.tab);
+    await page.pass(300);
+    const reloaded = openPage(page);
     await reloaded.keeper.resume();
-    expect(page.loop.snapshot().tick).toBeLessThan(15);
+    expect(page.loop.snapshot().tick).toBeLessThan(30);
     expect(reloaded.loop.snapshot().tick).toBeLessThanOrEqual(page.loop.snapshot().tick);
-    expect(reloaded.lost).toEqual([]);
+    expect(reloaded.told).toEqual([]);
   });
 
-  it("is forgotten where another maze is open now, or the robot drives already", async () => {
+  it("has the edits of the last moment, where the page had time to note them", async () => {
     const page = openPage();
     page.loop.run();
-    page.pass(1000);
+    await page.pass(1_000);
+    const program = { ...firstProgram, default: "stop" as const };
+    page.workspace.setState({ program });
     page.keeper.flush();
-    const kept = page.tab.getItem("corridor.run") ?? "";
-    const other = openPage(page.tab, { ...firstMaze, name: "another" });
+    const reloaded = openPage(page);
+    reloaded.workspace.setState({ program });
+    await reloaded.keeper.resume();
+    expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
+    expect(reloaded.loop.recording.run.program).toEqual(program);
+  });
+
+  it("is not restored where another maze is open now, or the robot drives already", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(1_000);
+    page.keeper.flush();
+    const other = openPage(page, { ...firstMaze, name: "another" });
     await other.keeper.resume();
     expect(other.loop.snapshot().tick).toBe(0);
-    page.tab.setItem("corridor.run", kept);
-    const eager = openPage(page.tab);
+    const eager = openPage(page);
     eager.loop.run();
-    eager.pass(100);
+    await eager.pass(100);
     await eager.keeper.resume();
     expect(eager.loop.snapshot().tick).toBeLessThan(10);
-    expect([...other.lost, ...eager.lost]).toEqual([]);
+    expect([...other.told, ...eager.told]).toEqual([]);
   });
 
-  it("is not waited for by who drives already while a long one is brought back", async () => {
+  it("is not waited for by who drives already while a long one is restored", async () => {
     const page = openPage();
     page.loop.run();
-    page.pass(20_000);
-    page.keeper.flush();
-    const reloaded = openPage(page.tab);
+    await page.pass(20_000);
+    const reloaded = openPage(page);
     reloaded.beSlow();
     const resumed = reloaded.keeper.resume();
-    await Promise.resolve();
-    await Promise.resolve();
+    await settle();
     reloaded.slice();
     reloaded.loop.run();
-    reloaded.pass(500);
+    await reloaded.pass(500);
     await resumed;
-    expect(reloaded.lost).toEqual([]);
+    expect(reloaded.told).toEqual([]);
     expect(reloaded.loop.snapshot().tick).toBeLessThan(40);
     expect(reloaded.loop.isRunning).toBe(true);
   });
 
-  it("is still there for the next page when this one goes before it was brought back", async () => {
+  it("is still there for the next page when this one goes before it was restored", async () => {
     const page = openPage();
     page.loop.run();
-    page.pass(2000);
-    page.keeper.flush();
-    const hasty = openPage(page.tab);
-    hasty.keeper.flush();
-    const reloaded = openPage(page.tab);
+    await page.pass(20_000);
+    page.loop.pause();
+    await page.pass(300);
+    const hasty = openPage(page);
+    hasty.beSlow();
+    void hasty.keeper.resume();
+    await settle();
+    await hasty.pass(1_000);
+    const reloaded = openPage(page);
     await reloaded.keeper.resume();
     expect(reloaded.loop.snapshot().tick).toBe(page.loop.snapshot().tick);
   });
 
-  it("is told to be lost when the file that reads it does not come", async () => {
+  it("that stands at its start leaves nothing behind", async () => {
     const page = openPage();
-    page.loop.run();
-    page.pass(1000);
-    page.keeper.flush();
-    const offline = openPage(page.tab, firstMaze, () => Promise.reject(new Error("no network")));
-    await offline.keeper.resume();
-    expect(offline.lost).toEqual(["lost"]);
-  });
-
-  it("that stands at its start leaves nothing behind", () => {
-    const page = openPage();
+    await page.pass(500);
     page.keeper.flush();
     expect(page.tab.length).toBe(0);
+    expect(page.store.worlds.size).toBe(0);
   });
 
   it.each([
-    { name: "does not fit into the tab's storage", spoil: (text: string) => text, isFull: true },
     {
       name: "was written by another version",
-      spoil: (text: string) => text.replace("corridor/run", "x"),
-      isFull: false,
+      spoil: (world: Record<string, unknown>) => (world["inputs"] = [{ tick: 0, do: "dance" }]),
     },
     {
       name: "ends in other bits here",
-      spoil: (text: string) => text.replace(/"digest":"....../, '"digest":"000000'),
-      isFull: false,
+      spoil: (world: Record<string, unknown>) => (world["digest"] = "0000000000000000"),
     },
-  ])("is told to be lost when it $name", async ({ spoil, isFull }) => {
+  ])("is told to be lost when it $name", async ({ spoil }) => {
     const page = openPage();
     page.loop.run();
-    page.pass(1000);
-    const { tab } = page;
-    const set = tab.setItem.bind(tab);
-    if (isFull) {
-      tab.setItem = (key, value) => {
-        if (value.length > 100) throw new DOMException("full", "QuotaExceededError");
-        set(key, value);
-      };
-    }
-    page.keeper.flush();
-    set("corridor.run", spoil(tab.getItem("corridor.run") ?? ""));
-    const reloaded = openPage(tab);
+    await page.pass(1_000);
+    for (const world of page.store.worlds.values()) spoil(world as never);
+    const reloaded = openPage(page);
     await reloaded.keeper.resume();
-    expect(reloaded.lost).toEqual(["lost"]);
+    expect(reloaded.told).toEqual(["lost"]);
     expect(reloaded.loop.snapshot().tick).toBe(0);
+  });
+});
+
+describe("a device that cannot store a run", () => {
+  it("is told of once, endings wait for nothing, and a reload begins at the start", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(1_000);
+    page.store.isFull = true;
+    await page.pass(1_000);
+    expect(await page.worlds.save()).toBe(true);
+    expect(page.told).toEqual(["not stored"]);
+    // An older state of the world would contradict what was sent since.
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    expect(reloaded.loop.snapshot().tick).toBe(0);
+    page.loop.reset();
+    page.loop.run();
+    await page.pass(1_000);
+    expect(page.told).toEqual(["not stored"]);
+  });
+
+  it("stores the next run again, once there is room", async () => {
+    const page = openPage();
+    page.store.isFull = true;
+    page.loop.run();
+    await page.pass(1_000);
+    page.store.isFull = false;
+    page.loop.reset();
+    page.loop.run();
+    await page.pass(1_000);
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
+  });
+
+  it("is one whose tab takes nothing, too", async () => {
+    const tab = new MemoryStorage();
+    tab.setItem = () => {
+      throw new DOMException("forbidden", "SecurityError");
+    };
+    const page = openPage({ tab, store: new MemoryWorldStore() });
+    page.loop.run();
+    await page.pass(1_000);
+    expect(await page.worlds.save()).toBe(true);
+    expect(page.told).toEqual(["not stored"]);
+    expect(page.store.writes).toBe(0);
   });
 });

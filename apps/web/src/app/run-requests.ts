@@ -4,7 +4,7 @@
  */
 import type { RunDocument } from "@corridor/recording";
 import type { SimulatorClient } from "../worker/simulator-client.ts";
-import type { LoadedRun, SavedRun } from "../worker/worker-messages.ts";
+import type { LoadedRun, LoadRun, RestoreRun, SavedRun } from "../worker/worker-messages.ts";
 
 type Simulator = Pick<SimulatorClient, "send" | "listen" | "isGone">;
 
@@ -20,13 +20,25 @@ let lastId = 0;
 
 /**
  * Opens a run where it ended.
- * @param until runs on to this tick without further inputs
  * @param onPart told now and then how much of a long one is done, from 0 to 1
  */
 export function loadRun(
   simulator: Simulator,
   run: RunDocument,
-  { until, onPart }: { until?: number; onPart?: (part: number) => void } = {},
+  { onPart }: { onPart?: (part: number) => void } = {},
+): RunLoad {
+  return request(simulator, (id) => ({ type: "load-run", id, run }), onPart);
+}
+
+/** Restores the run that this tab had before a reload: see `RestoreRun`. */
+export function restoreRun(simulator: Simulator, key: string, isSameProject: boolean): RunLoad {
+  return request(simulator, (id) => ({ type: "restore-run", id, key, isSameProject }));
+}
+
+function request(
+  simulator: Simulator,
+  messageOf: (id: number) => LoadRun | RestoreRun,
+  onPart?: (part: number) => void,
 ): RunLoad {
   const id = ++lastId;
   const cancel = () => simulator.send({ type: "cancel-load", id });
@@ -41,7 +53,7 @@ export function loadRun(
       if (!isAnswer) cancel();
       resolve(isAnswer ? message.loaded : { ok: false, reason: "fault" });
     });
-    simulator.send({ type: "load-run", id, run, ...(until === undefined ? {} : { until }) });
+    simulator.send(messageOf(id));
   });
   return { loaded, cancel };
 }

@@ -161,6 +161,7 @@ export function createServices(browser: Browser): Services {
       case "judgement":
       case "picture":
       case "stage-scroll-to":
+      case "run-key":
       case "run-saved":
       case "run-loading":
       case "ghost-added":
@@ -184,8 +185,7 @@ export function createServices(browser: Browser): Services {
     simulator,
     workspace,
     tab,
-    later,
-    loadReader: async () => (await import("./read-kept-run.ts")).readKeptRun,
+    onNotStored: () => tell(screen, { tone: "bad", text: words.t("timeline.notStored") }),
     onLost: () => tell(screen, { tone: "bad", text: words.t("timeline.notKept") }),
   });
   const connection = new RemoteConnection({ simulator, remote, run, tab });

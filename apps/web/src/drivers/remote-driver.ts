@@ -63,6 +63,13 @@ export class RemoteDriver {
     this.#now = now;
   }
 
+  /** The command that runs, and the units driven before it. */
+  get running(): { seq: number; distance: number } | null {
+    if (this.#running === null) return null;
+    const { seq, distance } = this.#running;
+    return { seq, distance };
+  }
+
   /** Takes a delivered command into the queue. One that replaces ends all before it. */
   accept(delivery: DeliveredCommand): void {
     const now = this.#now();

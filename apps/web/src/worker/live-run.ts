@@ -48,6 +48,10 @@ export class LiveRun {
     return this.#revisions + this.#recording.revision;
   }
 
+  isOf(maze: MazeDocument, program: ProgramDocument): boolean {
+    return isSame(maze, this.#maze) && isSame(program, this.#program.document);
+  }
+
   /** Takes an edit. @returns false for a maze that says the same: the page sends back what a run brought */
   editMaze(maze: MazeDocument): boolean {
     if (isSame(maze, this.#maze)) return false;

@@ -3,7 +3,7 @@
  * command for the Remote panel. The client library comes with the first connection; who never drives
  * by script never loads it.
  */
-import type { HostLink, HostLinkOptions, HostStatus } from "@corridor/client/host";
+import type { CommandJournal, HostLink, HostLinkOptions, HostStatus } from "@corridor/client/host";
 import type { MazeDocument } from "@corridor/maze";
 import type {
   AliveDriver,
@@ -55,6 +55,10 @@ export interface RemoteHostPorts {
   giveBack(): void;
   /** scripts were heard, and may go on with the motions that they wished */
   hear(alive: readonly AliveDriver[]): void;
+  /** stores the world with `journal` before an ending is sent; see `HostLinkOptions` */
+  save?: NonNullable<HostLinkOptions["save"]>;
+  /** the journal of the world that was restored, and the robot that it is of */
+  restored?: () => (CommandJournal & { robot: string }) | null;
   fetch: (
     url: string,
     request: { method: string; headers?: Record<string, string>; body?: string },
@@ -88,6 +92,12 @@ export class RemoteHost implements RemoteDriverEvents {
       now: () => performance.now(),
       give: (text) => this.#giveMaze(text),
     });
+  }
+
+  /** How commands have ended, to be stored with the world; null without a robot. */
+  get journal(): (CommandJournal & { robot: string }) | null {
+    const robot = this.#session?.id;
+    return robot === undefined || this.#link === null ? null : { ...this.#link.journal, robot };
   }
 
   /** Whether there is a link that wants snapshots. */
@@ -168,7 +178,7 @@ export class RemoteHost implements RemoteDriverEvents {
       import("@corridor/client/host"),
       import("./remote-trouble.ts"),
     ]);
-    const { origin, fetch, platform } = this.#ports;
+    const { origin, fetch, platform, save } = this.#ports;
     let session = wanted;
     try {
       session ??= { ...(await client.registerRobot(origin, fetch)), lastApplied: 0 };
@@ -180,11 +190,16 @@ export class RemoteHost implements RemoteDriverEvents {
     if (attempt !== this.#attempt) return;
     this.#session = session;
     this.#mazes.begin();
+    const restored = fresh ? (this.#ports.restored?.() ?? null) : null;
+    const journal = restored?.robot === session.id ? restored : { lastApplied: 0, endings: [] };
     this.#link = new client.HostLink({
       origin,
       credentials: session,
-      lastApplied: session.lastApplied,
+      // What was begun after the world was stored last cannot be running either.
+      lastApplied: Math.max(session.lastApplied, journal.lastApplied),
+      endings: journal.endings,
       fresh,
+      ...(save === undefined ? {} : { save }),
       snapshot: () => this.#ports.snapshot(),
       onCommand: (command) => this.#deliver(command),
       onStop: (stop) => {

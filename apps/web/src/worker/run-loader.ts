@@ -3,7 +3,7 @@
  * meanwhile, and answers each request once, whatever happens.
  */
 import { Replay, type Recording } from "@corridor/recording";
-import type { FromWorker, LoadedRun, LoadRun } from "./worker-messages.ts";
+import type { LoadedRun, LoadRun } from "./worker-messages.ts";
 
 /** So long a slice may take: a robot that drives meanwhile does not stumble. */
 const SLICE_MS = 12;
@@ -15,14 +15,18 @@ export interface RunLoaderPorts {
   now: () => number;
   /** comes back after the messages that wait already */
   later: () => void;
-  post: (message: Extract<FromWorker, { type: "run-loading" | "run-loaded" }>) => void;
-  /** shows the run from now on */
-  open: (recording: Recording) => Extract<LoadedRun, { ok: true }>;
+  /** how much of the run is opened, from 0 to 1 */
+  tellPart: (id: number, part: number) => void;
+  answer: (id: number, loaded: LoadedRun) => void;
 }
+
+/** Shows the run from now on, or says why not. */
+type Open = (recording: Recording) => LoadedRun;
 
 interface Load {
   id: number;
   replay: Replay;
+  open: Open;
   toldAt: number;
 }
 
@@ -35,10 +39,10 @@ export class RunLoader {
   }
 
   /** Begins to open a run; one that is being opened is given up. */
-  load({ id, run, until }: LoadRun): void {
+  load({ id, run }: Pick<LoadRun, "id" | "run">, open: Open): void {
     this.cancel();
     this.#answering(id, () => {
-      this.#load = { id, replay: new Replay(run, until), toldAt: this.#ports.now() };
+      this.#load = { id, replay: new Replay(run), open, toldAt: this.#ports.now() };
       this.#slice(this.#load);
     });
   }
@@ -57,8 +61,8 @@ export class RunLoader {
   }
 
   #slice(load: Load): void {
-    const { now, later, post, open } = this.#ports;
-    const { id, replay } = load;
+    const { now, later, tellPart } = this.#ports;
+    const { id, replay, open } = load;
     const until = now() + SLICE_MS;
     const end = replay.goOn(() => now() < until);
     if (end !== null) {
@@ -68,7 +72,7 @@ export class RunLoader {
     }
     if (now() - load.toldAt >= TELL_MS) {
       load.toldAt = now();
-      post({ type: "run-loading", id, part: replay.tick / replay.ticks });
+      tellPart(id, replay.tick / replay.ticks);
     }
     later();
   }
@@ -85,6 +89,6 @@ export class RunLoader {
 
   #answer(id: number, loaded: LoadedRun): void {
     this.#load = null;
-    this.#ports.post({ type: "run-loaded", id, loaded });
+    this.#ports.answer(id, loaded);
   }
 }

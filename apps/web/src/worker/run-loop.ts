@@ -52,12 +52,27 @@ export class RunLoop {
 
   /** From now on scripts can drive, which many a visit never needs: what they need for it comes late. */
   connect(driverOf: (robot: () => RemoteRobot) => RemoteDriver): void {
-    this.#remote = driverOf(() => this.#recording);
+    this.#remote = driverOf(() => this.recording);
   }
 
   /** the commands of scripts; they come in by `accept`, and all end by `cancelRemote` */
-  get remote(): Pick<RemoteDriver, "takeBack" | "giveBack" | "hear"> | null {
+  get remote(): Pick<RemoteDriver, "takeBack" | "giveBack" | "hear" | "running"> | null {
     return this.#remote;
+  }
+
+  /** Whether nothing has happened to the robot that the page began with. */
+  get isUntouched(): boolean {
+    return this.#live.revision === 0 && this.#live.run.tick === 0;
+  }
+
+  /** The live run, for who stores it. */
+  get recording(): Recording {
+    return this.#live.recording;
+  }
+
+  /** Whether these are the documents that are open. */
+  isOf(maze: MazeDocument, program: ProgramDocument): boolean {
+    return this.#live.isOf(maze, program);
   }
 
   /** Whether simulated time flows, live or played again. */
@@ -132,7 +147,7 @@ export class RunLoop {
     this.now();
     if (driver === this.driver) return;
     if (this.driver === "remote") this.#remote?.cancel("handedOver");
-    this.#recording.input({ do: "driver", driver });
+    this.recording.input({ do: "driver", driver });
     this.pause();
     if (driver === "remote") this.#start();
   }
@@ -151,7 +166,7 @@ export class RunLoop {
     if (isLettingGo && (this.driver !== "me" || this.#screen.isPast)) return;
     this.#cutHere();
     this.setDriver("me");
-    this.#recording.input({ do: "command", command: commandOfKey(key) });
+    this.recording.input({ do: "command", command: commandOfKey(key) });
     if (isLettingGo) this.pause();
     else this.#start();
   }
@@ -171,7 +186,7 @@ export class RunLoop {
   cancelRemote(reason: CancelReason): void {
     if (this.driver !== "remote") return;
     this.#remote?.cancel(reason);
-    this.#recording.input({ do: "cancel" });
+    this.recording.input({ do: "cancel" });
     this.#isDirty = true;
   }
 
@@ -211,7 +226,7 @@ export class RunLoop {
 
   /** The run so far as a document. */
   saveRun(): WrittenRun {
-    return this.#recording.toDocument(this.#live.maze.name);
+    return this.recording.toDocument(this.#live.maze.name);
   }
 
   /** Shows another run where it ended, paused. @returns the documents that it ended with */
@@ -251,7 +266,7 @@ export class RunLoop {
 
   /** The module that says why a run failed has come. */
   useDiagnostics(diagnostics: Diagnostics): void {
-    this.#watch.useDiagnostics(diagnostics, this.#recording);
+    this.#watch.useDiagnostics(diagnostics, this.recording);
     this.#isDirty = true;
   }
 
@@ -262,7 +277,7 @@ export class RunLoop {
 
   /** Judges the run by a challenge from its first tick on; null: by none. */
   judgeBy(judge: RunJudge | null): void {
-    this.#watch.judgeBy(judge, this.#recording);
+    this.#watch.judgeBy(judge, this.recording);
   }
 
   /** How the attempt at the challenge stands; null where that did not change since the last call. */
@@ -273,7 +288,7 @@ export class RunLoop {
 
   /** What the timeline gained or lost since the last call; null when nothing changed. */
   takeTimeline(): TimelineNews | null {
-    return this.#recording.timeline.take();
+    return this.recording.timeline.take();
   }
 
   /** The newest maze, whichever moment is shown. */
@@ -289,10 +304,6 @@ export class RunLoop {
   /** The newest moment, for scripts; every call has its own seq. */
   snapshot(): Snapshot {
     return this.#screen.newest(this.#isRunning);
-  }
-
-  get #recording(): Recording {
-    return this.#live.recording;
   }
 
   /** The live run waits while an earlier moment is shown. */
@@ -312,15 +323,15 @@ export class RunLoop {
     this.#resumesNow = false;
     this.#isDirty = true;
     this.#remote?.cancel("movedInTime");
-    this.#recording.truncate(tick);
-    this.#watch.cut(this.#recording);
+    this.recording.truncate(tick);
+    this.#watch.cut(this.recording);
     if (!this.#live.bringMaze()) {
       this.#beginRun();
       return;
     }
     this.#live.bringProgram();
     if (this.driver !== "remote") return;
-    this.#recording.input(wasRemote ? { do: "cancel" } : { do: "driver", driver: "program" });
+    this.recording.input(wasRemote ? { do: "cancel" } : { do: "driver", driver: "program" });
   }
 
   #start(): void {
@@ -346,7 +357,7 @@ export class RunLoop {
   }
 
   #tick(): void {
-    const recording = this.#recording;
+    const recording = this.recording;
     const { run } = recording;
     const isRemote = run.driver === "remote";
     if (isRemote) this.#remote?.begin();
@@ -369,14 +380,14 @@ export class RunLoop {
     this.#live.begin();
     this.#begun();
     if (driver === "program") return;
-    this.#recording.input({ do: "driver", driver });
+    this.recording.input({ do: "driver", driver });
     if (driver === "remote") this.#start();
   }
 
   /** Another run is the live one now. */
   #begun(): void {
     this.#screen.begin();
-    this.#watch.begin(this.#recording);
+    this.#watch.begin(this.recording);
     this.pause();
   }
 }

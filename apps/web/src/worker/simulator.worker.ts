@@ -10,10 +10,19 @@ import { describeFault } from "./describe-fault.ts";
 import { earlyWork, type FirstWork } from "./first-work.ts";
 import { FramePace } from "./frame-pace.ts";
 import type { RemoteHost } from "./remote-host.ts";
+import type { RestoredJournal } from "./restored-world.ts";
 import type { RunLoader } from "./run-loader.ts";
 import { RunLoop } from "./run-loop.ts";
 import { StagePainter } from "./stage-painter.ts";
-import type { AddGhost, FromWorker, SavedRun, ToWorker } from "./worker-messages.ts";
+import type {
+  AddGhost,
+  FromWorker,
+  LoadedRun,
+  RestoreRun,
+  SavedRun,
+  ToWorker,
+} from "./worker-messages.ts";
+import type { WorldKeeper } from "./world-keeper.ts";
 
 /** Twice as often as a screen repaints, so that no frame waits for a whole interval. */
 const INTERVAL_MS = 8;
@@ -71,12 +80,94 @@ async function loadRemote(): Promise<RemoteHost> {
     takeBack: (seq, reason) => loop?.remote?.takeBack(seq, reason),
     giveBack: () => loop?.remote?.giveBack(),
     hear: (alive) => loop?.remote?.hear(alive),
+    save: saveWorld,
+    restored: () => restored,
     fetch: (url, request) => fetch(url, request),
   });
   loop?.connect((robot) => new RemoteDriver(host, robot, now));
   remote = host;
   return host;
 }
+
+/** What stores the world comes in a file of its own once there is something to store. */
+let keeper: WorldKeeper | null = null;
+let keeperLoading: Promise<WorldKeeper> | null = null;
+/** of the world that this tab had before a reload, if it was restored */
+let restored: RestoredJournal | null = null;
+const keyNotes: ((isNoted: boolean) => void)[] = [];
+
+function noteKey(key: string | null): Promise<boolean> {
+  post({ type: "run-key", key });
+  return new Promise((resolve) => keyNotes.push(resolve));
+}
+
+function loadKeeper(): Promise<WorldKeeper> {
+  keeperLoading ??= startKeeper();
+  return keeperLoading;
+}
+
+async function startKeeper(): Promise<WorldKeeper> {
+  try {
+    const [{ WorldKeeper: Keeper }, { openWorldStore }] = await Promise.all([
+      import("./world-keeper.ts"),
+      import("./world-store.ts"),
+    ]);
+    keeper = new Keeper({
+      openStore: () => openWorldStore(Date.now),
+      recording: () => {
+        if (loop === null) throw new Error("a world is stored before the documents came");
+        return loop.recording;
+      },
+      journal: () => {
+        const journal = remote?.journal ?? null;
+        return journal === null ? restored : { ...journal, running: loop?.remote?.running ?? null };
+      },
+      noteKey,
+      newId: () => crypto.getRandomValues(new Uint32Array(4)).join("-"),
+      now,
+      after: (milliseconds, call) => {
+        const timer = setTimeout(call, milliseconds);
+        return () => clearTimeout(timer);
+      },
+    });
+    return keeper;
+  } catch (error) {
+    // Its file did not come: a reload restores nothing.
+    await noteKey(null);
+    throw error;
+  }
+}
+
+/** Before an ending is sent. */
+async function saveWorld(): Promise<boolean> {
+  const loaded = await loadKeeper().catch(() => null);
+  return loaded === null || loaded.save();
+}
+
+async function restoreRun(message: RestoreRun): Promise<void> {
+  const [storage, { restoreWorld }] = await Promise.all([
+    loadKeeper(),
+    import("./restored-world.ts"),
+  ]);
+  await restoreWorld(message, {
+    keeper: storage,
+    run: () => loop,
+    load: (run, open) =>
+      withLoader(
+        (runs) => runs.load({ id: message.id, run }, open),
+        () => failedLoad(message.id),
+      ),
+    answer: (loaded) => runLoaded(message.id, loaded),
+    restored: (journal) => (restored = journal),
+  });
+}
+
+function runLoaded(id: number, loaded: LoadedRun): void {
+  keeper?.claimed();
+  post({ type: "run-loaded", id, loaded });
+}
+
+const failedLoad = (id: number): void => runLoaded(id, { ok: false, reason: "fault" });
 
 /** A run that was brought up to now so recently is not once more before it is drawn, in milliseconds. */
 const RECENT_MS = 2;
@@ -128,11 +219,8 @@ async function loadLoader(): Promise<RunLoader> {
   loader = new Loader({
     now,
     later: () => afterSlice.port2.postMessage(null),
-    post,
-    open: (recording) => {
-      if (loop === null) throw new Error("a run comes before the documents");
-      return loop.open(recording);
-    },
+    tellPart: (id, part) => post({ type: "run-loading", id, part }),
+    answer: runLoaded,
   });
   return loader;
 }
@@ -219,16 +307,20 @@ function handle(message: ToWorker): void {
     return;
   }
   if (message.type === "load-run") {
-    const failed = {
-      type: "run-loaded",
-      id: message.id,
-      loaded: { ok: false, reason: "fault" },
-    } as const;
     return withLoader(
-      (runs) => runs.load(message),
-      () => post(failed),
+      (runs) =>
+        runs.load(message, (recording) => {
+          if (loop === null) throw new Error("a run comes before the documents");
+          return loop.open(recording);
+        }),
+      () => failedLoad(message.id),
     );
   }
+  if (message.type === "restore-run") {
+    void restoreRun(message).catch(() => failedLoad(message.id));
+    return;
+  }
+  if (message.type === "run-key-noted") return keyNotes.shift()?.(message.ok);
   if (loop === null) return;
   switch (message.type) {
     case "edit-maze":
@@ -347,6 +439,8 @@ function tellNews(): void {
   const news = loop?.takeNews();
   if (loop === null || news === undefined) return;
   if (news !== null && news.frame.nowTick > 0) loadDiagnostics();
+  if (keeper !== null) keeper.follow();
+  else if (news !== null && !loop.isUntouched) void loadKeeper().catch(() => undefined);
   if (news !== null) {
     const { frame, forgottenAfter } = news;
     if (forgottenAfter !== null) post({ type: "forgotten", after: forgottenAfter });

@@ -49,14 +49,23 @@ export interface RemoteSession {
 }
 
 /**
- * Opens a run where it ended, or runs it on to a later tick, and pauses; answered by `run-loaded` with
- * the same id. Until then the run that is there goes on; Reset, or another run, gives this one up.
+ * Opens a run where it ended, and pauses; answered by `run-loaded` with the same id. Until then the run that is
+ * there goes on; Reset, or another run, gives this one up.
  */
 export interface LoadRun {
   type: "load-run";
   id: number;
   run: RunDocument;
-  until?: number;
+}
+
+/** The same for the run that this tab had before a reload. */
+export interface RestoreRun {
+  type: "restore-run";
+  id: number;
+  /** of the stored run */
+  key: string;
+  /** whether the project was the one that is open now when the page was left; else the run's documents decide */
+  isSameProject: boolean;
 }
 
 /** Adds a recorded run of the same maze to the race; answered by `ghost-added` with the same id. */
@@ -92,6 +101,9 @@ export type ToWorker =
   /** forgets what came after the shown moment and runs on from it */
   | { type: "run-here" }
   | LoadRun
+  | RestoreRun
+  /** the tab has noted, or could not note, the key of `run-key` */
+  | { type: "run-key-noted"; ok: boolean }
   /** gives up opening a run, which is then answered as cancelled */
   | { type: "cancel-load"; id: number }
   /** asks for the run so far, answered by `run-saved`; one longer than a document may be is not written */
@@ -243,6 +255,8 @@ export type LoadedRun =
   | { ok: true; maze: MazeDocument; program: ProgramDocument }
   /** it cannot be repeated */
   | { ok: false; reason: "refused"; problems: FieldProblem[] }
+  /** the stored run is of another project, or there is none */
+  | { ok: false; reason: "other-project" | "not-stored" }
   /** given up for something else, or the simulator broke, which is told as a fault */
   | { ok: false; reason: "cancelled" | "fault" };
 
@@ -273,6 +287,11 @@ export type FromWorker =
   | { type: "judgement"; id: number; judgement: Judgement }
   /** the maze of the shown moment where it is not the newest one; null when it is */
   | { type: "shown-maze"; maze: MazeDocument | null }
+  /**
+   * where a reload finds the run; null: this device cannot store it, and a reload begins at the start. Answered by
+   * `run-key-noted`
+   */
+  | { type: "run-key"; key: string | null }
   | { type: "run-saved"; id: number; saved: SavedRun }
   /** how much of a long run is opened, from 0 to 1 */
   | { type: "run-loading"; id: number; part: number }

@@ -1,0 +1,110 @@
+/** What scripts were told is never undone: a reload restores the world of the last ending. */
+import { commandRecordSchema, type CommandRecord } from "@corridor/protocol";
+import { expect, test } from "./fixtures.ts";
+import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
+
+const TURN = 11;
+
+/** Turns the robot once and waits for the ending. */
+async function turn(address: string): Promise<CommandRecord> {
+  const posted = await api(address, "/commands", { action: "turn", degrees: TURN, ttl: 20_000 });
+  const { seq } = commandRecordSchema.parse(await posted.json());
+  const answer = await api(address, `/commands/${seq}?wait=25`);
+  return commandRecordSchema.parse(await answer.json());
+}
+
+for (const speed of ["1", "16"]) {
+  test(`turns that were told as completed stand after a reload at ${speed}x`, async ({ page }) => {
+    test.setTimeout(120_000);
+    await page.goto("/");
+    await setSpeed(page, speed);
+    const address = await copyAddress(page);
+    let heading = (await turn(address)).pose?.heading ?? Number.NaN;
+    for (let reloads = 0; reloads < 4; reloads++) {
+      for (let turns = 0; turns < 4; turns++) {
+        const record = await turn(address);
+        heading = (heading + TURN) % 360;
+        expect(record).toMatchObject({ state: "completed" });
+        expect(record.pose?.heading).toBeCloseTo(heading, 6);
+      }
+      await page.reload();
+      await setSpeed(page, speed);
+      const after = await turn(address);
+      heading = (heading + TURN) % 360;
+      expect(after.pose?.heading, `after reload ${reloads + 1}`).toBeCloseTo(heading, 6);
+    }
+  });
+}
+
+test("a command that a reload cuts short ends where the restored robot stands", async ({
+  page,
+}) => {
+  await page.goto("/");
+  await setSpeed(page, "0.25");
+  const address = await copyAddress(page);
+  const first = await turn(address);
+  const posted = await api(address, "/commands", { action: "turn", degrees: 170, ttl: 20_000 });
+  const { seq } = commandRecordSchema.parse(await posted.json());
+  await expect
+    .poll(async () => (await (await api(address, `/commands/${seq}`)).json()).state)
+    .toBe("started");
+  await page.reload();
+  await expect
+    .poll(async () => (await (await api(address, `/commands/${seq}`)).json()).state)
+    .toBe("cancelled");
+  const ended = commandRecordSchema.parse(await (await api(address, `/commands/${seq}`)).json());
+  expect(ended).toMatchObject({ reason: "the page was reloaded", distance: 0 });
+  expect(ended.pose?.x).toBe(first.pose?.x);
+  const next = await turn(address);
+  const heading = ((ended.pose?.heading ?? Number.NaN) + TURN) % 360;
+  expect(next.pose?.heading).toBeCloseTo(heading, 6);
+});
+
+test("a device that cannot store the run says so once, and a reload begins at the start", async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const setItem = Reflect.get(Storage.prototype, "setItem");
+    Storage.prototype.setItem = function (key, text) {
+      if (key === "corridor.run") throw new DOMException("full", "QuotaExceededError");
+      setItem.call(this, key, text);
+    };
+  });
+  await page.goto("/");
+  const address = await copyAddress(page);
+  const start = (await turn(address)).pose?.heading;
+  const notice = page.getByText("This device cannot save the run.");
+  await expect(notice).toHaveCount(1);
+  await turn(address);
+  const posted = await api(address, "/commands", { action: "turn", degrees: 170, ttl: 20_000 });
+  const { seq } = commandRecordSchema.parse(await posted.json());
+  await expect
+    .poll(async () => (await (await api(address, `/commands/${seq}`)).json()).state)
+    .toBe("started");
+  await page.reload();
+  expect((await turn(address)).pose?.heading).toBe(start);
+  const cut = commandRecordSchema.parse(await (await api(address, `/commands/${seq}`)).json());
+  expect(cut).toMatchObject({ state: "cancelled", reason: "the page was reloaded", distance: 0 });
+  expect(cut.pose?.heading).toBeCloseTo((start ?? Number.NaN) - TURN, 6);
+});
+
+test("a doubled tab takes the robot with its world, and nothing of the first contradicts it", async ({
+  page,
+  context,
+}) => {
+  await page.goto("/");
+  await setSpeed(page, "16");
+  const address = await copyAddress(page);
+  let heading = (await turn(address)).pose?.heading ?? Number.NaN;
+  const opened = context.waitForEvent("page");
+  // A window of the same opener has a copy of the tab's storage, as a doubled tab has.
+  await page.evaluate(() => void window.open("/"));
+  const double = await opened;
+  await expect(double.getByRole("radio", { name: "Remote" })).toBeChecked();
+  for (let turns = 0; turns < 5; turns++) {
+    const record = await turn(address);
+    if (record.state === "completed") heading = (heading + TURN) % 360;
+    else heading = record.pose?.heading ?? Number.NaN;
+    expect(record.pose?.heading).toBeCloseTo(heading, 6);
+  }
+});
