@@ -10,6 +10,8 @@ import { hostileLinks } from "./rows/hostile-links.ts";
 import { malformedFrames } from "./rows/malformed-frames.ts";
 import { openApiFuzz } from "./rows/openapi-fuzz.ts";
 import { reloads } from "./rows/reloads.ts";
+import { restoredWorlds } from "./rows/restored-worlds.ts";
+import { savedEndings } from "./rows/saved-endings.ts";
 import { staleMotion } from "./rows/stale-motion.ts";
 import { twoRelays } from "./rows/two-relays.ts";
 import { relayKilled } from "./rows/relay-killed.ts";
@@ -19,6 +21,8 @@ export const rows: readonly Row[] = [
   relayKilled,
   cuts,
   reloads,
+  restoredWorlds,
+  savedEndings,
   staleMotion,
   twoRelays,
   hiddenPage,

@@ -17,6 +17,8 @@ export class RawChromium {
   readonly #folder: string;
   readonly #socket: WebSocket;
   readonly #waiting = new Map<number, (answer: Answer) => void>();
+  /** by session: who waits until its page has crashed */
+  readonly #crashing = new Map<string, () => void>();
   #lastId = 0;
 
   private constructor(process: ChildProcess, folder: string, socket: WebSocket) {
@@ -24,7 +26,10 @@ export class RawChromium {
     this.#folder = folder;
     this.#socket = socket;
     socket.onmessage = ({ data }: MessageEvent<string>) => {
-      const answer: Answer & { id?: number } = JSON.parse(data);
+      const answer: Answer & { id?: number; sessionId?: string } = JSON.parse(data);
+      if (answer["method"] === "Inspector.targetCrashed") {
+        this.#crashing.get(answer.sessionId ?? "")?.();
+      }
       if (answer.id === undefined) return;
       this.#waiting.get(answer.id)?.(answer);
       this.#waiting.delete(answer.id);
@@ -78,6 +83,16 @@ export class RawChromium {
     });
   }
 
+  /** Crashes the page of a session. @returns once it has */
+  async crash(sessionId: string): Promise<void> {
+    await this.send("Inspector.enable", {}, sessionId);
+    const crashed = new Promise<void>((resolve) => this.#crashing.set(sessionId, resolve));
+    // It does not answer any more.
+    void this.send("Page.crash", {}, sessionId).catch(() => undefined);
+    await crashed;
+    this.#crashing.delete(sessionId);
+  }
+
   async close(): Promise<void> {
     const ended = once(this.#process, "exit");
     this.#process.kill();
@@ -101,6 +116,22 @@ export class RawPage {
   /** Puts it in front of all others again. */
   async show(): Promise<void> {
     await this.#browser.send("Target.activateTarget", { targetId: this.#target });
+  }
+
+  /** Loads it anew, also after a crash. */
+  async reload(): Promise<void> {
+    await this.#browser.send("Page.reload", {}, this.#session);
+  }
+
+  /** Ends its process without a word, as the system does when memory is short. */
+  async crash(): Promise<void> {
+    await this.#browser.crash(this.#session);
+  }
+
+  /** Runs a script in each document that it loads from now on, before all others. */
+  async runFirst(source: string): Promise<void> {
+    await this.#browser.send("Page.enable", {}, this.#session);
+    await this.#browser.send("Page.addScriptToEvaluateOnNewDocument", { source }, this.#session);
   }
 
   /** Freezes it as a browser does with a tab that was hidden for long, or thaws it. */

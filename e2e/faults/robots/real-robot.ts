@@ -1,0 +1,85 @@
+/** A robot in a real tab of Chromium, and its script of plain requests that waits for each ending. */
+import { commandRecordSchema, hasEnded, type CommandRecord, type Order } from "@corridor/protocol";
+import { randomUUID } from "node:crypto";
+import type { RawChromium, RawPage } from "../../support/devtools.ts";
+import { machineNow, sleep } from "../clock.ts";
+
+const PATIENCE_MS = 90_000;
+const AGAIN_MS = 50;
+
+export class RealRobot {
+  readonly page: RawPage;
+  readonly #url: string;
+  readonly #headers: Record<string, string>;
+
+  private constructor(page: RawPage, origin: string, { id, driverKey }: Record<string, string>) {
+    this.page = page;
+    this.#url = `${origin}/api/v1/robots/${id}`;
+    this.#headers = {
+      authorization: `Bearer ${driverKey}`,
+      "content-type": "application/json",
+    };
+  }
+
+  /**
+   * Opens a tab in which Remote drives.
+   * @param before a script that runs before those of the page
+   */
+  static async open(
+    browser: RawChromium,
+    origin: string,
+    before: string | null = null,
+  ): Promise<RealRobot> {
+    const page = await browser.open("about:blank");
+    if (before !== null) await page.runFirst(before);
+    await page.evaluate(`location.href = ${JSON.stringify(`${origin}/`)}`);
+    await page.until(`document.querySelector('input[value="remote"]') !== null`);
+    await page.evaluate(`document.querySelector('input[value="remote"]').click()`);
+    const text = await page.until(`sessionStorage.getItem("corridor.remote")`);
+    return new RealRobot(page, origin, JSON.parse(String(text)));
+  }
+
+  /** Chooses a speed, as a reload begins with 1. */
+  async setSpeed(speed: string): Promise<void> {
+    const select = `[...document.querySelectorAll("select")].find((each) =>
+      [...each.options].some(({ value }) => value === "16"))`;
+    await this.page.until(`(() => {
+      const select = ${select};
+      if (select === undefined) return false;
+      select.value = ${JSON.stringify(speed)};
+      select.dispatchEvent(new Event("change", { bubbles: true }));
+      return true;
+    })()`);
+  }
+
+  /** Sends a command, and again where nobody answers, and waits for its ending. */
+  async run(order: Order): Promise<CommandRecord> {
+    const key = randomUUID();
+    const body = JSON.stringify({ ...order, ttl: 60_000 });
+    const headers = { ...this.#headers, "idempotency-key": key };
+    const from = machineNow();
+    let record: CommandRecord | null = null;
+    while (machineNow() - from < PATIENCE_MS) {
+      const path = record === null ? "/commands" : `/commands/${record.seq}?wait=5`;
+      const request = record === null ? { method: "POST", headers, body } : { headers };
+      const answer = await this.#ask(path, request);
+      if (answer !== null) record = commandRecordSchema.parse(answer);
+      else await sleep(AGAIN_MS);
+      if (record !== null && hasEnded(record.state)) return record;
+    }
+    throw new Error(`A command did not end: ${JSON.stringify(record)}`);
+  }
+
+  /** @returns null where the relay does not answer */
+  async #ask(path: string, request: RequestInit): Promise<unknown> {
+    try {
+      const answer = await fetch(`${this.#url}${path}`, {
+        ...request,
+        signal: AbortSignal.timeout(10_000),
+      });
+      return answer.ok ? await answer.json() : null;
+    } catch {
+      return null;
+    }
+  }
+}
