@@ -73,7 +73,7 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(scriptRoutes(hub));
   api.use(sensorRoutes(hub));
   api.use(mazeRoutes(hub));
-  api.use(commandRoutes(hub, clock));
+  api.use(commandRoutes(hub));
   api.use(eventRoutes(hub, clock));
   api.use(lineRoutes(lines, entrance));
   api.use(documentRoutes(documents, entrance));

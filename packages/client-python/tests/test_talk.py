@@ -65,9 +65,10 @@ class Scene:
         chance: float = 1.0,
         latency: float = 0.0,
         ttl: Optional[float] = None,
+        greeted: bool = True,
     ) -> None:
         self.now = 100.0
-        self.latency = latency
+        self.latency = 0.0
         #: an answer, or how many seconds go by before the next one
         self.answers = list(answers)
         self.requests: List[Request] = []
@@ -76,6 +77,11 @@ class Scene:
         self.talk = RobotTalk(
             address, 30.0, 60.0, ttl, clock=lambda: self.now, chance=lambda: chance
         )
+        if greeted:
+            self.answers = [Answer(200, b"{}")]
+            self.run(self.talk.greet())
+            self.answers, self.requests = list(answers), []
+        self.latency = latency
 
     def run(self, talk: Talk[T]) -> T:
         try:
@@ -171,6 +177,81 @@ def test_a_time_to_live_goes_with_every_command_in_ms() -> None:
     assert json.loads(scene.requests[0].body or b"")["ttl"] == 500
 
 
+def test_a_stop_keeps_its_own_time_to_live() -> None:
+    scene = Scene(record("completed"), ttl=0.2)
+    scene.run(scene.talk.stop())
+    assert "ttl" not in json.loads(scene.requests[0].body or b"")
+
+
+def times_of(scene: Scene) -> List[List[str]]:
+    """The clock and the time of each request."""
+    return [request.headers["Script-Clock"].split(" ") for request in scene.requests]
+
+
+def test_each_try_says_by_one_clock_when_it_is_sent() -> None:
+    scene = Scene(LOST, LOST, record("accepted"), 1.5, record("completed"), record("completed"))
+    scene.move()
+    times = times_of(scene)
+    assert [int(at) for _clock, at in times] == [0, 250, 750, 750]
+    assert len({clock for clock, _at in times}) == 1 and len(times[0][0]) == 32
+    other = Scene(record("completed"))
+    other.move()
+    assert times_of(other)[0][0] != times[0][0]
+
+
+def ages_of(scene: Scene) -> List[Optional[int]]:
+    sent = [request.body for request in scene.requests if request.method == "POST"]
+    return [json.loads(body or b"").get("age") for body in sent]
+
+
+def test_the_smallest_round_trip_is_added_to_the_age_of_each_command() -> None:
+    scene = Scene(record("completed"), latency=3.0, greeted=False)
+    scene.move()
+    assert [request.method for request in scene.requests] == ["GET", "POST"]
+    scene.latency = 0.05
+    scene.move()
+    scene.latency = 1.0
+    scene.move()
+    scene.move()
+    assert ages_of(scene) == [3_000, 3_000, 50, 50]
+
+
+def test_a_long_poll_shows_no_round_trip() -> None:
+    scene = Scene(Answer(200, b"{}"), latency=0.2, greeted=False)
+    scene.run(scene.talk.greet())
+    scene.latency = 0.001
+    scene.answers = [snapshot(4)]
+    scene.run(scene.talk.look())
+    scene.answers = [record("completed")]
+    scene.move()
+    assert ages_of(scene) == [200]
+
+
+def test_a_command_that_came_too_late_reads_so_in_plain_words() -> None:
+    scene = Scene(3.0, problem(422, "too-late", "It is 3000 ms old."), ttl=0.4)
+    with pytest.raises(CommandEndedError) as error:
+        scene.move()
+    assert error.value.code == "expired"
+    assert "The command came too late, so the robot did not do it" in str(error.value)
+    assert len(scene.requests) == 1
+
+
+def test_a_command_that_is_not_too_late_is_tried_again_then_by_another_clock() -> None:
+    late = problem(422, "too-late")
+    scene = Scene(late, record("completed"), latency=0.01, ttl=0.4)
+    scene.move()
+    assert len(scene.requests) == 2
+    slept = Scene(late, late, Answer(200, b"{}"), record("completed"), latency=0.01, ttl=0.4)
+    slept.move()
+    assert [request.method for request in slept.requests] == ["POST", "POST", "GET", "POST"]
+    (first, _), (second, _), (third, at), (fourth, _) = times_of(slept)
+    assert first == second != third == fourth and at == "0"
+    hopeless = Scene(late, latency=0.01, ttl=0.4)
+    with pytest.raises(CommandEndedError):
+        hopeless.move()
+    assert len([1 for request in hopeless.requests if request.method == "POST"]) <= 3
+
+
 def test_the_pauses_double_from_a_quarter_second_to_ten_and_are_drawn_by_lot() -> None:
     scene = Scene(LOST)
     with pytest.raises(NoAnswerError, match="connection refused"):
@@ -221,7 +302,6 @@ def test_a_refusal_says_which_field_is_wrong_and_what_was_expected() -> None:
         (problem(409, "no-snapshot"), RobotGoneError, "robot-gone"),
         (problem(409, "key-conflict"), CommandError, "refused"),
         (problem(404, "no-command"), CommandError, "refused"),
-        (problem(422, "too-late"), CommandEndedError, "expired"),
         (Answer(407, b"<html>"), Exception, "refused"),
         (Answer(302), AddressError, "bad-address"),
         (Answer(200, b"<html>sign in</html>"), AddressError, "bad-address"),

@@ -5,6 +5,15 @@ import { RobotClient } from "./robot-client.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
 import { ADDRESS, record } from "./testing/messages.ts";
 
+const WELCOME = { type: "welcome", version: 1, stream: "k3J9x2aB", n: 0, snapshot: null };
+const tooLate = {
+  type: "/problems/too-late",
+  title: "Late",
+  status: 422,
+  detail: "d",
+  errors: [],
+};
+
 async function connected() {
   const platform = new FakePlatform();
   /** of the newest state */
@@ -20,6 +29,7 @@ async function connected() {
   const sent = () =>
     platform.socket.sent.filter(({ type }) => type === "command") as unknown as {
       key: string;
+      sentAt: number;
       command: Order;
     }[];
   const tell = (type: "ack" | "state", seq: number, change: Partial<CommandRecord> = {}): void => {
@@ -42,7 +52,7 @@ describe("RobotClient", () => {
     const { platform } = await connected();
     expect(platform.socket.url).not.toContain("drv_");
     expect(platform.socket.sent).toEqual([
-      { type: "hello", version: 1, role: "drive", key: "drv_BBBBBBBBBBBBBBBBBBBBBB" },
+      { type: "hello", version: 1, role: "drive", key: "drv_BBBBBBBBBBBBBBBBBBBBBB", sentAt: 0 },
     ]);
   });
 
@@ -221,15 +231,79 @@ describe("RobotClient", () => {
   it("says that a command is too old when the relay refuses it for that", async () => {
     const { platform, robot, sent } = await connected();
     const move = robot.move(10);
-    const problem = {
-      type: "/problems/too-late",
-      title: "Late",
-      status: 422,
-      detail: "d",
-      errors: [],
+    platform.pass(10_000);
+    platform.socket.receive({ type: "problem", problem: tooLate, key: sent()[0]?.key });
+    await expect(move).rejects.toMatchObject({ code: "expired", hint: "d" });
+  });
+
+  it("adds the smallest round trip to the age of each command, for it may all have been the way there", async () => {
+    const platform = new FakePlatform();
+    const opening = RobotClient.connect(ADDRESS, { platform });
+    platform.pass(100);
+    platform.socket.open();
+    platform.pass(3_000);
+    platform.socket.receive(WELCOME);
+    const robot = await opening;
+    expect(platform.socket.sent).toMatchObject([{ type: "hello", sentAt: 100 }]);
+    const answer = (n: number): void => {
+      const key = String(platform.socket.sent.at(-1)?.["key"]);
+      const done = record(n, key, { action: "turn 180" }, { state: "completed" });
+      platform.socket.receive({ type: "ack", record: done });
     };
-    platform.socket.receive({ type: "problem", problem, key: sent()[0]?.key });
-    await expect(move).rejects.toMatchObject({ code: "expired" });
+    void robot.turn180();
+    expect(platform.socket.sent.at(-1)).toMatchObject({ sentAt: 3_100, command: { age: 3_000 } });
+    platform.pass(40);
+    answer(1);
+    void robot.turn180();
+    expect(platform.socket.sent.at(-1)).toMatchObject({ sentAt: 3_140, command: { age: 40 } });
+    platform.pass(500);
+    answer(2);
+    void robot.turn180();
+    expect(platform.socket.sent.at(-1)).toMatchObject({ command: { age: 40 } });
+  });
+
+  it("measures each new connection anew", async () => {
+    const { platform, robot, sent, tell } = await connected();
+    const move = robot.move(10);
+    platform.socket.cut(1006);
+    platform.pass(10_000);
+    platform.socket.open();
+    platform.pass(2_000);
+    platform.socket.receive(WELCOME);
+    expect(sent()[0]).toMatchObject({ sentAt: 12_000, command: { age: 14_000 } });
+    tell("ack", 1, { state: "completed" });
+    await move;
+  });
+
+  it("tries a command again that was refused as too late although it is not, then by a new connection", async () => {
+    const { platform, robot, sent, tell, welcome } = await connected();
+    const move = robot.move(10);
+    const refuse = (): void =>
+      platform.socket.receive({ type: "problem", problem: tooLate, key: sent().at(-1)?.key });
+    platform.pass(20);
+    refuse();
+    expect(sent().map(({ command }) => command.age)).toEqual([undefined, 20]);
+    refuse();
+    expect(platform.sockets).toHaveLength(2);
+    welcome();
+    expect(sent()).toHaveLength(1);
+    tell("ack", 1, { state: "completed" });
+    expect(await move).toMatchObject({ state: "completed" });
+    const other = robot.move(10);
+    for (let n = 0; n < 2; n++) refuse();
+    welcome();
+    refuse();
+    await expect(other).rejects.toMatchObject({ code: "expired" });
+  });
+
+  it("lets a stop have its own time to live, however short that of the other commands is", async () => {
+    const platform = new FakePlatform();
+    const opening = RobotClient.connect(ADDRESS, { platform, ttl: 200 });
+    platform.socket.open();
+    platform.socket.receive(WELCOME);
+    const robot = await opening;
+    void robot.stop();
+    expect(platform.socket.sent.at(-1)?.["command"]).toEqual({ action: "stop" });
   });
 
   it("waits a moment and sends again when the relay is busy", async () => {
@@ -240,7 +314,7 @@ describe("RobotClient", () => {
     platform.pass(1_000);
     expect(sent()).toHaveLength(2);
     const [first, second] = sent();
-    expect(second).toEqual({ ...first, command: { ...first?.command, age: 500 } });
+    expect(second).toEqual({ ...first, sentAt: 500, command: { ...first?.command, age: 500 } });
     tell("ack", 1, { state: "completed" });
     await move;
   });

@@ -15,6 +15,7 @@ import {
   readValue,
   relayToDriverSchema,
   sinceOf,
+  TTL_MS,
   type CommandRecord,
   type Order,
   type ProblemDocument,
@@ -24,6 +25,7 @@ import {
 } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
 import { closeError } from "./close-error.ts";
+import { CommandTimes } from "./command-times.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
 import { pairRobot } from "./pairing.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
@@ -33,7 +35,10 @@ import { SnapshotInbox } from "./snapshot-inbox.ts";
 
 /** What may be said beside a command. */
 export interface CommandWish {
-  /** ms within which it must have started, or it ends as `expired`; default 10 s, or as `connect` was told */
+  /**
+   * ms within which it must have started, or it ends as `expired`; default 10 s, or as `connect` was told. The
+   * way to the robot and back counts, so a slow network needs a longer one
+   */
   ttl?: number;
   /** ends all that was sent before it */
   replace?: boolean;
@@ -45,7 +50,7 @@ export interface DriveWish extends CommandWish {
 }
 
 export interface RobotClientOptions {
-  /** ms within which a command must have started, where it says nothing else; default 10 s */
+  /** ms within which a command must have started, where it says nothing else; default 10 s. Not for `stop` */
   ttl?: number;
   /** what this script calls itself, for the robot's owner; at most 40 characters are shown */
   name?: string;
@@ -62,6 +67,8 @@ interface Pending {
   order: Order;
   /** when it was sent for the first time */
   triedAt: number | null;
+  /** how often it was refused as too late although the answer came in time */
+  doubts: number;
   /** what keeps the promise */
   until: "started" | "ended";
   resolve: (record: CommandRecord) => void;
@@ -88,6 +95,7 @@ export class RobotClient {
   readonly #connection: Connection<RelayToDriver>;
   readonly #inbox: SnapshotInbox;
   readonly #seen = new SeenPace();
+  readonly #times: CommandTimes;
   #welcomed: () => void = () => undefined;
   #notWelcomed: (reason: ClientError) => void = () => undefined;
   /** not yet acknowledged on this line, in order; only the first is on its way */
@@ -110,6 +118,7 @@ export class RobotClient {
     this.#wish = options.ttl === undefined ? {} : { ttl: options.ttl };
     this.#name = options.name === undefined ? {} : { name: options.name.slice(0, MAX_SENT_NAME) };
     this.#inbox = new SnapshotInbox(this.#platform.clock);
+    this.#times = new CommandTimes(this.#platform.clock);
     this.#connection = new Connection({
       urls: doorUrls(origin, id),
       platform: this.#platform,
@@ -267,7 +276,8 @@ export class RobotClient {
   }
 
   #do(wished: Order, until: Pending["until"]): Promise<CommandRecord> {
-    const order = { ...this.#wish, ...wished };
+    // A stop is wished for all the more where the network is slow.
+    const order = wished.action === "stop" ? wished : { ...this.#wish, ...wished };
     const checked = readValue(orderSchema, order);
     if (!checked.ok) {
       const hint = `Mend this: ${checked.problems.map(describeProblem).join("; ")}.`;
@@ -280,6 +290,7 @@ export class RobotClient {
         key,
         order,
         triedAt: null,
+        doubts: 0,
         until,
         resolve,
         reject,
@@ -297,7 +308,7 @@ export class RobotClient {
     // A watch key reads all there is; commands are refused by the service.
     const role = key.startsWith("wch_") ? "watch" : "drive";
     const greeting = { type: "hello", version: PROTOCOL_VERSION, role, key } as const;
-    return encodeFrame({ ...greeting, ...since, ...this.#name });
+    return encodeFrame({ ...greeting, ...since, ...this.#name, sentAt: this.#times.begin() });
   }
 
   #sendFirst(): void {
@@ -308,10 +319,10 @@ export class RobotClient {
     const { clock } = this.#platform;
     const triedAt = (first.triedAt ??= clock.now());
     const { key, order } = first;
-    // By its age a command that is said again, on this line or another one, is never run late.
     this.#connection.send(() => {
-      const age = clock.now() - triedAt;
-      return encodeFrame({ type: "command", key, command: age === 0 ? order : { ...order, age } });
+      const { sentAt, age } = this.#times.leaves(triedAt);
+      const command = age === 0 ? order : { ...order, age };
+      return encodeFrame({ type: "command", key, sentAt, command });
     });
   }
 
@@ -356,6 +367,7 @@ export class RobotClient {
   #received(message: RelayToDriver): void {
     switch (message.type) {
       case "welcome":
+        this.#times.answered();
         // A relay that counts anew has forgotten what this client was told; one that goes on tells the rest.
         if (message.stream !== this.#stream) this.#askAgain();
         this.#stream = message.stream;
@@ -403,6 +415,7 @@ export class RobotClient {
   #acknowledged(record: CommandRecord): void {
     const [first] = this.#queue;
     if (first === undefined || first.key !== record.key) return;
+    this.#times.answered();
     this.#queue.shift();
     this.#limit(first, this.#finishMs, "The robot does not finish");
     this.#running.set(record.seq, first);
@@ -430,14 +443,34 @@ export class RobotClient {
   #refused(problem: ProblemDocument, key: string | null): void {
     const [first] = this.#queue;
     if (first === undefined || (key !== null && key !== first.key)) return;
+    if (key !== null) this.#times.answered();
     if (problem.status === 429 || problem.status >= 500) {
       this.#cancelRetry();
       this.#cancelRetry = this.#platform.clock.after(BUSY_PAUSE_MS, () => this.#sendFirst());
       return;
     }
+    const isLate = problem.type === "/problems/too-late";
+    if (isLate && this.#isInTime(first)) return this.#doubt(first);
     this.#forget(first);
-    const code = problem.type === "/problems/too-late" ? "expired" : "refused";
+    const code = isLate ? "expired" : "refused";
     first.reject(new ClientError(code, problem.title, problem.detail));
+  }
+
+  /** Whether a command is younger than its time to live, whatever the relay thinks. */
+  #isInTime({ triedAt, order, doubts }: Pending): boolean {
+    const passed = this.#platform.clock.now() - (triedAt ?? 0);
+    return doubts < 2 && passed < (order.ttl ?? TTL_MS.default);
+  }
+
+  /**
+   * The relay thought a command too old that is not: its answer has shown a quicker way, or this computer has slept
+   * and its clock stood still. Then a new connection measures anew.
+   */
+  #doubt(first: Pending): void {
+    first.doubts += 1;
+    if (first.doubts === 1) return this.#sendFirst();
+    this.#connection.close();
+    this.#connection.open();
   }
 
   #changed(status: ConnectionStatus): void {

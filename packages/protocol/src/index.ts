@@ -73,7 +73,15 @@ export {
   type RelayToPage,
   type Resume,
 } from "./messages.ts";
-export { LEASE_MS, orderSchema, termsOf, TTL_MS, type CommandTerms, type Order } from "./order.ts";
+export {
+  LEASE_MS,
+  MAX_AGE_MS,
+  orderSchema,
+  termsOf,
+  TTL_MS,
+  type CommandTerms,
+  type Order,
+} from "./order.ts";
 export { decodeDriverFrame } from "./driver-frame.ts";
 export { findSnapshot, findSnapshotMessage, type SnapshotPlace } from "./snapshot-text.ts";
 export {

@@ -8,7 +8,7 @@ import { z } from "zod";
 import { commandRecordSchema, endingStates, idempotencyKeySchema } from "./command-record.ts";
 import { commandSchema } from "./command.ts";
 import { eventGapSchema, eventStreamSchema, sinceSchema, stateEventSchema } from "./events.ts";
-import { orderSchema } from "./order.ts";
+import { orderSchema, sentAtSchema } from "./order.ts";
 import { problemSchema } from "./problem.ts";
 import { poseSchema } from "./quantities.ts";
 import { keySchema } from "./registration.ts";
@@ -57,6 +57,8 @@ export const helloSchema = z.strictObject({
   since: sinceSchema.optional(),
   /** what a script calls itself, for the robot's owner */
   name: sentNameSchema.optional(),
+  /** of a script: when it sent this, by the clock that its commands are timed by */
+  sentAt: sentAtSchema.optional(),
 });
 export type Hello = z.infer<typeof helloSchema>;
 
@@ -201,6 +203,8 @@ export const driverToRelaySchema = z.discriminatedUnion(
       type: z.literal("command"),
       /** makes a retry safe: the same key and command is never run twice */
       key: idempotencyKeySchema.optional(),
+      /** when this try was sent: the time that it spends on its way counts for its time to live */
+      sentAt: sentAtSchema.optional(),
       command: orderSchema,
     }),
     /** all that came up to this snapshot was read, said for each or for every second: 2 at most are on their way */

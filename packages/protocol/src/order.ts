@@ -11,12 +11,18 @@ import { actionNames, commandSchema, type Command } from "./command.ts";
 export const TTL_MS = { least: 200, most: 60_000, default: 10_000 } as const;
 export const LEASE_MS = { least: 100, most: 2_000, default: 500 } as const;
 /** No client tries for longer; it keeps numbers small. */
-const MAX_AGE_MS = 3_600_000;
+export const MAX_AGE_MS = 3_600_000;
 
 function milliseconds(what: string, least: number, most: number) {
   const error = `${what}, from ${least} to ${most} milliseconds`;
   return z.number({ error }).min(least, { error }).max(most, { error });
 }
+
+/**
+ * ms by the sender's monotonic clock when it sent a message. Only differences count: a message that took longer
+ * than the quickest one of its sender is so much older.
+ */
+export const sentAtSchema = milliseconds("a time by your monotonic clock", 0, 999_999_999_999_999);
 
 const terms = {
   /** ms after the first try within which it must have started */

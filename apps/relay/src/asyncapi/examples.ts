@@ -59,8 +59,14 @@ export const messageExamples: { [S in keyof MessageKinds]: OfEachKind<MessageKin
       key: "drv_AAAAAAAAAAAAAAAAAAAAAA",
       since: "k3J9x2aB-17",
       name: "Right wall",
+      sentAt: 1_200,
     },
-    command: { type: "command", key: "b1946ac92492d234", command: { ...command, ttl: 2_000 } },
+    command: {
+      type: "command",
+      key: "b1946ac92492d234",
+      sentAt: 81_234,
+      command: { ...command, ttl: 2_000 },
+    },
     seen: { type: "seen", seq: snapshotExample.seq },
   },
   page: {

@@ -64,10 +64,11 @@ export const MESSAGE_WORDS: {
   script: {
     hello:
       "The first message: who speaks, and by what right. `role` is `drive` with a driver key, `watch` with a watch key (or a driver key). " +
-      "`since` is the last state that it was told, STREAM-n, to go on from there; `name` is what the robot's owner sees.",
+      "`since` is the last state that it was told, STREAM-n, to go on from there; `name` is what the robot's owner sees. `sentAt`: see `command`.",
     command:
       "A command. The same `key` with the same command gives the first record again, so a retry never moves the robot twice; it says how old it " +
-      "is by `age`. It is answered by `ack` or `problem`.",
+      "is by `age`. `sentAt`, in each try and in `hello`, is the time by the script's monotonic clock: what a command takes longer than the " +
+      "quickest message of the connection counts for its `ttl`. It is answered by `ack` or `problem`.",
     seen:
       "All that came up to this snapshot was read, the one in the welcome too. At most 2 snapshots are on their way to a " +
       "script. Since it is cumulative, it may be said for each snapshot or for every second one, never for fewer. For a script that never says it, " +

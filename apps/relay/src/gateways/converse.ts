@@ -1,6 +1,7 @@
 /** From a hello to a conversation, and from a refusal to a goodbye: the same on every kind of line. */
 import { closeReasons, scriptName, type CloseReason, type Hello } from "@corridor/protocol";
 import type { Logger } from "pino";
+import type { Clock } from "../clock.ts";
 import type { Metrics } from "../metrics/metrics.ts";
 import { asRefusal, type ProblemKind } from "../problems.ts";
 import type { Introduction } from "../sessions/script.ts";
@@ -26,17 +27,18 @@ export interface Guest {
   grant: Grant;
   line: ReaderLine;
   metrics: Metrics;
+  clock: Clock;
 }
 
 /**
  * Begins to speak with whoever said hello, as a page or as a script.
  * @throws Refusal when too many read already
  */
-export function converse({ hello, grant, line, metrics }: Guest): Conversation {
+export function converse({ hello, grant, line, metrics, clock }: Guest): Conversation {
   if (hello.role === "own") return bounded(new PageConversation(grant, line), line);
   const refused = (kind: ProblemKind): void => metrics.refused(kind);
-  const since = hello.since ?? null;
-  return new DriverConversation({ grant, line, since, refused });
+  const { since = null, sentAt } = hello;
+  return new DriverConversation({ grant, line, since, sentAt, clock, refused });
 }
 
 /** What a hello says of the script. @param client its language, as the request's headers have it */

@@ -4,6 +4,7 @@ import { expect, it } from "vitest";
 import { RightsVersion } from "../sessions/rights.ts";
 import { callerOf, unknownScript } from "../sessions/script.ts";
 import { limits } from "../sessions/limits.ts";
+import { FakeClock } from "../testing/fake-clock.ts";
 import type { Session } from "../sessions/session.ts";
 import { DriverConversation } from "./driver-conversation.ts";
 
@@ -37,6 +38,8 @@ function withSlowStore() {
       waitingBytes: 0,
     },
     since: null,
+    sentAt: undefined,
+    clock: new FakeClock(),
     refused: () => undefined,
   });
   const send = (count: number, action = "left 90"): void => {

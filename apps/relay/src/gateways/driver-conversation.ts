@@ -12,12 +12,14 @@ import {
   type StateEvent,
 } from "@corridor/protocol";
 import { z } from "zod";
+import type { Clock } from "../clock.ts";
 import { asRefusal, badRequest, Refusal, retryAfter, type ProblemKind } from "../problems.ts";
 import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 import { limits } from "../sessions/limits.ts";
 import type { OverReason, ReaderSink, ReaderStart } from "../sessions/reader-feed.ts";
 import type { Grant } from "../sessions/session-hub.ts";
 import type { JoinedReader } from "../sessions/readers.ts";
+import { TransitEstimate } from "../sessions/transit-estimate.ts";
 import { closeWith, sayGoodbye, type Conversation } from "./conversation.ts";
 import type { ReaderLine } from "./reader-line.ts";
 
@@ -33,6 +35,9 @@ export interface DriverOptions {
   line: ReaderLine;
   /** the last state that it was told on an earlier line */
   since: string | null;
+  /** when it sent its hello, by its own clock */
+  sentAt: number | undefined;
+  clock: Clock;
   /** is told of every message that is refused */
   refused(kind: ProblemKind): void;
 }
@@ -42,6 +47,8 @@ export class DriverConversation implements Conversation, ReaderSink {
   readonly flow: ReaderSink["flow"];
   readonly #options: DriverOptions;
   readonly #reader: JoinedReader;
+  /** one connection is of one script, and so of one clock */
+  readonly #transit = new TransitEstimate();
   /** versions of the rights by which it may say this */
   readonly #mayAt = { command: -1, seen: -1 };
   #badFrames = 0;
@@ -55,9 +62,11 @@ export class DriverConversation implements Conversation, ReaderSink {
    */
   constructor(options: DriverOptions) {
     this.#options = options;
-    const { grant, line, since } = options;
+    const { grant, line, since, sentAt } = options;
     this.door = line.door;
     this.flow = line.flow;
+    // Before the welcome: by the time until that comes the script knows what its hello took at most.
+    this.#transitOf(sentAt);
     this.#reader = grant.session.readers.join(grant.key, this, since);
     grant.session.spoke(grant.key);
   }
@@ -117,13 +126,15 @@ export class DriverConversation implements Conversation, ReaderSink {
 
   async #submit(message: CommandMessage): Promise<void> {
     const { session, key: grant } = this.#options.grant;
-    const { key = null, command } = message;
+    const { key = null, command, sentAt } = message;
+    const terms = termsOf(command);
+    terms.age += this.#transitOf(sentAt);
     const isStop = command.action === "stop";
     const most = limits.unfinishedCommands + (isStop ? limits.unfinishedStops : 0);
     this.#unfinished += 1;
     try {
       if (this.#unfinished > most) throw tooManyUnfinished();
-      await session.submit(grant, { key, ...termsOf(command) }, (record) => {
+      await session.submit(grant, { key, ...terms }, (record) => {
         this.#tooFastInARow = 0;
         this.#send({ type: "ack", record });
       });
@@ -138,6 +149,11 @@ export class DriverConversation implements Conversation, ReaderSink {
     } finally {
       this.#unfinished -= 1;
     }
+  }
+
+  /** ms that a message was on its way longer than the quickest one; 0 where it tells no time */
+  #transitOf(sentAt: number | undefined): number {
+    return sentAt === undefined ? 0 : this.#transit.came(sentAt, this.#options.clock.now());
   }
 
   heartbeat(): void {

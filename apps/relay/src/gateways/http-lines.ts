@@ -69,7 +69,7 @@ export class HttpLines {
       onGone: () => void this.#lines.delete(hash),
     });
     try {
-      line.begin(converse({ hello, grant, line, metrics }));
+      line.begin(converse({ hello, grant, line, metrics, clock }));
     } catch (error) {
       line.drop();
       throw error;

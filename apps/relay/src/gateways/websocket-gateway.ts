@@ -219,6 +219,7 @@ export class WebSocketGateway {
       grant,
       line: port,
       metrics: this.#options.metrics,
+      clock: this.#options.clock,
     });
     guest.cancelTimer();
     guest.cancelTimer = nothing;

@@ -98,7 +98,10 @@ describe("the description of the API", () => {
 
   it("describes a query by the numbers that it may carry, with the limits that are checked", () => {
     const sensors = calls.find(({ operation }) => operation.operationId === "readSensors");
-    const [, , after, wait] = sensors?.parameters ?? [];
+    const parameterOf = (wanted: string) =>
+      sensors?.parameters?.find((each) => "name" in each && each.name === wanted);
+    const after = parameterOf("after");
+    const wait = parameterOf("wait");
     expect(after).toMatchObject({ name: "after", required: false, schema: { type: "integer" } });
     expect(wait).toMatchObject({ name: "wait", schema: { type: "number", maximum: 25 } });
   });

@@ -10,6 +10,7 @@ import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { commandLogSchema } from "../routes/answers.ts";
 import { ifNoneMatchHeader } from "../routes/maze.ts";
 import {
+  clockHeader,
   eventsQuery,
   idempotencyHeader,
   lastEventHeader,
@@ -32,14 +33,15 @@ import {
 } from "./parts.ts";
 
 const idempotencyKey = parameters("header", idempotencyHeader);
-const scriptName = parameters("header", nameHeader);
+/** what every request of a script may say of itself */
+const ofScript = [...parameters("header", nameHeader), ...parameters("header", clockHeader)];
 const driver = [{ driverKey: [] }];
 const reader = [{ driverKey: [] }, { watchKey: [] }];
 const logReader = [...reader, { ownerKey: [] }];
 
 export const scriptCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots/{id}/sensors": {
-    parameters: [...robot, ...scriptName],
+    parameters: [...robot, ...ofScript],
     get: {
       operationId: "readSensors",
       summary: "Read the newest snapshot, or wait for a newer one",
@@ -63,7 +65,7 @@ export const scriptCalls: ZodOpenApiPathsObject = {
         "The document as the robot's page gave it. Who follows the robot is told of another one by a `maze` " +
         "message or event, whose `version` is the new `ETag`.",
       security: logReader,
-      parameters: [...scriptName, ...parameters("header", ifNoneMatchHeader)],
+      parameters: [...ofScript, ...parameters("header", ifNoneMatchHeader)],
       responses: {
         200: answer("The maze.", mazeSchema, entityTag),
         304: { description: "It is the one that is known already.", headers: entityTag },
@@ -85,13 +87,14 @@ export const scriptCalls: ZodOpenApiPathsObject = {
     },
   },
   "/api/v1/robots/{id}/commands": {
-    parameters: [...robot, ...scriptName],
+    parameters: [...robot, ...ofScript],
     post: {
       operationId: "sendCommand",
       summary: "Send a command",
       description:
         "One that has not started within `ttl` ms (10 s where nothing is said) ends as `expired`. Send a " +
-        "retry with the same key and with its `age`, the ms since the first try: then it never runs late.",
+        "retry with the same key and with its `age`, the ms since the first try. Time on the way counts only with " +
+        "`Script-Clock`: with it, and with the smallest round trip in `age`, a command never runs late.",
       security: driver,
       parameters: idempotencyKey,
       requestBody: { required: true, content: { "application/json": { schema: orderSchema } } },
@@ -133,7 +136,7 @@ export const scriptCalls: ZodOpenApiPathsObject = {
     },
   },
   "/api/v1/robots/{id}/commands/{seq}": {
-    parameters: [...robot, ...parameters("path", seqPath), ...scriptName],
+    parameters: [...robot, ...parameters("path", seqPath), ...ofScript],
     get: {
       operationId: "followCommand",
       summary: "Read the record of a command, or wait for its end",
@@ -156,7 +159,7 @@ export const scriptCalls: ZodOpenApiPathsObject = {
     },
   },
   "/api/v1/robots/{id}/events": {
-    parameters: [...robot, ...scriptName],
+    parameters: [...robot, ...ofScript],
     get: {
       operationId: "followEvents",
       summary: "Follow a robot by server-sent events, or by long poll",

@@ -1,11 +1,10 @@
 /** Commands of scripts: send one, follow it, read the log, stop everything. */
 import { termsOf, type CommandRecord } from "@corridor/protocol";
 import { Router, type Request, type Response } from "express";
-import type { Clock } from "../clock.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import type { CommandLog } from "./answers.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
-import { hearScript } from "./hear-script.ts";
+import { hearScript, type Heard } from "./hear-script.ts";
 import {
   jsonText,
   patienceOf,
@@ -16,26 +15,26 @@ import {
   readWait,
 } from "./reading.ts";
 
-export function commandRoutes(hub: SessionHub, clock: Clock): Router {
+export function commandRoutes(hub: SessionHub): Router {
   const router = Router();
   /** when a command came, though its robot had to be found and its body read first */
-  const arrivals = new WeakMap<Request, number>();
+  const arrivals = new WeakMap<Request, Heard>();
 
   router
     .route("/robots/:id/commands")
     .post(
       // Who may not is told so before the body is read.
       async (request, response, next) => {
-        arrivals.set(request, clock.now());
-        await hearScript(hub, request, response, "command");
+        arrivals.set(request, await hearScript(hub, request, response, "command"));
         next();
       },
       jsonText(),
       async (request, response) => {
-        const { session, key } = await hearScript(hub, request, response, "command");
+        const heard = await hearScript(hub, request, response, "command");
+        const { session, key } = heard;
         const command = readCommandRequest(request);
-        const now = clock.now();
-        const age = command.age + now - (arrivals.get(request) ?? now);
+        const { cameAt, transitMs } = arrivals.get(request) ?? heard;
+        const age = command.age + transitMs + hub.clock.now() - cameAt;
         const wish = { ...command, age };
         await session.submit(key, wish, (record) => accepted(response, session.id, record));
       },
@@ -47,8 +46,9 @@ export function commandRoutes(hub: SessionHub, clock: Clock): Router {
       response.json(log);
     })
     .delete(async (request, response) => {
-      const { session, key } = await hearScript(hub, request, response, "command");
-      const stop = { key: readIdempotencyKey(request), ...termsOf({ action: "stop" }) };
+      const { session, key, transitMs } = await hearScript(hub, request, response, "command");
+      const terms = { ...termsOf({ action: "stop" }), age: transitMs };
+      const stop = { key: readIdempotencyKey(request), ...terms };
       await session.submit(key, stop, (record) => accepted(response, session.id, record));
     })
     .all(methodNotAllowed("POST, GET, DELETE"));

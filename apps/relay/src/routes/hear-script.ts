@@ -2,27 +2,36 @@
 import type { Request, Response } from "express";
 import type { Grant, SessionHub } from "../sessions/session-hub.ts";
 import type { Verb } from "../sessions/rights.ts";
-import { readBearer, readIntroduction } from "./reading.ts";
+import { readBearer, readIntroduction, readScriptTime } from "./reading.ts";
 
-/**
- * @returns the session and the script's key, and a function that says that it is answered before it is
- * @throws Refusal as `SessionHub.authorise` does
- */
+export interface Heard extends Grant {
+  /** ms by the relay's clock when the request came */
+  cameAt: number;
+  /** ms that it was on its way longer than the quickest one of its script; 0 where it tells no time */
+  transitMs: number;
+  /** says that it is answered before it is */
+  answered: () => void;
+}
+
+/** @throws Refusal as `SessionHub.authorise` does */
 export async function hearScript(
   hub: SessionHub,
   request: Request<{ id: string }>,
   response: Response,
   verb: Verb,
-): Promise<Grant & { answered: () => void }> {
+): Promise<Heard> {
+  const cameAt = hub.clock.now();
   const grant = await hub.authorise(
     request.params.id,
     readBearer(request),
     verb,
     readIntroduction(request),
   );
-  const answered = grant.session.heard(grant.key);
+  const { session, key } = grant;
+  const transitMs = session.scriptClocks.came(key.hash, readScriptTime(request), cameAt);
+  const answered = session.heard(key);
   response.once("close", answered);
   // Whoever hung up while it was authorised is not waited for.
   if (response.closed) answered();
-  return { ...grant, answered };
+  return { ...grant, cameAt, transitMs, answered };
 }

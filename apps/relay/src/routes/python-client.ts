@@ -18,6 +18,7 @@ const MODULES = [
   "actions",
   "requests",
   "problems",
+  "command_times",
   "talk",
   "pairing",
   "line",

@@ -17,6 +17,7 @@ import { clientName } from "../client-name.ts";
 import { badRequest, Refusal } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import type { Caller, Introduction } from "../sessions/script.ts";
+import type { ScriptTime } from "../sessions/script-clocks.ts";
 import type { Patience } from "../sessions/audience.ts";
 
 // First the text is checked, then the number that it stands for: /openapi.json describes the number.
@@ -44,6 +45,18 @@ export const nameHeader = z.object({
     .string()
     .optional()
     .describe("what the script calls itself, for the robot's owner; percent-encoded UTF-8"),
+});
+const clockError = "an id of 8 to 32 of A-Z a-z 0-9 - _, a space, and whole milliseconds";
+/** The header by which a script says when it sent a request. */
+export const clockHeader = z.object({
+  "Script-Clock": z
+    .string({ error: clockError })
+    .regex(/^[A-Za-z0-9_-]{8,32} \d{1,15}$/, { error: clockError })
+    .optional()
+    .describe(
+      "`ID MILLISECONDS`: a random id of the script's monotonic clock, and when it sent the request by that clock; " +
+        "the time that a command spends on its way then counts for its time to live",
+    ),
 });
 /** `?wait=S` of a command's record */
 export const waitQuery = z.object({ wait: waitSchema });
@@ -151,6 +164,15 @@ export function readIntroduction(request: Request): Introduction {
     client: readClient(request),
     name: sent === undefined ? null : scriptName(decoded(sent)),
   };
+}
+
+/** When a script sent the request, by its own clock; null where it does not say. */
+export function readScriptTime(request: Request): ScriptTime | null {
+  const given = { "Script-Clock": request.get("Script-Clock") };
+  const { "Script-Clock": text } = read(clockHeader, given, "The request is wrong.");
+  if (text === undefined) return null;
+  const [clock = "", sentAt] = text.split(" ");
+  return { clock, sentAt: Number(sentAt) };
 }
 
 /** Headers hold ASCII only, so other letters are percent-encoded; a lone % stands for itself. */

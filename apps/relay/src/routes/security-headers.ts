@@ -61,7 +61,7 @@ export const openToAllSites: RequestHandler = (request, response, next) => {
     .set({
       "Access-Control-Allow-Methods": "GET, POST, PUT, DELETE",
       "Access-Control-Allow-Headers":
-        "Authorization, Content-Type, Idempotency-Key, If-None-Match, Last-Event-ID, Script-Name",
+        "Authorization, Content-Type, Idempotency-Key, If-None-Match, Last-Event-ID, Script-Clock, Script-Name",
       "Access-Control-Max-Age": "86400",
     })
     .status(204)

@@ -31,7 +31,7 @@ export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusa
     case "late":
       return new Refusal(
         "too-late",
-        `This command was to start within ${ttl} ms and is ${age} ms old. Look where the robot is now, then send what fits as a new command.`,
+        `The way to the robot was slow: this command had to start within ${ttl} ms, and it is ${Math.round(age)} ms old. Look where the robot is now, then send a new command, with a longer time to live (ttl) if you can.`,
       );
     case "conflict":
       return new Refusal(

@@ -32,6 +32,8 @@ export const limits = {
   /** requests that wait for one pairing, and all of them at this relay */
   waitsPerPairing: 4,
   pairingWaits: 400,
+  /** clocks of scripts that one driver key is timed by; the one that was heard longest ago is forgotten */
+  clocksPerKey: 64,
   /** open sockets and event streams of one driver key */
   readersPerKey: 4,
   /** open sockets, event streams and waiting requests of one robot; watchers are as many besides */

@@ -84,6 +84,10 @@ export class SessionHub {
     this.#cancelExpiry = clock.after(LIFE_CHECK_MS, () => void this.#expire());
   }
 
+  get clock(): Clock {
+    return this.#clock;
+  }
+
   /**
    * Registers a new robot.
    * @param from address of who asks, for the limit only

@@ -36,6 +36,7 @@ import { RobotLine } from "./robot-line.ts";
 import { RobotView } from "./robot-view.ts";
 import { RightsVersion, type Verb } from "./rights.ts";
 import type { Caller } from "./script.ts";
+import { ScriptClocks } from "./script-clocks.ts";
 import { ScriptGate } from "./script-gate.ts";
 import { SessionUse } from "./session-use.ts";
 import type { Witness } from "./witness.ts";
@@ -61,6 +62,8 @@ export class Session {
   readonly rights = new RightsVersion();
   readonly mazes: MazeBoard;
   readonly readers: Readers;
+  /** of the scripts that send single requests */
+  readonly scriptClocks = new ScriptClocks();
   readonly #clock: Clock;
   readonly #view = new RobotView();
   readonly #events: EventLog;
@@ -389,6 +392,7 @@ export class Session {
 
   /** Whoever used the key is sent away, and what it asked for ends. */
   #revoked({ hash }: StoredKey): void {
+    this.scriptClocks.revoked(hash);
     this.#audience.dismiss((caller) => caller.hash === hash, "revoked");
     this.#askToEnd();
     // A script that was away is gone with its key.

@@ -92,14 +92,14 @@ export class TestSocket {
     this.#line?.end();
   }
 
-  /** The next message of this type; others before it are dropped. */
-  async next(type: string): Promise<Message> {
+  /** The next message of one of these types; others before it are dropped. */
+  async next(...types: string[]): Promise<Message> {
     for (;;) {
       const message = this.#inbox.shift();
-      if (message?.type === type) return message;
+      if (message !== undefined && types.includes(message.type)) return message;
       if (message !== undefined) continue;
       if (this.#socket.readyState === WebSocket.CLOSED) {
-        throw new Error(`The socket was closed before a ${type} came.`);
+        throw new Error(`The socket was closed before a ${types.join(" or ")} came.`);
       }
       await new Promise<void>((resolve) => (this.#wake = resolve));
     }

@@ -69,7 +69,7 @@ def error_of(answer: Answer) -> RobotError:
     if kind == "no-snapshot":
         return RobotGoneError("robot-gone", "The robot has not reported yet", reason)
     if kind == "too-late":
-        return CommandEndedError("expired", "The command came too late", reason)
+        return CommandEndedError("expired", "The command came too late, so the robot did not do it", reason)
     if status in (404, 410) and kind != "no-command":
         return RobotGoneError("no-robot", "There is no robot with this address", reason)
     return CommandError("refused", "The robot's host did not take this", reason)

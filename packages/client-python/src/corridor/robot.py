@@ -31,7 +31,7 @@ class Robot:
     `address` is `http://HOST/r/ID#KEY`, as the page shows it under Remote. `answer_timeout` is how
     many seconds a host may stay silent, reconnecting included; `finish_timeout` how many the robot
     may take for one command; `ttl` within how many a command must have begun, or it expires (0.2 to
-    60; the host's own default is 10); `name` what this script calls itself, for the robot's owner.
+    60; the host's own default is 10, also for stop(); the way to the host and back counts); `name` what this script calls itself, for the robot's owner.
     """
 
     def __init__(

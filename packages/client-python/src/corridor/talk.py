@@ -1,7 +1,8 @@
 """How a script and a robot's host talk: tries, keys, ages and long polls, without any waiting in it.
 
 Every command carries an idempotency key and is sent again with it, so a retry never moves the
-robot twice. Each try says how old the wish is, so that one that comes late is not done late.
+robot twice. Each try says how old the wish is and when it was sent, so that one that comes late is not
+done late.
 """
 
 from __future__ import annotations
@@ -16,8 +17,9 @@ from typing import Callable, List, Optional
 
 from .actions import Action, has_no_end, plain
 from .address import Address
+from .command_times import CommandTimes
 from .errors import ClosedError, CommandEndedError, NoAnswerError, RobotGoneError
-from .problems import error_of, may_pass, reason_of, sentence
+from .problems import error_of, kind_of, may_pass, reason_of, sentence
 from .reports import Command, Sensors, Snapshot, read_command, read_snapshot
 from .requests import Answer, Json, Pause, Request, T, Talk
 
@@ -37,6 +39,8 @@ _BEGIN_POLL = 0.1
 _SIGN_OF_LIFE = 1.0
 #: The host shows 40 characters of a name.
 _LONGEST_NAME = 40
+#: A command has so long to begin where it says nothing, in seconds: the host's own default.
+_DEFAULT_TTL = 10.0
 _LOG_PAGE = 200
 _NO_COMMAND_YET = 999_999_999_999_999
 
@@ -69,6 +73,7 @@ class RobotTalk:
         # Headers hold ASCII only.
         self._name = {} if not name else {"Script-Name": quote(name[:_LONGEST_NAME], safe=" ")}
         self._clock = clock
+        self._times = CommandTimes(clock)
         self._chance = chance
         self._newest = -1
 
@@ -79,8 +84,12 @@ class RobotTalk:
 
     def do(self, action: Action) -> Talk[Command]:
         """Sends a command, and waits until it has ended; one without an end: until it has begun."""
-        wish = action if self._ttl is None else {**action, "ttl": round(self._ttl * 1_000)}
-        answer = yield from self._ask("POST", "/commands", wish=wish)
+        # A stop is wished for all the more where the network is slow.
+        ttl = None if action == plain("stop") else self._ttl
+        wish = action if ttl is None else {**action, "ttl": round(ttl * 1_000)}
+        if not self._times.is_measured:
+            yield from self.greet()
+        answer = yield from self._ask("POST", "/commands", wish=wish, ttl=ttl or _DEFAULT_TTL)
         self.drives_on = has_no_end(action)
         return (yield from self._follow(_read(read_command, answer), action))
 
@@ -168,6 +177,7 @@ class RobotTalk:
         path: str,
         *,
         wish: Optional[Action] = None,
+        ttl: float = 0.0,
         wait: float = 0.0,
         limit: Optional[float] = None,
     ) -> Talk[Json]:
@@ -184,21 +194,37 @@ class RobotTalk:
         began = self._clock()
         limit = self._answer_timeout if limit is None else limit
         tries = 0
+        doubts = 0
         failed_at = began
         while True:
             if self.is_closed:
                 raise ClosedError("closed", "This robot was closed", "Make a new Robot to go on.")
+            sent = self._clock()
             answer = yield Request(
                 method=method,
                 url=self.address.api + path,
-                headers=headers,
-                body=None if wish is None else _aged(wish, self._clock() - began),
+                headers={**headers, **self._times.header()},
+                body=None if wish is None else _aged(wish, self._times.age(began)),
                 timeout=wait + _GRACE,
             )
             if answer is None:
                 raise TypeError("whoever runs a talk answers its requests")
+            passed = self._clock() - sent
             if 200 <= answer.status < 300:
-                return _parse(answer)
+                said = _parse(answer)
+                if wait == 0:
+                    self._times.answered(passed)
+                return said
+            if kind_of(answer) == "too-late":
+                self._times.answered(passed)
+                if doubts < 2 and self._clock() - began < ttl:
+                    # It is not: the answer has shown a quicker way, or this computer has slept and its
+                    # clock stood still. Then another one is measured.
+                    doubts += 1
+                    if doubts == 2:
+                        self._times.begin_anew()
+                        yield from self.greet()
+                    continue
             if not may_pass(answer):
                 raise error_of(answer)
             if tries == 0:
@@ -219,9 +245,8 @@ class RobotTalk:
             yield Pause(pause)
 
 
-def _aged(wish: Action, seconds: float) -> bytes:
-    """A wish as it travels; `age` in ms since its first try, where it is not the first."""
-    age = round(seconds * 1_000)
+def _aged(wish: Action, age: int) -> bytes:
+    """A wish as it travels; `age` in ms."""
     return json.dumps({**wish, "age": age} if age > 0 else wish).encode()
 
 

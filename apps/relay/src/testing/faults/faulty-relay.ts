@@ -100,7 +100,7 @@ export class FaultyRelay {
     const greet = async (text: string): Promise<void> => {
       const hello = decodeFrame(helloSchema, text);
       if (!hello.ok) throw new Error("The client did not say hello.");
-      const { role, key, since = null } = hello.value;
+      const { role, key, since = null, sentAt } = hello.value;
       const grant = await this.hub.authorise(robot, key, verbOfRole[role]);
       if (isClosed) return;
       conversation =
@@ -110,6 +110,8 @@ export class FaultyRelay {
               grant,
               line,
               since,
+              sentAt,
+              clock: this.hub.clock,
               refused: () => undefined,
             });
     };

@@ -1,0 +1,80 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { TransitEstimate } from "./transit-estimate.ts";
+
+const HOUR_MS = 3_600_000;
+/** The relay's clock is years ahead of the script's. */
+const RELAY_MS = Date.UTC(2026, 0, 1);
+
+describe("how much longer than the quickest message another one was on its way", () => {
+  it("is nothing for the first, and for each that is as quick", () => {
+    const transit = new TransitEstimate();
+    expect(transit.came(0, RELAY_MS)).toBe(0);
+    expect(transit.came(1_000, RELAY_MS + 1_000)).toBe(0);
+  });
+
+  it("is what a message was held up, whatever the clocks say", () => {
+    const transit = new TransitEstimate();
+    transit.came(5_000, RELAY_MS);
+    expect(transit.came(6_000, RELAY_MS + 4_000)).toBeCloseTo(3_000, -1);
+    expect(transit.came(9_000, RELAY_MS + 4_000)).toBe(0);
+  });
+
+  it("counts from the quickest message, also where the first one was slow", () => {
+    const transit = new TransitEstimate();
+    transit.came(0, RELAY_MS + 3_000);
+    expect(transit.came(4_000, RELAY_MS + 4_000)).toBe(0);
+    expect(transit.came(5_000, RELAY_MS + 8_000)).toBeCloseTo(3_000, -1);
+  });
+
+  it("never looks long by drift alone, however long the session and its pauses", () => {
+    const drifts = fc.double({ min: -100, max: 100, noNaN: true });
+    const pauses = fc.array(fc.integer({ min: 1, max: HOUR_MS }), { minLength: 1, maxLength: 50 });
+    fc.assert(
+      fc.property(drifts, pauses, (partsPerMillion, gaps) => {
+        const transit = new TransitEstimate();
+        transit.came(0, RELAY_MS);
+        let passed = 0;
+        for (const gap of gaps) {
+          passed += gap;
+          const sentAt = passed * (1 + partsPerMillion / 1e6);
+          expect(transit.came(sentAt, RELAY_MS + passed)).toBeLessThanOrEqual(1);
+        }
+      }),
+    );
+  });
+
+  it("still shows a delay after hours: drift hides at most 18 ms for each minute without a quick message", () => {
+    const drifts = fc.double({ min: -100, max: 100, noNaN: true });
+    const delays = fc.integer({ min: 0, max: 10_000 });
+    fc.assert(
+      fc.property(
+        drifts,
+        delays,
+        fc.integer({ min: 0, max: 12 * HOUR_MS }),
+        (partsPerMillion, delayMs, quietMs) => {
+          const transit = new TransitEstimate();
+          transit.came(0, RELAY_MS);
+          const sentAt = quietMs * (1 + partsPerMillion / 1e6);
+          const hidden = 0.0003 * (quietMs + delayMs) + 1;
+          expect(transit.came(sentAt, RELAY_MS + quietMs + delayMs)).toBeGreaterThanOrEqual(
+            delayMs - hidden,
+          );
+        },
+      ),
+    );
+  });
+
+  it("is never less than nothing and always a number, whatever a sender claims", () => {
+    const claims = fc.double({ min: 0, max: 999_999_999_999_999, noNaN: true });
+    fc.assert(
+      fc.property(fc.array(claims, { minLength: 1 }), (times) => {
+        const transit = new TransitEstimate();
+        for (const [n, sentAt] of times.entries()) {
+          const ms = transit.came(sentAt, RELAY_MS + n);
+          expect(Number.isFinite(ms) && ms >= 0).toBe(true);
+        }
+      }),
+    );
+  });
+});
