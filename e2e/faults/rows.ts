@@ -8,6 +8,7 @@ import { hiddenPage } from "./rows/hidden-page.ts";
 import { slowReaders } from "./rows/slow-readers.ts";
 import { hostileLinks } from "./rows/hostile-links.ts";
 import { malformedFrames } from "./rows/malformed-frames.ts";
+import { oneWayDelay } from "./rows/one-way-delay.ts";
 import { openApiFuzz } from "./rows/openapi-fuzz.ts";
 import { reloads } from "./rows/reloads.ts";
 import { restoredWorlds } from "./rows/restored-worlds.ts";
@@ -20,6 +21,7 @@ export const rows: readonly Row[] = [
   cleanNet,
   relayKilled,
   cuts,
+  oneWayDelay,
   reloads,
   restoredWorlds,
   savedEndings,

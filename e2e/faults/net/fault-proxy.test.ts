@@ -54,6 +54,17 @@ it("slices and delays, and keeps the order", async () => {
   expect(client.text).toBe(text);
 });
 
+it("delays one direction and not the other", async () => {
+  const { dial, proxy, atServer } = await echoBehindProxy();
+  proxy.delays.down = { least: 600, most: 600 };
+  const client = dial();
+  client.socket.write("hello");
+  await until(() => (atServer[0]?.bytesRead ?? 0) === 5, LONG_MS);
+  expect(client.text).toBe("");
+  await until(() => client.text === "hello", LONG_MS);
+  expect(client.text).toBe("hello");
+});
+
 it("holds up what is said, and loses nothing of it", async () => {
   const { dial, proxy } = await echoBehindProxy();
   const client = dial();

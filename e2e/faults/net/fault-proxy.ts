@@ -6,6 +6,17 @@ import { connect, createServer, type AddressInfo, type Server, type Socket } fro
 import type { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
 import { machineNow } from "../clock.ts";
 
+/** From the client to the relay, or back. */
+export type Direction = "up" | "down";
+
+/** ms that a piece takes, by chance */
+export interface Delay {
+  least: number;
+  most: number;
+}
+
+const NO_DELAY: Delay = { least: 0, most: 0 };
+
 /** A piece of a sliced stream has at most so many bytes. */
 const LARGEST_SLICE = 24;
 
@@ -25,7 +36,10 @@ class Joint {
 
   constructor(client: Socket, relay: Socket, proxy: FaultProxy, dice: Dice) {
     this.#ends = { client, relay };
-    this.#lanes = [new Lane(client, relay, proxy, dice), new Lane(relay, client, proxy, dice)];
+    this.#lanes = [
+      new Lane(client, relay, { proxy, dice, direction: "up" }),
+      new Lane(relay, client, { proxy, dice, direction: "down" }),
+    ];
     for (const end of [client, relay]) {
       end.setNoDelay(true);
       end.on("error", () => this.cut("quiet"));
@@ -62,10 +76,14 @@ class Lane {
   #timer: NodeJS.Timeout | null = null;
   #isClosed = false;
 
-  constructor(from: Socket, to: Socket, proxy: FaultProxy, dice: Dice) {
+  constructor(
+    from: Socket,
+    to: Socket,
+    { proxy, dice, direction }: { proxy: FaultProxy; dice: Dice; direction: Direction },
+  ) {
     this.#to = to;
     const put = (piece: Buffer | null): void => {
-      const { least, most } = proxy.delay;
+      const { least, most } = proxy.delays[direction];
       const soon = Date.now() + (most === 0 ? 0 : dice.between(least, most));
       const last = this.#onTheWay.at(-1)?.at ?? 0;
       this.#onTheWay.push({ at: Math.max(last, soon, proxy.heldUntil), piece });
@@ -126,8 +144,8 @@ export class FaultProxy {
   readonly #joints = new Set<Joint>();
   /** new connections are refused while it is not */
   isUp = true;
-  /** ms that each piece takes, in order */
-  delay = { least: 0, most: 0 };
+  /** ms that each piece takes in each direction, in order */
+  readonly delays: Record<Direction, Delay> = { up: NO_DELAY, down: NO_DELAY };
   /** Whether what passes is cut into small pieces. */
   isSlicing = false;
   /** nothing passes before; nothing is lost */
@@ -157,6 +175,12 @@ export class FaultProxy {
 
   get connections(): number {
     return this.#joints.size;
+  }
+
+  /** ms that each piece takes, either way */
+  set delay(delay: Delay) {
+    this.delays.up = delay;
+    this.delays.down = delay;
   }
 
   /** Ends every connection. @returns how many there were */
@@ -194,7 +218,7 @@ export class FaultProxy {
   mend(): void {
     this.isUp = true;
     this.isSlicing = false;
-    this.delay = { least: 0, most: 0 };
+    this.delay = NO_DELAY;
   }
 
   async close(): Promise<void> {

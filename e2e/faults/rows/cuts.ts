@@ -103,7 +103,7 @@ async function breakAgain(line: Line, toDo: { cuts: number }, dice: Dice): Promi
   while (toDo.cuts > 0) {
     await sleep(dice.between(50, 700));
     proxy.isSlicing = dice.isLucky(0.3);
-    // A script's message that is held up on its way has no age: only a cut makes it tell one.
+    // What a script without our library sends has no time: a command that is held up on its way starts late.
     proxy.delay = dice.isLucky(0.3) ? { least: 0, most: isPage ? 40 : 15 } : { least: 0, most: 0 };
     if (isPage && dice.isLucky(0.1)) proxy.hold(dice.between(100, 1_500));
     const cut = breakOnce(proxy, dice);

@@ -40,8 +40,9 @@ export class Diary {
     this.#postedAt.set(key, now);
   }
 
-  tries(key: string, ttl: number): void {
-    this.#robot.history.tried(key, { sender: this.#sender, at: machineNow(), ttl });
+  /** @param isTimed the message says when it is sent */
+  tries(key: string, ttl: number, isTimed = false): void {
+    this.#robot.history.tried(key, { sender: this.#sender, at: machineNow(), ttl, isTimed });
   }
 
   isAnswered(record: CommandRecord): void {

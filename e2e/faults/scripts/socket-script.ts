@@ -70,8 +70,9 @@ export class SocketScript implements Script {
   #says(text: string): void {
     const read = decodeFrame(driverToRelaySchema, text);
     if (!read.ok || read.value.type !== "command") return;
-    const { key, command } = read.value;
-    if (key !== undefined) this.diary.tries(key, command.ttl ?? TTL_MS.default);
+    const { key, sentAt, command } = read.value;
+    const isTimed = sentAt !== undefined;
+    if (key !== undefined) this.diary.tries(key, command.ttl ?? TTL_MS.default, isTimed);
   }
 
   #hears(text: string): void {

@@ -197,6 +197,16 @@ describe("a fault is seen:", () => {
       },
     },
     {
+      name: "a command that says when it was sent is late by its way",
+      is: ["late"],
+      happens: (story) => {
+        story.history.tried("key-4", { sender: "script", at: -800, ttl: TTL, isTimed: true });
+        story.stored.push(story.record(4, "completed"));
+        story.did(4, "started");
+        story.did(4, "completed");
+      },
+    },
+    {
       name: "a retry tells an age that is none of its tries",
       is: ["late"],
       happens: (story) => {

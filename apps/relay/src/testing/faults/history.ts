@@ -14,6 +14,8 @@ interface Try {
   sender: string;
   at: number;
   ttl: number;
+  /** the script says with each try when it was sent: no part of the way may make its command late */
+  isTimed?: boolean;
 }
 
 /** The first try of a command, and when it was tried again. */
@@ -162,7 +164,9 @@ export class History {
     }
     const wish = this.#tryOf(key);
     if (start !== undefined && wish !== null) {
-      const way = this.#wayOf(wish, Date.parse(acceptedAt), this.#deadlines.get(seq));
+      const wayOf = (): number =>
+        this.#wayOf(wish, Date.parse(acceptedAt), this.#deadlines.get(seq));
+      const way = wish.isTimed === true ? 0 : wayOf();
       const late = start.at - wish.at - wish.ttl - way;
       if (late > this.#tolerance) {
         const { sender, ttl, again } = wish;
@@ -173,8 +177,8 @@ export class History {
   }
 
   /**
-   * How long the try that the relay took was on its way. A message tells how old its command is, but not how
-   * long it waits unread, so no relay can take that off. Which try it was shows the age that the relay has
+   * How long the try that the relay took was on its way, which no relay can take off where the script does not say
+   * when it sent it. Which try it was shows the age that the relay has
    * counted from; where that is the age of none, or not known, it was the newest that it can have been.
    */
   #wayOf({ at, again, ttl }: Tries, arrivedAt: number, deadline: number | undefined): number {
