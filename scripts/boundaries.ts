@@ -64,6 +64,7 @@ const allowed: Record<string, readonly string[]> = {
     "express",
     "helmet",
     "node:",
+    "leven",
     "pino",
     "prom-client",
     "swagger-ui-dist",
