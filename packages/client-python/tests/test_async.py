@@ -5,7 +5,7 @@ import time
 
 import pytest
 from conftest import Host
-from corridor import AsyncRobot, NotAuthorisedError
+from corridor import AsyncRobot, NoMazeError, NotAuthorisedError
 
 
 def test_a_script_drives_reads_and_stops(corridor: Host) -> None:
@@ -14,6 +14,10 @@ def test_a_script_drives_reads_and_stops(corridor: Host) -> None:
             await robot.right(90)
             assert (await robot.sensors()).front == 3_950
             assert await robot.forward(100)
+            first = await robot.events().__anext__()
+            assert first.snapshot is not None and first.snapshot.pose.x == 250
+            with pytest.raises(NoMazeError):
+                await robot.maze()
             await robot.forward()
         other = await AsyncRobot.connect(corridor.address)
         log = await other.commands()

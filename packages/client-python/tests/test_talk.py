@@ -43,8 +43,10 @@ def record(state: str, reason: Optional[str] = None, seq: int = 7) -> Answer:
     )
 
 
-def snapshot(seq: int, front: float = 50, state: str = "running") -> Answer:
-    sensors = {"front": front, "right": 50, "back": 50, "left": 50}
+def snapshot(
+    seq: int, front: float = 50, state: str = "running", right: float = 50
+) -> Answer:
+    sensors = {"front": front, "right": right, "back": 50, "left": 50}
     pose = {"x": 50, "y": 50, "heading": 0}
     seen = {"seq": seq, "tick": seq, "state": state, "driver": "remote", "sensors": sensors}
     rest = {"motion": "stop", "bumps": 0, "bumping": False, "goalReached": False, "command": None}
@@ -352,7 +354,7 @@ def test_readings_of_a_robot_whose_page_is_away_are_not_passed_off_as_new() -> N
     back = Scene(snapshot(4, state="gone"), 1.0, snapshot(4, state="gone"), snapshot(1))
     assert back.run(back.talk.look()).state == "running"
     away = Scene(31.0, snapshot(4, state="gone"))
-    with pytest.raises(RobotGoneError, match="page is away") as error:
+    with pytest.raises(RobotGoneError, match="page is closed") as error:
         away.run(away.talk.look())
     assert error.value.code == "robot-gone"
 

@@ -1,17 +1,21 @@
 """A script and a robot at the real relay."""
 
+import json
 import threading
 import time
-from typing import Tuple
+import urllib.request
+from typing import List, Tuple
 
 import pytest
 from conftest import Host
 from corridor import (
     AddressError,
+    Cell,
     ClosedError,
     CommandEndedError,
     CommandError,
     NoAnswerError,
+    NoMazeError,
     NotAuthorisedError,
     Robot,
     RobotError,
@@ -94,6 +98,91 @@ def test_nothing_is_lost_doubled_or_reordered_when_the_relay_is_killed(corridor:
     assert state["pose"]["x"] == 150 + 100 * 30
 
 
+def test_two_readings_of_one_decision_are_of_one_tick_while_the_robot_drives(
+    corridor: Host,
+) -> None:
+    reader, driver = Robot(corridor.address), Robot(corridor.address)
+    driver.right()
+
+    def drive() -> None:
+        for _ in range(39):
+            driver.forward(100)
+
+    thread = threading.Thread(target=drive)
+    thread.start()
+    sums = set()
+    while thread.is_alive():
+        # The corridor is 4,000 cm long, wherever the robot is.
+        sums.add(reader.sensor.front + reader.sensor.back)
+    thread.join()
+    assert sums == {4_000}
+    assert reader.sensors().back == 3_950
+
+
+def test_the_goal_bumps_and_every_field_of_a_snapshot_are_there(corridor: Host) -> None:
+    robot = Robot(corridor.address)
+    assert not robot.goal_reached and robot.bumps == 0
+    robot.forward(100)
+    assert robot.bumps == 1
+    seen = robot.snapshot()
+    assert (seen.state, seen.driver, seen.motion, seen.bumping) == ("running", "remote", "stop", False)
+    assert (seen.line, seen.command, seen.pose.cell) == (None, None, Cell(1, 1))
+
+
+def give_maze(host: Host, document: object) -> None:
+    place = host.address.split("#")[0].replace("/r/", "/api/v1/robots/")
+    request = urllib.request.Request(
+        f"{place}/maze",
+        json.dumps(document).encode(),
+        {"Authorization": f"Bearer {host.owner_key}", "Content-Type": "application/json"},
+        method="PUT",
+    )
+    urllib.request.urlopen(request).close()
+
+
+def test_a_script_reads_the_maze_of_its_robot(corridor: Host) -> None:
+    robot = Robot(corridor.address)
+    with pytest.raises(NoMazeError) as error:
+        robot.maze()
+    assert error.value.code == "no-maze"
+    document = {
+        "format": "corridor/maze",
+        "version": 1,
+        "name": "Two cells",
+        "blocks": ["####", "#..#", "####"],
+        "start": {"column": 1, "row": 1, "heading": "east"},
+        "goals": [{"column": 2, "row": 1}],
+    }
+    give_maze(corridor, document)
+    maze = robot.maze()
+    assert (maze.name, maze.columns, maze.rows) == ("Two cells", 4, 3)
+    assert (maze.start.cell, maze.start.heading, maze.goals) == (Cell(1, 1), "east", (Cell(2, 1),))
+    cells = [(column, row) for row in range(-1, 4) for column in range(-1, 5)]
+    assert [cell for cell in cells if maze.is_open(*cell)] == [(1, 1), (2, 1)]
+    assert robot.snapshot().pose.cell == maze.start.cell
+
+
+def test_a_watcher_gets_every_command_and_the_newest_report(corridor: Host) -> None:
+    watcher, driver = Robot(corridor.address), Robot(corridor.address)
+    events = watcher.events()
+    first = next(events)
+    assert first.kind == "snapshot" and first.snapshot is not None
+    driver.right()
+    driver.forward(100)
+    told: List[Tuple[int, str]] = []
+    headings = []
+    while (2, "completed") not in told:
+        event = next(events)
+        if event.command is not None:
+            told.append((event.command.seq, event.command.state))
+        if event.snapshot is not None:
+            headings.append(event.snapshot.pose.heading)
+    life = ["accepted", "delivered", "started", "completed"]
+    assert told == sorted(told, key=lambda each: (each[0], life.index(each[1])))
+    assert [seq for seq, state in told if state == "completed"] == [1, 2]
+    assert headings and headings[-1] == 90
+
+
 def test_a_page_that_comes_back_is_waited_for(corridor: Host) -> None:
     robot = Robot(corridor.address)
     robot.snapshot()
@@ -109,7 +198,7 @@ def test_a_page_that_stays_away_is_told(corridor: Host) -> None:
     robot = Robot(corridor.address, answer_timeout=1)
     robot.snapshot()
     corridor.tell("leave")
-    with pytest.raises(RobotGoneError, match="page is away"):
+    with pytest.raises(RobotGoneError, match="page is closed"):
         print(robot.sensor.front)
 
 

@@ -13,6 +13,7 @@ const PACKAGE = join(import.meta.dirname, "../../../../packages/client-python/sr
 /** Each after those that it imports from. */
 const MODULES = [
   "errors",
+  "uncaught",
   "address",
   "reports",
   "actions",
@@ -23,6 +24,7 @@ const MODULES = [
   "pairing",
   "line",
   "async_line",
+  "live_sensor",
   "robot",
   "async_robot",
   "__init__",

@@ -7,22 +7,30 @@ from .errors import (
     CommandEndedError,
     CommandError,
     NoAnswerError,
+    NoMazeError,
     NotAuthorisedError,
     PairingError,
     RobotError,
     RobotGoneError,
 )
-from .reports import Command, Pose, Sensors, Snapshot
+from .live_sensor import LiveSensor
+from .reports import Cell, Command, Event, Maze, Pose, Sensors, Snapshot, Start
 from .robot import Robot
+from .uncaught import explain_uncaught
 
 __all__ = [
     "AddressError",
     "AsyncRobot",
+    "Cell",
     "ClosedError",
     "Command",
     "CommandEndedError",
     "CommandError",
+    "Event",
+    "LiveSensor",
+    "Maze",
     "NoAnswerError",
+    "NoMazeError",
     "NotAuthorisedError",
     "PairingError",
     "Pose",
@@ -31,5 +39,8 @@ __all__ = [
     "RobotGoneError",
     "Sensors",
     "Snapshot",
+    "Start",
 ]
 __version__ = "0.1.0"
+
+explain_uncaught()

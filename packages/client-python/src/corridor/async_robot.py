@@ -21,7 +21,7 @@ from .async_line import run_async
 from .errors import RobotError
 from .line import Line
 from .pairing import pair
-from .reports import Command, Sensors, Snapshot
+from .reports import Command, Event, Maze, Sensors, Snapshot
 from .requests import T, Talk
 from .talk import RobotTalk
 
@@ -151,6 +151,27 @@ class AsyncRobot:
         """One report after the other as they come; a slow reader gets the newest each time."""
         while True:
             yield await self._run(self._talk.look(1.0))
+
+    async def events(self) -> AsyncIterator[Event]:
+        """What happens from now on, as it happens: newer reports, and commands whose state changes.
+
+        It begins with a report. A reader that was slow gets the newest report, and every command.
+        """
+        since: Optional[str] = None
+        newest: Optional[Snapshot] = None
+        while True:
+            after = 0 if newest is None else newest.seq
+            since, events = await self._run(self._talk.events(since, after))
+            for event in events:
+                # Each answer has the newest report, also where only a command has changed.
+                if event.snapshot is not None and event.snapshot == newest:
+                    continue
+                newest = event.snapshot or newest
+                yield event
+
+    async def maze(self) -> Maze:
+        """The maze that the robot is in: its blocks, its start and its goals."""
+        return await self._run(self._talk.maze())
 
     async def wait_until(
         self, condition: Callable[[Sensors], object], timeout: Optional[float] = None

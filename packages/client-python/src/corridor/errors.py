@@ -4,11 +4,15 @@ from __future__ import annotations
 
 
 class RobotError(Exception):
-    """Something did not work. `code` is stable, `hint` says how to go on; both are in the text."""
+    """Something did not work: `what`, and the `hint` says what to do. `code` is stable. All are in the text.
+
+    Uncaught, it ends the script with its line, `what` and `hint` in place of a traceback.
+    """
 
     def __init__(self, code: str, what: str, hint: str) -> None:
         super().__init__(f"{what} ({code}). {hint}")
         self.code = code
+        self.what = what
         self.hint = hint
 
 
@@ -29,11 +33,15 @@ class PairingError(RobotError):
 
 
 class RobotGoneError(RobotError):
-    """The robot was forgotten (`no-robot`), or its page is away (`robot-gone`)."""
+    """The robot was forgotten (`no-robot`), or its page is closed (`robot-gone`)."""
 
 
 class CommandEndedError(RobotError):
     """The command did not come to its end: `cancelled`, `superseded` or `expired`."""
+
+
+class NoMazeError(RobotError):
+    """The robot's host does not publish its maze (`no-maze`)."""
 
 
 class NoAnswerError(RobotError, TimeoutError):

@@ -9,6 +9,7 @@ from .errors import (
     AddressError,
     CommandEndedError,
     CommandError,
+    NoMazeError,
     NotAuthorisedError,
     RobotError,
     RobotGoneError,
@@ -68,6 +69,8 @@ def error_of(answer: Answer) -> RobotError:
         return RobotError("refused", "The network's proxy wants a name and a password", reason)
     if kind == "no-snapshot":
         return RobotGoneError("robot-gone", "The robot has not reported yet", reason)
+    if kind == "no-maze":
+        return NoMazeError("no-maze", "The maze of this robot is not known", reason)
     if kind == "too-late":
         return CommandEndedError("expired", "The command came too late, so the robot did not do it", reason)
     if status in (404, 410) and kind != "no-command":

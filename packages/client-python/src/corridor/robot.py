@@ -19,8 +19,9 @@ from .actions import (
 from .address import parse_address
 from .errors import RobotError
 from .line import Line, run
+from .live_sensor import LiveSensor
 from .pairing import pair
-from .reports import Command, Sensors, Snapshot
+from .reports import Command, Event, Maze, Sensors, Snapshot
 from .requests import T, Talk
 from .talk import RobotTalk
 
@@ -47,6 +48,7 @@ class Robot:
         where = parse_address(address, key)
         self._talk = RobotTalk(where, answer_timeout, finish_timeout, check_ttl(ttl), name=name)
         self._line = Line()
+        self._sensor = LiveSensor(self._read)
         self._run(self._talk.greet())
 
     @classmethod
@@ -119,8 +121,22 @@ class Robot:
     # --- reading and waiting ---
 
     @property
-    def sensor(self) -> Sensors:
-        """The four distances as they are now: `robot.sensor.front`."""
+    def sensor(self) -> LiveSensor:
+        """The four distances: `robot.sensor.front`. Those of one decision are of one snapshot."""
+        return self._sensor
+
+    @property
+    def goal_reached(self) -> bool:
+        """Whether the robot has reached a goal since its start, read like a side of `sensor`."""
+        return self._read("goal_reached").goal_reached
+
+    @property
+    def bumps(self) -> int:
+        """How many walls the robot has met since its start, read like a side of `sensor`."""
+        return self._read("bumps").bumps
+
+    def sensors(self) -> Sensors:
+        """The four distances as they are now, in one object that stays as it is."""
         return self.snapshot().sensors
 
     def snapshot(self) -> Snapshot:
@@ -131,6 +147,27 @@ class Robot:
         """One report after the other as they come; a slow reader gets the newest each time."""
         while True:
             yield self._run(self._talk.look(1.0))
+
+    def events(self) -> Iterator[Event]:
+        """What happens from now on, as it happens: newer reports, and commands whose state changes.
+
+        It begins with a report. A reader that was slow gets the newest report, and every command.
+        """
+        since: Optional[str] = None
+        newest: Optional[Snapshot] = None
+        while True:
+            after = 0 if newest is None else newest.seq
+            since, events = self._run(self._talk.events(since, after))
+            for event in events:
+                # Each answer has the newest report, also where only a command has changed.
+                if event.snapshot is not None and event.snapshot == newest:
+                    continue
+                newest = event.snapshot or newest
+                yield event
+
+    def maze(self) -> Maze:
+        """The maze that the robot is in: its blocks, its start and its goals."""
+        return self._run(self._talk.maze())
 
     def wait_until(
         self, condition: Callable[[Sensors], object], timeout: Optional[float] = None
@@ -179,6 +216,9 @@ class Robot:
 
     def _do(self, action: Action) -> Command:
         return self._run(self._talk.do(action))
+
+    def _read(self, name: str) -> Snapshot:
+        return self._run(self._talk.read(name))
 
     def _run(self, talk: Talk[T]) -> T:
         return run(talk, self._line)

@@ -13,14 +13,24 @@ import random
 import time
 import uuid
 from urllib.parse import quote
-from typing import Callable, List, Optional
+from typing import Callable, List, Optional, Set, Tuple
 
 from .actions import Action, has_no_end, plain
 from .address import Address
 from .command_times import CommandTimes
 from .errors import ClosedError, CommandEndedError, NoAnswerError, RobotGoneError
 from .problems import error_of, kind_of, may_pass, reason_of, sentence
-from .reports import Command, Sensors, Snapshot, read_command, read_snapshot
+from .reports import (
+    Command,
+    Event,
+    Maze,
+    Sensors,
+    Snapshot,
+    read_command,
+    read_events,
+    read_maze,
+    read_snapshot,
+)
 from .requests import Answer, Json, Pause, Request, T, Talk
 
 _FIRST_PAUSE = 0.25
@@ -29,6 +39,8 @@ _LONGEST_PAUSE = 10.0
 _LONG_POLL = 10.0
 #: A reading waits so long for a newer one: robots report about 20 times a second while they move.
 _READING_WAIT = 0.05
+#: Readings of one decision are closer together than this.
+_ONE_DECISION = 0.1
 #: Beyond the wait that was asked for, the line counts as lost.
 _GRACE = 10.0
 #: Nothing was ever heard from this address: it may be wrong.
@@ -76,6 +88,10 @@ class RobotTalk:
         self._times = CommandTimes(clock)
         self._chance = chance
         self._newest = -1
+        #: the snapshot of one decision, which readings of it were given, and until when it holds
+        self._decision: Optional[Snapshot] = None
+        self._decided_on: Set[str] = set()
+        self._decide_by = 0.0
 
     def greet(self) -> Talk[None]:
         """Whether the address leads to a robot, and the key fits."""
@@ -100,6 +116,7 @@ class RobotTalk:
     def look(self, wait: float = _READING_WAIT) -> Talk[Snapshot]:
         """The newest report; waits up to so many seconds for one that is newer than the last."""
         deadline = self._clock() + self._answer_timeout
+        is_waiting = False
         while True:
             if self._newest < 0:
                 wait, path = _LONG_POLL, f"/sensors?wait={_LONG_POLL:g}"
@@ -111,8 +128,22 @@ class RobotTalk:
                 return snapshot
             if self._clock() >= deadline:
                 hint = "Open the page again, and connect the robot under Remote."
-                raise RobotGoneError("robot-gone", "The robot's page is away", hint)
+                raise RobotGoneError("robot-gone", "The robot's page is closed", hint)
+            if not is_waiting:
+                _log.warning("The robot's page is closed. Waiting for it.")
+            is_waiting = True
             wait = 1.0
+
+    def read(self, name: str) -> Talk[Snapshot]:
+        """The snapshot that a reading is of: one for all different readings of a decision."""
+        decision = self._decision
+        if decision is None or name in self._decided_on or self._clock() > self._decide_by:
+            decision = yield from self.look()
+            self._decision = decision
+            self._decided_on = set()
+            self._decide_by = self._clock() + _ONE_DECISION
+        self._decided_on.add(name)
+        return decision
 
     def wait_until(
         self, condition: Callable[[Sensors], object], timeout: Optional[float]
@@ -147,6 +178,18 @@ class RobotTalk:
             commands += page
             if len(page) < _LOG_PAGE:
                 return commands
+
+    def maze(self) -> Talk[Maze]:
+        """The maze that the robot is in."""
+        return _read(read_maze, (yield from self._ask("GET", "/maze")))
+
+    def events(self, since: Optional[str], after: int) -> Talk[Tuple[str, Tuple[Event, ...]]]:
+        """Where to go on from, and what happened after `since`; the newest report where it is None."""
+        wait = 0.0 if since is None else _LONG_POLL
+        where = "" if since is None else f"&since={since}&after={after}"
+        path = f"/events?wait={wait:g}{where}"
+        page = yield from self._ask("GET", path, wait=wait)
+        return _read(_event_page, page)
 
     def _follow(self, command: Command, action: Action) -> Talk[Command]:
         ends = not has_no_end(action)
@@ -191,6 +234,8 @@ class RobotTalk:
         if wish is not None:
             headers["Content-Type"] = "application/json"
             headers["Idempotency-Key"] = uuid.uuid4().hex
+        # Whatever else a script asks for begins a new decision.
+        self._decision = None
         began = self._clock()
         limit = self._answer_timeout if limit is None else limit
         tries = 0
@@ -252,6 +297,10 @@ def _aged(wish: Action, age: int) -> bytes:
 
 def _commands(answer: Json) -> List[Command]:
     return [read_command(record) for record in answer["commands"]]
+
+
+def _event_page(page: Json) -> Tuple[str, Tuple[Event, ...]]:
+    return page["since"], read_events(page)
 
 
 def _parse(answer: Answer) -> Json:

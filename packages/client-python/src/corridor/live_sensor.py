@@ -1,0 +1,42 @@
+"""`robot.sensor.front`: a reading where a script needs one."""
+
+from __future__ import annotations
+
+from typing import Callable
+
+from .reports import Snapshot
+
+
+class LiveSensor:
+    """The four distances in cm, read when they are asked for.
+
+    Different sides that are read within 0.1 s are of one snapshot, so the readings of one decision
+    belong together. A new snapshot is taken for a side that is read again, after any other call to
+    the robot, and after 0.1 s. `robot.sensors()` gives four readings that stay as they are.
+    """
+
+    def __init__(self, read: Callable[[str], Snapshot]) -> None:
+        self._read = read
+
+    @property
+    def front(self) -> float:
+        """To the wall ahead."""
+        return self._read("front").sensors.front
+
+    @property
+    def right(self) -> float:
+        """To the wall at the right."""
+        return self._read("right").sensors.right
+
+    @property
+    def back(self) -> float:
+        """To the wall behind."""
+        return self._read("back").sensors.back
+
+    @property
+    def left(self) -> float:
+        """To the wall at the left."""
+        return self._read("left").sensors.left
+
+    def __repr__(self) -> str:
+        return repr(self._read("all").sensors)

@@ -1,0 +1,81 @@
+"""What a beginner reads when a script ends with an error that it does not catch."""
+
+import subprocess
+import sys
+import urllib.request
+from pathlib import Path
+from typing import Callable, List
+
+import pytest
+from conftest import Host
+
+PACKAGE = Path(__file__).resolve().parents[1] / "src"
+
+SYNC = """from corridor import Robot
+robot = Robot({address!r})
+robot.right()
+"""
+ASYNC = """import asyncio
+from corridor import AsyncRobot
+
+async def main():
+    async with AsyncRobot({address!r}) as robot:
+        await robot.right()
+
+asyncio.run(main())
+"""
+
+
+@pytest.fixture
+def run(tmp_path: Path) -> Callable[..., "subprocess.CompletedProcess[str]"]:
+    def run_script(text: str, *options: str) -> "subprocess.CompletedProcess[str]":
+        (tmp_path / "first.py").write_text(text)
+        return subprocess.run(
+            [sys.executable, *options, "first.py"],
+            cwd=tmp_path,
+            env={"PYTHONPATH": str(PACKAGE)},
+            capture_output=True,
+            text=True,
+        )
+
+    return run_script
+
+
+def pause(host: Host) -> None:
+    place = host.address.split("#")[0].replace("/r/", "/api/v1/robots/")
+    headers = {"Authorization": f"Bearer {host.owner_key}"}
+    request = urllib.request.Request(f"{place}/pause", headers=headers, method="PUT")
+    urllib.request.urlopen(request).close()
+
+
+@pytest.mark.parametrize("text, line", [(SYNC, "3: robot.right()"), (ASYNC, "6: await robot.right()")])
+def test_the_script_ends_with_its_line_and_a_sentence(
+    corridor: Host,
+    run: Callable[..., "subprocess.CompletedProcess[str]"],
+    text: str,
+    line: str,
+) -> None:
+    pause(corridor)
+    done = run(text.format(address=corridor.address))
+    lines: List[str] = done.stderr.splitlines()
+    assert done.returncode == 1 and done.stdout == ""
+    assert lines[0] == f"first.py, line {line}"
+    assert len(lines) == 2 and "paused" in lines[1] and lines[1].endswith(".")
+    assert corridor.address.split("#")[1] not in done.stderr
+
+
+def test_a_wrong_address_is_told_without_repeating_it(
+    run: Callable[..., "subprocess.CompletedProcess[str]"],
+) -> None:
+    done = run("from corridor import Robot\nRobot('http://localhost/r/abc')\n")
+    assert done.stderr.splitlines()[-1].startswith("This is not a robot's address. The key")
+    assert "Traceback" not in done.stderr
+
+
+def test_developers_and_other_errors_get_the_traceback(
+    run: Callable[..., "subprocess.CompletedProcess[str]"],
+) -> None:
+    wrong = "from corridor import Robot\nRobot('http://localhost/r/abc')\n"
+    assert "Traceback" in run(wrong, "-X", "dev").stderr
+    done = run("import corridor\n1 / 0\n")
+    assert "Traceback" in done.stderr and done.returncode == 1
