@@ -23,6 +23,8 @@ export type ClientErrorCode =
   | "timeout"
   /** the robot's page is away and has not come back in time */
   | "robot-gone"
+  /** the robot's host does not publish its maze */
+  | "no-maze"
   /** no page shows this pairing code, or another script has asked by it */
   | "wrong-code"
   /** the robot's owner said no to this script */

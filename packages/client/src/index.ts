@@ -1,2 +1,4 @@
 export { ClientError, type ClientErrorCode } from "./client-error.ts";
+export type { RobotEvent } from "./event-inbox.ts";
+export type { MazeCell, RobotMaze } from "./robot-maze.ts";
 export { RobotClient, type RobotClientOptions } from "./robot-client.ts";

@@ -44,7 +44,7 @@ const hasCurl = spawnSync("curl", ["--version"]).status === 0;
 
 describe("what a README shows", () => {
   it.each([
-    { readme: "packages/client/README.md", words: "RobotClient.connect(", by: node },
+    { readme: "packages/client/README.md", words: "finally", by: node },
     { readme: "packages/client-python/README.md", words: "while robot.sensor.front", by: python },
     { readme: "packages/client-python/README.md", words: "asyncio.run", by: python },
   ])("$readme drives by an address: $words", async ({ readme, words, by }) => {
@@ -54,6 +54,44 @@ describe("what a README shows", () => {
     script.close();
     await run(by, withRobot(shown(readme, words), scene));
     expect(scene.robot.done[1]).toMatchObject({ action: "move", distance: 100 });
+  });
+
+  it.each([
+    { readme: "packages/client/README.md", words: "goalReached, bumps", by: node },
+    { readme: "packages/client-python/README.md", words: "robot.goal_reached", by: python },
+  ])("$readme follows the right wall to the goal: $words", async ({ readme, words, by }) => {
+    const scene = await robotWithCode(["#####", "#...#", "###.#", "#####"]);
+    scene.robot.goal = { column: 3, row: 2 };
+    expect(await run(by, withRobot(shown(readme, words), scene))).toMatch(
+      /^Goal reached after 0 bumps\n$/,
+    );
+    expect(scene.robot.snapshot().pose).toMatchObject({ x: 350, y: 250 });
+  });
+
+  it.each([
+    { readme: "packages/client/README.md", words: "await robot.maze()", by: node },
+    { readme: "packages/client-python/README.md", words: "robot.maze()", by: python },
+  ])("$readme reads the maze: $words", async ({ readme, words, by }) => {
+    const scene = await robotWithCode(["####", "#..#", "####"]);
+    const { origin, registration } = scene;
+    await fetch(`${origin}/api/v1/robots/${registration.id}/maze`, {
+      method: "PUT",
+      headers: {
+        Authorization: `Bearer ${registration.ownerKey}`,
+        "Content-Type": "application/json",
+      },
+      body: JSON.stringify({
+        format: "corridor/maze",
+        version: 1,
+        name: "Two cells",
+        blocks: ["####", "#..#", "####"],
+        start: { column: 1, row: 1, heading: "east" },
+        goals: [{ column: 2, row: 1 }],
+      }),
+    });
+    const output = await run(by, withRobot(shown(readme, words), scene));
+    expect(output).toMatch(/^Two cells/);
+    expect(output).toContain("Goal at 2 1\n");
   });
 
   it.for([

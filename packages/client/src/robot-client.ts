@@ -27,9 +27,11 @@ import { ClientError } from "./client-error.ts";
 import { closeError } from "./close-error.ts";
 import { CommandTimes } from "./command-times.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
+import { EventInbox, type RobotEvent } from "./event-inbox.ts";
 import { pairRobot } from "./pairing.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
 import { parseRobotAddress, doorUrls } from "./robot-address.ts";
+import { readMaze, type RobotMaze } from "./robot-maze.ts";
 import { SeenPace } from "./seen-pace.ts";
 import { SnapshotInbox } from "./snapshot-inbox.ts";
 
@@ -87,6 +89,8 @@ export class RobotClient {
   /** the whole address, with its key, for the next time: keep it private */
   readonly address: string;
   readonly #key: string;
+  /** where the robot's calls begin */
+  readonly #api: string;
   readonly #platform: Platform;
   readonly #answerMs: number;
   readonly #finishMs: number;
@@ -94,6 +98,7 @@ export class RobotClient {
   readonly #name: { name?: string };
   readonly #connection: Connection<RelayToDriver>;
   readonly #inbox: SnapshotInbox;
+  readonly #events = new Set<EventInbox>();
   readonly #seen = new SeenPace();
   readonly #times: CommandTimes;
   #welcomed: () => void = () => undefined;
@@ -112,6 +117,7 @@ export class RobotClient {
     const { origin, id, key } = parseRobotAddress(address);
     this.#key = key;
     this.address = `${origin}/r/${id}#${key}`;
+    this.#api = `${origin}/api/v1/robots/${id}`;
     this.#platform = options.platform ?? globalPlatform();
     this.#answerMs = options.answerTimeout ?? DEFAULT_ANSWER_MS;
     this.#finishMs = options.finishTimeout ?? DEFAULT_FINISH_MS;
@@ -224,7 +230,7 @@ export class RobotClient {
     return this.#do({ ...order, milliseconds }, "ended");
   }
 
-  /** The four distances in cm, newer than those of the last call. */
+  /** The four distances in cm, all of one tick, newer than those of the last call. */
   async sensors(): Promise<SensorReadings> {
     return (await this.snapshot()).sensors;
   }
@@ -247,6 +253,33 @@ export class RobotClient {
       seq = snapshot.seq;
       yield snapshot;
     }
+  }
+
+  /**
+   * What happens from now on, as it happens: newer snapshots, and commands whose state changes, whoever
+   * sent them. A slow reader gets the newest snapshot, and every state of a command.
+   */
+  events(): AsyncGenerator<RobotEvent, void, void> {
+    const inbox = new EventInbox();
+    if (this.#end === null) this.#events.add(inbox);
+    else inbox.close();
+    const snapshot = this.#inbox.newest;
+    if (snapshot !== null) inbox.put({ kind: "snapshot", snapshot });
+    return this.#eventsOf(inbox);
+  }
+
+  /**
+   * The maze that the robot is in.
+   * @throws ClientError no-maze where the robot's host does not publish it
+   */
+  async maze(): Promise<RobotMaze> {
+    if (this.#end !== null) throw this.#end;
+    return readMaze({
+      platform: this.#platform,
+      api: this.#api,
+      key: this.#key,
+      answerMs: this.#answerMs,
+    });
   }
 
   /** Leaves the robot as it is. What was not done yet is rejected with the code `closed`. */
@@ -381,9 +414,11 @@ export class RobotClient {
         return this.#acknowledged(message.record);
       case "state":
         this.#told(message.n);
+        this.#publish({ kind: "command", command: message.record });
         return this.#progressed(message.record);
       case "gap":
         this.#told(message.n);
+        this.#publish({ kind: "gap" });
         this.#askAgain();
         return this.#sendFirst();
       case "problem":
@@ -396,10 +431,27 @@ export class RobotClient {
 
   #read(snapshot: Snapshot): void {
     this.#inbox.put(snapshot);
+    this.#publish({ kind: "snapshot", snapshot });
     // By HTTPS the next request says it already.
     if (this.#connection.door === "https") return;
     if (!this.#seen.read(this.#platform.clock.now())) return;
     this.#connection.send(encodeFrame({ type: "seen", seq: snapshot.seq }));
+  }
+
+  async *#eventsOf(inbox: EventInbox): AsyncGenerator<RobotEvent, void, void> {
+    try {
+      for (;;) {
+        const event = await inbox.next();
+        if (event === null) return;
+        yield event;
+      }
+    } finally {
+      this.#events.delete(inbox);
+    }
+  }
+
+  #publish(event: RobotEvent): void {
+    for (const inbox of this.#events) inbox.put(event);
   }
 
   #told(n: number): void {
@@ -494,6 +546,7 @@ export class RobotClient {
     this.#running.clear();
     this.#queue = [];
     this.#inbox.close(error);
+    for (const inbox of this.#events) inbox.close();
   }
 }
 

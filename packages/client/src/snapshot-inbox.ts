@@ -19,6 +19,11 @@ export class SnapshotInbox {
     this.#clock = clock;
   }
 
+  /** null until there is one */
+  get newest(): Snapshot | null {
+    return this.#newest;
+  }
+
   put(snapshot: Snapshot): void {
     this.#newest = snapshot;
     const due = this.#waiters.filter(({ after }) => snapshot.seq > after);

@@ -70,6 +70,52 @@ describe("a script and a robot at the real relay", () => {
     expect(robot.statuses.filter((kind) => kind === "lost").length).toBeGreaterThanOrEqual(2);
   });
 
+  it("reads the maze of its robot", async () => {
+    const { relay, registration } = await robotIn(CORRIDOR);
+    const script = await scriptFor(registration.address);
+    await expect(script.maze()).rejects.toMatchObject({ code: "no-maze" });
+    const maze = {
+      name: "Two cells",
+      blocks: ["####", "#..#", "####"],
+      start: { column: 1, row: 1, heading: "east" },
+      goals: [{ column: 2, row: 1 }],
+    };
+    const given = await fetch(`${relay.origin}/api/v1/robots/${registration.id}/maze`, {
+      method: "PUT",
+      headers: {
+        Authorization: `Bearer ${registration.ownerKey}`,
+        "Content-Type": "application/json",
+      },
+      body: JSON.stringify({ format: "corridor/maze", version: 1, ...maze }),
+    });
+    expect(given.status).toBe(204);
+    expect(await script.maze()).toEqual(maze);
+    const wrongKey = registration.address.replace(/#.*/, "#wch_AAAAAAAAAAAAAAAAAAAAAA");
+    await expect(scriptFor(wrongKey)).rejects.toMatchObject({ code: "not-authorised" });
+  });
+
+  it("follows the commands of another script and the robot, also over a restart", async () => {
+    const { relay, registration } = await robotIn(CORRIDOR);
+    const watcher = await scriptFor(registration.address);
+    const driver = await scriptFor(registration.address);
+    const events = watcher.events();
+    await driver.right90();
+    await relay.killAndRestart();
+    await driver.move(100);
+    const endings: number[] = [];
+    let x = 0;
+    for await (const event of events) {
+      if (event.kind === "snapshot") ({ x } = event.snapshot.pose);
+      if (event.kind === "gap") endings.push(1);
+      if (event.kind === "command" && event.command.state === "completed") {
+        endings.push(event.command.seq);
+      }
+      if (endings.includes(2)) break;
+    }
+    expect([...new Set(endings)]).toEqual([1, 2]);
+    expect(x).toBe(250);
+  });
+
   it("lets commands wait while the page is away, and cancels what a reload has lost", async () => {
     const { relay, robot, registration } = await robotIn(CORRIDOR);
     const script = await scriptFor(registration.address);

@@ -17,6 +17,8 @@ export class GridRobot {
   readonly link: HostLink;
   readonly done: Command[] = [];
   readonly visited = new Set<string>();
+  /** the cell that `goalReached` is about; null: there is none */
+  goal: { column: number; row: number } | null = null;
   readonly statuses: HostStatus["kind"][] = [];
   readonly #rows: readonly string[];
   #column: number;
@@ -73,7 +75,7 @@ export class GridRobot {
       motion: "stop",
       bumps: this.#bumps,
       bumping: false,
-      goalReached: false,
+      goalReached: this.goal !== null && this.visited.has(`${this.goal.column},${this.goal.row}`),
       line: null,
       command: null,
     };
