@@ -9,6 +9,7 @@ export {
   type CommandState,
   type EndingState,
 } from "./command-record.ts";
+export { expiredReason } from "./expired-reason.ts";
 export {
   MAX_PROBLEMS,
   describeProblem,

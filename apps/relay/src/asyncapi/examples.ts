@@ -3,6 +3,7 @@
  * a script lets a robot drive one metre.
  */
 import {
+  expiredReason,
   PROTOCOL_VERSION,
   type DriverToRelay,
   type Hello,
@@ -117,7 +118,7 @@ export const messageExamples: { [S in keyof MessageKinds]: OfEachKind<MessageKin
     },
     state: {
       type: "state",
-      record: { ...recordExample, state: "expired", reason: "older than 10 s" },
+      record: { ...recordExample, state: "expired", reason: expiredReason(10_000) },
       ttl: 10_000,
     },
     drivers: {

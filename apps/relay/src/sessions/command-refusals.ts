@@ -20,7 +20,7 @@ export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusa
     case "paused":
       return new Refusal(
         "driving-paused",
-        "The owner has paused remote driving. Try again in a second, as a new command once its time to live is over.",
+        "The owner has paused remote driving. Press 'Let scripts drive' under Remote on the robot's page, and send the command again.",
       );
     case "full":
       return new Refusal(

@@ -1,3 +1,4 @@
+import { expiredReason } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { completed } from "../testing/messages.ts";
 import { LEFT, patience, withRobot, page } from "./testing/robot-at-relay.ts";
@@ -11,7 +12,7 @@ describe("a robot session: time to live", () => {
     await robot.clock.pass(399);
     expect(await robot.states()).toEqual(["1 accepted", "2 accepted"]);
     await robot.clock.pass(1);
-    expect(await end).toMatchObject({ state: "expired", reason: "older than 0.4 s" });
+    expect(await end).toMatchObject({ state: "expired", reason: expiredReason(400) });
     await robot.clock.pass(9_600);
     expect(await robot.states()).toEqual(["1 expired", "2 expired"]);
   });

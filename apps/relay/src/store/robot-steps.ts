@@ -2,7 +2,7 @@
  * What becomes of a robot's commands, step by step: see `SessionStore`, which says what each of them is for. Each
  * change names the states that it may come from, and an ending is for ever.
  */
-import type { CommandRecord, Ending } from "@corridor/protocol";
+import { expiredReason, type CommandRecord, type Ending } from "@corridor/protocol";
 import { isStop, recordOfRow, termedOfRow, type CommandRow } from "./command-row.ts";
 import type { KnownCommand } from "./known-commands.ts";
 import type { LiveRobot } from "./live-robot.ts";
@@ -83,7 +83,7 @@ export function expire(
   let next: number | null = null;
   for (const row of waiting(robot)) {
     if (isLate(row, now)) {
-      const reason = `older than ${row.ttl / 1000} s`;
+      const reason = expiredReason(row.ttl);
       ended.push(termedOfRow(robot.change(row, { state: "expired", reason })));
     } else next = Math.min(next ?? row.deadline, row.deadline);
   }

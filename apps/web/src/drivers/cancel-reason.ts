@@ -4,7 +4,7 @@
  */
 export const cancelReasons = {
   notRemote: "Remote does not drive: choose Remote on the robot's page.",
-  handedOver: "The robot's page took over.",
+  handedOver: "The robot's page took over: choose Remote there to let scripts drive.",
   reset: "The robot was put back to its start.",
   mazeChanged: "The maze changed and the robot was put back to its start.",
   movedInTime: "The robot's page went to another moment or another run.",

@@ -5,6 +5,7 @@
  */
 import type { CommandJournal, HostLink, HostLinkOptions, HostStatus } from "@corridor/client/host";
 import type { MazeDocument } from "@corridor/maze";
+import { expiredReason } from "@corridor/protocol";
 import type {
   AliveDriver,
   CommandRecord,
@@ -283,7 +284,7 @@ export class RemoteHost implements RemoteDriverEvents {
   #reasonFor(seq: number, { state, reason }: Ending): string | null {
     if (reason !== null) return cancelReasons[reason];
     const record = this.#commands.get(seq);
-    return state === "expired" && record !== undefined ? `older than ${record.ttl / 1000} s` : null;
+    return state === "expired" && record !== undefined ? expiredReason(record.ttl) : null;
   }
 
   #list({ seq, key, command, acceptedAt, ttl }: DeliveredCommand): void {

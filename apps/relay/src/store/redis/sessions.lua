@@ -318,11 +318,19 @@ function steps.deliver()
   return list(due)
 end
 
+-- As expiredReason of the protocol.
+local function expiredReason(ttl)
+  return string.format(
+    "Not started within %g s: check that the robot's page is open, on Remote and not paused.",
+    ttl / 1000
+  )
+end
+
 function steps.expire()
   local late, due = {}, nil
   for _, row in ipairs(open(waits)) do
     if isLate(row) then
-      late[#late + 1] = change(row, 'expired', string.format('older than %g s', row.ttl / 1000))
+      late[#late + 1] = change(row, 'expired', expiredReason(row.ttl))
     elseif not due or row.deadline < due then
       due = row.deadline
     end

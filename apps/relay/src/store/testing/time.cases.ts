@@ -1,4 +1,5 @@
 /** What every store must do: deadlines. */
+import { expiredReason } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { completed } from "../../testing/messages.ts";
 import { ID, LEFT, NOW, EPOCH, sent, type OpenStore, robotIn } from "./robot-in-store.ts";
@@ -16,7 +17,7 @@ export function timeCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await store.expire(ID, NOW + 399)).toEqual({ ended: [], next: NOW + 400 });
       const { ended, next } = await store.expire(ID, NOW + 400);
       expect(ended).toMatchObject([
-        { ttl: 400, record: { seq: 1, state: "expired", reason: "older than 0.4 s" } },
+        { ttl: 400, record: { seq: 1, state: "expired", reason: expiredReason(400) } },
       ]);
       expect(next).toBe(NOW + 10_000);
       expect(await states()).toEqual(["1 expired", "2 accepted"]);
