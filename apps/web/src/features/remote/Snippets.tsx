@@ -6,8 +6,8 @@ import { maskKey, type RobotAddress } from "./robot-address.ts";
 import { snippet, snippetLanguages, type SnippetLanguage } from "./snippets.ts";
 import styles from "./remote.module.css";
 
-/** How many lines are seen at once; the others scroll. */
-const SHOWN_LINES = 8;
+/** As many as a script has. */
+const SHOWN_LINES = 12;
 
 export function Snippets({ address }: { address: RobotAddress }) {
   const { t } = useTranslation();

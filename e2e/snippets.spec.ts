@@ -1,0 +1,130 @@
+/** What a beginner copies first, run as it is copied, whatever state the robot's page is in. */
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import type { Page } from "playwright/test";
+import { inPath } from "../scripts/programs.ts";
+import { expect, test } from "./fixtures.ts";
+import { openMore } from "./support/remote-panel.ts";
+import { copyAddress, setSpeed } from "./support/remote-robot.ts";
+import { exampleOf, runScript } from "./support/script.ts";
+
+interface Script {
+  name: string;
+  command: readonly string[];
+  text: string;
+}
+
+const [python = ""] = exampleOf("Python");
+const [node = ""] = exampleOf("JavaScript");
+const [java = ""] = exampleOf("Java");
+
+/** All that the page, /docs and the README offer; saved where the program wants a file. */
+async function firstScripts(page: Page, address: string, folder: string): Promise<Script[]> {
+  const copied = async (region: string): Promise<string> => {
+    const around = page.getByRole("region", { name: region, exact: true });
+    await around.getByRole("button", { name: "Copy", exact: true }).click();
+    return page.evaluate(() => navigator.clipboard.readText());
+  };
+  const saved = async (file: string, text: string): Promise<string> => {
+    await writeFile(join(folder, file), text);
+    return join(folder, file);
+  };
+  const tab = async (name: string): Promise<string> => {
+    await page
+      .getByRole("region", { name: "Script in another language" })
+      .getByRole("radio", { name, exact: true })
+      .click();
+    return copied("Script in another language");
+  };
+  const starter = await copied("Python");
+  await openMore(page);
+  const { origin } = new URL(address);
+  await saved("corridor.py", await (await fetch(`${origin}/corridor.py`)).text());
+  const docs = await (await fetch(`${origin}/docs`)).text();
+  const example = /<pre id="example"[^>]*><code>([^]*?)<\/code>/.exec(docs)?.[1] ?? "";
+  const readme = await readFile(new URL("../README.md", import.meta.url), "utf8");
+  const block = (language: string): string =>
+    (new RegExp(`\`\`\`${language}\\n([^]*?)\`\`\``).exec(readme)?.[1] ?? "").replace(
+      /http:[^"]+/,
+      address,
+    );
+  const module = [node, "--input-type=module", "-"];
+  const all: Script[] = [
+    { name: "first script", command: [python, await saved("first.py", starter)], text: starter },
+    { name: "Python", command: [python, "-"], text: await tab("Python") },
+    { name: "JavaScript", command: module, text: await tab("JavaScript") },
+    { name: "curl", command: ["sh"], text: await tab("curl") },
+    { name: "/docs", command: [python, "-", address], text: example },
+    {
+      name: "README in Python",
+      command: [python, await saved("readme.py", block("python"))],
+      text: block("python"),
+    },
+    { name: "README in TypeScript", command: module, text: block("ts") },
+  ];
+  const inJava = await tab("Java");
+  if (inPath("java").length > 0) {
+    all.push({ name: "Java", command: [java, await saved("Robot.java", inJava)], text: inJava });
+  }
+  for (const { name, text } of all) {
+    expect(text.trim().split("\n").length, name).toBeLessThanOrEqual(12);
+  }
+  return all;
+}
+
+const CHOOSE_REMOTE = "Remote does not drive: choose Remote on the robot's page.";
+
+const states = [
+  {
+    state: "on Remote",
+    prepare: async () => undefined,
+    last: /^("state":")?completed"?$|^\d+(\.\d+)?$|^$/,
+  },
+  {
+    state: "on Me",
+    prepare: (page: Page) => page.getByRole("radio", { name: "Me", exact: true }).click(),
+    last: new RegExp(CHOOSE_REMOTE),
+  },
+  {
+    state: "with paused scripts",
+    prepare: async (page: Page) => {
+      const scripts = page.getByRole("region", { name: "Scripts" });
+      await scripts.getByRole("button", { name: "Pause scripts" }).click();
+      await expect(scripts.getByRole("button", { name: "Let scripts drive" })).toBeVisible();
+    },
+    last: /Press 'Let scripts drive' under Remote on the robot's page/,
+  },
+  {
+    state: "paused",
+    prepare: (page: Page) => page.getByRole("button", { name: "Pause", exact: true }).click(),
+    last: /check that the robot's page is open, on Remote and not paused/,
+  },
+  {
+    state: "closed",
+    prepare: (page: Page) => page.close(),
+    last: /check that the robot's page is open, on Remote and not paused|Open the page again/,
+  },
+];
+
+for (const { state, prepare, last } of states) {
+  test(`every first script ends with what to do: the page is ${state}`, async ({ page }) => {
+    test.setTimeout(120_000);
+    const folder = await mkdtemp(join(tmpdir(), "corridor-first-"));
+    await page.goto("/");
+    await setSpeed(page, "16");
+    const address = await copyAddress(page);
+    const scripts = await firstScripts(page, address, folder);
+    await prepare(page);
+    const run = async ({ name, command, text }: Script) => {
+      const { code, output } = await runScript([...command], text);
+      return { name, code, output, last: output.trimEnd().split("\n").at(-1) ?? "" };
+    };
+    for (const ended of await Promise.all(scripts.map(run))) {
+      expect(ended.last, `${ended.name}: ${ended.output}`).toMatch(last);
+      expect(ended.output, ended.name).not.toContain("Traceback");
+      if (state === "on Remote") expect(ended.code, ended.name).toBe(0);
+    }
+    await rm(folder, { recursive: true });
+  });
+}
