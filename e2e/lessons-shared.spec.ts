@@ -86,6 +86,6 @@ test("meets a teacher's challenge from a link: every square in one line", async 
   await corridor.program.number(1).fill("20");
   await lessons.button("Check the program").click();
   await expect(lessons.outcome).toHaveText(
-    /^Bump at 2\.\d s\. Line 1 was never true\. It was needed at 2\.0 s, when front was 50 cm\.$/,
+    /^Bump at 2\.\d s\. Line 1 never decided\. It was needed at 2\.0 s, when front was 50 cm\.$/,
   );
 });
