@@ -10,29 +10,29 @@ import { useServices } from "./services.ts";
 
 /** Each row: its words, and the keys that do the same (see key-caps.ts). */
 const rows = [
-  ["speech.keys.tab", ["Tab", "Shift+Tab"]],
-  ["shell.keys.drive", ["W", "A", "S", "D", "↑", "←", "↓", "→"]],
-  ["shell.keys.stop", ["Space", "Esc"]],
-  ["shell.keys.run", ["Ctrl+Enter"]],
-  ["shell.keys.step", ["Ctrl+Shift+Enter"]],
-  ["shell.keys.maze", ["↑", "←", "↓", "→", "Space", "Enter"]],
-  ["speech.keys.mazeFar", ["Home", "End", "Page Up", "Page Down", "Ctrl+Home", "Ctrl+End"]],
-  ["speech.keys.tape", ["Esc"]],
+  ["runDetails:keys.tab", ["Tab", "Shift+Tab"]],
+  ["runDetails:keys.drive", ["W", "A", "S", "D", "↑", "←", "↓", "→"]],
+  ["runDetails:keys.stop", ["Space", "Esc"]],
+  ["runDetails:keys.run", ["Ctrl+Enter"]],
+  ["runDetails:keys.step", ["Ctrl+Shift+Enter"]],
+  ["runDetails:keys.maze", ["↑", "←", "↓", "→", "Space", "Enter"]],
+  ["runDetails:keys.mazeFar", ["Home", "End", "Page Up", "Page Down", "Ctrl+Home", "Ctrl+End"]],
+  ["runDetails:keys.tape", ["Esc"]],
   ["runDetails:stageZoom.keys", ["+", "-", "0"]],
-  ["shell.keys.line", ["Alt+↑", "Alt+↓", "Delete"]],
-  ["shell.keys.timeline", ["←", "→", "Home", "End"]],
-  ["speech.keys.timelineTick", ["Shift+←", "Shift+→"]],
-  ["speech.keys.timelineFar", ["Page Down", "Page Up"]],
+  ["runDetails:keys.line", ["Alt+↑", "Alt+↓", "Delete"]],
+  ["runDetails:keys.timeline", ["←", "→", "Home", "End"]],
+  ["runDetails:keys.timelineTick", ["Shift+←", "Shift+→"]],
+  ["runDetails:keys.timelineFar", ["Page Down", "Page Up"]],
   ["runDetails:timelineZoom.keys", ["+", "-", "0"]],
-  ["shell.keys.undo", ["Ctrl+Z"]],
-  ["shell.keys.redo", ["Ctrl+Shift+Z"]],
-  ["speech.keys.describe", ["I"]],
-  ["shell.keys.close", ["Esc"]],
-  ["shell.keys.help", ["?"]],
+  ["runDetails:keys.undo", ["Ctrl+Z"]],
+  ["runDetails:keys.redo", ["Ctrl+Shift+Z"]],
+  ["runDetails:keys.describe", ["I"]],
+  ["runDetails:keys.close", ["Esc"]],
+  ["runDetails:keys.help", ["?"]],
 ] as const;
 
 export function ShortcutsDialog({ isOpen, onClose }: { isOpen: boolean; onClose: () => void }) {
-  const { t } = useTranslation(["words", "runDetails"], { useSuspense: false });
+  const { t, ready } = useTranslation(["words", "runDetails"], { useSuspense: false });
   const { screen } = useServices();
   const singleKeys = useStore(screen, (state) => state.singleKeys);
   const speakRun = useStore(screen, (state) => state.speakRun);
@@ -47,8 +47,8 @@ export function ShortcutsDialog({ isOpen, onClose }: { isOpen: boolean; onClose:
       footer={
         <div className={styles["switches"]}>
           <Checkbox
-            label={t("shell.keys.single")}
-            note={t("shell.keys.singleNote")}
+            label={t("runDetails:keys.single")}
+            note={t("runDetails:keys.singleNote")}
             checked={singleKeys}
             onChange={(isOn) => screen.setState({ singleKeys: isOn })}
           />
@@ -62,7 +62,7 @@ export function ShortcutsDialog({ isOpen, onClose }: { isOpen: boolean; onClose:
       }
     >
       <dl className={styles["keys"]}>
-        {rows.map(([row, keys]) => (
+        {(ready ? rows : []).map(([row, keys]) => (
           <div key={row} className={styles["row"]}>
             <dt>{t(row)}</dt>
             <dd>
