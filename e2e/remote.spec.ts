@@ -350,3 +350,26 @@ test("taking over by hand cancels what the script asked for and says why", async
   expect(record).toMatchObject({ state: "cancelled" });
   expect(record.reason).toContain("took over");
 });
+
+for (const [width, height] of [
+  [1440, 900],
+  [1024, 768],
+] as const) {
+  test(`scrolls the panel and never the page, at ${width} x ${height}`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await page.goto("/");
+    await copyAddress(page);
+    await openMore(page);
+    // As a reader comes there with Tab.
+    await page
+      .getByRole("group", { name: "Language of the script" })
+      .getByRole("radio")
+      .last()
+      .focus();
+    const { scrollTop, scrollHeight } = await page.evaluate(() => {
+      const { scrollTop: top, scrollHeight: whole } = document.documentElement;
+      return { scrollTop: top, scrollHeight: whole };
+    });
+    expect({ scrollTop, scrollHeight }).toEqual({ scrollTop: 0, scrollHeight: height });
+  });
+}
