@@ -75,7 +75,9 @@ async function openWith(browser: Browser, url: string, program: ProgramDocument)
   // A name of its own: the program is the student's.
   const link = encodeLink({ maze: preset.maze, program: { ...program, name: "Mine" } });
   if (!link.ok) throw new Error(`the maze fits no link: ${link.code}`);
-  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  // Without a graphics chip the dialog's way in takes a whole core, and the mazes would be measured with one less.
+  const viewport = { width: 1440, height: 900 };
+  const page = await browser.newPage({ viewport, reducedMotion: "reduce" });
   page.setDefaultTimeout(120_000);
   await page.addInitScript(noteTrialWorker);
   await page.goto(`${url}/#${link.text}`);
@@ -150,10 +152,9 @@ async function runAlone(job: {
   const worker = new Worker(trialWorker, { type: "module" });
   const run = async (): Promise<number> => {
     const begin = performance.now();
-    for (let seed = 1; seed <= job.mazes; seed++) {
-      const mazes = { kind: "tree", side: job.side };
-      worker.postMessage({ type: "try", job: 0, program: job.program, mazes, seed });
-    }
+    const mazes = { kind: "tree", side: job.side };
+    const seeds = Array.from({ length: job.mazes }, (_, at) => at + 1);
+    worker.postMessage({ type: "try", job: 0, program: job.program, mazes, seeds });
     await new Promise<void>((resolve) => {
       let answers = 0;
       worker.onmessage = () => {

@@ -5,7 +5,16 @@ import type { WrittenRun } from "@corridor/recording";
 import type { TrialMazes, TrialResult } from "./maze-trial.ts";
 
 export type ToTrialWorker =
-  | { type: "try"; job: number; program: ProgramDocument; mazes: TrialMazes; seed: number }
+  /** adds mazes to those that wait; each is answered by a result */
+  | {
+      type: "try";
+      job: number;
+      program: ProgramDocument;
+      mazes: TrialMazes;
+      seeds: readonly number[];
+    }
+  /** drops the mazes that wait */
+  | { type: "stop" }
   | { type: "record"; maze: MazeDocument; program: ProgramDocument; ticks: number };
 
 export type FromTrialWorker =

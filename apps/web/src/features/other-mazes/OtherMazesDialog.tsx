@@ -1,6 +1,6 @@
 /** Runs the open program in a hundred other mazes and shows in which of them it works. */
 import { Eye, RotateCcw, Square } from "lucide-react";
-import { useEffect, useState } from "react";
+import { useDeferredValue, useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -16,6 +16,8 @@ import { countOutcomes, seedsFrom, trialChoice, Trials, TRIALS } from "./trials.
 
 /** How long the workers wait for the next press of the button. */
 const IDLE_MS = 60_000;
+/** Between two looks at the results: each costs a layout of the grid, on a core that the mazes want too. */
+const SHOW_MS = 100;
 
 interface OtherMazesDialogProps {
   isOpen: boolean;
@@ -56,6 +58,8 @@ function TrialRun({ onClose }: { onClose: () => void }) {
     };
   }, [trials]);
 
+  // The mazes are begun before a hundred tiles are drawn.
+  const hasGrid = useDeferredValue(true, false);
   const counts = countOutcomes(results);
   const seeds = seedsFrom(choice.first);
   const failure = seeds
@@ -121,7 +125,9 @@ function TrialRun({ onClose }: { onClose: () => void }) {
       <output className="visually-hidden">
         {state === "done" || state === "stopped" ? sentence : ""}
       </output>
-      <TrialGrid seeds={seeds} results={results} onOpen={(result) => void open(result)} />
+      {hasGrid && (
+        <TrialGrid seeds={seeds} results={results} onOpen={(result) => void open(result)} />
+      )}
     </div>
   );
 }
@@ -141,7 +147,7 @@ function trialsOfPage(
 ): PageTrials {
   if (pageTrials === null) {
     const pool = createTrialPool();
-    const trials = new Trials(pool, (show) => requestAnimationFrame(show));
+    const trials = new Trials(pool, (show) => setTimeout(show, SHOW_MS));
     pageTrials = { trials, opener: new TrialOpener(services, words, pool) };
   }
   return pageTrials;

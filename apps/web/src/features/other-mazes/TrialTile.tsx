@@ -1,6 +1,6 @@
 /** One maze that the program is tried in: its picture, its seed, and what came of it in a mark and a word. */
 import { Check, Clock, X } from "lucide-react";
-import { memo } from "react";
+import { memo, useDeferredValue } from "react";
 import { useTranslation } from "react-i18next";
 import { formatClock } from "../../text/numbers.ts";
 import type { TrialResult } from "../../worker/maze-trial.ts";
@@ -20,6 +20,8 @@ const icons = { works: Check, bump: X, "time-limit": Clock } as const;
 
 export const TrialTile = memo(function TrialTile({ seed, result, isStop, onOpen }: TrialTileProps) {
   const { t, i18n } = useTranslation("otherMazes", { useSuspense: false });
+  // What came of it is shown first, its picture as soon as the page has time.
+  const drawn = useDeferredValue(result);
   const outcome = result?.outcome ?? null;
   const Icon = outcome === null ? null : icons[outcome];
   const time = formatClock(result?.tick ?? 0, i18n.language);
@@ -37,7 +39,7 @@ export const TrialTile = memo(function TrialTile({ seed, result, isStop, onOpen 
         }}
       >
         <span className={styles["picture"]}>
-          {result !== null && <MazePicture maze={result.maze} />}
+          {drawn !== null && <MazePicture maze={drawn.maze} />}
         </span>
         <span className={styles["caption"]}>
           <span className={styles["seed"]}>{seed}</span>

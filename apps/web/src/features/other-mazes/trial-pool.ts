@@ -1,6 +1,6 @@
 /**
- * Workers that share a list of mazes, one for each core. A worker gets its next maze while it is still
- * busy with the one before, so that it never waits for the page.
+ * Workers that share a list of mazes, one for each core. Shares are large at first and small at the end: a
+ * worker seldom waits for the page, which draws meanwhile, and all are done at about the same time.
  */
 import type { ProgramDocument } from "@corridor/program";
 import type { WrittenRun } from "@corridor/recording";
@@ -27,13 +27,19 @@ export interface TrialListener {
   onFailure: () => void;
 }
 
-/** Mazes that a worker has at a time. */
-const AHEAD = 2;
+/** Mazes that a worker is given at a time, at least. */
+const LEAST_SHARE = 2;
+
+/** A worker, and how many mazes it still has. */
+interface Crew {
+  port: TrialPort;
+  waiting: number;
+}
 
 export class TrialPool {
   readonly #start: () => TrialPort;
   readonly #size: number;
-  #ports: TrialPort[] = [];
+  #crews: Crew[] = [];
   #recorders: ((written: WrittenRun | null) => void)[] = [];
   /** rises with each job: results of another one are late, and ignored */
   #id = 0;
@@ -48,24 +54,26 @@ export class TrialPool {
 
   /** Starts the workers, so that a job finds them ready. */
   open(): void {
-    if (this.#ports.length > 0) return;
-    this.#ports = Array.from({ length: this.#size }, () => this.#openPort());
+    if (this.#crews.length > 0) return;
+    this.#crews = Array.from({ length: this.#size }, () => this.#openCrew());
   }
 
   /** Runs a job in place of the one that runs. */
   run(job: TrialJob, listener: TrialListener): void {
+    this.stop();
     this.open();
-    this.#id++;
     this.#job = job;
     this.#listener = listener;
     this.#next = 0;
-    for (let ahead = 0; ahead < AHEAD; ahead++) {
-      for (const port of this.#ports) this.#give(port);
+    for (const crew of this.#crews) {
+      crew.waiting = 0;
+      this.#give(crew);
     }
   }
 
-  /** Ends the job. What a worker has begun is finished and ignored. */
+  /** Ends the job. The maze that a worker has begun is finished and ignored. */
   stop(): void {
+    if (this.#job !== null) for (const { port } of this.#crews) port.postMessage({ type: "stop" });
     this.#id++;
     this.#job = null;
     this.#listener = null;
@@ -79,31 +87,33 @@ export class TrialPool {
   ): Promise<WrittenRun | null> {
     this.stop();
     this.open();
-    const [port] = this.#ports;
-    if (port === undefined) return null;
+    const [crew] = this.#crews;
+    if (crew === undefined) return null;
     return new Promise((resolve) => {
       this.#recorders.push(resolve);
-      port.postMessage({ type: "record", maze, program, ticks });
+      crew.port.postMessage({ type: "record", maze, program, ticks });
     });
   }
 
   /** Ends the workers; the next job starts new ones. */
   close(): void {
     this.stop();
-    for (const port of this.#ports) port.terminate();
-    this.#ports = [];
+    for (const { port } of this.#crews) port.terminate();
+    this.#crews = [];
     for (const resolve of this.#recorders.splice(0)) resolve(null);
   }
 
-  #openPort(): TrialPort {
+  #openCrew(): Crew {
     const port = this.#start();
+    const crew = { port, waiting: 0 };
     port.onmessage = ({ data }) => {
       if (data.type === "recorded") {
         this.#recorders.shift()?.(data.written);
         return;
       }
       if (data.job !== this.#id) return;
-      this.#give(port);
+      crew.waiting--;
+      this.#give(crew);
       this.#listener?.onResult(data.result);
     };
     port.onerror = () => {
@@ -111,16 +121,20 @@ export class TrialPool {
       this.close();
       listener?.onFailure();
     };
-    return port;
+    return crew;
   }
 
-  #give(port: TrialPort): void {
-    const job = this.#job;
-    const seed = job?.seeds[this.#next];
-    if (job === null || seed === undefined) return;
-    this.#next++;
-    const { program, mazes } = job;
-    port.postMessage({ type: "try", job: this.#id, program, mazes, seed });
+  /** Half of what nobody has, divided by the workers, once a worker is through with half of so many. */
+  #give(crew: Crew): void {
+    if (this.#job === null) return;
+    const { program, mazes, seeds } = this.#job;
+    const left = seeds.length - this.#next;
+    const share = Math.max(LEAST_SHARE, Math.ceil(left / (2 * this.#crews.length)));
+    if (left === 0 || crew.waiting > share / 2) return;
+    const given = seeds.slice(this.#next, this.#next + share);
+    this.#next += given.length;
+    crew.waiting += given.length;
+    crew.port.postMessage({ type: "try", job: this.#id, program, mazes, seeds: given });
   }
 }
 

@@ -1,7 +1,7 @@
 import { programPresets } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import { mazeOf, minutesFor, recordTrial, tryMaze } from "../../worker/maze-trial.ts";
-import type { ToTrialWorker } from "../../worker/trial-messages.ts";
+import type { FromTrialWorker, ToTrialWorker } from "../../worker/trial-messages.ts";
 import { TrialPool, type TrialPort } from "./trial-pool.ts";
 import { countOutcomes, Trials, type TrialChoice } from "./trials.ts";
 
@@ -15,65 +15,64 @@ class FakeWorker implements TrialPort {
   onmessage: TrialPort["onmessage"] = null;
   onerror: TrialPort["onerror"] = null;
   isOver = false;
-  readonly waiting: ToTrialWorker[] = [];
+  /** what it has to do */
+  readonly waiting: (() => FromTrialWorker)[] = [];
 
   postMessage(message: ToTrialWorker): void {
-    this.waiting.push(message);
+    if (message.type === "stop") this.waiting.length = 0;
+    else if (message.type === "record") {
+      const { maze, program: recorded, ticks } = message;
+      const record = () => recordTrial(maze, recorded, ticks);
+      this.waiting.push(() => ({ type: "recorded", written: record() }));
+    } else this.waiting.push(...message.seeds.map((seed) => () => resultOf(message, seed)));
   }
 
   terminate(): void {
     this.isOver = true;
   }
 
-  /** Answers the oldest message. @returns whether there was one */
+  /** Does the oldest. @returns whether there was one */
   answer(): boolean {
-    const message = this.waiting.shift();
-    if (message === undefined) return false;
-    const data =
-      message.type === "record"
-        ? ({
-            type: "recorded",
-            written: recordTrial(message.maze, message.program, message.ticks),
-          } as const)
-        : ({
-            type: "result",
-            job: message.job,
-            result: resultOf(message),
-          } as const);
-    this.onmessage?.({ data } as MessageEvent);
+    const data = this.waiting.shift()?.();
+    if (data === undefined) return false;
+    this.onmessage?.({ data } as MessageEvent<FromTrialWorker>);
     return true;
   }
 }
 
-function resultOf({ mazes, seed, program: tried }: Extract<ToTrialWorker, { type: "try" }>) {
+function resultOf(
+  { job, mazes, program: tried }: Extract<ToTrialWorker, { type: "try" }>,
+  seed: number,
+): FromTrialWorker {
   const maze = mazeOf(mazes, seed);
-  return { seed, maze, ...tryMaze(maze, tried, minutesFor(mazes.side)) };
+  const result = { seed, maze, ...tryMaze(maze, tried, minutesFor(mazes.side)) };
+  return { type: "result", job, result };
 }
 
 function setUp(size = 3) {
   const workers: FakeWorker[] = [];
-  const frames: (() => void)[] = [];
+  const waits: (() => void)[] = [];
   const pool = new TrialPool(() => {
     const worker = new FakeWorker();
     workers.push(worker);
     return worker;
   }, size);
-  const trials = new Trials(pool, (show) => frames.push(show));
-  const frame = () => {
-    for (const show of frames.splice(0)) show();
+  const trials = new Trials(pool, (show) => waits.push(show));
+  const later = () => {
+    for (const show of waits.splice(0)) show();
   };
   const answerAll = () => {
-    while (workers.some((worker) => worker.answer()));
-    frame();
+    while (workers.filter((worker) => worker.answer()).length > 0);
+    later();
   };
-  return { workers, trials, frame, answerAll, state: () => trials.store.getState() };
+  return { workers, trials, later, answerAll, state: () => trials.store.getState() };
 }
 
 describe("trying a program in other mazes", () => {
   it("tries each of the hundred seeds once, on all workers", () => {
     const { workers, trials, answerAll, state } = setUp();
     trials.start(choice, rightWall);
-    expect(workers.map(({ waiting }) => waiting.length)).toEqual([2, 2, 2]);
+    expect(workers.every(({ waiting }) => waiting.length > 0)).toBe(true);
     answerAll();
     expect(state().state).toBe("done");
     expect([...state().results.keys()].toSorted((a, b) => a - b)).toEqual(
@@ -82,14 +81,37 @@ describe("trying a program in other mazes", () => {
     expect(countOutcomes(state().results)).toEqual({ works: 100, bump: 0, "time-limit": 0 });
   });
 
-  it("shows results once a frame", () => {
-    const { workers, trials, frame, state } = setUp();
+  it("leaves no worker with many mazes while another has none", () => {
+    const { workers, trials } = setUp();
+    trials.start(choice, rightWall);
+    let worst = 0;
+    while (workers.filter((worker) => worker.answer()).length > 0) {
+      const waiting = workers.map((worker) => worker.waiting.length);
+      if (Math.min(...waiting) === 0) worst = Math.max(worst, ...waiting);
+    }
+    expect(worst).toBeLessThanOrEqual(2);
+  });
+
+  it("lets no worker wait for the page at the beginning", () => {
+    const { workers, trials } = setUp(2);
+    trials.start(choice, rightWall);
+    expect(workers.map(({ waiting }) => waiting.length)).toEqual([25, 19]);
+  });
+
+  it("shows the first result and the last at once, and the others together", () => {
+    const { workers, trials, later, answerAll, state } = setUp();
     trials.start(choice, rightWall);
     workers[0]?.answer();
+    expect(state().results.size).toBe(1);
+    workers[0]?.answer();
     workers[1]?.answer();
-    expect(state().results.size).toBe(0);
-    frame();
-    expect(state().results.size).toBe(2);
+    expect(state().results.size).toBe(1);
+    later();
+    expect(state().results.size).toBe(3);
+    while (workers.filter((worker) => worker.answer()).length > 0);
+    expect(state().state).toBe("done");
+    answerAll();
+    expect(state().results.size).toBe(100);
   });
 
   it("stops, and shows what it has", () => {

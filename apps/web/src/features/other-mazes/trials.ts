@@ -31,15 +31,15 @@ export class Trials {
     results: new Map(),
   }));
   readonly pool: TrialPool;
-  readonly #nextFrame: (work: () => void) => void;
+  readonly #later: (show: () => void) => void;
   /** results that the screen does not have yet */
   #news: TrialResult[] = [];
   #isDue = false;
 
-  /** @param nextFrame runs a function at the next frame: results are shown once a frame */
-  constructor(pool: TrialPool, nextFrame: (work: () => void) => void) {
+  /** @param later runs a function after a while: what comes between the first and the last result is shown together */
+  constructor(pool: TrialPool, later: (show: () => void) => void) {
     this.pool = pool;
-    this.#nextFrame = nextFrame;
+    this.#later = later;
   }
 
   start({ kind, side, first }: TrialChoice, program: ProgramDocument): void {
@@ -76,9 +76,12 @@ export class Trials {
   }
 
   #showSoon(): void {
+    const { results } = this.store.getState();
+    const isFirstOrLast = results.size === 0 || results.size + this.#news.length === TRIALS;
+    if (isFirstOrLast) return this.#show();
     if (this.#isDue) return;
     this.#isDue = true;
-    this.#nextFrame(() => {
+    this.#later(() => {
       this.#isDue = false;
       this.#show();
     });
