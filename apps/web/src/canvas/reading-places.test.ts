@@ -174,6 +174,11 @@ describe("the four readings are each at their beam", () => {
     );
   });
 
+  it("where the place that the right reading likes best is the only one of the back reading", () => {
+    const pose = { x: 1850, y: 650, heading: 0 };
+    expectUnambiguous(standAt(mazeOf(open(21)), pose, { width: 320, height: 148 }, 13));
+  });
+
   it("in a maze that was zoomed", () => {
     fc.assert(
       fc.property(

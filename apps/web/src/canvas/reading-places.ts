@@ -65,10 +65,25 @@ export function placeReadings(
   requests.sort((a, b) => sensors[a.name] - sensors[b.name]);
   // Readings around a robot that is scrolled out of sight would belong to nothing.
   const bounds = isInside(origin, port) ? view : port;
-  return placeTags(requests, [robot, ...taken], bounds, spared).map((tag) => ({
+  const place = (order: readonly TagRequest<SensorName>[]) =>
+    placeTags(order, [robot, ...taken], bounds, spared);
+  return placeAll(requests, place).map((tag) => ({
     ...tag,
     look: tag.height < large.height ? small : large,
   }));
+}
+
+/** Where a place is gone that was another one's only place, that one chooses first. */
+function placeAll<Request extends { name: SensorName }>(
+  requests: readonly Request[],
+  place: (order: readonly Request[]) => PlacedTag<SensorName>[],
+): PlacedTag<SensorName>[] {
+  const placed = place(requests);
+  const isPlaced = ({ name }: Request): boolean => placed.some((tag) => tag.name === name);
+  const leftOut = requests.filter((request) => !isPlaced(request));
+  if (leftOut.length === 0) return placed;
+  const again = place([...leftOut, ...requests.filter(isPlaced)]);
+  return again.length > placed.length ? again : placed;
 }
 
 function isInside({ x, y }: { x: number; y: number }, box: Box): boolean {
