@@ -3,7 +3,7 @@
  * part of the page that index.html draws by itself names its classes `app.page`, file and class, and is
  * told the short ones here.
  */
-import { readFileSync } from "node:fs";
+import { globSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import type { Plugin } from "vite";
 
@@ -27,13 +27,25 @@ const shellStyles: Readonly<Record<string, string>> = {
   lessons: source("features/lessons/lessons-invitation"),
 };
 
-const numbers = new Map<string, number>();
+/** A class, or an animation, which has a name of the same kind. */
+const NAME = /(?:\.|@keyframes )([a-z][\w-]*)/gi;
 
-/** A name for a class of a file, given by turns. */
+let numbers: ReadonlyMap<string, number> | null = null;
+
+/** The same numbers in each build, whichever file comes first; small ones for what is on the first screen. */
+function numbered(): ReadonlyMap<string, number> {
+  const files = globSync(source("**/*")).toSorted();
+  const keys = [...new Set([...Object.values(shellStyles), ...files])].flatMap((path) =>
+    [...readFileSync(path, "utf8").matchAll(NAME)].map(([, name]) => `${path} ${name}`),
+  );
+  return new Map([...new Set(keys)].map((key, at) => [key, at]));
+}
+
+/** A name for a class of a file. */
 export function scopedName(name: string, path: string): string {
-  const key = `${path} ${name}`;
-  const at = numbers.get(key) ?? numbers.size;
-  numbers.set(key, at);
+  numbers ??= numbered();
+  const at = numbers.get(`${path} ${name}`);
+  if (at === undefined) throw new Error(`${path} has no class ${name}`);
   return `c${at.toString(36)}`;
 }
 
