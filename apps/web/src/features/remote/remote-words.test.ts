@@ -51,12 +51,15 @@ describe("the connection", () => {
 describe("the robot's address", () => {
   const session = { id: "abc", ownerKey: "o", driverKey: "secret-key", lastApplied: 0 };
 
-  it("is shown without its key, and tells where the calls go", () => {
-    const address = "http://localhost:1234/r/abc#secret-key";
+  it.each([
+    { origin: "http://localhost:1234", url: "http://localhost:1234/r/abc" },
+    { origin: "https://robots.school", url: "https://robots.school/r/abc" },
+  ])("is displayed as a URL without its key, and names the API: $url", ({ origin, url }) => {
+    const address = `${origin}/r/abc#secret-key`;
     expect(robotAddress({ ...session, address })).toEqual({
       full: address,
-      shown: "localhost:1234/r/abc",
-      api: "http://localhost:1234/api/v1/robots/abc",
+      shown: url,
+      api: `${origin}/api/v1/robots/abc`,
       key: "secret-key",
     });
   });

@@ -4,7 +4,7 @@ import type { RemoteSession } from "../../worker/worker-messages.ts";
 export interface RobotAddress {
   /** with the key: all that a script needs */
   full: string;
-  /** what is shown: host and id */
+  /** what the page displays: the URL without its key */
   shown: string;
   /** where the robot's REST calls begin */
   api: string;
@@ -20,7 +20,7 @@ export function robotAddress({ id, address, driverKey }: RemoteSession): RobotAd
   if (url === null) return null;
   return {
     full: address,
-    shown: url.host + url.pathname,
+    shown: url.origin + url.pathname,
     api: `${url.origin}/api/v1/robots/${id}`,
     key: driverKey,
   };
