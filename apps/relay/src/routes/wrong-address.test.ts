@@ -40,6 +40,32 @@ describe("a wrong address", () => {
     }
   });
 
+  it.each([
+    { lang: "ja", words: "このページはありません" },
+    { lang: "zh-Hans", words: "没有这个页面" },
+  ])(
+    "keeps the language $lang that was chosen in the page, and leads home in it",
+    async (example) => {
+      const { origin } = await startTestRelay();
+      const headers = { accept: BROWSER, "accept-language": "en" };
+      const html = await (await fetch(`${origin}/foo?lang=${example.lang}`, { headers })).text();
+      expect(html).toContain(`<html lang="${example.lang}"`);
+      expect(html).toContain(example.words);
+      expect(html).toContain(`href="/?lang=${example.lang}"`);
+    },
+  );
+
+  it.each(["tlh", "toString", "ja&lang=de", '"><script>'])(
+    "asks the browser where the address has no language of the page: %s",
+    async (lang) => {
+      const { origin } = await startTestRelay();
+      const headers = { accept: BROWSER, "accept-language": "de" };
+      const html = await (await fetch(`${origin}/foo?lang=${lang}`, { headers })).text();
+      expect(html).toContain('<html lang="de"');
+      expect(html).toContain('href="/"');
+    },
+  );
+
   it("is a problem document for API paths and for clients that ask for no HTML", async () => {
     const { origin } = await startTestRelay();
     for (const [path, accept] of [

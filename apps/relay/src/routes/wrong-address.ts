@@ -26,18 +26,21 @@ export function wrongAddress(refused: () => void): RequestHandler {
     response.vary("Accept");
     // Clients that take anything, such as curl, get the first.
     if (request.accepts(["application/problem+json", "html"]) !== "html") return next();
+    // The page writes the chosen language into its addresses: it counts before the browser's.
+    const chosen = languages.find((tag) => tag === request.query["lang"]);
     // "zh" stands for any Chinese that is asked for.
     const accepted = request.acceptsLanguages(["en", "zh", ...languages]);
-    const lang = accepted === "zh" ? "zh-Hans" : accepted === false ? "en" : accepted;
+    const lang = chosen ?? (accepted === "zh" ? "zh-Hans" : accepted === false ? "en" : accepted);
     refused();
     response.vary("Accept-Language").set("Cache-Control", "no-store");
     response.status(404).type("html");
-    response.send(page(lang, wrongAddressWords[lang] ?? wrongAddressWords.en));
+    const way = chosen === undefined ? "/" : `/?lang=${chosen}`;
+    response.send(page(lang, way, wrongAddressWords[lang] ?? wrongAddressWords.en));
     return undefined;
   };
 }
 
-function page(lang: string, { title, text, home }: WrongAddressWords): string {
+function page(lang: string, way: string, { title, text, home }: WrongAddressWords): string {
   const dir = lang === "ar" ? "rtl" : "ltr";
   return `<!doctype html>
 <html lang="${lang}" dir="${dir}">
@@ -50,11 +53,11 @@ function page(lang: string, { title, text, home }: WrongAddressWords): string {
     <link rel="stylesheet" href="/check/check.css" />
   </head>
   <body>
-    <header><a href="/">Corridor</a></header>
+    <header><a href="${way}">Corridor</a></header>
     <main>
       <h1>${title}</h1>
       <p>${text}</p>
-      <p><a class="home" href="/">${home}</a></p>
+      <p><a class="home" href="${way}">${home}</a></p>
     </main>
   </body>
 </html>
