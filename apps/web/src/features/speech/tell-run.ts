@@ -1,5 +1,5 @@
 /** Ties the run to the page's voice: what the ear notes is put into words and said. */
-import type { Diagnosis } from "@corridor/coach";
+import { causeLine, type Diagnosis } from "@corridor/coach";
 import type { Services } from "../../app/services.ts";
 import { asSentence, joinSentences } from "../../text/joined.ts";
 import { formatSeconds } from "../../text/numbers.ts";
@@ -87,12 +87,12 @@ export function tellRun(
     const { snapshot } = run.getState();
     if (snapshot === null || document.activeElement?.matches("[type=range]") === true) return [];
     const moment = momentAt(timelineOf(timeline), snapshot.tick);
-    const { t } = words();
+    const { t, language } = words();
     const line = decision();
-    if (line === "") return [asSentence(t, sayMoment(t, moment))];
+    if (line === "") return [asSentence(t, sayMoment(t, moment, language))];
     // The line says who drives and how it turns.
     const event = moment.event?.kind === "turn" ? null : moment.event;
-    return [asSentence(t, sayMoment(t, { ...moment, who: null, event })), line];
+    return [asSentence(t, sayMoment(t, { ...moment, who: null, event }, language)), line];
   }
 
   function momentText(moment: Moment): string {
@@ -103,7 +103,10 @@ export function tellRun(
       // In a challenge its card says the rest.
       const title = asSentence(t, diagnosisTitle(known, diagnosis));
       if (challenge.getState().challenge !== null) return title;
-      return joinSentences(t, [title, diagnosisText(known, diagnosis), ...fixCount(t, diagnosis)]);
+      // The sentence about the bump says that it is one.
+      const titles = causeLine(diagnosis) === null ? [] : [title];
+      const text = diagnosisText(known, diagnosis);
+      return joinSentences(t, [...titles, text, ...fixCount(t, diagnosis)]);
     }
     const story = storyOf(moment, timeline.waitedUpTo(moment.tick));
     return t(storyKey(story), {

@@ -38,7 +38,7 @@ interface Tip {
 }
 
 export function RunTimeline() {
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
   const { run, simulator, timeline } = useServices();
   const bar = useRef<HTMLDivElement>(null);
   const track = useRef<HTMLDivElement>(null);
@@ -77,7 +77,7 @@ export function RunTimeline() {
     if (isHeld) show(tick);
     setPointed({
       x: xOf(picture.scale, tick),
-      text: `${sayMoment(t, momentAt(timelineOf(timeline), tick))}${moreAt(picture, tick)}`,
+      text: `${sayMoment(t, momentAt(timelineOf(timeline), tick), i18n.language)}${moreAt(picture, tick)}`,
     });
   }
 
@@ -167,9 +167,15 @@ function moreAt({ marks }: TimelinePicture, tick: number): string {
 
 /** What the slider tells those who listen, for those who look. */
 function FocusTip({ moment, scale }: { moment: StoreApi<ShownMoment>; scale: TimeScale }) {
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
   const shown = useStore(moment);
-  return <TimelineTip x={xOf(scale, shown.tick)} text={sayMoment(t, shown)} width={scale.width} />;
+  return (
+    <TimelineTip
+      x={xOf(scale, shown.tick)}
+      text={sayMoment(t, shown, i18n.language)}
+      width={scale.width}
+    />
+  );
 }
 
 /** Points at its place and stays above the timeline: at the left end it begins there, at the right it ends. */

@@ -27,13 +27,13 @@ export function TimelineSlider({
   onMove,
   ...rest
 }: TimelineSliderProps) {
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
   const write = useEffectEvent((shown: ShownMoment) => {
     const slider = inputRef.current;
     if (slider === null) return;
     slider.max = String(Math.max(1, shown.tick, endTick));
     slider.value = String(shown.tick);
-    slider.setAttribute("aria-valuetext", sayMoment(t, shown));
+    slider.setAttribute("aria-valuetext", sayMoment(t, shown, i18n.language));
   });
   useLayoutEffect(() => write(moment.getState()), [moment, endTick, t]);
   useLayoutEffect(() => moment.subscribe((shown) => write(shown)), [moment]);

@@ -33,6 +33,15 @@ describe("the words for a moment", () => {
     expect(sayMoment(t, momentAt(timeline, tick))).toBe(words);
   });
 
+  it("name minutes from the first one on, with the decimal sign of the language", () => {
+    const words = (tick: number, language?: string) =>
+      sayMoment(t, { tick, who: null, command: null, event: null }, language);
+    expect(words(3599)).toBe("59.9 s");
+    expect(words(3600)).toBe("1 min 0.0 s");
+    expect(words(749_763)).toBe("208 min 16.0 s");
+    expect(words(749_763, "de")).toBe("208 min 16,0 s");
+  });
+
   it("before a run are its time alone", () => {
     expect(sayMoment(t, momentAt(new Timeline(), 0))).toBe("0.0 s");
   });

@@ -14,6 +14,7 @@ import { formatSeconds } from "../../text/numbers.ts";
 /** An event is told from just before it to a tenth of a second after it, in ticks. */
 const BEFORE = 1;
 const AFTER = 5;
+const TICKS_PER_MINUTE = 3600;
 
 export interface ShownMoment {
   tick: number;
@@ -53,13 +54,26 @@ function commandAt(
 }
 
 /** "12.4 s, line 2 drives, right 90" */
-export function sayMoment(t: TFunction, { tick, who, command, event }: ShownMoment): string {
-  const parts = [t("timeline.at", { seconds: formatSeconds(tick) })];
+export function sayMoment(
+  t: TFunction,
+  { tick, who, command, event }: ShownMoment,
+  language = "en",
+): string {
+  const parts = [sayTime(t, tick, language)];
   if (command !== null) parts.push(sayCommand(t, command));
   else if (who === "remote") parts.push(t("timeline.waits"));
   else if (who !== null) parts.push(sayWho(t, who));
   if (event !== null) parts.push(sayEvent(t, event));
   return joinList(t, parts);
+}
+
+/** "12.4 s", from a minute on "208 min 16.0 s" */
+function sayTime(t: TFunction, tick: number, language: string): string {
+  const minutes = Math.floor(tick / TICKS_PER_MINUTE);
+  const seconds = formatSeconds(tick % TICKS_PER_MINUTE, language);
+  return minutes === 0
+    ? t("timeline.at", { seconds })
+    : t("timeline.atMinutes", { minutes, seconds });
 }
 
 /** "command 7: move 50, completed" */
