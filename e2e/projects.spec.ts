@@ -47,6 +47,21 @@ test("lets a maze of one's own win against the right-wall program", async ({ ope
   await expect(lessons.card).toContainText("Your best: open squares 21");
 });
 
+test("offers no program in a project by hand", async ({ openWindow }) => {
+  const corridor = await openWindow();
+  await corridor.open("/#mission/fewest-bumps");
+  const { page } = corridor;
+  await expect(new LessonsPanel(page).card).toContainText("Careful driving");
+  await expect(corridor.run).toBeDisabled();
+  await expect(page.getByRole("button", { name: "Step", exact: true })).toBeDisabled();
+  await page.keyboard.press("Control+Enter");
+  await page.keyboard.press("Control+Shift+Enter");
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
+  await page.keyboard.down("w");
+  await expect(corridor.clock).not.toHaveText("Time 0:00.0");
+  await page.keyboard.up("w");
+});
+
 test("shows a picture to save once all missions are done", async ({ corridor, page }) => {
   await page.evaluate(() => {
     const ids =

@@ -8,7 +8,12 @@ import { useTranslation } from "react-i18next";
 import { handAction } from "../features/drive/hand-control.ts";
 import { createHoldStore, type HoldStore } from "../features/drive/hold-store.ts";
 import { describeRobot } from "../features/speech/describe-later.ts";
-import { runOrPause, stepOn } from "../features/transport/run-button.ts";
+import {
+  isProgramRefused,
+  runButton,
+  runOrPause,
+  stepOn,
+} from "../features/transport/run-button.ts";
 import { redo, undo } from "../stores/workspace-store.ts";
 import type { DriveKey } from "../worker/worker-messages.ts";
 import { useServices, type Services } from "./services.ts";
@@ -119,15 +124,18 @@ function mayPress(services: Services, words: i18n, key: DriveKey): boolean {
 }
 
 function obey(
-  { simulator, workspace, run }: Services,
+  { simulator, workspace, run, challenge }: Services,
   hold: HoldStore,
   kind: Exclude<Shortcut["kind"], "drive" | "describe" | "zoom">,
   openHelp: () => void,
 ): void {
+  const isRefused = isProgramRefused(challenge.getState().rights);
   switch (kind) {
     case "run-or-pause":
+      if (isRefused && runButton(run.getState()) !== "pause") return;
       return simulator.send(runOrPause(run.getState()));
     case "step":
+      if (isRefused && run.getState().view === "now") return;
       return simulator.send(stepOn(run.getState()));
     case "undo":
       return undo(workspace);

@@ -4,7 +4,8 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
-import { runButton } from "./run-button.ts";
+import { useRights } from "../lessons/use-rights.ts";
+import { isProgramRefused, runButton } from "./run-button.ts";
 import styles from "./transport.module.css";
 
 export function RunButton() {
@@ -12,6 +13,8 @@ export function RunButton() {
   const { simulator, run } = useServices();
   const does = useStore(run, runButton);
   const isFault = useStore(run, ({ fault }) => fault !== null);
+  // A recorded run can be played and paused all the same.
+  const isRefused = isProgramRefused(useRights()) && does !== "pause";
   const isMe = useStore(run, ({ snapshot }) => snapshot?.driver === "me");
   const note =
     does === "run-here"
@@ -32,7 +35,7 @@ export function RunButton() {
           <Play aria-hidden="true" fill="currentColor" />
         )
       }
-      disabled={isFault}
+      disabled={isFault || isRefused}
       title={note}
       aria-keyshortcuts="Control+Enter"
       // What it says, though the robot may have come to rest by itself meanwhile.

@@ -7,11 +7,12 @@ import { Button, IconButton } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Select } from "../../ui/Select.tsx";
 import { speeds } from "../../worker/worker-messages.ts";
+import { useRights } from "../lessons/use-rights.ts";
 import { WriteOwnButton } from "../program/WriteOwnButton.tsx";
 import { TimelineBar } from "../timeline/TimelineBar.tsx";
 import { Clock } from "./Clock.tsx";
 import { useLongPress } from "../../ui/use-long-press.ts";
-import { stepBack, stepOn } from "./run-button.ts";
+import { isProgramRefused, stepBack, stepOn } from "./run-button.ts";
 import { RunButton } from "./RunButton.tsx";
 import { RunStory } from "./RunStory.tsx";
 import styles from "./transport.module.css";
@@ -77,6 +78,7 @@ function Step() {
   const { t } = useTranslation();
   const { simulator, run } = useServices();
   const isNow = useStore(run, ({ view }) => view === "now");
+  const isRefused = isProgramRefused(useRights()) && isNow;
   const press = useLongPress((isLong) =>
     simulator.send(stepOn(run.getState(), isLong ? "tick" : "decision")),
   );
@@ -86,6 +88,7 @@ function Step() {
       size="large"
       className={styles["step"]}
       icon={<SkipForward aria-hidden="true" fill="currentColor" />}
+      disabled={isRefused}
       title={t(isNow ? "shell.run.stepNote" : "timeline.stepOnNote")}
       aria-keyshortcuts="Control+Shift+Enter"
     >

@@ -1,6 +1,6 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { runOrPause, stepBack, stepOn } from "./run-button.ts";
+import { isProgramRefused, runOrPause, stepBack, stepOn } from "./run-button.ts";
 
 describe("runOrPause", () => {
   it.each([
@@ -31,6 +31,20 @@ describe("runOrPause", () => {
 
   it("is run before the first snapshot", () => {
     expect(runOrPause({ snapshot: null, view: "now" })).toEqual({ type: "run" });
+  });
+});
+
+describe("Run and Step", () => {
+  it.each([
+    { drivers: ["me"] as const, isOff: true },
+    { drivers: ["me", "program"] as const, isOff: false },
+    { drivers: ["program"] as const, isOff: false },
+  ])("are off where only $drivers may drive: $isOff", ({ drivers, isOff }) => {
+    expect(isProgramRefused({ drivers: [...drivers] })).toBe(isOff);
+  });
+
+  it("are on without a challenge", () => {
+    expect(isProgramRefused(null)).toBe(false);
   });
 });
 

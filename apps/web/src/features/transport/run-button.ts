@@ -1,4 +1,5 @@
 /** What the big button and Step do now, and what a press of one, or of its shortcut, asks for. */
+import type { Rights } from "@corridor/challenge";
 import type { Snapshot } from "@corridor/protocol";
 import type { RunView, StepLength, ToWorker } from "../../worker/worker-messages.ts";
 
@@ -17,6 +18,11 @@ export function runButton({ snapshot, view }: RunNow): "run" | "pause" | "run-he
   if (view === "playing") return "pause";
   if (view === "past") return "run-here";
   return snapshot?.state === "running" && snapshot.driver !== "me" ? "pause" : "run";
+}
+
+/** Whether a challenge is for a hand alone: Run and Step are off there. */
+export function isProgramRefused(rights: Pick<Rights, "drivers"> | null): boolean {
+  return rights !== null && !rights.drivers.includes("program");
 }
 
 /** What a press of the big button asks of the simulator. */
