@@ -57,6 +57,7 @@ export function Finish({ service, done }: FinishProps) {
       : finishPicture({
           trail,
           palette: lightPalette(),
+          dir: i18n.dir() === "rtl" ? "rtl" : "ltr",
           startWord: t("words:stage.startWord"),
           goalWord: t("words:stage.goalWord"),
           ...isolated({ title, date, counts, description }),

@@ -8,7 +8,7 @@ const palette = new Proxy({} as Palette, { get: () => "#123456" });
 
 beforeAll(() => vi.stubGlobal("Path2D", class {}));
 
-function draw() {
+function draw(dir: "ltr" | "rtl" = "ltr") {
   return finishPicture({
     trail: {
       maze: { ...firstMaze, name: "A <maze>" },
@@ -16,6 +16,7 @@ function draw() {
       points: [50, 650, 150, 650],
     },
     palette,
+    dir,
     startWord: "Start",
     goalWord: "Goal",
     title: "All 14 missions done",
@@ -38,5 +39,11 @@ describe("the picture of the finish", () => {
     expect(svg.match(/<\/svg>/g)).toHaveLength(2);
     expect(svg).toContain(`viewBox="0 0 ${width} ${height}"`);
     expect(svg).not.toMatch(/NaN|undefined/);
+  });
+
+  it("runs its words right-to-left in Arabic: a date begins with its day", () => {
+    const { svg } = draw("rtl");
+    const [, words] = /<g direction="rtl">(.*?)<\/g>/s.exec(svg) ?? [];
+    expect(words).toContain(">1 May 2030</text>");
   });
 });

@@ -9,7 +9,8 @@ import { escapeText, SvgPen } from "../files/svg-pen.ts";
 export interface FinishScene extends PlaceWords {
   trail: SolvedTrail;
   palette: Palette;
-  /** in the student's language */
+  /** which way the words of the student's language run */
+  dir: "ltr" | "rtl";
   title: string;
   date: string;
   counts: string;
@@ -23,7 +24,7 @@ const MAZE_HEIGHT = 400;
 const FONT = "Inter, system-ui, sans-serif";
 
 export function finishPicture(scene: FinishScene): Picture {
-  const { trail, palette, title, date, counts, description } = scene;
+  const { trail, palette, dir, title, date, counts, description } = scene;
   const drawn = mazeSvg({
     ...scene,
     maze: trail.maze,
@@ -64,6 +65,6 @@ export function finishPicture(scene: FinishScene): Picture {
     `<svg xmlns="http://www.w3.org/2000/svg" width="${WIDTH}" height="${height}" ` +
     `viewBox="0 0 ${WIDTH} ${height}" role="img" aria-label="${escapeText(description)}">\n` +
     `<title>${escapeText(title)}</title>\n<desc>${escapeText(description)}</desc>\n` +
-    `${pen.elements()}\n${maze}</svg>\n`;
+    `<g direction="${dir}">\n${pen.elements()}\n</g>\n${maze}</svg>\n`;
   return { svg, width: WIDTH, height };
 }

@@ -1,6 +1,7 @@
 /** The robot's address: the one thing that a script needs. Its key is copied along and not displayed. */
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
+import { joinSentences } from "../../text/joined.ts";
 import { CopyButton } from "../share/CopyButton.tsx";
 import type { RemoteSession } from "../../worker/worker-messages.ts";
 import { useMinutesLeft } from "./use-minutes-left.ts";
@@ -34,7 +35,10 @@ export function AddressField({ address, session }: AddressFieldProps) {
       <dd className={styles["fieldNote"]}>
         <p>
           <output>{isRefused && t("remote.copyByHand")}</output>
-          {!isRefused && t("remote.keepPrivate")} {timeLeft}
+          {joinSentences(
+            t,
+            [isRefused ? "" : t("remote.keepPrivate"), timeLeft].filter((text) => text !== ""),
+          )}
         </p>
       </dd>
     </dl>
