@@ -145,3 +145,67 @@ test("sees the flag of mission 3 beside the reading of the beam that ends at it"
   expect(await stage.pixelsUnlike(nearBeam, onTop)).toBe(0);
   expect(await stage.pixelsUnlike({ ...nearBeam, y: 30 }, onTop), "a block").toBeGreaterThan(0);
 });
+
+test("keeps what is open when a phone is turned", async ({ openWindow }) => {
+  const corridor = await openWindow({ ...phone, viewport: { width: 844, height: 390 } });
+  await corridor.open();
+  const { page } = corridor;
+  const upright = () => page.setViewportSize(phone.viewport);
+  const onItsSide = () => page.setViewportSize({ width: 844, height: 390 });
+
+  await corridor.program.button("Try it in other mazes").click();
+  const mazes = corridor.dialog("Try it in other mazes");
+  await expect(mazes).toBeVisible();
+  await upright();
+  await expect(mazes).toBeVisible();
+  await onItsSide();
+  await expect(mazes).toBeVisible();
+  await mazes.getByRole("button", { name: "Close" }).click();
+  await expect(mazes).toBeHidden();
+
+  // The presets move to their tab, and a tab is still chosen when the phone comes back to it.
+  await page.getByRole("button", { name: "Presets", exact: true }).click();
+  await expect(corridor.dialog("Presets")).toBeVisible();
+  await upright();
+  await expect(tab(page, "Presets")).toHaveAttribute("aria-selected", "true");
+  await expect(page.getByRole("button", { name: /^Spiral/ })).toBeVisible();
+  await tab(page, "Drive").click();
+  await onItsSide();
+  await upright();
+  await expect(tab(page, "Drive")).toHaveAttribute("aria-selected", "true");
+});
+
+for (const viewport of [
+  { width: 844, height: 390 },
+  { width: 320, height: 640 },
+]) {
+  test(`reaches the end of a menu at ${viewport.width} x ${viewport.height}, and after a turn`, async ({
+    openWindow,
+  }) => {
+    const corridor = await openWindow({ ...phone, viewport });
+    await corridor.open();
+    const { page } = corridor;
+    await page.getByRole("button", { name: "View" }).click();
+    const menu = corridor.dialog("View");
+    const isInSight = async (height: number) => {
+      const box = await boxOf(menu);
+      return box.y >= 0 && box.y + box.height <= height;
+    };
+    await expect.poll(() => isInSight(viewport.height)).toBe(true);
+    await page.setViewportSize({ width: viewport.height, height: viewport.width });
+    await expect.poll(() => isInSight(viewport.width)).toBe(true);
+  });
+}
+
+test("leaves the maze its room above a card at 320 x 640", async ({ openWindow }) => {
+  const corridor = await openWindow({ ...phone, viewport: { width: 320, height: 640 } });
+  await corridor.open();
+  await corridor.program.number(2).fill("20");
+  await corridor.speed.selectOption("16");
+  await corridor.run.click();
+  await expect(corridor.bumpCard(2)).toBeVisible();
+  await atRest(corridor.page);
+  const maze = await boxOf(corridor.maze.grid);
+  expect(maze.height).toBeGreaterThan(75);
+  expect(maze.y + maze.height).toBeLessThanOrEqual((await boxOf(corridor.transport)).y);
+});

@@ -28,6 +28,9 @@ import { SidePanel } from "./SidePanel.tsx";
 import { TopBar } from "./TopBar.tsx";
 import { useKeyboard } from "./use-keyboard.ts";
 
+const OtherMazesDialog = lazyDialog(
+  async () => (await import("../features/other-mazes/OtherMazesDialog.tsx")).OtherMazesDialog,
+);
 const ShortcutsDialog = lazyDialog(
   async () => (await import("./ShortcutsDialog.tsx")).ShortcutsDialog,
 );
@@ -47,7 +50,8 @@ function Page() {
   const { t } = useTranslation();
   const isPhone = useMediaQuery("(max-width: 37.49em)");
   const [opened, setOpened] = useState<"keys" | "remote" | null>(null);
-  const { camera, run, challenge } = useServices();
+  const { camera, run, challenge, screen } = useServices();
+  const isTryingMazes = useStore(screen, (state) => state.isTryingMazes);
   const isPathOpen = useStore(challenge, (state) => state.isPathOpen);
   const isDriving = useStore(camera, (state) => state.isDriving);
   const isNow = useStore(run, ({ view }) => view === "now");
@@ -96,6 +100,10 @@ function Page() {
         <LessonsDialog
           isOpen={isPathOpen}
           onClose={() => challenge.setState({ isPathOpen: false })}
+        />
+        <OtherMazesDialog
+          isOpen={isTryingMazes}
+          onClose={() => screen.setState({ isTryingMazes: false })}
         />
         <ShortcutsDialog isOpen={opened === "keys"} onClose={close} />
         <Dialog isOpen={opened === "remote"} onClose={close} title={t("drive.remote")}>

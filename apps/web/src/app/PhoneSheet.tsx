@@ -15,6 +15,7 @@ import { Later } from "../ui/Later.tsx";
 import { Tabs } from "../ui/Tabs.tsx";
 import styles from "./phone-sheet.module.css";
 import { useServices } from "./services.ts";
+import { sheetTabs, type SheetTab } from "../stores/screen-store.ts";
 import { dragged, pressed, type SheetPosition } from "./sheet.ts";
 
 const icons: Readonly<Record<SheetTab, ReactNode>> = {
@@ -22,8 +23,6 @@ const icons: Readonly<Record<SheetTab, ReactNode>> = {
   program: <List aria-hidden="true" />,
   presets: <LayoutGrid aria-hidden="true" />,
 };
-const tabs = ["drive", "program", "presets"] as const;
-type SheetTab = (typeof tabs)[number];
 
 function tabFor(rights: Rights | null): SheetTab {
   return rights?.drivers[0] === "me" ? "drive" : "program";
@@ -31,22 +30,25 @@ function tabFor(rights: Rights | null): SheetTab {
 
 export function PhoneSheet({ hold }: { hold: HoldStore }) {
   const { t } = useTranslation();
-  const { challenge, camera, cardDock } = useServices();
-  // A mission opens where it is to be done; one of the address may be open before the sheet is there.
-  const [tab, setTab] = useState<SheetTab>(() => tabFor(challenge.getState().rights));
-  const isMission = useRights() !== null;
+  const { challenge, camera, cardDock, screen } = useServices();
+  const rights = useRights();
+  const isMission = rights !== null;
+  // A mission opens where it is to be done, whatever was chosen before it.
+  const chosenTab = useStore(screen, (state) => state.sheetTab);
+  const tab = chosenTab ?? tabFor(rights);
   useEffect(
     () =>
       challenge.subscribe((next, before) => {
         if (next.challenge === null || next.mission === before.mission) return;
-        setTab(tabFor(next.rights));
+        screen.setState({ sheetTab: null });
       }),
-    [challenge],
+    [challenge, screen],
   );
   const [chosen, setPosition] = useState<SheetPosition>("half");
   // What explains the run is to be read, however far the sheet was open; then it is as it was.
   const need = useStore(cardDock, (state) => state.need);
-  const position = need === null || chosen === "open" ? chosen : need;
+  const isOwn = need === null || chosen === "open";
+  const position = isOwn ? chosen : "half";
   const isDriving = tab === "drive" && position !== "closed";
   useLayoutEffect(() => {
     camera.setState({ isDriving });
@@ -55,7 +57,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
   return (
     <aside
       className={styles["sheet"]}
-      data-position={position}
+      data-position={isOwn ? chosen : need}
       data-driving={isDriving}
       data-mission={isMission}
       aria-label={t("shell.panel")}
@@ -71,13 +73,13 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
         <Tabs
           label={t("shell.panel")}
           value={tab}
-          tabs={tabs.map((each) => ({
+          tabs={sheetTabs.map((each) => ({
             value: each,
             label: t(`shell.tabs.${each}`),
             icon: icons[each],
           }))}
           onChange={(next) => {
-            setTab(next);
+            screen.setState({ sheetTab: next });
             if (position === "closed") setPosition("half");
           }}
           panelClassName={styles["content"]}

@@ -30,7 +30,7 @@ export interface CardDockState {
   /** null before there is one */
   element: HTMLElement | null;
   /** how far a sheet has to be open for the card that stands there; null while none does */
-  need: "half" | "open" | null;
+  need: "half" | "more" | null;
 }
 
 export function createCardDock() {

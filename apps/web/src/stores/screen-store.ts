@@ -9,6 +9,10 @@ export type Theme = "system" | "light" | "dark";
 /** more: high contrast even where the system does not ask for it */
 export type Contrast = "system" | "more";
 
+/** In the order in which they stand. */
+export const sheetTabs = ["drive", "program", "presets"] as const;
+export type SheetTab = (typeof sheetTabs)[number];
+
 /** A dismissable message. `text` is already in the reader's language. */
 export interface Message {
   id: number;
@@ -31,6 +35,10 @@ export interface ScreenState {
   showTrail: boolean;
   showRulers: boolean;
   messages: readonly Message[];
+  /** the tab of a phone's sheet; null: where the work is done */
+  sheetTab: SheetTab | null;
+  /** whether "Try it in other mazes" is open: it stays so when a phone is turned */
+  isTryingMazes: boolean;
   /** whether the page opens and what its address asks for is on its way: no other work is shown meanwhile */
   isOpening: boolean;
   /** whether keys without Ctrl drive and open things (WCAG 2.1.4 asks for a switch) */
@@ -50,6 +58,8 @@ export function createScreenStore() {
     showTrail: true,
     showRulers: true,
     messages: [],
+    sheetTab: null,
+    isTryingMazes: false,
     isOpening: false,
     singleKeys: true,
     speakRun: true,

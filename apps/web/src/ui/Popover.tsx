@@ -75,17 +75,25 @@ export function Popover({
   );
 }
 
-/** Places it now, and again whenever its content has another size: some of it may come later. */
+/**
+ * Places it now, and again whenever its content or the window has another size: some of it may come
+ * later, and a phone is turned.
+ */
 function keepPlaced(
   id: string,
   content: HTMLElement | null,
   align: "start" | "end",
 ): (() => void) | undefined {
   if (content === null) return undefined;
-  const watch = new ResizeObserver(() => place(id, content, align));
+  const placeNow = () => place(id, content, align);
+  const watch = new ResizeObserver(placeNow);
   watch.observe(content);
-  place(id, content, align);
-  return () => watch.disconnect();
+  window.addEventListener("resize", placeNow);
+  placeNow();
+  return () => {
+    watch.disconnect();
+    window.removeEventListener("resize", placeNow);
+  };
 }
 
 /** Puts the popover at its button, once its content has a size. */

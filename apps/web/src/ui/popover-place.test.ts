@@ -40,9 +40,15 @@ describe("placePopover", () => {
     expect(placePopover(button, size, view, align)).toEqual(place);
   });
 
-  it("keeps the top in sight when it fits neither above nor below", () => {
+  it("keeps its end in sight when it fits neither above nor below", () => {
     const button = { left: 100, top: 300, right: 200, bottom: 340 };
-    const tall = { width: 300, height: 790 };
-    expect(placePopover(button, tall, view, "left").top).toBe(346);
+    const tall = { width: 300, height: 700 };
+    expect(placePopover(button, tall, view, "left").top).toBe(92);
+  });
+
+  it("keeps the top in sight when it is higher than the window", () => {
+    const button = { left: 100, top: 300, right: 200, bottom: 340 };
+    const tall = { width: 300, height: 810 };
+    expect(placePopover(button, tall, view, "left").top).toBe(8);
   });
 });

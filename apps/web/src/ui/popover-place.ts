@@ -30,6 +30,10 @@ export function placePopover(
   const fitsBelow = below + size.height + MARGIN <= view.height;
   return {
     left: Math.max(MARGIN, Math.min(wanted, view.width - size.width - MARGIN)),
-    top: Math.max(MARGIN, fitsBelow || above < MARGIN ? below : above),
+    top: fitsBelow
+      ? below
+      : above >= MARGIN
+        ? above
+        : Math.max(MARGIN, view.height - size.height - MARGIN),
   };
 }

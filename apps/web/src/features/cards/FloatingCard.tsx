@@ -75,7 +75,7 @@ export function FloatingCard(props: FloatingCardProps) {
   useLayoutEffect(() => {
     if (!isDocked) return undefined;
     const room = dock.parentElement?.clientHeight ?? 0;
-    cardDock.setState({ need: dock.offsetHeight > room ? "open" : "half" });
+    cardDock.setState({ need: dock.offsetHeight > room ? "more" : "half" });
     showFromTop(dock);
     return () => cardDock.setState({ need: null });
   }, [cardDock, isDocked, dock]);

@@ -1,6 +1,7 @@
 /** Opens the presets at the top bar. */
 import { ChevronDown, LayoutGrid } from "lucide-react";
 import { useTranslation } from "react-i18next";
+import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
 import { LazyPresetsPanel } from "./lazy-presets-panel.ts";
@@ -8,7 +9,13 @@ import styles from "./presets.module.css";
 
 export function PresetsButton() {
   const { t } = useTranslation();
+  const { screen } = useServices();
   const menu = usePopover();
+  // A window that becomes a phone's shows them in its sheet.
+  const onOpenChange = (isOpen: boolean): void => {
+    menu.panel.onOpenChange(isOpen);
+    screen.setState({ sheetTab: isOpen ? "presets" : null });
+  };
   return (
     <>
       <Button kind="quiet" icon={<LayoutGrid aria-hidden="true" />} {...menu.trigger}>
@@ -17,6 +24,7 @@ export function PresetsButton() {
       </Button>
       <Popover
         {...menu.panel}
+        onOpenChange={onOpenChange}
         label={t("presets.presets")}
         align="end"
         className={styles["popover"]}
