@@ -135,6 +135,26 @@ for (const width of [390, 320]) {
   });
 }
 
+test("is asked to write a program only while no script drives", async ({ corridor, page }) => {
+  const writeOwn = corridor.transport.getByRole("button", { name: "Write my own" });
+  await expect(writeOwn).toBeVisible();
+  await page.getByRole("radio", { name: "Remote", exact: true }).check();
+  await expect(writeOwn).toHaveCount(0);
+  await page.getByRole("radio", { name: "Program", exact: true }).check();
+  await expect(writeOwn).toBeVisible();
+});
+
+test("is not invited to the first mission once its own lines run", async ({ corridor, page }) => {
+  const invitation = page.getByRole("button", { name: "Start with mission 1" });
+  await corridor.program.number(1).fill("70");
+  await expect(invitation).toBeVisible();
+  await corridor.run.click();
+  await expect(invitation).toHaveCount(0);
+  await corridor.reset.click();
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
+  await expect(invitation).toHaveCount(0);
+});
+
 test("has the example in the language that is chosen, and opens mazes with an empty program then", async ({
   corridor,
 }) => {

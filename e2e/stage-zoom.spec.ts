@@ -65,3 +65,14 @@ test("zooms with two fingers on a phone, and edits nothing", async ({ openWindow
   await expect.poll(async () => (await boxOf(grid)).width).toBeGreaterThan(width * 1.5);
   await expect(corridor.maze.button("Undo")).toBeDisabled();
 });
+
+test("leaves the zoom buttons free of messages", async ({ corridor, page }) => {
+  const zoom = page.getByRole("group", { name: "Zoom", exact: true });
+  await expect(zoom).toBeVisible();
+  await corridor.transport.getByRole("button", { name: "Write my own" }).click();
+  await expect(corridor.messages).toContainText("Undo");
+  const message = await boxOf(corridor.messages.getByText(/program is empty/i));
+  const buttons = await boxOf(zoom);
+  expect(message.y + message.height).toBeLessThanOrEqual(buttons.y);
+  await page.getByRole("button", { name: "Zoom in" }).click({ timeout: 1000 });
+});

@@ -1,4 +1,4 @@
-/** "Write my own", beside Run while the program is the example. */
+/** "Write my own", beside Run while the program is the example and no script drives. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -14,8 +14,9 @@ export function WriteOwnButton({ className }: { className?: string | undefined }
   const { t, i18n } = useTranslation();
   const services = useServices();
   const rights = useRights();
-  const isShown = useStore(services.workspace, ({ program }) => isExample(program));
-  if (!isShown || rights !== null) return null;
+  const isOpen = useStore(services.workspace, ({ program }) => isExample(program));
+  const isRemote = useStore(services.run, ({ snapshot }) => snapshot?.driver === "remote");
+  if (!isOpen || isRemote || rights !== null) return null;
 
   async function begin(): Promise<void> {
     try {
