@@ -31,10 +31,14 @@ class SimulatedBody:
     """A body in a room of blocks. It stops where it touches a wall."""
 
     def __init__(self, plan: List[str]) -> None:
-        """`plan`: rows of `#` for a block and `.` for floor; it starts on the first floor, facing north."""
+        """`plan`: rows of `#` for a block, `.` for floor, `G` for a goal and `S` for the start.
+
+        It starts at `S`, else on the first floor, and faces north.
+        """
         self._plan = plan
-        row = next(index for index, cells in enumerate(plan) if "." in cells)
-        self.pose = Pose((plan[row].index(".") + 0.5) * CELL, (row + 0.5) * CELL, 0.0)
+        start = "S" if any("S" in cells for cells in plan) else "."
+        row = next(index for index, cells in enumerate(plan) if start in cells)
+        self.pose = Pose((plan[row].index(start) + 0.5) * CELL, (row + 0.5) * CELL, 0.0)
         self.bumping = False
         self.bumps = 0
 
@@ -52,6 +56,16 @@ class SimulatedBody:
             self.bumps += 1
         self.bumping = touches
         return abs(way) * share
+
+    @property
+    def has_goal(self) -> bool:
+        """Whether there is a goal in the room that its floor sensor can see."""
+        return any("G" in cells for cells in self._plan)
+
+    @property
+    def at_goal(self) -> bool:
+        column, row = math.floor(self.pose.x / CELL), math.floor(self.pose.y / CELL)
+        return not self._is_block(column, row) and self._plan[row][column] == "G"
 
     def ranges(self) -> Dict[str, float]:
         """cm from the robot's centre to the next wall, in four directions."""

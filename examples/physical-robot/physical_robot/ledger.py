@@ -161,8 +161,9 @@ class Ledger:
         pose: Optional[Json] = None
         distance: Optional[float] = None
         if self.running is entry:
-            pose, distance = self.way_so_far()
+            # First, so that the snapshot of the ending no longer names the command.
             self.running = None
+            pose, distance = self.way_so_far()
         elif entry in self._waiting:
             self._waiting.remove(entry)
         entry.state, entry.reason, entry.pose, entry.distance = state, reason, pose, distance

@@ -11,14 +11,17 @@ import secrets
 import time
 from typing import Callable, Dict, List, Optional, Tuple
 
+from .clocks import ScriptClock
 from .ledger import Ledger
-from .orders import Json, order_of, read_json
+from .orders import Json, is_within, order_of, read_json
 from .pilot import Pilot
 from .problems import Problem
 from .reading import not_known, nothing_here, number_in, wrong
 
 MOST_MESSAGES = 64
 MOST_LINES = 16
+#: the latest time of a script's clock, in ms
+LATEST = 999_999_999_999_999
 #: A line on which nothing comes for so many seconds is forgotten.
 SILENCE = 15.0
 #: Snapshots come at most so often, in seconds.
@@ -40,6 +43,16 @@ class _Line:
         self.n = n
         self.seq = -1
         self.told_at = 0.0
+        self.clock = ScriptClock()
+
+    def transit(self, message: Json) -> float:
+        """ms that a message was on its way longer than the quickest one; 0 where it has no time."""
+        sent_at = message.get("sentAt")
+        if sent_at is None:
+            return 0.0
+        if not is_within(sent_at, 0, LATEST):
+            raise wrong("sentAt", str(sent_at), f"milliseconds from 0 to {LATEST}")
+        return self.clock.transit(sent_at)
 
 
 class Lines:
@@ -82,6 +95,7 @@ class Lines:
             self._lines = [line for line in self._lines if now - line.heard_at < SILENCE]
             del self._lines[: max(0, len(self._lines) - MOST_LINES + 1)]
             line = _Line(self._ledger.newest_event)
+            line.transit(hello)
             self._lines.append(line)
             self._welcome(line, hello.get("since"))
         return line.key
@@ -124,7 +138,9 @@ class Lines:
             return
         key = message.get("key")
         try:
-            record = self._ledger.submit(order_of(message.get("command")), key)
+            order = order_of(message.get("command"))
+            order.age += line.transit(message)
+            record = self._ledger.submit(order, key)
             line.outbox.append({"type": "ack", "record": record})
         except Problem as problem:
             line.outbox.append({"type": "problem", "problem": problem.document, "key": key})

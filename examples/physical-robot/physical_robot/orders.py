@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from typing import Any, Dict, List, Optional, Tuple, Union
+from typing import Any, Dict, List, Optional, Tuple
 
 from .problems import Problem
 
@@ -75,7 +75,7 @@ def order_of(fields: Any) -> Order:
     errors = [
         _error(name, _show(fields.get(name)), f"{what} from {least} to {most}")
         for name, (least, most, what) in allowed.items()
-        if (name in needed or name in fields) and not _is_within(fields.get(name), least, most)
+        if (name in needed or name in fields) and not is_within(fields.get(name), least, most)
     ]
     if not isinstance(fields.get("replace", False), bool):
         errors.append(_error("replace", _show(fields["replace"]), "true or false"))
@@ -87,7 +87,7 @@ def order_of(fields: Any) -> Order:
     return Order(fields)
 
 
-def _is_within(value: Union[Any, float], least: float, most: float) -> bool:
+def is_within(value: Any, least: float, most: float) -> bool:
     is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
     return is_number and math.isfinite(value) and least <= value <= most
 

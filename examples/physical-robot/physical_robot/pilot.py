@@ -51,6 +51,7 @@ class Pilot:
         self._up_since = time.monotonic()
         self._reported = 0.0
         self._seq = 0
+        self._goal_reached = False
         self.snapshot: Json = {}
         ledger.way_so_far = self._way_so_far
         self._report()
@@ -122,6 +123,8 @@ class Pilot:
         command = entry.order.command
         if _has_no_end(command):
             self._drive(*self._wheels_of(command), seconds)
+            if self._body.bumping:
+                self._end(entry, "collided")
             return
         while self._parts:
             kind, rest = self._parts[0]
@@ -155,6 +158,7 @@ class Pilot:
 
     def _drive(self, left: float, right: float, seconds: float) -> None:
         self._distance += self._body.drive(left, right, seconds)
+        self._goal_reached = self._goal_reached or self._body.at_goal
 
     def _wheels_of(self, command: Json) -> Tuple[float, float]:
         if command["action"] == "drive":
@@ -184,7 +188,7 @@ class Pilot:
             "motion": "stop" if running is None else running.order.command["action"],
             "bumps": self._body.bumps,
             "bumping": self._body.bumping,
-            "goalReached": False,
+            "goalReached": self._goal_reached,
             "line": None,
             "command": None if running is None else running.seq,
         }

@@ -12,6 +12,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any, Callable, Dict, Optional
 from urllib.parse import parse_qsl, urlsplit
 
+from .clocks import ScriptClocks
 from .ledger import Ledger
 from .lines import Lines
 from .orders import Json, Order, order_of, read_json
@@ -21,22 +22,38 @@ from .reading import not_known, nothing_here, number_in, wait_in, wrong
 
 MOST_BYTES = 16 * 1024
 _KEY = re.compile(r"[A-Za-z0-9_-]{8,64}")
+_CLOCK = re.compile(r"([A-Za-z0-9_-]{8,32}) (\d{1,15})")
 _SINCE = re.compile(r"[A-Za-z0-9_]{8}-\d{1,15}")
 _HEARTBEAT = 15.0
+#: Headers that pages of other sites may send.
+_HEADERS = "Authorization, Content-Type, Idempotency-Key, Last-Event-ID, Script-Clock, Script-Name"
 
 
 class RobotServer(ThreadingHTTPServer):
     """Serves one robot to whoever has its key."""
 
     daemon_threads = True
+    #: connections that may wait to be accepted: a script may send a burst of commands
+    request_queue_size = 128
 
-    def __init__(self, place: Any, ledger: Ledger, pilot: Pilot, robot_id: str, key: str) -> None:
+    def __init__(
+        self,
+        place: Any,
+        ledger: Ledger,
+        pilot: Pilot,
+        robot_id: str,
+        key: str,
+        not_offered: Dict[str, str],
+    ) -> None:
+        """`not_offered`: what this robot cannot do, each with a sentence that says why."""
         super().__init__(place, _Handler)
+        self.not_offered = not_offered
         self.ledger = ledger
         self.pilot = pilot
         self.robot_id = robot_id
         self.key = key
         self.lines = Lines(ledger, pilot, key)
+        self.clocks = ScriptClocks()
 
     def handle_error(self, request: Any, client_address: Any) -> None:
         """Lines break: that is no matter for a log. Everything else has been answered."""
@@ -113,6 +130,8 @@ class _Handler(BaseHTTPRequestHandler):
             calls = {"GET": lambda: self._sensors(query)}
         elif path == "/events":
             calls = {"GET": lambda: self._events(query)}
+        elif path == "/features":
+            calls = {"GET": self._features}
         elif path == "/commands":
             calls = {
                 "GET": lambda: self._log(query),
@@ -138,6 +157,17 @@ class _Handler(BaseHTTPRequestHandler):
             detail = "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY"
             raise Problem(401, "not-authorised", detail, headers={"WWW-Authenticate": "Bearer"})
         self.server.ledger.heard_at = time.monotonic()
+        self._transit = self._transit_in(self.headers.get("Script-Clock"))
+
+    def _transit_in(self, text: Optional[str]) -> float:
+        """ms that this request was on its way longer than the quickest one; 0 without a clock."""
+        if text is None:
+            return 0.0
+        match = _CLOCK.fullmatch(text)
+        if match is None:
+            expected = "an id of 8 to 32 of A-Z a-z 0-9 - _, a space, and whole milliseconds"
+            raise wrong("Script-Clock", text, expected)
+        return self.server.clocks.transit(match[1], int(match[2]))
 
     # --- the calls ---
 
@@ -146,12 +176,20 @@ class _Handler(BaseHTTPRequestHandler):
         self._wait(query, lambda: self.server.pilot.snapshot["seq"] > after)
         self._send(200, self.server.pilot.snapshot)
 
+    def _features(self) -> None:
+        missing = self.server.not_offered.items()
+        self._send(
+            200, {"notOffered": [{"feature": name, "reason": why} for name, why in missing]}
+        )
+
     def _take(self, body: bytes) -> None:
         kind = self.headers.get("Content-Type", "").partition(";")[0].strip().lower()
         if kind != "application/json":
             detail = 'Send the body as JSON, with the header "Content-Type: application/json".'
             raise Problem(415, "not-json", detail)
-        self._submit(order_of(read_json(body)))
+        order = order_of(read_json(body))
+        order.age += self._transit
+        self._submit(order)
 
     def _submit(self, order: Order) -> None:
         key: Optional[str] = self.headers.get("Idempotency-Key")
@@ -283,7 +321,7 @@ class _Handler(BaseHTTPRequestHandler):
         # Pages of other sites may use it: whoever has no key gets nothing.
         self.send_header("Access-Control-Allow-Origin", "*")
         self.send_header("Access-Control-Allow-Methods", "GET, POST, DELETE")
-        self.send_header("Access-Control-Allow-Headers", "Authorization, Content-Type, Idempotency-Key")
+        self.send_header("Access-Control-Allow-Headers", _HEADERS)
         self.send_header("Cache-Control", "no-store")
         for name, value in headers.items():
             self.send_header(name, value)
