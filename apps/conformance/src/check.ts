@@ -1,10 +1,15 @@
 /** One thing that a robot's host must do. */
+import type { HostFeature } from "@corridor/protocol";
 import type { Host } from "./host.ts";
 
 export interface Check {
+  /** id of the promise in the table of docs/protocol.md, "What every host promises" */
+  promise: string;
   /** what a script may rely on, as a sentence */
   name: string;
-  /** @throws Mismatch when the host does something else */
+  /** A host that does not offer these is not asked. */
+  needs?: readonly HostFeature[];
+  /** @throws Mismatch when the host does something else, NotTestable when it cannot be seen here */
   run: (host: Host) => Promise<void>;
 }
 

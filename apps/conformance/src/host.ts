@@ -2,8 +2,10 @@
 import {
   commandRecordSchema,
   hasEnded,
+  featureListSchema,
   snapshotSchema,
   type CommandRecord,
+  type FeatureList,
   type Order,
   type Snapshot,
 } from "@corridor/protocol";
@@ -13,6 +15,7 @@ const ADDRESS = /^(https?:\/\/[^/?#\s@]+)\/r\/([A-Za-z0-9_-]{1,64})#([A-Za-z0-9_
 const ANSWER_MS = 40_000;
 /** A robot that obeys needs less for what the checks ask of it. */
 const FINISH_MS = 60_000;
+const START_MS = 10_000;
 const MOST_PAUSES = 10;
 
 export interface Answer {
@@ -27,7 +30,7 @@ export interface AskOptions {
   method?: string;
   /** null: without a key */
   key?: string | null;
-  /** sent as it is where it is text, else as JSON */
+  /** sent as it is where it is text or bytes, else as JSON */
   body?: unknown;
   headers?: Record<string, string>;
 }
@@ -68,26 +71,37 @@ export class Host {
     return this.#key.slice(0, -1) + last;
   }
 
-  /** One call below the robot. One that comes too fast waits as it is told and is sent again. */
+  /** One call below the robot. A call that is answered 429 is repeated after `Retry-After`. */
   async ask(path: string, options: AskOptions = {}): Promise<Answer> {
     for (let pauses = 0; ; pauses++) {
-      const response = await fetch(this.api + path, {
-        ...this.#request(options),
-        signal: AbortSignal.timeout(ANSWER_MS),
-      });
-      const text = await response.text();
-      if (response.status !== 429 || pauses === MOST_PAUSES) {
-        const header = (name: string): string => response.headers.get(name) ?? "";
-        return { status: response.status, header, text, json: parse(text) };
-      }
-      const seconds = Number(response.headers.get("retry-after") ?? 1);
-      await pause(Math.min(10, Number.isFinite(seconds) ? seconds : 1) * 1000);
+      const answer = await this.askOnce(path, options);
+      if (answer.status !== 429 || pauses === MOST_PAUSES) return answer;
+      await pauseForRetryAfter(answer);
     }
   }
 
+  /** One call, whatever the answer is. */
+  async askOnce(path: string, options: AskOptions = {}): Promise<Answer> {
+    const response = await fetch(this.api + path, {
+      ...this.#request(options),
+      signal: AbortSignal.timeout(ANSWER_MS),
+    });
+    const text = await response.text();
+    const header = (name: string): string => response.headers.get(name) ?? "";
+    return { status: response.status, header, text, json: parse(text) };
+  }
+
   /** A stream that goes on until the signal ends it. */
-  async open(path: string, signal: AbortSignal): Promise<Response> {
-    return fetch(this.api + path, { ...this.#request({}), signal });
+  async open(path: string, signal: AbortSignal, headers: Record<string, string> = {}) {
+    return fetch(this.api + path, { ...this.#request({ headers }), signal });
+  }
+
+  /** What the host does not offer, with its reasons. 404: it offers everything. */
+  async features(): Promise<FeatureList> {
+    const answer = await this.ask("/features");
+    if (answer.status === 404) return { notOffered: [] };
+    must(answer.status === 200, "200 or 404 for GET /features", `${answer.status} ${answer.text}`);
+    return shaped(featureListSchema, answer.json, "a list of features");
   }
 
   /** Sends a command that must be taken. */
@@ -102,6 +116,17 @@ export class Host {
     const answer = await this.ask(`/commands/${seq}?wait=${wait}`);
     must(answer.status === 200, `200 for the record ${seq}`, `${answer.status} ${answer.text}`);
     return shaped(commandRecordSchema, answer.json, "a command record");
+  }
+
+  /** Waits until a command runs, so that what is sent next waits behind it. */
+  async begun(seq: number): Promise<void> {
+    const giveUp = performance.now() + START_MS;
+    for (;;) {
+      const { state } = await this.record(seq);
+      if (state !== "accepted" && state !== "delivered") return;
+      must(performance.now() < giveUp, `command ${seq} to start`, state);
+      await pause(50);
+    }
   }
 
   /** Waits until a command has ended. */
@@ -145,13 +170,23 @@ export class Host {
         ...(body !== undefined && { "Content-Type": "application/json" }),
         ...headers,
       },
-      ...(body !== undefined && { body: typeof body === "string" ? body : JSON.stringify(body) }),
+      ...(body !== undefined && { body: isRaw(body) ? body : JSON.stringify(body) }),
     };
   }
 }
 
 export async function pause(milliseconds: number): Promise<void> {
   await new Promise((resolve) => setTimeout(resolve, milliseconds));
+}
+
+/** Pauses for the seconds of `Retry-After`. */
+export async function pauseForRetryAfter(answer: Answer): Promise<void> {
+  const seconds = Number(answer.header("retry-after") || 1);
+  await pause(Math.min(10, Number.isFinite(seconds) ? seconds : 1) * 1000);
+}
+
+function isRaw(body: unknown): body is string | Uint8Array<ArrayBuffer> {
+  return typeof body === "string" || body instanceof Uint8Array;
 }
 
 function parse(text: string): unknown {

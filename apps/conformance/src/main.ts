@@ -1,4 +1,5 @@
 /** `npm run conformance -- "ADDRESS"`: whether a robot's host does all that scripts rely on. */
+import { linesOf, passes, verdict } from "./report.ts";
 import { groups, runChecks, type Result } from "./run-checks.ts";
 
 const [address] = process.argv.slice(2);
@@ -9,32 +10,23 @@ if (address === undefined) {
 const count = groups.reduce((sum, { checks }) => sum + checks.length, 0);
 let group = "";
 process.stdout.write(
-  `${count} checks of ${address.split("#")[0]}. The robot will turn and drive: give it room.\n`,
+  `${count} checks of ${address.split("#")[0]}. The robot drives, in the pen of docs/conformance.md.\n`,
 );
 try {
-  const results = await runChecks(address, tell);
-  const of = (kind: string): number =>
-    results.filter(({ outcome }) => outcome.kind === kind).length;
-  const unseen = of("not seen");
-  const more = unseen > 0 ? `, ${unseen} not seen` : "";
-  process.stdout.write(`\n${of("passed")} passed, ${of("failed")} failed${more}\n`);
-  process.exitCode = of("failed") > 0 ? 1 : 0;
+  const results = await runChecks(address, { onResult: print });
+  const date = new Date().toISOString().slice(0, 10);
+  process.stdout.write(`\n${verdict(results, date)}\n`);
+  process.exitCode = passes(results) ? 0 : 1;
 } catch (error) {
   fail(error instanceof Error ? error.message : String(error), 2);
 }
 
-function tell(result: Result): void {
+function print(result: Result): void {
   if (result.group !== group) {
     group = result.group;
     process.stdout.write(`\n${group}\n`);
   }
-  const { outcome } = result;
-  const mark = { passed: "  ok    ", "not seen": "  -     ", failed: "  FAILED" }[outcome.kind];
-  process.stdout.write(`${mark} ${result.check}\n`);
-  if (outcome.kind === "not seen") process.stdout.write(`         ${outcome.why}\n`);
-  if (outcome.kind !== "failed") return;
-  process.stdout.write(`         expected: ${outcome.expected}\n`);
-  process.stdout.write(`         found:    ${outcome.found}\n`);
+  process.stdout.write(`${linesOf(result).join("\n")}\n`);
 }
 
 function fail(sentence: string, code: number): never {

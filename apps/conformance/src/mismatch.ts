@@ -14,9 +14,9 @@ export class Mismatch extends Error {
   }
 }
 
-/** This robot cannot show it, because it is too fast or stands in the way of a wall. */
-export class NotSeen extends Error {
-  override readonly name = "NotSeen";
+/** The check needs something that is missing here, such as the robot's place in the pen. */
+export class NotTestable extends Error {
+  override readonly name = "NotTestable";
 }
 
 /** @throws Mismatch unless the condition holds */

@@ -1,57 +1,101 @@
 /** Runs every check in order, each on a robot that stands, and gives what came out. */
+import type { HostFeature } from "@corridor/protocol";
 import { access } from "./checks/access.ts";
 import { badInput } from "./checks/bad-input.ts";
+import { directions } from "./checks/directions.ts";
+import { events } from "./checks/events.ts";
+import { leases } from "./checks/leases.ts";
 import { life } from "./checks/life.ts";
+import { limits } from "./checks/limits.ts";
+import { pose } from "./checks/pose.ts";
 import { reading } from "./checks/reading.ts";
 import { retries } from "./checks/retries.ts";
 import { stops } from "./checks/stops.ts";
-import type { CheckGroup } from "./check.ts";
+import type { Check, CheckGroup } from "./check.ts";
 import { Host } from "./host.ts";
-import { Mismatch, NotSeen } from "./mismatch.ts";
+import { Mismatch, NotTestable } from "./mismatch.ts";
 
-export const groups: readonly CheckGroup[] = [access, life, retries, stops, reading, badInput];
+/** Units and directions come first: the robot is where its builder put it. */
+export const groups: readonly CheckGroup[] = [
+  access,
+  directions,
+  pose,
+  stops,
+  retries,
+  events,
+  life,
+  reading,
+  badInput,
+  leases,
+  limits,
+];
 
 export type Outcome =
   | { kind: "passed" }
-  /** the robot cannot show it; no fault */
-  | { kind: "not seen"; why: string }
-  | { kind: "failed"; expected: string; found: string };
+  | { kind: "failed"; expected: string; found: string }
+  /** the host says that it cannot do this; no fault */
+  | { kind: "not offered"; feature: HostFeature; why: string }
+  /** it cannot be seen here; nobody knows whether the host does it */
+  | { kind: "not testable"; why: string };
 
 export interface Result {
   group: string;
+  promise: string;
   check: string;
   outcome: Outcome;
 }
 
-/**
- * @param address of the robot, which will move
- * @param told hears each result as it comes
- */
-export async function runChecks(
-  address: string,
-  told: (result: Result) => void = () => undefined,
-): Promise<Result[]> {
+export interface RunOptions {
+  /** receives each result as it comes */
+  onResult?: (result: Result) => void;
+  /** ends the run at the first failed check */
+  stopsAtFailure?: boolean;
+}
+
+/** @param address of the robot, which will move */
+export async function runChecks(address: string, options: RunOptions = {}): Promise<Result[]> {
   const host = new Host(address);
+  const missing = await missingFeatures(host);
   const results: Result[] = [];
   for (const { title, checks } of groups) {
-    for (const { name, run } of checks) {
-      const outcome = await outcomeOf(async () => run(host));
-      const result = { group: title, check: name, outcome };
+    for (const check of checks) {
+      const outcome = await outcomeOf(check, host, missing);
+      const result = { group: title, promise: check.promise, check: check.name, outcome };
       results.push(result);
-      told(result);
+      options.onResult?.(result);
+      if (outcome.kind !== "failed") continue;
+      if (options.stopsAtFailure === true) return results;
       // Whatever a failed check has left running must not spoil the next one.
-      if (outcome.kind === "failed") await outcomeOf(async () => host.done({ action: "stop" }));
+      await host.done({ action: "stop" }).catch(() => undefined);
     }
   }
   return results;
 }
 
-async function outcomeOf(run: () => Promise<unknown>): Promise<Outcome> {
+/** Why the host does not offer which feature. A list that cannot be read offers all; a check says so. */
+async function missingFeatures(host: Host): Promise<ReadonlyMap<HostFeature, string>> {
   try {
-    await run();
+    const { notOffered } = await host.features();
+    return new Map(notOffered.map(({ feature, reason }) => [feature, reason]));
+  } catch {
+    return new Map();
+  }
+}
+
+async function outcomeOf(
+  check: Check,
+  host: Host,
+  missing: ReadonlyMap<HostFeature, string>,
+): Promise<Outcome> {
+  for (const feature of check.needs ?? []) {
+    const why = missing.get(feature);
+    if (why !== undefined) return { kind: "not offered", feature, why };
+  }
+  try {
+    await check.run(host);
     return { kind: "passed" };
   } catch (error) {
-    if (error instanceof NotSeen) return { kind: "not seen", why: error.message };
+    if (error instanceof NotTestable) return { kind: "not testable", why: error.message };
     if (error instanceof Mismatch) {
       return { kind: "failed", expected: error.expected, found: error.found };
     }

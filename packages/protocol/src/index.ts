@@ -20,6 +20,7 @@ export {
   type ReadResult,
 } from "./document-reader.ts";
 export {
+  eventGapSchema,
   eventPageSchema,
   KEPT_EVENTS_MS,
   MAX_KEPT_EVENTS,
@@ -29,6 +30,12 @@ export {
   type EventPage,
   type StateEvent,
 } from "./events.ts";
+export {
+  featureListSchema,
+  hostFeatures,
+  type FeatureList,
+  type HostFeature,
+} from "./host-features.ts";
 export {
   keyIdSchema,
   keyListSchema,

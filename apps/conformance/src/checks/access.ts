@@ -6,6 +6,7 @@ export const access: CheckGroup = {
   title: "The key",
   checks: [
     {
+      promise: "key-address",
       name: "the address and its key reach the robot",
       run: async (host) => {
         const answer = await host.ask("/commands?after=0");
@@ -13,6 +14,7 @@ export const access: CheckGroup = {
       },
     },
     {
+      promise: "key-required",
       name: "without a key there is no answer but 401, which asks for a bearer key",
       run: async (host) => {
         for (const path of ["/sensors", "/commands?after=0", "/events?wait=0"]) {
@@ -24,6 +26,7 @@ export const access: CheckGroup = {
       },
     },
     {
+      promise: "key-wrong",
       name: "a wrong key commands nothing",
       run: async (host) => {
         const options = { method: "POST", body: { action: "stop" }, key: host.wrongKey };
@@ -32,10 +35,20 @@ export const access: CheckGroup = {
       },
     },
     {
+      promise: "key-secret",
       name: "no answer repeats the key that was sent",
       run: async (host) => {
         const answer = await host.ask("/commands", { key: host.wrongKey });
         must(!answer.text.includes(host.wrongKey), "a problem without the key", answer.text);
+      },
+    },
+    {
+      promise: "features",
+      name: "the host lists what it does not offer, and only what a host may do without",
+      run: async (host) => {
+        const { notOffered } = await host.features();
+        const names = notOffered.map(({ feature }) => feature);
+        must(new Set(names).size === names.length, "each feature once", names);
       },
     },
   ],

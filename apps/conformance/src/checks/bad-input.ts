@@ -3,9 +3,10 @@ import { problemSchema, type ProblemDocument } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import type { Answer } from "../host.ts";
 import { must, shaped } from "../mismatch.ts";
+import { mustRead, readings } from "../setting.ts";
 
 /** Bodies that are no command, by what is wrong with them. */
-const wrongBodies: Record<string, { body: string; path?: string }> = {
+const wrongBodies: Record<string, { body: string | Uint8Array; path?: string }> = {
   "no JSON": { body: '{"action":' },
   nothing: { body: "" },
   null: { body: "null" },
@@ -16,8 +17,22 @@ const wrongBodies: Record<string, { body: string; path?: string }> = {
   "a huge number": { body: '{"action":"move","distance":1e308}', path: "distance" },
   infinity: { body: '{"action":"move","distance":1e999}', path: "distance" },
   "wheels too strong": { body: '{"action":"drive","left":2,"right":0}', path: "left" },
+  "a distance beyond the largest maze": {
+    body: '{"action":"move","distance":25601}',
+    path: "distance",
+  },
+  "ten turns and more": { body: '{"action":"turn","degrees":-3601}', path: "degrees" },
+  "more than a minute": {
+    body: '{"action":"drive","left":0,"right":0,"milliseconds":60001}',
+    path: "milliseconds",
+  },
+  "a lease of minutes": {
+    body: '{"action":"drive","left":0,"right":0,"lease":60000}',
+    path: "lease",
+  },
   "a field too many": { body: '{"action":"stop","now":true}', path: "now" },
   "a prototype key": { body: '{"action":"stop","__proto__":{"x":1}}' },
+  "bytes that are no UTF-8": { body: Buffer.from('{"action":"\xff"}', "latin1") },
   "deep nesting": { body: `${"[".repeat(5_000)}${"]".repeat(5_000)}` },
 };
 
@@ -25,6 +40,7 @@ export const badInput: CheckGroup = {
   title: "Bad input",
   checks: [
     {
+      promise: "bad-command",
       name: "a wrong command is refused with 400, and the field is named",
       run: async (host) => {
         for (const [what, { body, path }] of Object.entries(wrongBodies)) {
@@ -37,6 +53,7 @@ export const badInput: CheckGroup = {
       },
     },
     {
+      promise: "body-size",
       name: "a body above 16 KiB is refused with 413",
       run: async (host) => {
         const body = JSON.stringify({ action: "stop", words: "x".repeat(17 * 1024) });
@@ -44,6 +61,7 @@ export const badInput: CheckGroup = {
       },
     },
     {
+      promise: "body-type",
       name: "a body that is not said to be JSON is refused with 415",
       run: async (host) => {
         const headers = { "Content-Type": "text/plain" };
@@ -52,6 +70,7 @@ export const badInput: CheckGroup = {
       },
     },
     {
+      promise: "bad-query",
       name: "waits and numbers that cannot be are refused with 400",
       run: async (host) => {
         for (const path of [
@@ -67,12 +86,14 @@ export const badInput: CheckGroup = {
       },
     },
     {
+      promise: "no-command",
       name: "a command that there is not is 404",
       run: async (host) => {
         problemIn(await host.ask("/commands/900000000000000"), 404, "a number of the future");
       },
     },
     {
+      promise: "no-path",
       name: "an address that there is not is 404, a method that it does not know 405",
       run: async (host) => {
         problemIn(await host.ask("/wheels"), 404, "/wheels");
@@ -83,10 +104,17 @@ export const badInput: CheckGroup = {
       },
     },
     {
-      name: "after all that the robot obeys as before",
+      promise: "bad-survived",
+      name: "a refused command does not move the robot, which obeys as before",
       run: async (host) => {
+        const before = await readings(host);
+        for (const { body } of Object.values(wrongBodies)) {
+          await host.ask("/commands", { method: "POST", body });
+        }
         const turn = await host.done({ action: "left 90" });
         must(turn.state === "completed", "completed", turn);
+        await host.done({ action: "right 90" });
+        await mustRead(host, before, "where it stood before");
       },
     },
   ],

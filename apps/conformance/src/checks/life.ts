@@ -1,12 +1,18 @@
 /** A command from its acceptance to its one ending. */
 import { commandRecordSchema, hasEnded } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
+import { withEvents } from "../event-stream.ts";
 import { must, shaped } from "../mismatch.ts";
+import { atHome } from "../setting.ts";
+
+/** For longer than a check takes. */
+const BUSY = { action: "drive", left: 0, right: 0, milliseconds: 60_000 } as const;
 
 export const life: CheckGroup = {
   title: "The life of a command",
   checks: [
     {
+      promise: "accepted",
       name: "a command is answered by 202, its record and where that is",
       run: async (host) => {
         const options = { method: "POST", body: { action: "left 90" } };
@@ -23,9 +29,11 @@ export const life: CheckGroup = {
           location || "none",
         );
         await host.ended(record.seq);
+        await host.done({ action: "right 90" });
       },
     },
     {
+      promise: "numbers",
       name: "numbers rise by one",
       run: async (host) => {
         const first = await host.send({ action: "right 90" });
@@ -35,81 +43,75 @@ export const life: CheckGroup = {
       },
     },
     {
-      name: "a turn ends as completed, with where the robot is then",
+      promise: "actions",
+      name: "every action is taken",
       run: async (host) => {
-        const before = await host.snapshot();
-        const turn = await host.done({ action: "right 90" });
-        must(turn.state === "completed", "completed", turn);
-        must(turn.pose !== null && turn.distance !== null, "a pose and a distance", turn);
-        const turned = (turn.pose.heading - before.pose.heading + 360) % 360;
-        must(Math.abs(turned - 90) < 2, "a heading 90 degrees further right", turned);
-      },
-    },
-    {
-      name: "a move ends as completed or, at a wall, as collided, with its distance",
-      run: async (host) => {
-        const move = await host.done({ action: "move", distance: 5 });
-        must(["completed", "collided"].includes(move.state), "completed or collided", move);
-        must(move.distance !== null && move.distance >= 0, "a distance", move.distance);
-      },
-    },
-    {
-      name: "every action of the contract is taken",
-      run: async (host) => {
+        await atHome(host);
         const wheels = { left: 0, right: 0, milliseconds: 50 };
         const ended = [
           await host.done({ action: "turn", degrees: 10 }),
           await host.done({ action: "turn", degrees: -10 }),
           await host.done({ action: "turn 180" }),
+          await host.done({ action: "turn 180" }),
+          await host.done({ action: "move", distance: 0 }),
           await host.done({ action: "drive", ...wheels }),
         ];
         for (const { action, state } of ended) {
           must(state === "completed", `${action} to end as completed`, state);
         }
-        for (const action of [
-          "forward",
-          "reverse",
-          "delayed left 90",
-          "delayed right 90",
-        ] as const) {
-          await host.send({ action });
-          await host.done({ action: "stop" });
-        }
       },
     },
     {
-      name: "commands are done in the order of their numbers",
+      promise: "record-command",
+      name: "a record holds the whole command, and says null until it has ended",
       run: async (host) => {
-        const records = [];
-        for (let n = 0; n < 4; n++) records.push(await host.send({ action: "left 90" }));
-        const last = records.at(-1)?.seq ?? 0;
-        await host.ended(last);
-        for (const { seq } of records) {
-          const { state } = await host.record(seq);
-          must(hasEnded(state), `command ${seq} to have ended before ${last} did`, state);
-        }
+        const command = { action: "drive", left: 0, right: 0, milliseconds: 300 } as const;
+        const record = await host.send({ ...command, ttl: 5_000 });
+        must(same(record.command, command), JSON.stringify(command), record.command);
+        must(record.pose === null && record.distance === null, "pose and distance null", record);
+        const end = await host.ended(record.seq);
+        must(end.distance !== null, "a distance at its end", end);
       },
     },
     {
-      name: "an ending is for ever",
+      promise: "order",
+      name: "commands start in the order of their numbers",
       run: async (host) => {
-        const turn = await host.done({ action: "left 90" });
-        await host.done({ action: "stop" });
-        const later = await host.record(turn.seq);
-        must(later.state === turn.state, turn.state, later.state);
+        await withEvents(host, async (events) => {
+          const long = await host.send(BUSY);
+          await host.begun(long.seq);
+          const seqs: number[] = [];
+          for (let n = 0; n < 4; n++) seqs.push((await host.send({ action: "left 90" })).seq);
+          await host.ask(`/commands/${long.seq}`, { method: "DELETE" });
+          for (const seq of seqs) await events.ended(seq, 30_000);
+          const starts = events.states
+            .filter(({ record }) => record.state === "started" && seqs.includes(record.seq))
+            .map(({ record }) => record.seq);
+          must(starts.join() === seqs.join(), seqs.join(), starts.join());
+        });
       },
     },
     {
+      promise: "record-wait",
       name: "a record waits for the ending as long as it is asked to, and no longer",
       run: async (host) => {
-        const record = await host.send({ action: "drive", left: 0, right: 0, milliseconds: 6_000 });
-        const began = performance.now();
-        await host.record(record.seq, 0.3);
-        const waited = performance.now() - began;
-        must(waited < 4_000, "an answer after at most 0.3 s", `${Math.round(waited)} ms`);
-        const end = await host.record(record.seq, 25);
-        must(hasEnded(end.state), "an ending within wait=25", end.state);
+        const { seq } = await host.send({
+          action: "drive",
+          left: 0,
+          right: 0,
+          milliseconds: 4_000,
+        });
+        const early = await host.record(seq, 0.3);
+        must(!hasEnded(early.state), "an answer after 0.3 s, before the ending", early.state);
+        const [end] = await Promise.all([host.record(seq, 25), host.send({ action: "stop" })]);
+        must(hasEnded(end.state), "the ending within wait=25", end.state);
       },
     },
   ],
 };
+
+function same(found: object, wanted: object): boolean {
+  const sorted = (value: object) =>
+    JSON.stringify(Object.entries(value).toSorted(([a], [b]) => a.localeCompare(b)));
+  return sorted(found) === sorted(wanted);
+}

@@ -1,13 +1,18 @@
 /** A command that is sent again is done once, and never late. */
-import { commandRecordSchema, problemSchema } from "@corridor/protocol";
+import { commandRecordSchema, problemSchema, type Order } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import type { Host } from "../host.ts";
-import { must, NotSeen, shaped } from "../mismatch.ts";
+import { must, shaped } from "../mismatch.ts";
+import { atHome, HOME, mustRead } from "../setting.ts";
+
+/** ms that a command was on its way longer than another request */
+const HELD_MS = 1_500;
 
 export const retries: CheckGroup = {
   title: "Retries, keys and ages",
   checks: [
     {
+      promise: "retry",
       name: "a retry with the same key is the same command",
       run: async (host) => {
         const key = host.newKey();
@@ -19,9 +24,13 @@ export const retries: CheckGroup = {
         const end = await host.ended(first.seq);
         const late = await host.send({ action: "left 90", age: 60_000 }, key);
         must(late.seq === first.seq && late.state === end.state, "the same also later", late);
+        const other = await host.send({ action: "left 90", ttl: 20_000 }, key);
+        must(other.seq === first.seq, "the same with another ttl, which is no part of it", other);
+        await host.done({ action: "right 90" });
       },
     },
     {
+      promise: "retry-at-once",
       name: "ten tries at the same moment are one command",
       run: async (host) => {
         const key = host.newKey();
@@ -29,9 +38,11 @@ export const retries: CheckGroup = {
         const numbers = new Set((await Promise.all(tries)).map(({ seq }) => seq));
         must(numbers.size === 1, "one number", [...numbers]);
         await host.ended([...numbers][0] ?? 0);
+        await host.done({ action: "left 90" });
       },
     },
     {
+      promise: "no-key",
       name: "without a key every command is one of its own",
       run: async (host) => {
         const first = await host.send({ action: "left 90" });
@@ -39,9 +50,11 @@ export const retries: CheckGroup = {
         must(first.key === null, "key: null", first.key);
         must(first.seq !== second.seq, "two numbers", [first.seq, second.seq]);
         await host.ended(second.seq);
+        await host.done({ action: "turn 180" });
       },
     },
     {
+      promise: "key-conflict",
       name: "the same key for another command is refused with 409",
       run: async (host) => {
         const key = host.newKey();
@@ -49,9 +62,11 @@ export const retries: CheckGroup = {
         const answer = await post(host, { action: "right 90" }, key);
         must(answer.status === 409, "409", `${answer.status} ${answer.text}`);
         await host.ended(first.seq);
+        await host.done({ action: "right 90" });
       },
     },
     {
+      promise: "key-form",
       name: "a key that is too short, too long or has other signs is refused with 400",
       run: async (host) => {
         for (const key of ["short", "k".repeat(65), "with a blank", "sign/sign/sign"]) {
@@ -61,6 +76,7 @@ export const retries: CheckGroup = {
       },
     },
     {
+      promise: "too-late",
       name: "a command that is too old on arrival is refused with 422, and its key stays free",
       run: async (host) => {
         const key = host.newKey();
@@ -73,32 +89,60 @@ export const retries: CheckGroup = {
         must(fresh.status === 202, "202 for the same key with a fresh wish", fresh.status);
         const { seq } = shaped(commandRecordSchema, fresh.json, "a command record");
         await host.ended(seq);
+        await host.done({ action: "right 90" });
       },
     },
     {
-      name: "what could not begin within its time to live ends as expired, and is not done",
+      promise: "ttl",
+      name: "what could not start within its time to live ends as expired, undone",
       run: async (host) => {
-        const { seq } = await host.send({
-          action: "drive",
-          left: 0,
-          right: 0,
-          milliseconds: 5_000,
-        });
-        const before = await host.snapshot();
-        const wish = await host.send({ action: "right 90", ttl: 300 });
-        const end = await host.ended(wish.seq);
-        await host.done({ action: "stop" });
-        await host.ended(seq);
-        if (end.state === "completed") {
-          throw new NotSeen("this robot does everything at once: nothing ever waits for it");
-        }
-        must(end.state === "expired", "expired", end);
-        const { pose } = await host.snapshot();
-        const turned = Math.abs(pose.heading - before.pose.heading);
-        must(turned < 2, "the heading from before", pose.heading);
+        await atHome(host);
+        await busy(host, 2_000);
+        await mustExpire(host, { action: "right 90", ttl: 300 });
       },
     },
     {
+      promise: "age",
+      name: "the age of a retry counts: it starts within the time to live of its first try",
+      run: async (host) => {
+        await atHome(host);
+        await busy(host, 2_000);
+        await mustExpire(host, { action: "right 90", ttl: 30_000, age: 29_700 });
+      },
+    },
+    {
+      promise: "transit",
+      name: "the time that a command spends on its way counts, where its script sends a time",
+      run: async (host) => {
+        const clock = host.newKey();
+        const time = (sentAt: number) => ({ "Script-Clock": `${clock} ${Math.round(sentAt)}` });
+        const began = performance.now();
+        await host.ask("/commands?after=0", { headers: time(HELD_MS) });
+        const body = { action: "left 90", ttl: 1_000 };
+        const held = await host.ask("/commands", { method: "POST", body, headers: time(0) });
+        must(held.status === 422, "422 for a command that was held up", held.status);
+        const headers = time(HELD_MS + performance.now() - began);
+        const options = { method: "POST", body: { action: "left 90" }, headers };
+        const quick = await host.ask("/commands", options);
+        must(quick.status === 202, "202 for one that was not", `${quick.status} ${quick.text}`);
+        const { seq } = shaped(commandRecordSchema, quick.json, "a command record");
+        const end = await host.ended(seq);
+        must(end.state === "completed", "completed", end);
+        await host.done({ action: "right 90" });
+      },
+    },
+    {
+      promise: "ttl-waits",
+      name: "what can start within its time to live is done",
+      run: async (host) => {
+        await busy(host, 1_000);
+        const turn = await host.done({ action: "left 90" });
+        must(turn.state === "completed", "completed", turn);
+        await host.done({ action: "right 90" });
+      },
+    },
+    {
+      promise: "terms",
       name: "times to live and ages out of their ranges are refused with 400",
       run: async (host) => {
         for (const wrong of [{ ttl: 100 }, { ttl: 70_000 }, { age: -1 }, { ttl: "long" }]) {
@@ -109,6 +153,20 @@ export const retries: CheckGroup = {
     },
   ],
 };
+
+/** Keeps the robot busy, so that what is sent next waits. */
+async function busy(host: Host, milliseconds: number): Promise<void> {
+  const { seq } = await host.send({ action: "drive", left: 0, right: 0, milliseconds });
+  await host.begun(seq);
+}
+
+async function mustExpire(host: Host, order: Order): Promise<void> {
+  const wish = await host.send(order);
+  const end = await host.ended(wish.seq);
+  await host.done({ action: "stop" });
+  must(end.state === "expired", "expired", end);
+  await mustRead(host, HOME, "where it stood before");
+}
 
 async function post(host: Host, body: unknown, key?: string) {
   const headers = key === undefined ? {} : { "Idempotency-Key": key };

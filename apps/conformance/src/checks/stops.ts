@@ -1,20 +1,24 @@
-/** A stop overtakes everything; other ways to end what was asked for. */
-import { commandRecordSchema, hasEnded, type CommandRecord } from "@corridor/protocol";
+/** A stop overtakes everything; other ways to end what was sent. */
+import { commandRecordSchema, type CommandRecord } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
-import type { Host } from "../host.ts";
+import { pause, type Host } from "../host.ts";
 import { must, shaped } from "../mismatch.ts";
+import { areNear, atHome, HOME, mustRead, mustStand, readings, show } from "../setting.ts";
 
 /** Far more than a robot needs, far less than what it is kept busy with. */
 const STOP_MS = 5_000;
+const BUSY = { action: "drive", left: 0, right: 0, milliseconds: 20_000 } as const;
 
 export const stops: CheckGroup = {
   title: "Stop",
   checks: [
     {
+      promise: "stop-overtakes",
       name: "a stop by POST overtakes what runs and what waits",
       run: async (host) => overtakes(host, async () => host.send({ action: "stop" })),
     },
     {
+      promise: "stop-delete",
       name: "a stop by DELETE does the same, and answers with its record",
       run: async (host) =>
         overtakes(host, async () => {
@@ -24,51 +28,93 @@ export const stops: CheckGroup = {
         }),
     },
     {
+      promise: "stop-stands",
       name: "after a stop the robot stands, and takes new commands",
       run: async (host) => {
-        await host.send({ action: "drive", left: 0.2, right: -0.2 });
+        await host.send({ ...BUSY, left: 0.1, right: 0.1 });
+        await pause(300);
         const stop = await host.done({ action: "stop" });
         must(stop.state === "completed", "completed", stop);
-        const first = await host.snapshot();
-        const later = await host.snapshot(`?after=${first.seq}&wait=2`);
-        const turned = Math.abs(later.pose.heading - first.pose.heading);
-        must(turned < 0.5, "a robot that stands", `${turned} degrees further`);
-        const turn = await host.done({ action: "left 90" });
+        await mustStand(host);
+        await host.done({ action: "left 90" });
+        const turn = await host.done({ action: "right 90" });
         must(turn.state === "completed", "completed", turn);
       },
     },
     {
-      name: "one command is taken back by DELETE of its record",
+      promise: "take-back-waiting",
+      name: "DELETE of a record takes back a command that waits: it ends as cancelled, undone",
       run: async (host) => {
-        const long = await host.send({ action: "drive", left: 0, right: 0, milliseconds: 20_000 });
+        await atHome(host);
+        await busy(host);
         const waits = await host.send({ action: "left 90" });
-        for (const { seq } of [waits, long]) {
-          const answer = await host.ask(`/commands/${seq}`, { method: "DELETE" });
-          must(answer.status === 202, "202", `${answer.status} ${answer.text}`);
-          const end = await host.ended(seq);
-          must(["cancelled", "completed"].includes(end.state), "cancelled", end);
-        }
+        const end = await takenBack(host, waits.seq);
+        must(end.state === "cancelled", "cancelled", end);
+        await host.done({ action: "stop" });
+        await mustRead(host, HOME, "where it stood before");
       },
     },
     {
-      name: "a command with replace takes the place of what came before it",
+      promise: "take-back-running",
+      name: "DELETE of a record ends the command that runs, and the robot stands",
       run: async (host) => {
-        const long = await host.send({ action: "drive", left: 0, right: 0, milliseconds: 20_000 });
+        const { seq } = await host.send({ ...BUSY, left: 0.1, right: 0.1 });
+        await pause(300);
+        const end = await takenBack(host, seq);
+        must(end.state === "cancelled", "cancelled", end);
+        await mustStand(host);
+      },
+    },
+    {
+      promise: "replace",
+      name: "a command with replace ends what came before it as superseded, and starts at once",
+      run: async (host) => {
+        const long = await busy(host);
+        const waits = await host.send({ action: "left 90" });
         const began = performance.now();
-        const turn = await host.send({ action: "left 90", replace: true });
+        const turn = await host.send({ action: "right 90", replace: true });
         must((await host.ended(turn.seq)).state === "completed", "completed", turn);
         const waited = performance.now() - began;
-        must(waited < 10_000, "the new one to begin at once", `${Math.round(waited)} ms`);
-        const { state } = await host.record(long.seq);
-        must(["superseded", "completed"].includes(state), "superseded", state);
+        must(waited < 10_000, "the new one to start at once", `${Math.round(waited)} ms`);
+        for (const { seq } of [long, waits]) {
+          const { state } = await host.record(seq);
+          must(state === "superseded", "superseded", state);
+        }
+        await host.done({ action: "left 90" });
+      },
+    },
+    {
+      promise: "first-ending",
+      name: "the first ending stands: neither a stop nor a DELETE changes it",
+      run: async (host) => {
+        const turn = await host.done({ action: "left 90" });
+        await host.done({ action: "right 90" });
+        await host.done({ action: "stop" });
+        for (const when of ["after a stop", "after its DELETE"]) {
+          const later = await host.record(turn.seq);
+          must(later.state === turn.state, `${turn.state} ${when}`, later.state);
+          await host.ask(`/commands/${turn.seq}`, { method: "DELETE" });
+        }
       },
     },
   ],
 };
 
+async function busy(host: Host): Promise<CommandRecord> {
+  const record = await host.send(BUSY);
+  await host.begun(record.seq);
+  return record;
+}
+
+async function takenBack(host: Host, seq: number): Promise<CommandRecord> {
+  const answer = await host.ask(`/commands/${seq}`, { method: "DELETE" });
+  must(answer.status === 202, "202", `${answer.status} ${answer.text}`);
+  return host.ended(seq);
+}
+
 async function overtakes(host: Host, stop: () => Promise<CommandRecord>): Promise<void> {
-  const before: CommandRecord[] = [];
-  before.push(await host.send({ action: "drive", left: 0, right: 0, milliseconds: 20_000 }));
+  await atHome(host);
+  const before: CommandRecord[] = [await busy(host)];
   for (let n = 0; n < 3; n++) before.push(await host.send({ action: "left 90" }));
   const began = performance.now();
   const { seq, action } = await stop();
@@ -80,6 +126,8 @@ async function overtakes(host: Host, stop: () => Promise<CommandRecord>): Promis
   must(waited < STOP_MS, `a stop within ${STOP_MS} ms`, `${Math.round(waited)} ms`);
   for (const each of before) {
     const { state } = await host.record(each.seq);
-    must(hasEnded(state), `command ${each.seq} to have ended with the stop`, state);
+    must(state === "cancelled", `command ${each.seq} to have been cancelled by the stop`, state);
   }
+  const now = await readings(host);
+  must(areNear(now, HOME), "a robot that has not turned", show(now));
 }

@@ -1,0 +1,369 @@
+/** Units, sides, directions and signs, seen by the range finders in a pen of known size. */
+import type { CommandRecord, Order, SensorReadings, Snapshot } from "@corridor/protocol";
+import type { CheckGroup } from "../check.ts";
+import { pause, type Host } from "../host.ts";
+import { must, Mismatch } from "../mismatch.ts";
+import {
+  areNear,
+  atHome,
+  HOME,
+  isNear,
+  moved,
+  mustRead,
+  readings,
+  show,
+  turned,
+} from "../setting.ts";
+
+/** The pen's wall is met after half of it, at the latest. */
+const TO_THE_WALL = 60;
+/** A robot that stands reports at least once a second. */
+const REPORT_MS = 5_000;
+const DRIVE_MS = 1_500;
+/** Turns of the wheels by about 20 degrees each; more than this is no quarter turn. */
+const MOST_WHEEL_TURNS = 20;
+
+export const directions: CheckGroup = {
+  title: "Units, directions and signs",
+  checks: [
+    {
+      promise: "unit-length",
+      name: "readings are in cm from the robot's centre: 50, 50, 150 and 450 in the pen",
+      run: async (host) => {
+        const sorted = (values: SensorReadings) => Object.values(values).toSorted((a, b) => a - b);
+        const found = await readings(host);
+        const wanted = sorted(HOME);
+        const areRight = sorted(found).every((cm, index) => isNear(cm, wanted[index] ?? 0));
+        must(areRight, "about 50, 50, 150 and 450", show(found));
+      },
+    },
+    {
+      promise: "reading-newer",
+      name: "a reading with after waits for a newer one",
+      run: async (host) => {
+        const first = await host.snapshot();
+        const began = performance.now();
+        const next = await host.snapshot(`?after=${first.seq}&wait=10`);
+        const waited = performance.now() - began;
+        must(next.seq > first.seq, `a seq above ${first.seq}`, next.seq);
+        must(waited < REPORT_MS, "a report every second", `${Math.round(waited)} ms`);
+      },
+    },
+    {
+      promise: "tick",
+      name: "tick counts sixtieths of a second",
+      run: async (host) => {
+        const first = await host.snapshot(`?after=${(await host.snapshot()).seq}&wait=5`);
+        const began = performance.now();
+        await pause(2_000);
+        const last = await host.snapshot(`?after=${(await host.snapshot()).seq}&wait=5`);
+        const ticks = (last.tick - first.tick) / ((performance.now() - began) / 1_000);
+        must(ticks > 30 && ticks < 120, "about 60 a second", Math.round(ticks));
+      },
+    },
+    {
+      promise: "fresh-reading",
+      name: "a reading after a command is never from before its end",
+      run: async (host) => {
+        for (let n = 0; n < 2; n++) {
+          await host.done({ action: "left 90" });
+          const first = await host.snapshot("");
+          await pause(700);
+          const later = await host.snapshot(`?after=${first.seq}&wait=5`);
+          must(areNear(first.sensors, later.sensors), show(later.sensors), show(first.sensors));
+        }
+        for (let n = 0; n < 2; n++) await host.done({ action: "left 90" });
+      },
+    },
+    {
+      promise: "sides",
+      name: "front, right, back and left are the sides of the robot",
+      run: async (host) => {
+        await mustRead(host, HOME, "in the near right corner of the pen");
+        await complete(host, { action: "left 90" }, { action: "left 90" });
+        await mustRead(host, turned(HOME, 2), "after half a turn");
+        await complete(host, { action: "left 90" }, { action: "left 90" });
+      },
+    },
+    {
+      promise: "turn-left",
+      name: "left 90 turns a quarter to the left",
+      run: async (host) => turns(host, [{ action: "left 90" }], -1),
+    },
+    {
+      promise: "turn-right",
+      name: "right 90 turns a quarter to the right",
+      run: async (host) => turns(host, [{ action: "right 90" }], 1),
+    },
+    {
+      promise: "turn-half",
+      name: "turn 180 turns half around",
+      run: async (host) => turns(host, [{ action: "turn 180" }], 2),
+    },
+    {
+      promise: "turn-whole",
+      name: "four quarter turns, and four half ones, bring the robot back",
+      run: async (host) => {
+        await atHome(host);
+        for (const action of ["left 90", "right 90", "turn 180"] as const) {
+          await complete(host, ...Array.from({ length: 4 }, () => ({ action })));
+          await mustRead(host, HOME, `after four times ${action}`);
+        }
+      },
+    },
+    {
+      promise: "turn-degrees",
+      name: "turn takes degrees: above 0 to the right, below 0 to the left",
+      run: async (host) => {
+        await turns(host, [{ action: "turn", degrees: 90 }], 1);
+        await turns(host, [{ action: "turn", degrees: -90 }], -1);
+        await turns(host, [{ action: "turn", degrees: 360 }], 0);
+      },
+    },
+    {
+      promise: "move-distance",
+      name: "move drives forward by its distance in cm",
+      run: async (host) => {
+        const { sensors } = await atHome(host);
+        await complete(host, { action: "move", distance: 50 });
+        await mustHaveMoved(host, sensors, 50);
+      },
+    },
+    {
+      promise: "move-backward",
+      name: "a move below 0 drives backward",
+      run: async (host) => {
+        await complete(host, { action: "move", distance: 50 });
+        const before = await readings(host);
+        await complete(host, { action: "move", distance: -50 });
+        await mustHaveMoved(host, before, -50);
+      },
+    },
+    {
+      promise: "record-distance",
+      name: "a record tells the cm that its command drove, never below 0",
+      run: async (host) => {
+        await atHome(host);
+        for (const distance of [60, -60]) {
+          const [move] = await complete(host, { action: "move", distance });
+          must(isNear(move?.distance ?? -1, 60), "a distance of about 60", move);
+        }
+        const [turn] = await complete(host, { action: "left 90" }, { action: "right 90" });
+        must((turn?.distance ?? -1) < 10, "a distance of about 0 for a turn", turn);
+      },
+    },
+    {
+      promise: "milliseconds",
+      name: "drive lasts for its milliseconds",
+      run: async (host) => {
+        const began = performance.now();
+        const order = { action: "drive", left: 0, right: 0, milliseconds: DRIVE_MS } as const;
+        await complete(host, order);
+        const took = performance.now() - began;
+        // A slow network may add to it, and nothing takes away from it.
+        const isRight = took > 0.9 * DRIVE_MS && took < 3 * DRIVE_MS;
+        must(isRight, `about ${DRIVE_MS} ms`, `${Math.round(took)} ms`);
+      },
+    },
+    {
+      promise: "wheels",
+      name: "drive turns the wheels: both forward is ahead, left alone is to the right",
+      run: async (host) => {
+        const { sensors } = await atHome(host);
+        await complete(host, { action: "drive", left: 0.1, right: 0.1, milliseconds: 1_000 });
+        const ahead = (await readings(host)).front;
+        must(ahead < sensors.front - 3, `less than ${Math.round(sensors.front)} in front`, ahead);
+        await atHome(host);
+        const times = await wheelTurnsToTheRight(host);
+        for (let n = 0; n < times; n++) await wheelTurn(host, -0.1);
+      },
+    },
+    {
+      promise: "forward-reverse",
+      name: "forward drives ahead and reverse back, until something else is asked for",
+      run: async (host) => {
+        const { sensors } = await atHome(host);
+        await host.send({ action: "forward" });
+        const { sensors: there } = await whenFront(
+          host,
+          (front) => front < sensors.front - 60,
+          "below",
+        );
+        await host.done({ action: "stop" });
+        await host.send({ action: "reverse" });
+        await whenFront(host, (front) => front > there.front + 30, "above");
+        await host.done({ action: "stop" });
+        await atHome(host);
+      },
+    },
+    {
+      promise: "collision",
+      name: "a move ends at a wall as collided, with the way up to it, which leads back",
+      needs: ["bumps"],
+      run: async (host) => {
+        const before = await atHome(host);
+        await complete(host, { action: "right 90" });
+        const move = await host.done({ action: "move", distance: TO_THE_WALL });
+        must(move.state === "collided", "collided", move);
+        const way = move.distance ?? -1;
+        must(way > 0 && way < 50, "a distance from 0 to 50", way);
+        const touching = await host.snapshot();
+        must(touching.bumps === before.bumps + 1, `bumps ${before.bumps + 1}`, touching.bumps);
+        must(touching.bumping, "bumping: true at the wall", touching.bumping);
+        await complete(host, { action: "move", distance: -way });
+        const away = await host.snapshot();
+        must(!away.bumping, "bumping: false away from the wall", away.bumping);
+        await mustRead(host, turned(HOME, 1), "after the same distance back");
+        await complete(host, { action: "left 90" });
+      },
+    },
+    {
+      promise: "collision-forward",
+      name: "forward ends at a wall as collided as well",
+      needs: ["bumps"],
+      run: async (host) => {
+        await atHome(host);
+        await complete(host, { action: "right 90" });
+        const forward = await host.done({ action: "forward" });
+        must(forward.state === "collided", "collided", forward);
+        await complete(host, { action: "move", distance: -(forward.distance ?? 0) });
+        await mustRead(host, turned(HOME, 1), "after the same distance back");
+        await complete(host, { action: "left 90" });
+      },
+    },
+    {
+      promise: "delayed-turns",
+      name: "a delayed turn drives 50 cm, turns, and drives 60 cm",
+      run: async (host) => {
+        await atHome(host);
+        await complete(host, { action: "delayed left 90" });
+        await mustRead(
+          host,
+          { front: 90, right: 400, back: 110, left: 100 },
+          "after delayed left 90",
+        );
+        await complete(host, { action: "move", distance: -60 }, { action: "right 90" });
+        await complete(host, { action: "move", distance: -50 }, { action: "left 90" });
+        await mustRead(host, turned(HOME, -1), "back at its place, looking to the left");
+        await complete(host, { action: "delayed right 90" });
+        await mustRead(
+          host,
+          { front: 390, right: 100, back: 110, left: 100 },
+          "after delayed right 90",
+        );
+        await complete(host, { action: "move", distance: -60 }, { action: "left 90" });
+        await complete(host, { action: "move", distance: -50 }, { action: "right 90" });
+        await atHome(host);
+      },
+    },
+    {
+      promise: "delayed-wall",
+      name: "a wall ends one part of a delayed turn, and the next part follows",
+      needs: ["bumps"],
+      run: async (host) => {
+        await atHome(host);
+        await complete(host, { action: "right 90" });
+        const turn = await host.done({ action: "delayed left 90" });
+        must(turn.state === "collided", "collided", turn);
+        const there = { front: 390, right: 25, back: 110, left: 175 };
+        await mustRead(host, there, "after delayed left 90 against the right wall");
+        await complete(host, { action: "move", distance: -60 }, { action: "right 90" });
+        await complete(host, { action: "move", distance: -25 }, { action: "left 90" });
+        await atHome(host);
+      },
+    },
+    {
+      promise: "speed",
+      name: "forward drives 100 cm/s, and drive at power 0.2 turns a quarter in 0.6 s",
+      needs: ["speed"],
+      run: async (host) => {
+        await atHome(host);
+        await host.send({ action: "forward" });
+        const first = await whenFront(host, (front) => front < HOME.front - 20, "below");
+        const last = await whenFront(host, (front) => front < first.sensors.front - 60, "below");
+        const seconds = (last.tick - first.tick) / 60;
+        const speed = (first.sensors.front - last.sensors.front) / seconds;
+        await host.done({ action: "stop" });
+        must(speed > 50 && speed < 200, "about 100 cm/s", `${Math.round(speed)} cm/s`);
+        await atHome(host);
+        await turns(host, [{ action: "drive", left: 0.2, right: -0.2, milliseconds: 600 }], 1);
+      },
+    },
+    {
+      promise: "goal",
+      name: "goalReached turns true at the goal, and stays true",
+      needs: ["goal"],
+      run: async (host) => {
+        await atHome(host);
+        await complete(host, { action: "move", distance: 400 });
+        const { goalReached } = await host.snapshot();
+        must(goalReached, "goalReached: true in the far right corner", goalReached);
+        const later = await atHome(host);
+        must(later.goalReached, "goalReached: true ever after", later.goalReached);
+      },
+    },
+  ],
+};
+
+/** Each must end as completed. */
+async function complete(host: Host, ...orders: Order[]): Promise<CommandRecord[]> {
+  const records: CommandRecord[] = [];
+  for (const order of orders) {
+    const record = await host.done(order);
+    must(record.state === "completed", `${order.action} to end as completed`, record);
+    records.push(record);
+  }
+  return records;
+}
+
+/** Turns, looks, and turns back by quarters to the left. */
+async function turns(host: Host, orders: Order[], quarters: number): Promise<void> {
+  await atHome(host);
+  await complete(host, ...orders);
+  const after = orders.map((order) => JSON.stringify(order)).join(", ");
+  await mustRead(host, turned(HOME, quarters), `after ${after}`);
+  const back = ((quarters % 4) + 4) % 4;
+  await complete(host, ...Array.from({ length: back }, () => ({ action: "left 90" as const })));
+}
+
+async function mustHaveMoved(host: Host, from: SensorReadings, distance: number): Promise<void> {
+  const now = await readings(host);
+  must(
+    isNear(from.front - now.front, distance) && isNear(now.back - from.back, distance),
+    `${distance} cm further ahead than ${show(from)}: about ${show(moved(from, distance))}`,
+    show(now),
+  );
+}
+
+async function wheelTurn(host: Host, power: number): Promise<void> {
+  await complete(host, { action: "drive", left: power, right: -power, milliseconds: 300 });
+}
+
+/** Turns by the wheels until the robot looks to the side. @returns how many turns that took */
+async function wheelTurnsToTheRight(host: Host): Promise<number> {
+  for (let times = 1; times <= MOST_WHEEL_TURNS; times++) {
+    await wheelTurn(host, 0.1);
+    const now = await readings(host);
+    const isRight = areNear(now, turned(HOME, 1));
+    const isLeft = areNear(now, turned(HOME, -1));
+    must(!isLeft, "a turn to the right by the left wheel", show(now));
+    if (isRight) return times;
+  }
+  throw new Mismatch("a quarter turn to the right by the wheels", show(await readings(host)));
+}
+
+/** Waits for a reading in front. @returns it */
+async function whenFront(
+  host: Host,
+  isThere: (front: number) => boolean,
+  what: string,
+): Promise<Snapshot> {
+  let snapshot = await host.snapshot();
+  const before = snapshot.sensors.front;
+  const giveUp = performance.now() + 8_000;
+  while (!isThere(snapshot.sensors.front)) {
+    must(performance.now() < giveUp, `a reading in front ${what} ${Math.round(before)}`, snapshot);
+    snapshot = await host.snapshot(`?after=${snapshot.seq}&wait=2`);
+  }
+  return snapshot;
+}

@@ -1,0 +1,204 @@
+/** The dead man's switch: a motion without an end stops when its script falls silent. */
+import type { CommandState, Order } from "@corridor/protocol";
+import type { CheckGroup } from "../check.ts";
+import { withEvents, type EventStream } from "../event-stream.ts";
+import { pause, type Host } from "../host.ts";
+import { must } from "../mismatch.ts";
+import { atHome, mustStand } from "../setting.ts";
+
+/**
+ * ms from sending to the ending. It can never take less than the lease, but more: a slow network
+ * delays both ends.
+ */
+const FORWARD_MS = { least: 2_800, most: 5_000 };
+const DRIVE_MS = { least: 400, most: 2_500 };
+const LONG_DRIVE_MS = { least: 1_900, most: 4_500 };
+/** Longer than any lease. */
+const GIVE_UP_MS = 8_000;
+
+/** Not ended by silence; the wall may have come nearer than expected. */
+const HELD: readonly CommandState[] = ["started", "collided"];
+
+/** Slowly ahead, and back again. */
+const AHEAD = { action: "drive", left: 0.05, right: 0.05 } as const;
+const BACK = { action: "drive", left: -0.05, right: -0.05 } as const;
+const STILL = { action: "drive", left: 0, right: 0 } as const;
+
+export const leases: CheckGroup = {
+  title: "Dead man's switch and leases",
+  checks: [
+    {
+      promise: "silence",
+      name: "forward ends 3 s after its script fell silent, and the robot stands",
+      run: async (host) => {
+        await atHome(host);
+        await withEvents(host, async (events) => {
+          // The open stream does not count: this script is silent.
+          mustTake(await lasts(host, events, { action: "forward" }), FORWARD_MS);
+        });
+        await mustStand(host);
+      },
+    },
+    {
+      promise: "silence-reverse",
+      name: "reverse ends in the same way",
+      run: async (host) => {
+        await atHome(host);
+        await host.done({ action: "move", distance: 395 });
+        await withEvents(host, async (events) => {
+          mustTake(await lasts(host, events, { action: "reverse" }), FORWARD_MS);
+        });
+        await mustStand(host);
+      },
+    },
+    {
+      promise: "renewed-by-reading",
+      name: "forward goes on for as long as its script reads the sensors",
+      run: async (host) => {
+        await atHome(host);
+        const { seq } = await host.send({ action: "forward" });
+        for (let n = 0; n < 7; n++) {
+          await pause(500);
+          await host.snapshot("");
+        }
+        const { state } = await host.record(seq);
+        must(HELD.includes(state), "started after 3.5 s of reading", state);
+        await host.done({ action: "stop" });
+      },
+    },
+    {
+      promise: "renewed-by-waiting",
+      name: "a request that waits for its answer holds a motion as well",
+      run: async (host) => {
+        await atHome(host);
+        const { seq } = await host.send({ action: "forward" });
+        const { state } = await host.record(seq, 3.5);
+        must(HELD.includes(state), "started after a request that waited 3.5 s", state);
+        await host.done({ action: "stop" });
+        await atHome(host);
+      },
+    },
+    {
+      promise: "drive-lease",
+      name: "drive ends 0.5 s after it began, and the robot stands",
+      run: async (host) => {
+        await bothLast(host, [AHEAD, BACK], DRIVE_MS);
+        await mustStand(host);
+      },
+    },
+    {
+      promise: "drive-lease-asked",
+      name: "drive ends after the lease that it asks for",
+      run: async (host) => {
+        await withEvents(host, async (events) => {
+          mustTake(await lasts(host, events, { ...STILL, lease: 2_000 }), LONG_DRIVE_MS);
+        });
+      },
+    },
+    {
+      promise: "drive-not-renewed",
+      name: "reading does not renew a drive",
+      run: async (host) => {
+        await withEvents(host, async (events) => {
+          let isOver = false;
+          const read = async (): Promise<void> => {
+            while (!isOver) {
+              await host.snapshot("");
+              await pause(200);
+            }
+          };
+          const end = lasts(host, events, { ...STILL, lease: 2_000 }).finally(() => {
+            isOver = true;
+          });
+          const [ms] = await Promise.all([end, read()]);
+          mustTake(ms, LONG_DRIVE_MS);
+        });
+      },
+    },
+    {
+      promise: "drive-renewed",
+      name: "the next drive renews it",
+      run: async (host) => {
+        await withEvents(host, async (events) => {
+          const lease = 2_000;
+          const first = await host.send({ ...AHEAD, lease });
+          await events.started(first.seq);
+          await pause(700);
+          const ms = await lasts(host, events, { ...BACK, lease });
+          const { record } = await events.ended(first.seq, GIVE_UP_MS);
+          const isTaken = ["completed", "superseded"].includes(record.state);
+          must(isTaken, "the first to end as the second began", record);
+          mustTake(ms, LONG_DRIVE_MS);
+        });
+      },
+    },
+    {
+      promise: "drive-newest",
+      name: "of several drives that wait the newest counts",
+      run: async (host) => {
+        await host.send({ ...STILL, milliseconds: 2_000 });
+        const waits = [];
+        for (let n = 0; n < 3; n++) waits.push(await host.send(STILL));
+        const states = [];
+        for (const { seq } of waits) states.push((await host.ended(seq)).state);
+        const wanted = ["superseded", "superseded", "cancelled"];
+        must(states.join() === wanted.join(), wanted.join(), states.join());
+      },
+    },
+    {
+      promise: "runs-to-end",
+      name: "a drive with milliseconds runs to its end, also when its script is silent",
+      run: async (host) => {
+        await withEvents(host, async (events) => {
+          const { seq } = await host.send({ ...STILL, milliseconds: 4_000 });
+          const { record } = await events.ended(seq, 15_000);
+          must(record.state === "completed", "completed", record);
+        });
+      },
+    },
+    {
+      promise: "gives-way",
+      name: "a motion without an end gives way to the next command",
+      run: async (host) => {
+        const still = await host.send({ ...STILL, lease: 2_000 });
+        const next = await host.done({ ...STILL, milliseconds: 50 });
+        must(next.state === "completed", "completed", next);
+        const { state } = await host.record(still.seq);
+        must(["completed", "superseded"].includes(state), "completed or superseded", state);
+        const forward = await host.send({ action: "forward" });
+        await host.done({ action: "left 90" });
+        const after = await host.record(forward.seq);
+        const isOver = ["completed", "superseded"].includes(after.state);
+        must(isOver, "completed or superseded", after.state);
+        await host.done({ action: "right 90" });
+      },
+    },
+  ],
+};
+
+/** Sends a motion without an end. @returns ms until it was cancelled */
+async function lasts(host: Host, events: EventStream, order: Order): Promise<number> {
+  const sentAt = performance.now();
+  const { seq } = await host.send(order);
+  const end = await events.ended(seq, GIVE_UP_MS);
+  must(end.record.state === "cancelled", `${order.action} to end as cancelled`, end.record);
+  return end.at - sentAt;
+}
+
+/** A hold-up on the way may delay the ending of one of two motions, not of both. */
+async function bothLast(
+  host: Host,
+  orders: readonly [Order, Order],
+  range: typeof DRIVE_MS,
+): Promise<void> {
+  await withEvents(host, async (events) => {
+    const took: number[] = [];
+    for (const order of orders) took.push(await lasts(host, events, order));
+    mustTake(Math.min(...took), range);
+  });
+}
+
+function mustTake(ms: number, { least, most }: { least: number; most: number }): void {
+  const range = `an ending after ${least / 1_000} to ${most / 1_000} s`;
+  must(ms >= least && ms <= most, range, `${(ms / 1_000).toFixed(1)} s`);
+}

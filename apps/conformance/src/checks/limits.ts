@@ -1,0 +1,133 @@
+/** The room that a host must have, and what it says when that is full. */
+import { commandRecordSchema, problemSchema } from "@corridor/protocol";
+import type { CheckGroup } from "../check.ts";
+import { pause, pauseForRetryAfter, type Host } from "../host.ts";
+import { must, Mismatch, shaped } from "../mismatch.ts";
+
+const BUSY = { action: "drive", left: 0, right: 0, milliseconds: 60_000 } as const;
+const WAITING = 64;
+/** A relay has some more at the robot. */
+const MOST = 100;
+/** Commands at once, and commands a second, that a host must take. */
+const BURST = 40;
+const RATE = 20;
+/** Pauses while the queue is filled; a host that takes 20 a second needs four. */
+const MOST_PAUSES = 20;
+const LOG_PAGE = 200;
+const KEPT_EVENTS = 400;
+
+export const limits: CheckGroup = {
+  title: "Limits",
+  checks: [
+    {
+      promise: "burst",
+      name: "40 commands at once are taken",
+      run: async (host) => {
+        // So much as was sent before may count for a host that limits the rate.
+        await pause((BURST / RATE) * 1_000 + 500);
+        const post = async () => host.askOnce("/commands", { method: "POST", body: BUSY });
+        const answers = await Promise.all(Array.from({ length: BURST }, post));
+        await host.done({ action: "stop" });
+        const refused = answers.filter(({ status }) => status !== 202);
+        must(refused.length === 0, `${BURST} answers of 202`, refused.map(({ text }) => text)[0]);
+      },
+    },
+    {
+      promise: "stop-full",
+      name: "a stop is taken while the queue is full",
+      run: async (host) => {
+        await fill(host);
+        const stop = { method: "POST", body: { action: "stop" } };
+        const answer = await host.askOnce("/commands", stop);
+        must(answer.status === 202, "202 for a stop", `${answer.status} ${answer.text}`);
+        const { seq } = shaped(commandRecordSchema, answer.json, "a command record");
+        const end = await host.ended(seq);
+        must(end.state === "completed", "completed", end);
+      },
+    },
+    {
+      promise: "queue",
+      name: "at least 64 commands may wait; one too many is refused with 429 and its key stays free",
+      run: async (host) => {
+        try {
+          const refused = await fill(host);
+          const { type } = shaped(problemSchema, refused.answer.json, "a problem document");
+          must(type.endsWith("/queue-full"), "the problem queue-full", type);
+          const after = refused.answer.header("retry-after");
+          must(/^\d+$/.test(after), "the header Retry-After in seconds", after || "none");
+          must(refused.taken >= WAITING, `${WAITING} commands to wait`, refused.taken);
+          await host.done({ action: "stop" });
+          const again = await host.send(BUSY, refused.key);
+          must(!again.duplicate, "a new command by the key that was refused", again);
+        } finally {
+          await host.done({ action: "stop" });
+        }
+      },
+    },
+    {
+      promise: "log-page",
+      name: "the log comes in pages of at most 200 records, without a hole",
+      run: async (host) => {
+        const newest = await host.done({ action: "stop" });
+        let after = Math.max(0, newest.seq - LOG_PAGE - 20);
+        const first = after;
+        const seqs: number[] = [];
+        while (after < newest.seq) {
+          const answer = (await host.log(after)) as { commands?: { seq: number }[] } | null;
+          const numbers = answer?.commands?.map(({ seq }) => seq) ?? [];
+          must(numbers.length <= LOG_PAGE, "at most 200 records", numbers.length);
+          must(numbers.length > 0, `records after ${after}`, "none");
+          seqs.push(...numbers);
+          after = numbers.at(-1) ?? newest.seq;
+        }
+        const isWhole = seqs.every((seq, index) => seq === first + index + 1);
+        must(isWhole, "every number once", seqs.join());
+        must(seqs.length > LOG_PAGE, "more than one page", `${seqs.length} records`);
+      },
+    },
+    {
+      promise: "events-kept",
+      name: "events are kept: a reader that missed hundreds of them gets them all",
+      run: async (host) => {
+        const newest = await eventsSince(host, null);
+        const [stream = "", n = "0"] = newest.since.split("-");
+        const from = Number(n) - KEPT_EVENTS;
+        must(from >= 0, `${KEPT_EVENTS} events of this run`, n);
+        const { gap, states } = await eventsSince(host, `${stream}-${from}`);
+        must(gap === null, "no gap", gap);
+        must(states.length >= KEPT_EVENTS, `${KEPT_EVENTS} states`, states.length);
+      },
+    },
+  ],
+};
+
+/** Sends what waits until the queue is full. */
+async function fill(host: Host) {
+  await host.send(BUSY);
+  let pauses = 0;
+  for (let taken = 0; taken < MOST;) {
+    const key = host.newKey();
+    const options = { method: "POST", body: BUSY, headers: { "Idempotency-Key": key } };
+    const answer = await host.askOnce("/commands", options);
+    if (answer.status === 202) taken += 1;
+    else if (isTooFast(answer.json) && pauses < MOST_PAUSES) {
+      pauses += 1;
+      await pauseForRetryAfter(answer);
+    } else {
+      must(answer.status === 429, "202 or 429", `${answer.status} ${answer.text}`);
+      return { taken, key, answer };
+    }
+  }
+  throw new Mismatch(`429 for one of ${MOST} commands that wait`, "202 for each");
+}
+
+function isTooFast(problem: unknown): boolean {
+  return (problem as { type?: string } | null)?.type?.endsWith("/too-fast") === true;
+}
+
+async function eventsSince(host: Host, since: string | null) {
+  const query = since === null ? "" : `&since=${since}`;
+  const answer = await host.ask(`/events?wait=0${query}`);
+  must(answer.status === 200, "200 for /events", `${answer.status} ${answer.text}`);
+  return answer.json as { since: string; gap: unknown; states: unknown[] };
+}

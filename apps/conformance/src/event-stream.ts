@@ -1,0 +1,140 @@
+/** The server-sent events of a robot, as they arrive. It never asks: a silent script may hold one. */
+import {
+  commandRecordSchema,
+  eventGapSchema,
+  hasEnded,
+  snapshotSchema,
+  type CommandRecord,
+  type EventGap,
+  type Snapshot,
+} from "@corridor/protocol";
+import type { Host } from "./host.ts";
+import { must, Mismatch, shaped } from "./mismatch.ts";
+
+interface SeenState {
+  record: CommandRecord;
+  /** ms by the kit's clock */
+  at: number;
+}
+
+export class EventStream {
+  readonly states: SeenState[] = [];
+  readonly snapshots: { snapshot: Snapshot; at: number }[] = [];
+  readonly gaps: EventGap[] = [];
+  /** `STREAM-n` of the last state */
+  lastId = "";
+  readonly #controller = new AbortController();
+  readonly #listeners = new Set<() => void>();
+  #error: unknown = null;
+
+  private constructor() {}
+
+  /** @param since the last id of an earlier stream */
+  static async open(host: Host, since?: string): Promise<EventStream> {
+    const stream = new EventStream();
+    const headers = since === undefined ? {} : { "Last-Event-ID": since };
+    const response = await host.open("/events", stream.#controller.signal, headers);
+    must(response.status === 200, "200 for GET /events", response.status);
+    const type = response.headers.get("content-type") ?? "none";
+    must(type.startsWith("text/event-stream"), "Content-Type: text/event-stream", type);
+    void stream.#read(response).catch((error: unknown) => {
+      stream.#error = error;
+      for (const listener of stream.#listeners) listener();
+    });
+    return stream;
+  }
+
+  close(): void {
+    this.#controller.abort();
+  }
+
+  /** Waits until it holds. @throws Mismatch when that takes too long or the stream ends */
+  async until<T>(find: () => T | undefined, ms: number, what: string): Promise<T> {
+    const giveUp = performance.now() + ms;
+    for (;;) {
+      const found = find();
+      if (found !== undefined) return found;
+      if (this.#error instanceof Mismatch) throw this.#error;
+      must(this.#error === null, what, `the end of the event stream: ${String(this.#error)}`);
+      const rest = giveUp - performance.now();
+      must(rest > 0, what, `nothing of it within ${ms / 1000} s: ${this.#show()}`);
+      await this.#news(rest);
+    }
+  }
+
+  /** When a command was started. */
+  async started(seq: number, ms = 10_000): Promise<SeenState> {
+    return this.until(
+      () => this.states.find(({ record }) => record.seq === seq && record.state === "started"),
+      ms,
+      `command ${seq} to start`,
+    );
+  }
+
+  /** The first ending of a command. */
+  async ended(seq: number, ms: number): Promise<SeenState> {
+    return this.until(
+      () => this.states.find(({ record }) => record.seq === seq && hasEnded(record.state)),
+      ms,
+      `command ${seq} to end`,
+    );
+  }
+
+  #show(): string {
+    return this.states.map(({ record }) => `${record.seq} ${record.state}`).join(", ");
+  }
+
+  async #news(ms: number): Promise<void> {
+    await new Promise<void>((resolve) => {
+      const done = (): void => {
+        clearTimeout(timer);
+        this.#listeners.delete(done);
+        resolve();
+      };
+      const timer = setTimeout(done, ms);
+      this.#listeners.add(done);
+    });
+  }
+
+  async #read(response: Response): Promise<void> {
+    let text = "";
+    for await (const chunk of response.body?.pipeThrough(new TextDecoderStream()) ?? []) {
+      text += chunk;
+      const blocks = text.split("\n\n");
+      text = blocks.pop() ?? "";
+      for (const block of blocks) this.#take(block);
+      for (const listener of this.#listeners) listener();
+    }
+    throw new Mismatch("an event stream that goes on", "its end");
+  }
+
+  #take(block: string): void {
+    const id = /^id: ?(.*)$/m.exec(block)?.[1];
+    if (id !== undefined) this.lastId = id;
+    const event = /^event: ?(.*)$/m.exec(block)?.[1];
+    const data = /^data: ?(.*)$/m.exec(block)?.[1];
+    if (event === undefined || data === undefined) return;
+    const value: unknown = JSON.parse(data);
+    const at = performance.now();
+    if (event === "snapshot") {
+      this.snapshots.push({ snapshot: shaped(snapshotSchema, value, "a snapshot"), at });
+    } else if (event === "state") {
+      this.states.push({ record: shaped(commandRecordSchema, value, "a command record"), at });
+    } else if (event === "gap") {
+      this.gaps.push(shaped(eventGapSchema, value, "a gap"));
+    }
+  }
+}
+
+/** Runs with an open event stream, and closes it. */
+export async function withEvents<T>(
+  host: Host,
+  run: (events: EventStream) => Promise<T>,
+): Promise<T> {
+  const events = await EventStream.open(host);
+  try {
+    return await run(events);
+  } finally {
+    events.close();
+  }
+}

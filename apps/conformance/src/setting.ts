@@ -1,0 +1,78 @@
+/**
+ * The pen in which the robot is tested: an empty rectangle of straight walls, 2 m wide and 5 m long,
+ * with the robot in its near right corner, 50 cm from both walls, looking along the right wall.
+ * What it measures there, and how that changes with each motion, is known without asking it.
+ */
+import type { SensorReadings, Snapshot } from "@corridor/protocol";
+import type { Host } from "./host.ts";
+import { must, NotTestable } from "./mismatch.ts";
+
+/** cm to the walls from the robot's place; no two directions of looking read the same. */
+export const HOME: SensorReadings = { front: 450, right: 50, back: 50, left: 150 };
+
+/** cm and share by which a reading may be off, for real range finders and carpets */
+const SLACK_CM = 6;
+const SLACK_SHARE = 0.15;
+/** An earlier check may leave the robot a little away from its place. */
+const PLACE_SLACK = 2;
+
+const sides = ["front", "right", "back", "left"] as const;
+
+export function isNear(found: number, expected: number, factor = 1): boolean {
+  return Math.abs(found - expected) <= factor * (SLACK_CM + SLACK_SHARE * Math.abs(expected));
+}
+
+export function areNear(found: SensorReadings, expected: SensorReadings, factor = 1): boolean {
+  return sides.every((side) => isNear(found[side], expected[side], factor));
+}
+
+/** What it reads after so many quarter turns to the right (negative: to the left). */
+export function turned(readings: SensorReadings, quarters: number): SensorReadings {
+  const at = (index: number) => readings[sides[(((index + quarters) % 4) + 4) % 4] ?? "front"];
+  return { front: at(0), right: at(1), back: at(2), left: at(3) };
+}
+
+/** What it reads after so many cm straight on (negative: backward). */
+export function moved(readings: SensorReadings, distance: number): SensorReadings {
+  return { ...readings, front: readings.front - distance, back: readings.back + distance };
+}
+
+export async function readings(host: Host): Promise<SensorReadings> {
+  return (await host.snapshot()).sensors;
+}
+
+/** @throws Mismatch unless the robot reads this now */
+export async function mustRead(host: Host, expected: SensorReadings, after: string) {
+  const found = await readings(host);
+  must(areNear(found, expected), `about ${show(expected)} ${after}`, show(found));
+}
+
+/**
+ * Brings the robot back along its right wall and makes sure that it stands at its place.
+ * @throws NotTestable where it does not
+ */
+export async function atHome(host: Host): Promise<Snapshot> {
+  const { sensors } = await host.snapshot();
+  const ahead = sensors.front - HOME.front;
+  const isOnItsWay = areNear(moved(sensors, ahead), HOME, PLACE_SLACK);
+  if (isOnItsWay && Math.abs(ahead) > 3) await host.done({ action: "move", distance: ahead });
+  const snapshot = await host.snapshot();
+  if (areNear(snapshot.sensors, HOME, PLACE_SLACK)) return snapshot;
+  throw new NotTestable(
+    `the robot is not at its place in the pen (${show(snapshot.sensors)}): an earlier check may ` +
+      "have left it elsewhere. Put it back and run the kit again",
+  );
+}
+
+/** @throws Mismatch unless it stands: nothing moves in half a second */
+export async function mustStand(host: Host): Promise<void> {
+  const first = await host.snapshot();
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  const later = await host.snapshot(`?after=${first.seq}&wait=5`);
+  const isSame = sides.every((side) => Math.abs(first.sensors[side] - later.sensors[side]) < 5);
+  must(isSame, "a robot that stands", `${show(first.sensors)}, then ${show(later.sensors)}`);
+}
+
+export function show(readings: SensorReadings): string {
+  return sides.map((side) => `${side} ${Math.round(readings[side])}`).join(", ");
+}
