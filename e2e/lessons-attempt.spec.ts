@@ -10,7 +10,7 @@ test("is told what failed, with the number, while the robot drives", async ({ co
   await corridor.speed.selectOption("16×");
   await corridor.run.click();
   await expect(lessons.outcome).toHaveText(
-    /^Bump at 4\.\d s\. Line 1 chose “delayed left 90” at 4\.\d s with 50 cm in front\. .* needs 75 cm\.$/,
+    /^Bump at 4\.\d s\. Line 1 chose “delayed left 90” at 4\.\d s with 49\.99 cm in front\. .* needs 75 cm\.$/,
   );
   await corridor.program.action(1).selectOption("left 90");
   await corridor.reset.click();

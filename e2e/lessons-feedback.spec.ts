@@ -22,7 +22,8 @@ const wrongAnswers: readonly WrongAnswer[] = [
   {
     mission: 4,
     make: asGiven,
-    reads: /Line 2 was true .*front: 50 cm.* line 1 above it decided\. The first true line wins\.$/,
+    reads:
+      /Line 2 was true .*front: 49\.99 cm.* line 1 above it decided\. The first true line wins\.$/,
   },
   {
     mission: 5,
@@ -50,7 +51,7 @@ const wrongAnswers: readonly WrongAnswer[] = [
     mission: 10,
     make: asGiven,
     reads:
-      /^Bump .* Line 3 chose “delayed left 90” at 6\.\d s with 50 cm in front\. .* needs 75 cm\.$/,
+      /^Bump .* Line 3 chose “delayed left 90” at 6\.\d s with 49\.99 cm in front\. .* needs 75 cm\.$/,
   },
   {
     mission: 13,

@@ -3,7 +3,7 @@
  * number changed, in trees of 11 x 11. What the page does at a failure is timed: driving the run once more
  * and trying changes on it.
  */
-import { diagnoseProgram, freePlayTask } from "@corridor/coach";
+import { diagnoseFreePlay } from "@corridor/coach";
 import { generateTree } from "@corridor/maze";
 import { menuActions, programPresets, type ProgramDocument, type Rule } from "@corridor/program";
 import { Simulation } from "@corridor/simulation";
@@ -29,10 +29,9 @@ export function measureJudging(): JudgingTimes {
   const times: number[] = [];
   for (let seed = 1; seed <= MAZES; seed++) {
     const maze = generateTree({ columns: SIDE, rows: SIDE, seed, name: "" });
-    const task = freePlayTask(maze, MINUTE);
     const state = new Simulation(maze).save();
     for (const program of mistakes) {
-      const judge = () => diagnoseProgram({ maze, program, state }, task);
+      const judge = () => diagnoseFreePlay({ maze, program, state }, MINUTE);
       const first = judge();
       if (first === null || first.event.tick < EARLIEST) continue;
       times.push(median(Array.from({ length: ROUNDS }, () => millisecondsOf(judge))));

@@ -2,7 +2,7 @@
  * What all cores share of a grading: the job, and a counter from which each takes its next pair. No
  * core waits for another, and none is left with a long rest.
  */
-import { diagnoseProgram, freePlayTask, type Diagnosis } from "@corridor/coach";
+import { diagnoseFreePlay, type Diagnosis } from "@corridor/coach";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import { Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
@@ -59,5 +59,5 @@ function diagnosisOf(
 ): Diagnosis | null {
   const state = new Simulation(maze).save();
   const until = Math.round(seconds * TICKS_PER_SECOND);
-  return diagnoseProgram({ maze, program, state }, freePlayTask(maze, until));
+  return diagnoseFreePlay({ maze, program, state }, until);
 }

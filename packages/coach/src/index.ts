@@ -12,8 +12,10 @@ export type {
 export { LoopWatch, type LoopNotice } from "./loop-watch.ts";
 export {
   bumpEvent,
+  diagnoseFreePlay,
   diagnoseProgram,
   diagnoseStretch,
+  FREE_PLAY_PAST,
   freePlayTask,
   type DiagnosisTask,
 } from "./diagnosis/diagnose.ts";
@@ -21,6 +23,7 @@ export {
   causeLine,
   type BumpEvent,
   type Cause,
+  type DecisionMoment,
   type Diagnosis,
   type FailureEvent,
   type WrongNumber,

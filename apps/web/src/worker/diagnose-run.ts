@@ -5,19 +5,16 @@
 import {
   bumpEvent,
   diagnoseStretch,
+  FREE_PLAY_PAST,
   freePlayTask,
   type Diagnosis,
   type DiagnosisTask,
+  type LoopNotice,
 } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
 import type { Recording, Run } from "@corridor/recording";
 import { Simulation } from "@corridor/simulation";
-
-/** Without a task a failure is looked into from a minute before it. */
-const MOST_TICKS = 3600;
-/** How long after a failure a changed program may take to reach the goal of a maze without a task. */
-const GOAL_TICKS = 3600;
 
 /** A diagnosis with the program that drove: it may have been edited on the page meanwhile. */
 export interface DiagnosedRun {
@@ -43,12 +40,12 @@ export function diagnoseBump(
 }
 
 /**
- * @param kind what the tick ended in; stuck: the robot gets nowhere; late: the time is over
+ * @param failure what the tick ended in: a bump, the time over, or a sign that the robot gets nowhere
  * @param tick of the failure; the newest one for a bump
  */
 export function diagnoseAt(
   recording: Recording,
-  kind: "bump" | "stuck" | "late",
+  failure: "bump" | "late" | LoopNotice,
   tick: number,
   taskOf: TaskOf | null,
 ): DiagnosedRun | null {
@@ -56,8 +53,8 @@ export function diagnoseAt(
   const { cause } = run;
   const playback = recording.playback();
   // A turn that began before an edit belongs to the program that began it.
-  const since = recording.newestInputUpTo(kind === "bump" ? (cause?.decidedAt ?? tick) : tick);
-  playback.goTo(taskOf === null ? Math.max(since, tick - MOST_TICKS) : since);
+  const since = recording.newestInputUpTo(failure === "bump" ? (cause?.decidedAt ?? tick) : tick);
+  playback.goTo(taskOf === null ? Math.max(since, tick - FREE_PLAY_PAST) : since);
   const begin = playback.run;
   // A manoeuvre that another program or driver began is not this program's.
   while (begin.isManoeuvring && begin.decidedAt < begin.tick && begin.tick < tick) {
@@ -71,12 +68,12 @@ export function diagnoseAt(
   robot.apply({ action: "stop" });
   const state = robot.save();
   const task = taskOf?.(begin.tick === 0) ?? freeTask(run, tick);
-  const diagnosis = diagnoseStretch({ maze, program, state }, task, tick, kind);
+  const diagnosis = diagnoseStretch({ maze, program, state }, task, tick, failure);
   return diagnosis && { program, diagnosis };
 }
 
 /** A goal that was reached before proves nothing of the way after it. */
 function freeTask({ maze, goalTick }: Run, tick: number): DiagnosisTask {
-  const task = freePlayTask(maze, tick + GOAL_TICKS);
+  const task = freePlayTask(maze, tick);
   return goalTick === null ? task : { ...task, newSolvedCheck: null };
 }

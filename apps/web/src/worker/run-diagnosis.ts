@@ -33,11 +33,14 @@ export class RunDiagnosis {
     this.#watch = null;
   }
 
-  /** Looks at a tick that `line` drove. @returns the sign that the robot gets nowhere; mostly null */
-  look(run: Run, line: LineRef): LoopNotice | null {
+  /**
+   * Looks at a tick that `line` drove.
+   * @param isWaiting whether the line says `stop`
+   * @returns the sign that the robot gets nowhere; mostly null
+   */
+  look(run: Run, line: LineRef, isWaiting: boolean): LoopNotice | null {
     this.#follow(run);
     this.#watch ??= new LoopWatch(run.maze);
-    const isWaiting = run.decision.action === "stop";
     return this.#watch.look(run.cell, run.isStopped, run.isManoeuvring, line, isWaiting);
   }
 
@@ -74,12 +77,12 @@ export class RunDiagnosis {
   /** The program's robot gets nowhere, or the time is over, at this tick. */
   noGoal(
     recording: Recording,
-    kind: "stuck" | "late",
+    failure: "late" | LoopNotice,
     tick: number,
     task: TaskOf | null,
   ): DiagnosedRun | "later" | null {
     if (this.#diagnostics === null) return "later";
-    return this.#diagnostics.diagnoseAt(recording, kind, tick, task);
+    return this.#diagnostics.diagnoseAt(recording, failure, tick, task);
   }
 
   #follow({ maze, program }: Run): void {

@@ -3,6 +3,7 @@
  * attempt at a challenge stands, and decides when the robot waits for the student.
  */
 import type { Judgement } from "@corridor/challenge";
+import type { LoopNotice } from "@corridor/coach";
 import type { DriverName, LineRef } from "@corridor/protocol";
 import type { Recording, Run } from "@corridor/recording";
 import { Moments } from "./moments.ts";
@@ -13,7 +14,7 @@ import type { Moment } from "./worker-messages.ts";
 
 /** The program does not get to the goal, since this tick. */
 interface NoGoal {
-  kind: "stuck" | "late";
+  failure: "late" | LoopNotice;
   tick: number;
 }
 
@@ -33,6 +34,7 @@ export class RunWatch {
   #goalTick: number | null = null;
   #driver: DriverName = "program";
   #line: LineRef | null = null;
+  #isWaiting = false;
 
   /** Judges the run by a challenge from its first tick on; null: by none. */
   judgeBy(judge: RunJudge | null, recording: Recording): void {
@@ -58,6 +60,7 @@ export class RunWatch {
     this.#goalTick = run.goalTick;
     this.#driver = run.driver;
     this.#line = run.line;
+    this.#isWaiting = run.decision.action === "stop";
     this.#judge?.before(run);
   }
 
@@ -127,18 +130,17 @@ export class RunWatch {
   /** @returns whether the time of the challenge is over with this tick */
   #lookForNoGoal(recording: Recording, line: LineRef): boolean {
     const { run } = recording;
-    const isStuck = this.#coach.look(run, line) !== null;
+    const notice = this.#coach.look(run, line, this.#isWaiting);
     const isLate = this.#judge?.isLate(run) === true;
-    if (isStuck || isLate) {
-      this.#diagnoseNoGoal(recording, { kind: isLate ? "late" : "stuck", tick: run.tick });
-    }
+    const failure = isLate ? "late" : notice;
+    if (failure !== null) this.#diagnoseNoGoal(recording, { failure, tick: run.tick });
     return isLate;
   }
 
-  #diagnoseNoGoal(recording: Recording, failure: NoGoal): void {
-    const { kind, tick } = failure;
-    const diagnosed = this.#coach.noGoal(recording, kind, tick, this.#task);
-    this.#noGoal = diagnosed === "later" ? failure : null;
+  #diagnoseNoGoal(recording: Recording, noGoal: NoGoal): void {
+    const { failure, tick } = noGoal;
+    const diagnosed = this.#coach.noGoal(recording, failure, tick, this.#task);
+    this.#noGoal = diagnosed === "later" ? noGoal : null;
     if (diagnosed !== "later") this.#diagnosed = diagnosed ?? this.#diagnosed;
   }
 

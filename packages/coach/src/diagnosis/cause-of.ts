@@ -41,7 +41,7 @@ export function causeOf(trace: RunTrace, fix: Mend, from: number): Cause | null 
       const when = program.rules[fix.line]?.when ?? null;
       // The line has to be true there, and another one decided.
       if (when === null || truthOf(when, moment.readings)?.isTrue !== true) return null;
-      return { kind: "order", line: fix.line, moment, sensor: when.sensor };
+      return { kind: "order", line: fix.line, when, moment };
     }
     case "insert": {
       const { when } = fix.rule;
@@ -60,7 +60,6 @@ function actionCause(
   { action }: Extract<Mend, { kind: "action" }>,
   moment: DecisionMoment,
 ): Cause {
-  const { program, reversals } = trace;
   const side = sideOf(moment.action);
   if (side !== null && delayedTurn[moment.action] === action) {
     const isAtEdge = beginsAt(trace, moment, side);
@@ -69,7 +68,7 @@ function actionCause(
   if (side !== null && turnOnTheSpot[moment.action] === action) {
     return { kind: "delayed", moment, side, needs: DELAY_NEEDS };
   }
-  return { kind: "action", moment, detail: detailOf(program, moment, reversals) };
+  return { kind: "action", moment, detail: detailOf(trace, moment) };
 }
 
 /** Whether the side opened just before the moment, while the robot drove on: in a room it is open all along. */
@@ -84,9 +83,8 @@ function beginsAt(trace: RunTrace, { tick, readings }: DecisionMoment, side: Sid
 }
 
 function detailOf(
-  program: ProgramDocument,
+  trace: RunTrace,
   { line, action, readings }: DecisionMoment,
-  reversals: number,
 ): WrongAction["detail"] {
   const side = sideOf(action);
   if (action in turnOnTheSpot && readings.front < DELAY_NEEDS) {
@@ -97,12 +95,21 @@ function detailOf(
     if (readings[other] >= OPENING) return { kind: "into-wall", side, open: other };
     if (readings.front >= OPENING) return { kind: "into-wall", side, open: "front" };
   }
-  if (action === "reverse" && reversals >= MANY_REVERSALS) {
-    const forward = program.rules.findIndex((rule) => rule.when !== null && rule.do === "forward");
-    const other: LineRef = forward < 0 ? "default" : forward;
-    if (other !== line && actionOf(program, other) === "forward") return { kind: "undoing", other };
+  const other = action === "reverse" ? undoneBy(trace, line) : null;
+  return other === null ? null : { kind: "undoing", other };
+}
+
+/** The line that drove forward right before or after this one drove back, many times; null where none did. */
+function undoneBy({ decisions }: RunTrace, line: LineRef): LineRef | null {
+  const times = new Map<LineRef, number>();
+  for (const [at, { line: forward, action }] of decisions.entries()) {
+    if (action !== "forward") continue;
+    const around = [decisions[at - 1], decisions[at + 1]];
+    const reversals = around.filter((each) => each?.line === line && each.action === "reverse");
+    times.set(forward, (times.get(forward) ?? 0) + reversals.length);
   }
-  return null;
+  const [most] = [...times].toSorted((one, next) => next[1] - one[1]);
+  return most !== undefined && most[1] >= MANY_REVERSALS ? most[0] : null;
 }
 
 function numberCause(

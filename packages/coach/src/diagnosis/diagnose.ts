@@ -8,9 +8,17 @@ import type { Command, LineRef, Pose } from "@corridor/protocol";
 import { ROBOT_RADIUS, contactOf, type BumpCause } from "@corridor/simulation";
 import type { Mend } from "../advice.ts";
 import { applyMend } from "../apply-mend.ts";
+import type { LoopNotice } from "../loop-watch.ts";
 import { candidates } from "./candidates.ts";
 import { causeOf } from "./cause-of.ts";
-import type { BumpEvent, BumpPhase, Cause, Diagnosis, FailureEvent } from "./diagnosis.ts";
+import type {
+  BumpEvent,
+  BumpPhase,
+  Cause,
+  Diagnosis,
+  FailureEvent,
+  StuckEvent,
+} from "./diagnosis.ts";
 import { RunTrace, type SolvedCheck, type TraceStart } from "./run-trace.ts";
 import { tryProgram, type TrialResult, type TrialTask } from "./trial.ts";
 
@@ -21,6 +29,10 @@ const MOST_WHOLE_TRIALS = 4;
 const MOST_FIXES = 2;
 /** Decisions of a line before the failure that its change may begin with, the newest first. */
 const MOST_MOMENTS = 3;
+/** In free play a failure is looked into from a minute before it, in ticks. */
+export const FREE_PLAY_PAST = 3600;
+/** How long after the failure a changed program may take to reach the goal there, in ticks. */
+const FREE_PLAY_FUTURE = 3600;
 
 /** What the run was for, and what may be changed. */
 export interface DiagnosisTask {
@@ -39,12 +51,12 @@ export interface DiagnosisTask {
   solvesAll: ((program: ProgramDocument) => boolean) | null;
 }
 
-/** Free play: reach the goal, where there is one, without a bump. @param until the last tick of a run */
-export function freePlayTask(maze: MazeDocument, until: number): DiagnosisTask {
+/** Free play: reach the goal, where there is one, without a bump. @param failedAt tick of the failure */
+export function freePlayTask({ goals }: MazeDocument, failedAt: number): DiagnosisTask {
   return {
-    until,
+    until: failedAt + FREE_PLAY_FUTURE,
     bumps: 0,
-    newSolvedCheck: maze.goals.length > 0 ? () => (robot) => robot.goalTick !== null : null,
+    newSolvedCheck: goals.length > 0 ? () => (robot) => robot.goalTick !== null : null,
     allows: () => true,
     solvesAll: null,
   };
@@ -60,30 +72,63 @@ export function diagnoseProgram(start: TraceStart, task: DiagnosisTask): Diagnos
   return diagnose(trace, task);
 }
 
-/** A run that ended at `until` with what `event` says: a bump there, time over, or a sign of no progress. */
+/**
+ * Drives a program in free play as the page does: a bump ends the run, and a robot that gets nowhere has
+ * failed where that was noticed. Only without either, the time counts.
+ * @param until the last tick of the run
+ */
+export function diagnoseFreePlay(start: TraceStart, until: number): Diagnosis | null {
+  const { maze, program } = start;
+  const task = freePlayTask(maze, until);
+  const isSolved = task.newSolvedCheck?.() ?? null;
+  const trace = new RunTrace(start, { until, bumps: 0, isSolved });
+  if (trace.end === "solved") return null;
+  const failure = trace.end === "bump" ? "bump" : trace.notice;
+  if (failure === null) return isSolved === null ? null : diagnose(trace, { ...task, until });
+  const tick = failure === "bump" ? trace.until : failure.tick;
+  const state = trace.stateFrom(tick - FREE_PLAY_PAST);
+  return diagnoseStretch({ maze, program, state }, freePlayTask(maze, tick), tick, failure);
+}
+
+/**
+ * A run that failed at `until`: by a bump there, because the time was over, or with a sign that it gets nowhere.
+ * @returns null where the stretch shows no such failure, or the robot got to the goal all the same
+ */
 export function diagnoseStretch(
   start: TraceStart,
   task: DiagnosisTask,
   until: number,
-  event: "bump" | "late" | "stuck",
+  failure: "bump" | "late" | LoopNotice,
 ): Diagnosis | null {
-  const bumps = event === "bump" ? Math.max(task.bumps ?? 0, start.state.physics.bumps) : null;
+  const bumps = failure === "bump" ? Math.max(task.bumps ?? 0, start.state.physics.bumps) : null;
   const trace = new RunTrace(start, { until, bumps, isSolved: null });
-  if (event === "bump" && trace.end !== "bump") return null;
-  if (event === "stuck" && trace.notice === null) return null;
-  return diagnose(trace, task, event === "stuck");
+  if (failure === "bump" && trace.end !== "bump") return null;
+  if (typeof failure === "string") return diagnose(trace, task);
+  if (isSolvedLater(trace, task)) return null;
+  return diagnose(trace, task, { ...failure, tick: until });
 }
 
-function diagnose(trace: RunTrace, task: DiagnosisTask, isStuck = false): Diagnosis {
-  const event = eventOf(trace, isStuck);
+/** Whether the program as it is solves the task later on: a sign that it gets nowhere was none then. */
+function isSolvedLater(
+  { maze, program, last }: RunTrace,
+  { until, bumps, newSolvedCheck }: DiagnosisTask,
+): boolean {
+  if (newSolvedCheck === null) return false;
+  const start = { maze, program, state: last.save() };
+  const allowed = bumps === null ? null : Math.max(bumps, last.bumps);
+  return (
+    new RunTrace(start, { until, bumps: allowed, isSolved: newSolvedCheck() }).end === "solved"
+  );
+}
+
+function diagnose(trace: RunTrace, task: DiagnosisTask, stuck?: StuckEvent): Diagnosis {
+  const event = stuck ?? eventOf(trace);
   return { event, ...explain(trace, event, task) };
 }
 
-function eventOf(trace: RunTrace, isStuck: boolean): FailureEvent {
-  const { bump, notice, maze, last, until } = trace;
-  if (bump !== null) return bumpEvent(maze, bump, last.pose, until, trace.decisions.at(-1)?.line);
-  if (isStuck && notice !== null) return notice;
-  return { kind: "late", tick: until };
+function eventOf({ bump, maze, last, until, decisions }: RunTrace): FailureEvent {
+  if (bump === null) return { kind: "late", tick: until };
+  return bumpEvent(maze, bump, last.pose, until, decisions.at(-1)?.line);
 }
 
 /** What is known of a bump, whoever drove. */

@@ -15,6 +15,8 @@ export interface DecisionMoment {
   /** tick at whose end the line decided: the readings are those of that moment */
   tick: number;
   line: LineRef;
+  /** what the line asks, and was true; null for "otherwise" */
+  when: Condition | null;
   action: PlainAction;
   readings: SensorReadings;
 }
@@ -80,10 +82,10 @@ export interface WrongOrder {
   kind: "order";
   /** the line that was true and did not decide */
   line: number;
+  /** what the lower line asks */
+  when: Condition;
   /** the line above it that decided */
   moment: DecisionMoment;
-  /** what the lower line compares, and the reading; the left one where it compares left with right */
-  sensor: SensorName;
 }
 
 /**

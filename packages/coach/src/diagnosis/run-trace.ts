@@ -12,8 +12,8 @@ import {
   type BumpCause,
   type SimulationState,
 } from "@corridor/simulation";
-import { LoopWatch, type LoopNotice } from "../loop-watch.ts";
-import type { DecisionMoment } from "./diagnosis.ts";
+import { LoopWatch } from "../loop-watch.ts";
+import type { DecisionMoment, StuckEvent } from "./diagnosis.ts";
 
 /** A state is saved this often, so that any tick is a short drive from one. */
 const STATE_TICKS = 120;
@@ -54,9 +54,7 @@ export class RunTrace {
   /** decisions that differ from the one before, and every turn, in their order */
   readonly decisions: readonly DecisionMoment[];
   /** the first sign that the robot gets nowhere; null where there was none */
-  readonly notice: (LoopNotice & { tick: number }) | null;
-  /** how often the robot drove back right after it drove forward, or the other way about */
-  readonly reversals: number;
+  readonly notice: StuckEvent | null;
   readonly #states: SimulationState[] = [];
   /** front, right, back, left at the beginning of each tick */
   readonly #readings: Float64Array;
@@ -81,7 +79,6 @@ export class RunTrace {
     const decisions: DecisionMoment[] = [];
     let notice: RunTrace["notice"] = null;
     let bump: BumpCause | null = null;
-    let reversals = 0;
     let end: TraceEnd = "late";
     for (let at = 0; at < most; at++) {
       if (at % STATE_TICKS === 0) this.#states.push(simulation.save());
@@ -94,10 +91,10 @@ export class RunTrace {
         approach.decided(simulation, command);
         const { action } = this.#compiled.commandOf(line === "default" ? -1 : line);
         const last = decisions.at(-1);
-        if (isOpposite(last?.action, action)) reversals++;
         if (last?.line !== line || simulation.isManoeuvring) {
-          const { tick } = simulation;
-          decisions.push({ tick, line, action, readings: namedReadings(simulation.readings) });
+          const { tick, readings: now } = simulation;
+          const when = conditionOf(program, line);
+          decisions.push({ tick, line, when, action, readings: namedReadings(now) });
         }
       }
       run.step();
@@ -121,7 +118,6 @@ export class RunTrace {
     this.end = end;
     this.bump = end === "bump" ? bump : null;
     this.notice = notice;
-    this.reversals = reversals;
     this.decisions = decisions;
     this.last = simulation;
     this.until = simulation.tick;
@@ -140,6 +136,13 @@ export class RunTrace {
     return simulation;
   }
 
+  /** The robot at the first tick from `tick` on for which the program decides. */
+  stateFrom(tick: number): SimulationState {
+    let from = Math.max(this.from, tick);
+    while (this.decisionAt(from) === null && from < this.until - 1) from++;
+    return this.at(from).save();
+  }
+
   /** What the sensors read at the beginning of a tick. */
   readingsAt(tick: number): SensorReadings {
     const at = (tick - this.from) * 4;
@@ -152,7 +155,8 @@ export class RunTrace {
     if (rule === NO_DECISION) return null;
     const { action } = this.#compiled.commandOf(rule);
     const line = rule < 0 ? "default" : rule;
-    return { tick, line, action, readings: this.readingsAt(tick) };
+    const when = conditionOf(this.program, line);
+    return { tick, line, when, action, readings: this.readingsAt(tick) };
   }
 
   /** The decision for the tick before, where the robot drives on; null where a manoeuvre ran, and at the start. */
@@ -192,6 +196,10 @@ export class RunTrace {
   }
 }
 
+function conditionOf({ rules }: ProgramDocument, line: LineRef): Condition | null {
+  return line === "default" ? null : (rules[line]?.when ?? null);
+}
+
 function namedReadings(readings: Float64Array): SensorReadings {
   const [front = 0, right = 0, back = 0, left = 0] = readings;
   return { front, right, back, left };
@@ -200,8 +208,4 @@ function namedReadings(readings: Float64Array): SensorReadings {
 /** Whether the action lasts until another one is chosen. */
 function isSteady(action: PlainAction): boolean {
   return action === "forward" || action === "reverse" || action === "stop";
-}
-
-function isOpposite(one: PlainAction | undefined, other: PlainAction): boolean {
-  return (one === "forward" && other === "reverse") || (one === "reverse" && other === "forward");
 }

@@ -1,5 +1,7 @@
 /** The room that a part of a manoeuvre needs, as a ruler, above the room that it had, up to the block. */
 import { useTranslation } from "react-i18next";
+import { roundedSides } from "../../text/compared.ts";
+import { localNumber } from "../../text/numbers.ts";
 import styles from "./cards.module.css";
 
 interface RoomBarsProps {
@@ -15,19 +17,22 @@ interface RoomBarsProps {
 const MARK_EVERY = 10;
 
 export function RoomBars({ needsLabel, freeLabel, needs, free }: RoomBarsProps) {
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
+  const shown = roundedSides({ left: free, is: "<", right: needs, isTrue: free < needs }, 0);
+  const cm = (number: number) =>
+    t("cards.bump.cm", { number: localNumber(String(number), i18n.language) });
   const marks = Math.ceil(needs / MARK_EVERY) - 1;
   return (
     <dl className={styles["room"]}>
       <dt>{needsLabel}</dt>
-      <dd>{t("cards.bump.cm", { number: Math.round(needs) })}</dd>
+      <dd>{cm(shown.right)}</dd>
       <div className={styles["needs"]} aria-hidden="true">
         {Array.from({ length: marks }, (_, at) => (
           <i key={at} style={{ insetInlineStart: `${((at + 1) * MARK_EVERY * 100) / needs}%` }} />
         ))}
       </div>
       <dt>{freeLabel}</dt>
-      <dd className={styles["lacking"]}>{t("cards.bump.cm", { number: Math.round(free) })}</dd>
+      <dd className={styles["lacking"]}>{cm(shown.left)}</dd>
       <div className={styles["free"]} aria-hidden="true">
         <span style={{ inlineSize: `${Math.min(100, (free * 100) / needs)}%` }} />
         <i />

@@ -6,7 +6,8 @@ import { createI18n } from "../../text/i18n.ts";
 import { diagnosisText, diagnosisTitle, diagnosisWords } from "./diagnosis-text.ts";
 
 const readings = { front: 49.6, right: 50, back: 250, left: 250 };
-const moment = { tick: 100, line: 1, action: "delayed left 90" as const, readings };
+const when = { sensor: "front" as const, is: "<" as const, than: 60 };
+const moment = { tick: 100, line: 1, when, action: "delayed left 90" as const, readings };
 const contact = { x: 400, y: 150, cell: { column: 4, row: 1 }, isCorner: false };
 const bump = {
   kind: "bump" as const,

@@ -3,17 +3,19 @@ import {
   causeLine,
   type BumpEvent,
   type Cause,
+  type DecisionMoment,
   type Diagnosis,
   type FailureEvent,
   type WrongNumber,
 } from "@corridor/coach";
-import { numberOf } from "@corridor/program";
-import type { LineRef } from "@corridor/protocol";
+import { numberOf, truthOf, type Condition } from "@corridor/program";
+import type { LineRef, SensorName } from "@corridor/protocol";
 import { ROBOT_RADIUS } from "@corridor/simulation";
 import type { TFunction } from "i18next";
 import { commandText } from "../../text/command-text.ts";
-import { formatSeconds } from "../../text/numbers.ts";
+import { roundedSides } from "../../text/compared.ts";
 import { joinSentences } from "../../text/joined.ts";
+import { formatSeconds, localNumber } from "../../text/numbers.ts";
 
 /** The words, and the language that they are in. */
 export interface DiagnosisWords {
@@ -73,8 +75,7 @@ function eventText(words: DiagnosisWords, event: FailureEvent, isShort: boolean)
   const known = {
     seconds,
     from: formatSeconds(event.begunAt, language),
-    reading: Math.round(event.reading),
-    needs: Math.round(event.needs ?? 0),
+    ...roomText(words, event.reading, event.needs),
     action: actionText(words, event.action),
   };
   const isFront = event.side === "front";
@@ -97,17 +98,26 @@ function eventText(words: DiagnosisWords, event: FailureEvent, isShort: boolean)
 
 function causeText(words: DiagnosisWords, cause: Cause): string {
   const { t, language } = words;
-  const { tick, line, action, readings } = cause.moment;
+  const { moment } = cause;
+  const { tick, line, action, readings } = moment;
   const seconds = formatSeconds(tick, language);
   const known = { who: who(words, line), action: t(`words:program.action.${action}`), seconds };
-  const sensor = (name: "front" | "right" | "back" | "left") => ({
+  const shown = shownReadings(words, moment, "when" in cause ? cause.when : null);
+  const { front, left, right } = shown;
+  const sensor = (name: SensorName) => ({
     sensor: t(`words:program.sensor.${name}`),
-    reading: Math.round(readings[name]),
+    reading: shown[name],
   });
   const side = (name: "left" | "right") => ({
     side: t(`words:program.sensor.${name}`),
-    reading: Math.round(readings[name]),
+    reading: shown[name],
   });
+  const noRoom = (needs: number) =>
+    t("diagnosis:cause.noRoom", {
+      ...known,
+      front: shownReadings(words, moment, { sensor: "front", is: "<", than: needs }).front,
+      needs,
+    });
   switch (cause.kind) {
     case "not-delayed":
       return cause.isAtEdge
@@ -115,15 +125,11 @@ function causeText(words: DiagnosisWords, cause: Cause): string {
         : t("diagnosis:cause.notDelayed", { ...known, drivesOn: cause.drivesOn });
     case "delayed":
       return readings.front < cause.needs
-        ? t("diagnosis:cause.noRoom", {
-            ...known,
-            front: Math.round(readings.front),
-            needs: cause.needs,
-          })
+        ? noRoom(cause.needs)
         : t("diagnosis:cause.delayed", known);
     case "order":
       return t("diagnosis:cause.order", {
-        ...sensor(cause.sensor),
+        ...sensor(cause.when.sensor),
         seconds,
         line: cause.line + 1,
         inner: inner(words, line),
@@ -142,41 +148,30 @@ function causeText(words: DiagnosisWords, cause: Cause): string {
         sign: cause.when.is,
       });
     }
-    case "sensor": {
-      const { front, left, right } = readings;
+    case "sensor":
       return t("diagnosis:cause.sensor", {
         who: who(words, cause.line),
         seconds,
         sensor: t(`words:program.sensor.${cause.when.sensor}`),
-        front: Math.round(front),
-        left: Math.round(left),
-        right: Math.round(right),
+        front,
+        left,
+        right,
       });
-    }
     case "action": {
       const { detail } = cause;
-      if (detail?.kind === "no-room") {
-        const front = Math.round(readings.front);
-        return t("diagnosis:cause.noRoom", { ...known, front, needs: detail.needs });
-      }
+      if (detail?.kind === "no-room") return noRoom(detail.needs);
       if (detail?.kind === "into-wall") {
         return t("diagnosis:cause.intoWall", {
           ...known,
           ...side(detail.side),
           open: t(`words:program.sensor.${detail.open}`),
-          free: Math.round(readings[detail.open]),
+          free: shown[detail.open],
         });
       }
       if (detail?.kind === "undoing") {
         return t("diagnosis:cause.undoing", { who: known.who, inner: inner(words, detail.other) });
       }
-      const { front, left, right } = readings;
-      return t("diagnosis:cause.action", {
-        ...known,
-        front: Math.round(front),
-        left: Math.round(left),
-        right: Math.round(right),
-      });
+      return t("diagnosis:cause.action", { ...known, front, left, right });
     }
     case "missing": {
       const about = { ...known, ...sensor(cause.sensor), inner: inner(words, line) };
@@ -196,21 +191,21 @@ function causeText(words: DiagnosisWords, cause: Cause): string {
 function numberText(words: DiagnosisWords, cause: WrongNumber, seconds: string): string {
   const { t } = words;
   const { when, moment, better } = cause;
+  const shown = shownReadings(words, moment, when);
   const known = {
     who: who(words, cause.line),
     seconds,
     action: t(`words:program.action.${moment.action}`),
     sensor: t(`words:program.sensor.${when.sensor}`),
-    reading: Math.round(moment.readings[when.sensor]),
+    reading: shown[when.sensor],
     by: Math.round(Math.abs(better - numberOf(when))),
   };
   if (cause.extreme === "always") {
     return t("diagnosis:cause.always", { ...known, nearest: ROBOT_RADIUS });
   }
   if (when.than === "right") {
-    const { left, right } = moment.readings;
-    const both = { left: Math.round(left), right: Math.round(right) };
-    return t("diagnosis:cause.sides", { ...known, ...both });
+    const { left, right } = shown;
+    return t("diagnosis:cause.sides", { ...known, left, right });
   }
   if (cause.extreme === "never") return t("diagnosis:cause.never", known);
   if (cause.extreme === "missed") return t("diagnosis:cause.missed", known);
@@ -223,6 +218,45 @@ const numberKeys = {
   "too-late": "diagnosis:cause.tooLate",
   "too-short": "diagnosis:cause.tooShort",
 } as const;
+
+/**
+ * What the sensors read in whole cm, and with decimals where whole ones would contradict what the line that
+ * decided, or the one that is spoken of, asked.
+ */
+function shownReadings(
+  { language }: DiagnosisWords,
+  { readings, when }: DecisionMoment,
+  asked: Condition | null,
+): Record<SensorName, string> {
+  const { front, right, back, left } = readings;
+  const shown = {
+    front: Math.round(front),
+    right: Math.round(right),
+    back: Math.round(back),
+    left: Math.round(left),
+  };
+  for (const condition of [when, asked]) {
+    const truth = truthOf(condition, readings);
+    if (condition === null || truth === null) continue;
+    if (truthOf(condition, shown)?.isTrue === truth.isTrue) continue;
+    const sides = roundedSides(truth, 1);
+    shown[condition.sensor] = sides.left;
+    if (condition.than === "right") shown.right = sides.right - condition.plus;
+  }
+  const text = (name: SensorName) => localNumber(String(shown[name]), language);
+  return { front: text("front"), right: text("right"), back: text("back"), left: text("left") };
+}
+
+/** What a motion needed, and the reading that was less than that. */
+function roomText(
+  { language }: DiagnosisWords,
+  reading: number,
+  needs: number | null,
+): { reading: string; needs: number } {
+  const right = needs ?? 0;
+  const sides = roundedSides({ left: reading, is: "<", right, isTrue: reading < right }, 0);
+  return { reading: localNumber(String(sides.left), language), needs: sides.right };
+}
 
 /** As the menus call it; what only scripts can ask for, as the API does. */
 function actionText({ t }: DiagnosisWords, action: BumpEvent["action"]): string {

@@ -14,6 +14,7 @@ const diagnosis: Diagnosis = {
     moment: {
       tick: 60,
       line: 0,
+      when: null,
       action: "left 90",
       readings: { front: 50, right: 50, back: 50, left: 250 },
     },

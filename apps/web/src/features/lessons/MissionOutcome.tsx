@@ -63,5 +63,5 @@ function standingReading({ goal, allowed }: ChallengeDocument, state: RunState):
   if (snapshot === null || view === "playing" || allowed.drivers[0] !== "me") return null;
   const { driver, tick, motion, goalReached, sensors } = snapshot;
   if (driver !== "me" || tick === 0 || motion !== "stop" || goalReached) return null;
-  return Math.round(goal.kind === "stop" ? sensors[goal.sensor] : sensors.front);
+  return goal.kind === "stop" ? sensors[goal.sensor] : sensors.front;
 }

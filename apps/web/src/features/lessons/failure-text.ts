@@ -2,7 +2,8 @@
 import type { ChallengeDocument, Failure } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
 import type { ChallengeResult } from "../../stores/challenge-store.ts";
-import { formatSeconds } from "../../text/numbers.ts";
+import { roundedSides } from "../../text/compared.ts";
+import { formatSeconds, localNumber } from "../../text/numbers.ts";
 import { diagnosisText, diagnosisWords } from "../cards/diagnosis-text.ts";
 import type { MissionWords } from "./mission-words.ts";
 
@@ -47,8 +48,7 @@ export function runFailureText(
 
 function reasonText(words: MissionWords, challenge: ChallengeDocument, it: Failure): string {
   const { t } = words;
-  const found = Math.round(it.found ?? 0);
-  const needed = Math.round(it.needed ?? 0);
+  const { found, needed } = missedText(words, it.found ?? 0, it.needed ?? 0);
   switch (it.code) {
     case "driver":
       return t("missions:failure.driver");
@@ -115,13 +115,25 @@ export function liveFailureText(
 
 /** What is lacking where a hand has let go of the robot. @param reading of the sensor that counts, in cm */
 export function handText(
-  { t }: MissionWords,
+  words: MissionWords,
   { goal }: ChallengeDocument,
   reading: number,
 ): string {
-  if (goal.kind !== "stop") return t("missions:failure.handStopped");
+  if (goal.kind !== "stop") return words.t("missions:failure.handStopped");
   const needed = reading < goal.from ? goal.from : goal.to;
-  return t("missions:failure.not-stopped", { found: reading, needed });
+  return words.t("missions:failure.not-stopped", missedText(words, reading, needed));
+}
+
+/** A number that is less or more than the one that was needed, and reads so. */
+function missedText(
+  { i18n }: MissionWords,
+  left: number,
+  right: number,
+): { found: string; needed: string } {
+  const is = left < right ? "<" : ">";
+  const shown = roundedSides({ left, is, right, isTrue: left !== right }, 0);
+  const text = (number: number) => localNumber(String(number), i18n.language);
+  return { found: text(shown.left), needed: text(shown.right) };
 }
 
 /** That it is met, and with what. */

@@ -116,6 +116,7 @@ describe("shownBump", () => {
         moment: {
           tick: 55,
           line: 0,
+          when: null,
           action: "delayed right 90" as const,
           readings: touching.sensors,
         },

@@ -3,7 +3,7 @@ import type { ProgramDocument } from "@corridor/program";
 import type { LineRef, Snapshot } from "@corridor/protocol";
 import type { TFunction } from "i18next";
 import { joinSentences } from "../../text/joined.ts";
-import { formatReading, formatSeconds } from "../../text/numbers.ts";
+import { formatReading, formatSeconds, localNumber } from "../../text/numbers.ts";
 import { decidingLine, shownTruth } from "../program/line-state.ts";
 import { lineName } from "../program/line-name.ts";
 import { cellOf, facingOf } from "../stage/robot-place.ts";
@@ -22,7 +22,8 @@ export function decisionText(
   snapshot: Snapshot,
 ): string {
   const rule = line === "default" ? undefined : rules[line];
-  if (line === "default" || rule === undefined || rule.when === null) {
+  const truth = shownTruth(rule?.when ?? null, snapshot);
+  if (line === "default" || !rule?.when || truth === null) {
     return t("speech.otherwise", {
       action: t(`program.action.${otherwise}`),
       number: formatReading(snapshot.sensors.front, language),
@@ -32,7 +33,7 @@ export function decisionText(
     line: line + 1,
     action: t(`program.action.${rule.do}`),
     sensor: t(`program.sensorFirst.${rule.when.sensor}`),
-    number: formatReading(snapshot.sensors[rule.when.sensor], language),
+    number: localNumber(truth.left, language),
   });
 }
 

@@ -22,8 +22,9 @@ const inner = "(?<inner>line \\d+|“otherwise”)";
 const action = "“(?<action>[a-z 0-9]+)”";
 const at = "at (?<at>[\\d.]+) s";
 const sensor = "(?<sensor>front|back|left|right)";
-const reading = "(?<reading>\\d+) cm";
-const sides = "\\(front: (?<front>\\d+) cm, left: (?<left>\\d+) cm, right: (?<right>\\d+) cm\\)";
+const number = "\\d+(?:\\.\\d+)?";
+const reading = `(?<reading>${number}) cm`;
+const sides = `\\(front: (?<front>${number}) cm, left: (?<left>${number}) cm, right: (?<right>${number}) cm\\)`;
 
 /** From the wall to the robot's edge, in units. */
 const RADIUS = 25;
@@ -34,7 +35,7 @@ const OPEN = 125;
 const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
   ["Bump at (?<at>[\\d.]+) s\\.", ({ moments, end }, { at: time }) => bumpAt(moments, end, time)],
   [
-    "The robot drove (?<way>forward|back) from (?<at>[\\d.]+) s on\\. The wall was (?<reading>\\d+) cm (?:ahead|behind) then\\.",
+    `The robot drove (?<way>forward|back) from (?<at>[\\d.]+) s on\\. The wall was ${reading} (?:ahead|behind) then\\.`,
     (evidence, found) => drovePlainly(evidence, found),
   ],
   [
@@ -43,13 +44,13 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
       evidence.moments.some(
         (moment) =>
           moment.action === found["action"] && isAbout(moment.sensors.front, found["reading"]),
-      ) && Number(found["reading"]) <= DELAYED_NEEDS,
+      ) && Number(found["reading"]) < DELAYED_NEEDS,
   ],
   [
     `After its turn, ${action} needs (?<needs>\\d+) cm ahead\\. Front read ${reading}\\.`,
     ({ moments }, found) =>
       moments.some(({ sensors }) => isAbout(sensors.front, found["reading"])) &&
-      Number(found["reading"]) <= Number(found["needs"]),
+      Number(found["reading"]) < Number(found["needs"]),
   ],
   [
     "It touched the corner of a block\\. The robot is 50 cm wide, and its beam is thin\\.",
@@ -60,6 +61,19 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
     ({ end }, { whole }) => end >= Number(whole) * 60,
   ],
   ["Time is up after (?<whole>\\d+) s\\.", ({ end }, { whole }) => end === Number(whole) * 60],
+  [
+    "The robot passed here (?<times>\\d+) times in the same direction\\.",
+    ({ moments, end }, { times }) => passes(moments, end) === Number(times),
+  ],
+  [
+    "The robot pushes against a wall and gets no further\\.",
+    ({ moments, end }) => movedSince(moments, end - 118, end) < 1e-6,
+  ],
+  [
+    "The robot has stayed on this square for 15 s\\.",
+    ({ moments, end }) =>
+      moments.slice(end - 15 * 60, end + 1).every((each) => cellOf(each) === cellOf(moments[end])),
+  ],
   ["The robot visited \\d+ of \\d+ squares(?: in \\d+ s)?\\.", () => true],
   [
     `${who} chose ${action} ${at}, at the edge of the opening \\(${sensor}: ${reading}\\)\\. A delayed turn drives on for 50 cm first\\.`,
@@ -70,10 +84,10 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
     (evidence, found) => momentsOf(evidence, found).length > 0,
   ],
   [
-    `${who} chose ${action} ${at} with (?<front>\\d+) cm in front\\. It drives on first and needs 75 cm\\.`,
+    `${who} chose ${action} ${at} with (?<front>${number}) cm in front\\. It drives on first and needs 75 cm\\.`,
     (evidence, found) =>
       momentsOf(evidence, found).length > 0 &&
-      Number(found["front"]) <= DELAYED_NEEDS &&
+      Number(found["front"]) < DELAYED_NEEDS &&
       found["action"]?.startsWith("delayed") === true,
   ],
   [
@@ -126,7 +140,7 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
     (evidence, found) => wasBefore(evidence, found, false),
   ],
   [
-    `${who} compares left with right\\. At (?<at>[\\d.]+) s, left was (?<left>\\d+) cm and right was (?<right>\\d+) cm\\. Its number is wrong there\\.`,
+    `${who} compares left with right\\. At (?<at>[\\d.]+) s, left was (?<left>${number}) cm and right was (?<right>${number}) cm\\. Its number is wrong there\\.`,
     ({ moments }, found) => ticksAt(found["at"]).some((tick) => isRead(moments[tick], found)),
   ],
   [
@@ -165,7 +179,7 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
     },
   ],
   [
-    `${who} chose ${action} ${at} and turned to a wall \\(${sensor}: ${reading}\\)\\. There was room on another side \\((?<open>front|left|right): (?<free>\\d+) cm\\)\\.`,
+    `${who} chose ${action} ${at} and turned to a wall \\(${sensor}: ${reading}\\)\\. There was room on another side \\((?<open>front|left|right): (?<free>${number}) cm\\)\\.`,
     (evidence, found) =>
       momentsOf(evidence, found).some((tick) => {
         const moment = evidence.moments[tick];
@@ -188,7 +202,7 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
     (evidence, found) => momentsOf(evidence, found).length > 0,
   ],
   [
-    `At (?<at>[\\d.]+) s, the wall was (?<wall>\\d+) cm (?<way>ahead|behind), and ${inner} chose ${action}\\. A line for this place is missing\\.`,
+    `At (?<at>[\\d.]+) s, the wall was (?<wall>${number}) cm (?<way>ahead|behind), and ${inner} chose ${action}\\. A line for this place is missing\\.`,
     (evidence, { wall, way, inner: line, ...found }) =>
       momentsOf(evidence, {
         ...found,
@@ -248,7 +262,9 @@ export function falseSentences(
     const match = reader?.sentence.exec(rest);
     if (reader === undefined || match === null || match === undefined)
       return [...wrong, `unknown: ${rest}`];
-    if (!reader.holds(evidence, match.groups ?? {})) wrong.push(match[0].trim());
+    const found = match.groups ?? {};
+    const isFalse = !reader.holds(evidence, found) || contradictsLine(evidence, found);
+    if (isFalse) wrong.push(match[0].trim());
     rest = rest.slice(match[0].length);
   }
   return wrong;
@@ -263,6 +279,29 @@ function ticksAt(seconds = ""): number[] {
 function bumpAt(moments: readonly PlainMoment[], end: number, seconds?: string): boolean {
   const before = moments[end - 1]?.bumps ?? 0;
   return ticksAt(seconds).includes(end) && (moments[end]?.bumps ?? 0) > before;
+}
+
+/**
+ * Whether the numbers of the sentence, put into the condition of a line that it names, say another thing than
+ * the line did then: "right was 50 cm" for `right > 50` that was true.
+ */
+function contradictsLine(
+  { program, moments }: Evidence,
+  found: Readonly<Record<string, string>>,
+): boolean {
+  const ticks = ticksAt(found["at"]).filter((tick) => isRead(moments[tick], found));
+  return [found["who"], found["inner"]].some((name) => {
+    const when = name === undefined ? null : conditionOf(program, lineOf(name));
+    if (when === null) return false;
+    const read = (sensor: SensorName) =>
+      found["sensor"] === sensor ? found["reading"] : sensor === "back" ? undefined : found[sensor];
+    const left = read(when.sensor);
+    const other = when.than === "right" ? read("right") : "0";
+    if (left === undefined || other === undefined) return false;
+    const right = when.than === "right" ? Number(other) + when.plus : when.than;
+    const reads = when.is === ">" ? Number(left) > right : Number(left) < right;
+    return ticks.every((tick) => isTrueAt(program, lineOf(name), moments[tick]) !== reads);
+  });
 }
 
 /** Ticks at which this line chose this action on these readings, at the time of the sentence. */
@@ -300,9 +339,10 @@ function conditionOf({ rules }: ProgramDocument, line: LineRef): Condition | nul
   return line === "default" ? null : (rules[line]?.when ?? null);
 }
 
-function isTrueAt(program: ProgramDocument, line: LineRef, { sensors }: PlainMoment): boolean {
+function isTrueAt(program: ProgramDocument, line: LineRef, moment?: PlainMoment): boolean {
   const when = conditionOf(program, line);
-  if (when === null) return false;
+  if (when === null || moment === undefined) return false;
+  const { sensors } = moment;
   const right = when.than === "right" ? sensors.right + when.plus : when.than;
   return when.is === ">" ? sensors[when.sensor] > right : sensors[when.sensor] < right;
 }
@@ -319,6 +359,25 @@ function wasBefore(
     if (moment === undefined || !isRead(moment, found)) return false;
     return moments[tick - 1]?.line === line && isTrueAt(program, line, moment) === isStill;
   });
+}
+
+/** How often up to a tick the robot went from one square into another as it did in that tick. */
+function passes(moments: readonly PlainMoment[], end: number): number {
+  const way = (tick: number) => `${cellOf(moments[tick - 1])} to ${cellOf(moments[tick])}`;
+  if (cellOf(moments[end - 1]) === cellOf(moments[end])) return 0;
+  const all = Array.from({ length: end }, (_, at) => way(at + 1));
+  return all.filter((each) => each === way(end)).length;
+}
+
+function cellOf(moment?: PlainMoment): string {
+  if (moment === undefined) return "none";
+  return `${Math.floor(moment.x / 100)},${Math.floor(moment.y / 100)}`;
+}
+
+function movedSince(moments: readonly PlainMoment[], from: number, to: number): number {
+  const [one, other] = [moments[from], moments[to]];
+  if (one === undefined || other === undefined) return Infinity;
+  return Math.hypot(one.x - other.x, one.y - other.y);
 }
 
 /** The side began to be open here: a little earlier on the same way it was not. */

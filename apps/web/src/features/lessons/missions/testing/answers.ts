@@ -70,7 +70,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
       why: "believes that the second line is read too",
       attempt: lines("forward", line(front("<", 50), "left 90"), line(front("<", 50), "right 90")),
       reads:
-        "The goal was not reached in 30 s. Line 2 was true at 4.0 s (front: 50 cm), but line 1 above it decided. The first true line wins.",
+        "The goal was not reached in 30 s. Line 2 was true at 4.0 s (front: 49.99 cm), but line 1 above it decided. The first true line wins.",
       feedback: {
         code: "not-reached",
         maze: 0,
@@ -133,7 +133,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
       why: "delays a turn at a wall, as in Figure 25",
       attempt: lines("forward", line(front("<", 50), "delayed left 90")),
       reads:
-        "Bump at 4.2 s. Line 1 chose “delayed left 90” at 4.0 s with 50 cm in front. It drives on first and needs 75 cm.",
+        "Bump at 4.2 s. Line 1 chose “delayed left 90” at 4.0 s with 49.99 cm in front. It drives on first and needs 75 cm.",
       feedback: {
         code: "bump",
         maze: 0,
@@ -205,7 +205,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
         line(front("<", 50), "delayed left 90"),
       ),
       reads:
-        "Bump at 7.5 s. Line 2 chose “delayed left 90” at 7.2 s with 50 cm in front. It drives on first and needs 75 cm.",
+        "Bump at 7.5 s. Line 2 chose “delayed left 90” at 7.2 s with 49.99 cm in front. It drives on first and needs 75 cm.",
       feedback: {
         code: "bump",
         maze: 0,
