@@ -30,6 +30,7 @@ MAZE = {
 }
 CODE = r"[ -]*(?:[BCDFGHJKLMNPQRSTVWXZbcdfghjklmnpqrstvwxz][ -]*){8}"
 MAX_TYPED = 32
+RIGHT_HEADERS = {"Last-Event-ID": "AAAAAAAA-1", "Script-Clock": "AAAAAAAA 1"}
 KEY = r"[A-Za-z0-9_-]{8,64}"
 # Calls after which a robot is gone, has as many keys or lines as it may have, or hears these hooks no more.
 USES_UP = "deleteRobot makeKey revokeKey openLine leaveLine sendMessages fetchMessages sendScriptAway".split()
@@ -92,10 +93,11 @@ class Keys:
             case.headers["Authorization"] = f"Bearer {asked['key']}"
         if is_right(str(case.query.get("wait")), r"\d{1,2}(\.\d{1,3})?"):
             case.query["wait"] = WAIT
-        # From the name of the header schemathesis takes it for a number, and its pattern for fulfilled.
-        is_number = re.fullmatch(r"[\d.]+", case.headers.get("Last-Event-ID", "")) is not None
-        if is_number and case.meta is not None and case.meta.generation.mode.is_positive:
-            case.headers["Last-Event-ID"] = "AAAAAAAA-1"
+        # From the names of these headers schemathesis takes them for numbers, and their patterns for fulfilled.
+        for header, right in RIGHT_HEADERS.items():
+            is_number = re.fullmatch(r"[\d.]+", case.headers.get(header, "")) is not None
+            if is_number and case.meta is not None and case.meta.generation.mode.is_positive:
+                case.headers[header] = right
         # A stream has no end to be checked; wrong queries are refused all the same.
         if operation == "followEvents" and "wait" not in case.query:
             case.query["wait"] = WAIT

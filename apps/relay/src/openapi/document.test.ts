@@ -25,7 +25,7 @@ const calls = describedCalls(document);
 describe("the description of the API", () => {
   it("is OpenAPI 3.1 with a title and a version", () => {
     expect(document.openapi).toMatch(/^3\.1\.\d$/);
-    expect(document.info).toMatchObject({ title: "Corridor", version: "1" });
+    expect(document.info).toMatchObject({ title: "Corridor", version: "1.0.0" });
     expect(document.info.description).toContain("/docs");
     // Plain JSON: nothing is lost on the way.
     expect(JSON.parse(JSON.stringify(document))).toEqual(document);
@@ -54,6 +54,18 @@ describe("the description of the API", () => {
     expect(uses.length).toBeGreaterThan(0);
     const text = JSON.stringify(at(reference));
     expect(JSON.stringify(document).split(text)).toHaveLength(2);
+  });
+
+  it("names every object of a body, and every alternative", () => {
+    const bodies = calls.flatMap(({ operation: { requestBody, responses } }) =>
+      [requestBody, ...Object.values(responses ?? {})].flatMap((holder) =>
+        Object.values((holder as oas31.ResponseObject | undefined)?.content ?? {}),
+      ),
+    );
+    for (const { schema } of bodies) expect(schema).toHaveProperty("$ref");
+    const alternatives = [...nodes(document)].flatMap(({ oneOf }) => (oneOf ?? []) as object[]);
+    expect(alternatives.length).toBeGreaterThan(30);
+    for (const alternative of alternatives) expect(alternative).toHaveProperty("$ref");
   });
 
   it("gives every call a name of its own", () => {

@@ -2,28 +2,12 @@
  * The OpenAPI 3.1 description of the HTTP calls, generated from the schemas that check the traffic.
  * What a field must be is said by its schema alone; here are only the calls and what they are for.
  */
-import {
-  commandRecordSchema,
-  commandSchema,
-  eventPageSchema,
-  orderSchema,
-  problemSchema,
-  PROTOCOL_VERSION,
-  registrationSchema,
-  shortLinkSchema,
-  snapshotSchema,
-} from "@corridor/protocol";
+import { PROTOCOL_VERSION } from "@corridor/protocol";
 import { createDocument, type oas31 } from "zod-openapi";
-import { documentSchema } from "../documents/document-schema.ts";
-import {
-  commandLogSchema,
-  healthSchema,
-  heldSessionSchema,
-  readySchema,
-} from "../routes/answers.ts";
 import { calls } from "./calls.ts";
 import { describeByExpectation } from "./describe-by-expectation.ts";
 import { withReadingAids } from "./reading-aids.ts";
+import { describeCondition, schemas } from "./schemas.ts";
 
 const DESCRIPTION = `A robot lives in a page. The page registers it, and gets an address
 \`https://HOST/r/ID#KEY\`, which is all that a script needs: send the key after the # as a bearer key.
@@ -40,28 +24,15 @@ export function describeApi(): oas31.OpenAPIObject {
       openapi: "3.1.0",
       info: {
         title: "Corridor",
-        version: String(PROTOCOL_VERSION),
+        // Three numbers: what is generated is a package of npm or PyPI.
+        version: `${PROTOCOL_VERSION}.0.0`,
         description: DESCRIPTION,
         license: { name: "MIT", identifier: "MIT" },
       },
       servers: [{ url: "/", description: "the service that this document comes from" }],
       paths: calls,
       components: {
-        schemas: {
-          Command: commandSchema,
-          CommandLog: commandLogSchema,
-          CommandRecord: commandRecordSchema,
-          EventPage: eventPageSchema,
-          Health: healthSchema,
-          HeldSession: heldSessionSchema,
-          Order: orderSchema,
-          Problem: problemSchema,
-          Ready: readySchema,
-          Registration: registrationSchema,
-          SharedDocument: documentSchema,
-          ShortLink: shortLinkSchema,
-          Snapshot: snapshotSchema,
-        },
+        schemas,
         securitySchemes: {
           driverKey: {
             type: "http",
@@ -97,7 +68,14 @@ export function describeApi(): oas31.OpenAPIObject {
         },
       },
     },
-    { override: describeByExpectation },
+    {
+      override: (context) => {
+        describeByExpectation(context);
+        describeCondition(context);
+      },
+      // Shapes of requests alone: what is read from them has no description.
+      allowEmptySchema: { pipe: { output: true }, transform: { output: true } },
+    },
   );
   return withReadingAids(document);
 }

@@ -31,6 +31,7 @@ import {
   refusals,
   robot,
 } from "./parts.ts";
+import { streamedEventSchema } from "./streamed-event.ts";
 
 const idempotencyKey = parameters("header", idempotencyHeader);
 /** what every request of a script may say of itself */
@@ -177,7 +178,8 @@ export const scriptCalls: ZodOpenApiPathsObject = {
           description: "Events without end or, with `wait`, those that there are.",
           content: {
             "application/json": { schema: eventPageSchema },
-            "text/event-stream": { schema: { type: "string" } },
+            // Before OpenAPI 3.2, which has `itemSchema`, the schema of a stream describes one event.
+            "text/event-stream": { schema: streamedEventSchema },
           },
         },
         ...refusals(...asScript, "too-many-readers"),
