@@ -9,7 +9,7 @@ const EVENTS_MS = 15_000;
 const STREAM_MS = 2_000;
 /** Snapshots in that time; the protocol allows 20 a second. */
 const MOST_SNAPSHOTS = 60;
-const MANY = 12;
+const MANY = 6;
 
 export const events: CheckGroup = {
   title: "Events",

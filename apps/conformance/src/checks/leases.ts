@@ -13,6 +13,8 @@ import { atHome, mustStand } from "../setting.ts";
 const FORWARD_MS = { least: 2_800, most: 5_000 };
 const DRIVE_MS = { least: 400, most: 2_500 };
 const LONG_DRIVE_MS = { least: 1_900, most: 4_500 };
+/** cm from the far wall, at which the robot does not touch it */
+const FAR_WALL = 50;
 /** Longer than any lease. */
 const GIVE_UP_MS = 8_000;
 
@@ -43,8 +45,7 @@ export const leases: CheckGroup = {
       promise: "silence-reverse",
       name: "reverse ends in the same way",
       run: async (host) => {
-        await atHome(host);
-        await host.done({ action: "move", distance: 395 });
+        await toTheFarWall(host);
         await withEvents(host, async (events) => {
           mustTake(await lasts(host, events, { action: "reverse" }), FORWARD_MS);
         });
@@ -68,10 +69,10 @@ export const leases: CheckGroup = {
     },
     {
       promise: "renewed-by-waiting",
-      name: "a request that waits for its answer holds a motion as well",
+      name: "reverse goes on for as long as a request of its script waits for its answer",
       run: async (host) => {
-        await atHome(host);
-        const { seq } = await host.send({ action: "forward" });
+        await toTheFarWall(host);
+        const { seq } = await host.send({ action: "reverse" });
         const { state } = await host.record(seq, 3.5);
         must(HELD.includes(state), "started after a request that waited 3.5 s", state);
         await host.done({ action: "stop" });
@@ -175,6 +176,12 @@ export const leases: CheckGroup = {
     },
   ],
 };
+
+/** Leaves room for a `reverse` that lasts for its whole lease. */
+async function toTheFarWall(host: Host): Promise<void> {
+  const { sensors } = await host.snapshot();
+  await host.done({ action: "move", distance: sensors.front - FAR_WALL });
+}
 
 /** Sends a motion without an end. @returns ms until it was cancelled */
 async function lasts(host: Host, events: EventStream, order: Order): Promise<number> {

@@ -322,7 +322,7 @@ const retries: PlantedFault[] = [
         after: [
           "            known = key in self.server.ledger._by_key",
           "        if key and not known:",
-          "            time.sleep(0.5)",
+          "            time.sleep(2.5)",
           "        with self.server.ledger.changed:",
           "            if key and not known:",
           "                self.server.ledger._by_key.pop(key, None)",
@@ -445,10 +445,10 @@ const reading: PlantedFault[] = [
   ),
   fault(
     "snapshot-command",
-    "the snapshot of an ending still names the command",
-    LEDGER,
-    "            self.running = None\n            pose, distance = self.way_so_far()\n",
-    "            pose, distance = self.way_so_far()\n            self.running = None\n",
+    "a snapshot names the newest command while the robot stands",
+    PILOT,
+    '"command": None if running is None else running.seq',
+    '"command": len(self._ledger._entries) or None',
   ),
   fault(
     "reading-newer",
@@ -661,7 +661,7 @@ const leases: PlantedFault[] = [
   },
   fault(
     "renewed-by-waiting",
-    "a request that waits does not hold forward",
+    "a request that waits does not hold reverse",
     PILOT,
     "is_heard = not is_drive and self._ledger.listeners > 0",
     "is_heard = False",
