@@ -97,3 +97,19 @@ test("offers the race on a phone too, and ends it when the maze changes", async 
   await expect(corridor.message("The maze changed, so the race is over.")).toBeVisible();
   await expect(chip).toBeHidden();
 });
+
+test("keeps the ghosts of a race over a reload", async ({ corridor, page }) => {
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  const card = page.getByRole("region", { name: "Solved!" });
+  await card.getByRole("button", { name: "Race this run" }).click();
+  const chip = page.getByRole("button", { name: "Race against 1 ghost" });
+  await expect(chip).toBeVisible();
+  await page.reload();
+  await expect(chip).toBeVisible();
+  // The start may not have been saved yet.
+  await corridor.reset.click();
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(card).toContainText("You and ghost A were first, at the same time.");
+});

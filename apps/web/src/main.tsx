@@ -17,6 +17,7 @@ import { takeOver } from "./app/take-over.ts";
 import { startTheme } from "./app/theme.ts";
 import { WorkReader } from "./app/work-reader.ts";
 import { storageOrNone, WorkShelf } from "./app/works.ts";
+import { RACE_KEY } from "./stores/race-store.ts";
 import { createScreenStore, tell } from "./stores/screen-store.ts";
 import { englishWords } from "./text/english-words.ts";
 import { createI18n } from "./text/i18n.ts";
@@ -33,6 +34,7 @@ declare global {
 const FRAME_MS = 17;
 
 const device = storageOrNone(() => localStorage);
+const tab = storageOrNone(() => sessionStorage);
 const worker = startSimulator();
 const reader = new WorkReader();
 const screen = createScreenStore();
@@ -74,7 +76,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   const services = createServices({
     worker,
     device,
-    tab: storageOrNone(() => sessionStorage),
+    tab,
     words,
     screen,
     reader,
@@ -139,12 +141,13 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
     void services.runKeeper.resume().then(() => {
       services.connection.goOn();
       void services.lessons.handOver();
+      if ((device.getItem("corridor.sound") ?? tab.getItem(RACE_KEY)) !== null)
+        void resume(services, words);
     });
   });
 
   await whenSettled(services.run);
   await Promise.allSettled([reader.load(), preloadParts()]);
-  if (device.getItem("corridor.sound") !== null) void resumeSound(services);
   if (!import.meta.env.PROD) return;
   try {
     const { offerUpdates } = await import("./features/offline/offer-update.ts");
@@ -154,10 +157,10 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   }
 }
 
-/** Sounds that were on when the page was left. A file that does not come leaves the page silent. */
-async function resumeSound({ run }: Services): Promise<void> {
-  const sounds = await import("./features/sound/sounds.ts").catch(() => null);
-  sounds?.soundsOf(run).resume();
+/** Sounds and a race that were on when the page was left. Files that do not come leave the page without them. */
+async function resume(services: Services, words: i18n): Promise<void> {
+  const extras = await import("./app/resume-extras.ts").catch(() => null);
+  await extras?.resumeExtras(services, words, tab);
 }
 
 function requireHouse(): HTMLElement {

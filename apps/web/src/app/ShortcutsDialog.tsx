@@ -53,8 +53,8 @@ export function ShortcutsDialog({ isOpen, onClose }: { isOpen: boolean; onClose:
             onChange={(isOn) => screen.setState({ singleKeys: isOn })}
           />
           <Checkbox
-            label={t("speech.setting")}
-            note={t("speech.settingNote")}
+            label={t("runDetails:speech.setting")}
+            note={t("runDetails:speech.settingNote")}
             checked={speakRun}
             onChange={(isOn) => screen.setState({ speakRun: isOn })}
           />

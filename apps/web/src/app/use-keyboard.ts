@@ -129,14 +129,15 @@ function obey(
   kind: Exclude<Shortcut["kind"], "drive" | "describe" | "zoom">,
   openHelp: () => void,
 ): void {
+  const now = run.getState();
   const isRefused = isProgramRefused(challenge.getState().rights);
   switch (kind) {
     case "run-or-pause":
-      if (isRefused && runButton(run.getState()) !== "pause") return;
-      return simulator.send(runOrPause(run.getState()));
+      if (isRefused && runButton(now) !== "pause") return;
+      return simulator.send(runOrPause(now));
     case "step":
-      if (isRefused && run.getState().view === "now") return;
-      return simulator.send(stepOn(run.getState()));
+      if (isRefused && now.view === "now") return;
+      return simulator.send(stepOn(now));
     case "undo":
       return undo(workspace);
     case "redo":

@@ -2,6 +2,9 @@
 import { createStore } from "zustand/vanilla";
 import type { Finish } from "../worker/worker-messages.ts";
 
+/** Where this tab stores the ghosts. */
+export const RACE_KEY = "corridor.race";
+
 export interface RaceGhost {
   id: number;
   /** A to D */

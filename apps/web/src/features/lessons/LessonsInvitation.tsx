@@ -1,11 +1,9 @@
 /** For a reader who has never been here: one calm line at the top of the panel. */
 import { X } from "lucide-react";
-import { useEffect } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
-import { isExample } from "../program/example.ts";
 import styles from "./lessons-invitation.module.css";
 
 const FIRST_MISSION = "make-it-move";
@@ -13,18 +11,11 @@ const FIRST_MISSION = "make-it-move";
 /** Shows nothing to others. */
 export function LessonsInvitation() {
   const { t } = useTranslation();
-  const { challenge, lessons, workspace, run } = useServices();
+  const { challenge, lessons, workspace } = useServices();
   const isInvited = useStore(challenge, (state) => state.isInvited);
-  // A student who runs their own lines has begun, and the lines need the room.
-  const isOwn = useStore(
-    workspace,
-    ({ program }) => program.rules.length > 0 && !isExample(program),
-  );
-  const hasBegun = useStore(run, ({ nowTick }) => nowTick > 0) && isOwn;
-  useEffect(() => {
-    if (hasBegun) challenge.setState({ isInvited: false });
-  }, [challenge, hasBegun]);
-  if (!isInvited) return null;
+  // More lines than the example has are the student's own, and need the room.
+  const hasBegun = useStore(workspace, ({ program }) => program.rules.length > 2);
+  if (!isInvited || hasBegun) return null;
   return (
     <section className={styles["invitation"]} aria-label={t("lessons.lessons")}>
       <p className={styles["words"]}>{t("lessons.invitation")}</p>

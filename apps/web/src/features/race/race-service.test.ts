@@ -1,7 +1,8 @@
 import { generateMaze } from "@corridor/maze";
 import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
-import { createRaceStore } from "../../stores/race-store.ts";
+import { MemoryStorage } from "../../app/testing/memory-storage.ts";
+import { createRaceStore, RACE_KEY } from "../../stores/race-store.ts";
 import { createRunStore } from "../../stores/run-store.ts";
 import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze } from "../../stores/workspace-store.ts";
@@ -30,7 +31,7 @@ function runOf(changes: Partial<RunDocument> = {}): RunDocument {
 }
 
 /** A service whose worker answers with what the test gives it. */
-function bench(answer: "ready" | "broken" | "silent" = "ready") {
+function bench(answer: "ready" | "broken" | "silent" = "ready", tab = new MemoryStorage()) {
   const sent: ToWorker[] = [];
   const port: WorkerPort = {
     onmessage: null,
@@ -54,6 +55,7 @@ function bench(answer: "ready" | "broken" | "silent" = "ready") {
     run: createRunStore(),
     race: createRaceStore(),
     screen: createScreenStore(),
+    tab,
   };
   const words = { t: (key: string) => key } as unknown as ConstructorParameters<
     typeof RaceService
@@ -139,5 +141,58 @@ describe("a race", () => {
     expect(race.getState().you).not.toBeNull();
     say({ type: "forgotten", after: 539 });
     expect(race.getState().you).toBeNull();
+  });
+
+  it("comes back after a reload, silently and with the same letters", async () => {
+    const { service, race, tab } = bench();
+    await service.add(runOf());
+    await service.add(runOf({ digest: "fedcba9876543210" }));
+    const [first] = race.getState().ghosts;
+    if (first) service.remove(first.id);
+
+    const reloaded = bench("ready", tab);
+    await reloaded.service.resume();
+    expect(reloaded.race.getState().ghosts).toMatchObject([
+      { badge: "B", digest: "fedcba9876543210 600", finish },
+    ]);
+    expect(reloaded.texts()).toEqual([]);
+    // And after the next one.
+    const again = bench("ready", tab);
+    await again.service.resume();
+    expect(again.race.getState().ghosts).toHaveLength(1);
+    again.service.end();
+    expect(tab.getItem(RACE_KEY)).toBeNull();
+  });
+
+  it("does not come back in another maze, or from what cannot be read", async () => {
+    const tab = new MemoryStorage();
+    await bench("ready", tab).service.add(runOf());
+    const elsewhere = bench("ready", tab);
+    setMaze(elsewhere.workspace, other);
+    await elsewhere.service.resume();
+    expect(elsewhere.race.getState().ghosts).toEqual([]);
+    expect(tab.getItem(RACE_KEY)).toBeNull();
+
+    for (const text of [
+      "{",
+      "7",
+      "[null]",
+      '[{"badge":"A","run":"{}"}]',
+      '[{"badge":1,"run":2}]',
+    ]) {
+      tab.setItem(RACE_KEY, text);
+      const broken = bench("ready", tab);
+      await broken.service.resume();
+      expect(broken.race.getState().ghosts).toEqual([]);
+      expect(tab.getItem(RACE_KEY)).toBeNull();
+    }
+  });
+
+  it("goes on where the tab has no room for it", async () => {
+    const { service, race, tab } = bench();
+    tab.isFull = true;
+    expect(await service.add(runOf())).toBeNull();
+    expect(race.getState().ghosts).toHaveLength(1);
+    expect(tab.getItem(RACE_KEY)).toBeNull();
   });
 });

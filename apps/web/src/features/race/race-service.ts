@@ -7,8 +7,10 @@ import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import { saveRun } from "../../app/run-requests.ts";
 import type { Services } from "../../app/services.ts";
+import { storageOrNone, type KeyValueStorage } from "../../app/works.ts";
 import type { RaceGhost } from "../../stores/race-store.ts";
 import { tell } from "../../stores/screen-store.ts";
+import { readGhosts, storeGhosts } from "./race-storage.ts";
 import {
   MAX_GHOSTS,
   type AddedGhost,
@@ -33,12 +35,15 @@ export type RaceRefusal =
   | "failed";
 
 export class RaceService {
-  readonly #ports: RacePorts;
+  readonly #ports: RacePorts & { tab: KeyValueStorage };
   readonly #words: Pick<i18n, "t">;
+  /** the runs of the ghosts, by their ids */
+  readonly #runs = new Map<number, RunDocument>();
   readonly #waiting = new Map<number, (added: AddedGhost) => void>();
   #lastId = 0;
 
-  constructor(ports: RacePorts, words: Pick<i18n, "t">) {
+  /** @param ports `tab` is sessionStorage */
+  constructor(ports: RacePorts & { tab: KeyValueStorage }, words: Pick<i18n, "t">) {
     this.#ports = ports;
     this.#words = words;
     const { simulator, workspace, run, race } = ports;
@@ -69,12 +74,29 @@ export class RaceService {
 
   /** @returns why the run is not in the race; null when it is */
   async add(run: RunDocument): Promise<RaceRefusal | null> {
-    const { race, simulator, screen } = this.#ports;
-    const refusal = this.#refusalOf(run);
-    if (refusal !== null) return refusal;
-    const { ghosts } = race.getState();
-    const badge = "ABCD".split("").find((each) => ghosts.every((ghost) => ghost.badge !== each));
+    const refused = this.#refusalOf(run);
+    if (refused !== null) return refused;
+    const badge = "ABCD".split("").find((each) => !this.#isIn(each));
     if (badge === undefined) return "full";
+    const refusal = await this.#load(badge, run);
+    if (refusal === null && this.#isIn(badge)) {
+      tell(this.#ports.screen, { tone: "info", text: this.#words.t("race:ready", { badge }) });
+    }
+    return refusal;
+  }
+
+  /** Brings back the ghosts that the tab has stored; those of another maze are gone. */
+  async resume(): Promise<void> {
+    const loads = readGhosts(this.#ports.tab).flatMap(({ badge, run }) =>
+      this.#refusalOf(run) === null && !this.#isIn(badge) ? [this.#load(badge, run)] : [],
+    );
+    await Promise.all(loads);
+    this.#store();
+  }
+
+  async #load(badge: string, run: RunDocument): Promise<RaceRefusal | null> {
+    const { race, simulator } = this.#ports;
+    const { ghosts } = race.getState();
     const id = ++this.#lastId;
     const ghost: RaceGhost = {
       id,
@@ -85,6 +107,8 @@ export class RaceService {
     };
     const all = [...ghosts, ghost].toSorted((a, b) => (a.badge < b.badge ? -1 : 1));
     race.setState({ ghosts: all });
+    this.#runs.set(id, run);
+    this.#store();
     const added = await new Promise<AddedGhost>((resolve) => {
       this.#waiting.set(id, resolve);
       simulator.send({ type: "add-ghost", id, badge, run });
@@ -100,7 +124,6 @@ export class RaceService {
     race.setState((state) => ({
       ghosts: state.ghosts.map((each) => (each.id === id ? { ...each, finish } : each)),
     }));
-    tell(screen, { tone: "info", text: this.#words.t("race:ready", { badge }) });
     return null;
   }
 
@@ -126,6 +149,21 @@ export class RaceService {
   #forget(id: number): void {
     const { race } = this.#ports;
     race.setState(({ ghosts }) => ({ ghosts: ghosts.filter((each) => each.id !== id) }));
+    if (this.#runs.delete(id)) this.#store();
+  }
+
+  #isIn(badge: string): boolean {
+    return this.#ports.race.getState().ghosts.some((ghost) => ghost.badge === badge);
+  }
+
+  /** What a reload brings back. */
+  #store(): void {
+    const { race, tab } = this.#ports;
+    const ghosts = race.getState().ghosts.flatMap(({ id, badge }) => {
+      const run = this.#runs.get(id);
+      return run === undefined ? [] : [{ badge, run }];
+    });
+    storeGhosts(tab, ghosts);
   }
 
   #refusalOf(run: RunDocument): RaceRefusal | null {
@@ -162,7 +200,7 @@ let service: RaceService | null = null;
 
 /** The one of this page. */
 export function raceService(ports: RacePorts, words: Pick<i18n, "t">): RaceService {
-  service ??= new RaceService(ports, words);
+  service ??= new RaceService({ ...ports, tab: storageOrNone(() => sessionStorage) }, words);
   return service;
 }
 

@@ -35,7 +35,10 @@ export function SpokenRun() {
         return;
       }
       endWaiting();
-      void Promise.all([import("./tell-run.ts"), i18n.loadNamespaces("diagnosis")]).then(
+      void Promise.all([
+        import("./tell-run.ts"),
+        i18n.loadNamespaces(["diagnosis", "runDetails"]),
+      ]).then(
         ([{ tellRun }]) => {
           const words = () => ({ t: i18n.t, language: i18n.language });
           if (!hasEnded) end = tellRun(services, before, words);

@@ -15,7 +15,10 @@ export async function describeRobot(
 ): Promise<void> {
   let text: string;
   try {
-    const { describeText } = await import("./run-words.ts");
+    const [{ describeText }] = await Promise.all([
+      import("./run-words.ts"),
+      words.loadNamespaces("runDetails"),
+    ]);
     const { snapshot } = run.getState();
     if (snapshot === null) return;
     text = describeText(

@@ -14,6 +14,11 @@ export interface Words {
   language: string;
 }
 
+/** The words of the spoken run, by a translator with the namespace "runDetails" loaded. */
+export function spoken(t: unknown): TFunction<["words", "runDetails"]> {
+  return t as TFunction<["words", "runDetails"]>;
+}
+
 /** "Line 1: delayed right 90. Right is 250 cm." */
 export function decisionText(
   { t, language }: Words,
@@ -24,12 +29,12 @@ export function decisionText(
   const rule = line === "default" ? undefined : rules[line];
   const truth = shownTruth(rule?.when ?? null, snapshot);
   if (line === "default" || !rule?.when || truth === null) {
-    return t("speech.otherwise", {
+    return spoken(t)("runDetails:speech.otherwise", {
       action: t(`program.action.${otherwise}`),
       number: formatReading(snapshot.sensors.front, language),
     });
   }
-  return t("speech.line", {
+  return spoken(t)("runDetails:speech.line", {
     line: line + 1,
     action: t(`program.action.${rule.do}`),
     sensor: t(`program.sensorFirst.${rule.when.sensor}`),
@@ -47,13 +52,13 @@ export function describeText(
   const { column, row } = cellOf(pose);
   const reading = (centimetres: number): string => formatReading(centimetres, language);
   const sentences = [
-    t("speech.describe.place", {
+    spoken(t)("runDetails:speech.describe.place", {
       seconds: formatSeconds(tick, language),
       row: row + 1,
       column: column + 1,
       facing: t(`stage.facing.${facingOf(pose.heading)}`),
     }),
-    t("speech.describe.readings", {
+    spoken(t)("runDetails:speech.describe.readings", {
       front: reading(sensors.front),
       right: reading(sensors.right),
       back: reading(sensors.back),
@@ -63,10 +68,10 @@ export function describeText(
   const line = decidingLine(snapshot);
   const rule = typeof line === "number" ? rules[line] : undefined;
   if (driver !== "program") sentences.push(t(`drive.says.${driver}`));
-  else if (line === null) sentences.push(t("speech.describe.noLine"));
+  else if (line === null) sentences.push(spoken(t)("runDetails:speech.describe.noLine"));
   else if (line === "default" || rule === undefined) {
     const action = t(`program.action.${otherwise}`);
-    sentences.push(t("speech.describe.otherwise", { action }));
+    sentences.push(spoken(t)("runDetails:speech.describe.otherwise", { action }));
   } else {
     const truth = shownTruth(rule.when, snapshot);
     sentences.push(lineName(t, { index: line, rule, state: "running", truth, advice: null }));

@@ -8,15 +8,15 @@ import type { Moment } from "../../worker/worker-messages.ts";
 import { diagnosisText, diagnosisTitle, diagnosisWords } from "../cards/diagnosis-text.ts";
 import { momentAt, sayMoment } from "../timeline/shown-moment.ts";
 import { timelineOf } from "../timeline/timeline-of.ts";
-import { storyKey, storyOf } from "../transport/story.ts";
+import { storyOf, storyText } from "../transport/story.ts";
 import { RunEar, type RunTalk } from "./run-ear.ts";
-import { decisionText, type Words } from "./run-words.ts";
+import { decisionText, spoken, type Words } from "./run-words.ts";
 
 type Ports = Pick<Services, "challenge" | "run" | "workspace" | "screen" | "timeline" | "speech">;
 
 /** How many changes the card offers. */
 function fixCount(t: Words["t"], { fixes }: Diagnosis): string[] {
-  return fixes.length > 0 ? [t("speech.mends", { count: fixes.length })] : [];
+  return fixes.length > 0 ? [spoken(t)("runDetails:speech.mends", { count: fixes.length })] : [];
 }
 
 /**
@@ -47,7 +47,7 @@ export function tellRun(
       case "past":
         chat(
           joinSentences(words().t, [
-            ...(talk.isFirst ? [words().t("speech.past")] : []),
+            ...(talk.isFirst ? [spoken(words().t)("runDetails:speech.past")] : []),
             ...shownMoment(),
           ]),
         );
@@ -56,14 +56,14 @@ export function tellRun(
         speech.hush();
         return;
       case "at-start":
-        chat(words().t("speech.atStart"));
+        chat(spoken(words().t)("runDetails:speech.atStart"));
         return;
       case "playing":
-        chat(words().t("speech.playing"));
+        chat(spoken(words().t)("runDetails:speech.playing"));
         return;
       case "paused":
       case "now":
-        chat(words().t(`speech.${talk.kind}`, { seconds: seconds() }));
+        chat(spoken(words().t)(`runDetails:speech.${talk.kind}`, { seconds: seconds() }));
     }
   }
 
@@ -109,10 +109,7 @@ export function tellRun(
       return joinSentences(t, [...titles, text, ...fixCount(t, diagnosis)]);
     }
     const story = storyOf(moment, timeline.waitedUpTo(moment.tick));
-    return t(storyKey(story), {
-      ...story,
-      seconds: formatSeconds(story.after, language),
-    });
+    return storyText(t, { ...story, seconds: formatSeconds(story.after, language) });
   }
 
   const listen = (state: RunState): void => {

@@ -7,7 +7,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { useWaited } from "../../app/use-waited.ts";
 import { classNames } from "../../ui/class-names.ts";
-import { storyKey, storyOf } from "./story.ts";
+import { storyOf, storyText, type Story } from "./story.ts";
 import styles from "./transport.module.css";
 
 export function RunStory() {
@@ -19,8 +19,13 @@ export function RunStory() {
   const story = moment === null ? null : storyOf(moment, waited);
   return (
     <p role="note" className={classNames(styles["story"], !isFresh && "visually-hidden")}>
-      {story !== null && t(storyKey(story), { ...story })}
+      {story !== null && <Told story={story} />}
       {story === null && isFresh && t("shell.story.hint")}
     </p>
   );
+}
+
+function Told({ story }: { story: Story }) {
+  const { t, ready } = useTranslation("runDetails", { useSuspense: false });
+  return ready && storyText(t, story);
 }

@@ -1,5 +1,6 @@
 /** The one-line story of the run: which sentence tells the newest goal or bump, and its numbers. */
 import type { DriverName } from "@corridor/protocol";
+import type { TFunction } from "i18next";
 import type { Moment } from "../../worker/worker-messages.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 
@@ -43,9 +44,14 @@ export function storyOf({ kind, line, driver, tick, pose }: Moment, waited = 0):
   };
 }
 
-/** The sentence of a story. Which line caused a bump is for the diagnosis to say. */
-export function storyKey({ kind, teller }: Story): StoryKey {
-  return `shell.story.${kind}.${teller}` as StoryKey;
+/**
+ * The sentence of a story. Which line caused a bump is for the diagnosis to say.
+ * @param t with the namespace "runDetails" loaded
+ */
+export function storyText(t: unknown, story: Story): string {
+  const { kind, teller } = story;
+  const words = t as TFunction<["words", "runDetails"]>;
+  return words(`runDetails:story.${kind}.${teller}` as StoryKey, { ...story });
 }
 
-type StoryKey = `shell.story.goal.${Teller}` | `shell.story.bump.${DriverName}`;
+type StoryKey = `runDetails:story.goal.${Teller}` | `runDetails:story.bump.${DriverName}`;

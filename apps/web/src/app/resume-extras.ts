@@ -1,0 +1,20 @@
+/** What was on when the page was left, besides the run: sounds, and the ghosts of a race. Comes only where there was some. */
+import type { i18n } from "i18next";
+import { RACE_KEY } from "../stores/race-store.ts";
+import type { Services } from "./services.ts";
+import type { KeyValueStorage } from "./works.ts";
+
+export async function resumeExtras(
+  services: Services,
+  words: i18n,
+  tab: KeyValueStorage,
+): Promise<void> {
+  const { soundsOf } = await import("../features/sound/sounds.ts");
+  soundsOf(services.run).resume();
+  if (tab.getItem(RACE_KEY) === null) return;
+  const [{ raceService }] = await Promise.all([
+    import("../features/race/race-service.ts"),
+    words.loadNamespaces("race"),
+  ]);
+  await raceService(services, words).resume();
+}

@@ -1,0 +1,41 @@
+/** The ghosts of a race in the storage of this tab: a reload keeps them. */
+import { readRun, type RunDocument } from "@corridor/recording";
+import type { KeyValueStorage } from "../../app/works.ts";
+import { RACE_KEY } from "../../stores/race-store.ts";
+
+export interface StoredGhost {
+  /** A to D */
+  badge: string;
+  run: RunDocument;
+}
+
+/** Where the tab has no room, the race lasts until the page is left. */
+export function storeGhosts(tab: KeyValueStorage, ghosts: readonly StoredGhost[]): void {
+  tab.removeItem(RACE_KEY);
+  if (ghosts.length === 0) return;
+  const stored = ghosts.map(({ badge, run }) => ({ badge, run: JSON.stringify(run) }));
+  try {
+    tab.setItem(RACE_KEY, JSON.stringify(stored));
+  } catch {
+    // Nothing is lost that was there before the page was opened.
+  }
+}
+
+/** What cannot be read is left out. */
+export function readGhosts(tab: KeyValueStorage): StoredGhost[] {
+  let stored: unknown;
+  try {
+    stored = JSON.parse(tab.getItem(RACE_KEY) ?? "[]");
+  } catch {
+    return [];
+  }
+  if (!Array.isArray(stored)) return [];
+  return stored.flatMap((each: unknown) => {
+    if (typeof each !== "object" || each === null) return [];
+    if (!("badge" in each && "run" in each)) return [];
+    const { badge, run } = each;
+    if (typeof badge !== "string" || typeof run !== "string") return [];
+    const read = readRun(run);
+    return read.ok ? [{ badge, run: read.value }] : [];
+  });
+}
