@@ -41,8 +41,6 @@ async function firstScripts(page: Page, address: string, folder: string): Promis
   await openMore(page);
   const { origin } = new URL(address);
   await saved("corridor.py", await (await fetch(`${origin}/corridor.py`)).text());
-  const docs = await (await fetch(`${origin}/docs`)).text();
-  const example = /<pre id="example"[^>]*><code>([^]*?)<\/code>/.exec(docs)?.[1] ?? "";
   const readme = await readFile(new URL("../README.md", import.meta.url), "utf8");
   const block = (language: string): string =>
     (new RegExp(`\`\`\`${language}\\n([^]*?)\`\`\``).exec(readme)?.[1] ?? "").replace(
@@ -55,7 +53,6 @@ async function firstScripts(page: Page, address: string, folder: string): Promis
     { name: "Python", command: [python, "-"], text: await tab("Python") },
     { name: "JavaScript", command: module, text: await tab("JavaScript") },
     { name: "curl", command: ["sh"], text: await tab("curl") },
-    { name: "/docs", command: [python, "-", address], text: example },
     {
       name: "README in Python",
       command: [python, await saved("readme.py", block("python"))],
@@ -67,10 +64,36 @@ async function firstScripts(page: Page, address: string, folder: string): Promis
   if (inPath("java").length > 0) {
     all.push({ name: "Java", command: [java, await saved("Robot.java", inJava)], text: inJava });
   }
+  expect(await scriptsOfDocs(page, address)).toEqual(
+    [starter, ...["JavaScript", "curl"].map((wanted) => textOf(all, wanted)), inJava].map((text) =>
+      text.trim(),
+    ),
+  );
   for (const { name, text } of all) {
     expect(text.trim().split("\n").length, name).toBeLessThanOrEqual(12);
   }
   return all;
+}
+
+function textOf(scripts: readonly Script[], wanted: string): string {
+  return scripts.find(({ name }) => name === wanted)?.text ?? "";
+}
+
+/** What /docs offers to begin with, with this address in the place of the one that it displays. */
+async function scriptsOfDocs(page: Page, address: string): Promise<string[]> {
+  const docs = await page.context().newPage();
+  const { origin, host, pathname, hash } = new URL(address);
+  await docs.goto(`${origin}/docs`);
+  const texts = await docs.locator(".panel pre").allTextContents();
+  await docs.close();
+  const id = pathname.slice("/r/".length);
+  return texts.map((text) =>
+    text
+      .trim()
+      .replace("http://HOST/r/ID#KEY", address)
+      .replace("http://HOST/api/v1/robots/ID", `http://${host}/api/v1/robots/${id}`)
+      .replace("Bearer KEY", `Bearer ${hash.slice(1)}`),
+  );
 }
 
 const CHOOSE_REMOTE = "Remote does not drive: choose Remote on the robot's page.";

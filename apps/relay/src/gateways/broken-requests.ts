@@ -4,7 +4,8 @@
  */
 import type { RequestListener, Server, ServerResponse } from "node:http";
 import type { Duplex } from "node:stream";
-import { Refusal, type ProblemKind } from "../problems.ts";
+import type { ProblemKind } from "../problem-kinds.ts";
+import { Refusal } from "../problems.ts";
 import { refuseUpgrade } from "./refuse-upgrade.ts";
 
 /**

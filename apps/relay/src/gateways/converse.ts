@@ -3,7 +3,8 @@ import { closeReasons, scriptName, type CloseReason, type Hello } from "@corrido
 import type { Logger } from "pino";
 import type { Clock } from "../clock.ts";
 import type { Metrics } from "../metrics/metrics.ts";
-import { asRefusal, type ProblemKind } from "../problems.ts";
+import type { ProblemKind } from "../problem-kinds.ts";
+import { asRefusal } from "../problems.ts";
 import type { Introduction } from "../sessions/script.ts";
 import type { Grant } from "../sessions/session-hub.ts";
 import { bounded } from "./bounded.ts";

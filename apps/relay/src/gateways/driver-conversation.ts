@@ -13,7 +13,8 @@ import {
 } from "@corridor/protocol";
 import { z } from "zod";
 import type { Clock } from "../clock.ts";
-import { asRefusal, badRequest, Refusal, retryAfter, type ProblemKind } from "../problems.ts";
+import type { ProblemKind } from "../problem-kinds.ts";
+import { asRefusal, badRequest, Refusal, retryAfter } from "../problems.ts";
 import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 import { limits } from "../sessions/limits.ts";
 import type { OverReason, ReaderSink, ReaderStart } from "../sessions/reader-feed.ts";

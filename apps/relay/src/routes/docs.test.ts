@@ -1,32 +1,93 @@
 import { describe, expect, it } from "vitest";
+import { problemKinds } from "../problem-kinds.ts";
 import { startTestRelay } from "../testing/test-relay.ts";
 
-describe("/docs", () => {
-  it("is a page of its own under the strict policy, with everything that it loads", async () => {
+/** Every page that a reader of /docs comes to by links, with its HTML. */
+async function site(origin: string): Promise<Map<string, string>> {
+  const pages = new Map<string, string>();
+  const waiting = ["/docs"];
+  for (let path = waiting.pop(); path !== undefined; path = waiting.pop()) {
+    if (pages.has(path)) continue;
+    const answer = await fetch(origin + path);
+    expect({ path, status: answer.status }).toEqual({ path, status: 200 });
+    const html = await answer.text();
+    pages.set(path, html);
+    if (!/^\/(?:docs|problems)/.test(path)) continue;
+    // The simulator is another build, which has tests of its own.
+    waiting.push(...linksIn(html).flatMap(([to]) => (to === "" || to === "/" ? [] : to)));
+  }
+  return pages;
+}
+
+/** Path and fragment of every link that stays here. */
+function linksIn(html: string): [string, string][] {
+  return [...html.matchAll(/(?:href|src)="([/#][^"]*)"/g)].map(([, link = ""]) => {
+    const [path = "", fragment = ""] = link.split("#");
+    return [path, fragment];
+  });
+}
+
+describe("the documentation", () => {
+  it("has a page for every kind of problem, at the URL that `type` names", async () => {
     const { origin } = await startTestRelay();
-    const page = await fetch(`${origin}/docs`);
-    expect(page.headers.get("content-type")).toMatch(/^text\/html/);
+    const refused = await fetch(`${origin}/api/v1/robots/none/sensors`);
+    const { type } = (await refused.json()) as { type: string };
+    expect((await fetch(new URL(type, refused.url))).status).toBe(200);
+    for (const [kind, { title, fix }] of Object.entries(problemKinds)) {
+      const page = await fetch(`${origin}/problems/${kind}`);
+      expect(page.status).toBe(200);
+      expect(page.headers.get("content-type")).toMatch(/^text\/html/);
+      const html = await page.text();
+      expect(html).toContain(title);
+      for (const heading of ["What happened", "Why", "What to do"]) expect(html).toContain(heading);
+      expect(html.split("<li>")).toHaveLength(fix.length + 1);
+    }
+    expect((await fetch(`${origin}/problems/no-such-kind`)).status).toBe(404);
+  });
+
+  it("has no link, and no heading in a link, that leads nowhere", async () => {
+    const { origin } = await startTestRelay();
+    const pages = await site(origin);
+    expect(pages.size).toBeGreaterThan(Object.keys(problemKinds).length);
+    for (const [path, html] of pages) {
+      if (!/^\/(?:docs|problems)(?:\/[\w-]+)?$/.test(path)) continue;
+      for (const [to, fragment] of linksIn(html)) {
+        if (fragment === "") continue;
+        const target = pages.get(to === "" ? path : to) ?? "";
+        const link = { path, to, fragment };
+        expect({ ...link, isThere: target.includes(`id="${fragment}"`) }).toEqual({
+          ...link,
+          isThere: true,
+        });
+      }
+    }
+  });
+
+  it("comes under the strict policy, with everything that it loads", async () => {
+    const { origin } = await startTestRelay();
+    const page = await fetch(`${origin}/docs/try`);
     const policy = page.headers.get("content-security-policy") ?? "";
     expect(policy).toContain("script-src 'self'");
     expect(policy).not.toMatch(/unsafe/);
     expect(policy).toContain("require-trusted-types-for 'script';trusted-types default dompurify");
     const html = await page.text();
-    expect(html).toContain("The life of a command");
-    const files = [...html.matchAll(/(?:src|href)="(\/docs\/[^"]+)"/g)].map(([, path]) => path);
+    const files = [...html.matchAll(/(?:src|href)="(\/docs\/[^"]+\.\w+)"/g)].map(
+      ([, path]) => path,
+    );
     expect(files).toHaveLength(4);
     for (const path of files) {
       const file = await fetch(origin + path);
-      expect(file.status).toBe(200);
-      expect((await file.text()).length).toBeGreaterThan(300);
       expect(file.headers.get("content-type")).toMatch(/^text\/(?:css|javascript)/);
     }
   });
 
-  it.each(["/docs/package.json", "/docs/../package.json", "/docs/index.html"])(
-    "serves nothing else: %s",
-    async (path) => {
-      const { origin } = await startTestRelay();
-      expect((await fetch(origin + path)).status).toBe(404);
-    },
-  );
+  it.each([
+    "/docs/package.json",
+    "/docs/../package.json",
+    "/docs/index.html",
+    "/docs/pages/begin.md",
+  ])("serves nothing else: %s", async (path) => {
+    const { origin } = await startTestRelay();
+    expect((await fetch(origin + path)).status).toBe(404);
+  });
 });

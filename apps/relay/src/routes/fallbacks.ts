@@ -1,7 +1,8 @@
 /** Answers where no route has one: unknown address, unknown method, and whatever went wrong. */
 import type { ErrorRequestHandler, RequestHandler, Response } from "express";
 import type { Logger } from "pino";
-import { asRefusal, Refusal, type ProblemKind } from "../problems.ts";
+import type { ProblemKind } from "../problem-kinds.ts";
+import { asRefusal, Refusal } from "../problems.ts";
 
 /** @param allowed the methods that the address knows, such as "GET, DELETE" */
 export function methodNotAllowed(allowed: string): RequestHandler {
