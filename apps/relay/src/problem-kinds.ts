@@ -23,7 +23,7 @@ export const problemKinds = {
     why: "A field of the body, the query or a header is missing, has another type, or is out of its range. The answer lists each wrong field in `errors`, with `path`, `found` and `expected`.",
     fix: [
       "Read `errors`: `expected` says what the field must be.",
-      "Compare the request with [the reference](/docs/hosts#http). Do not send the same request again.",
+      "Compare the request with [the reference](/docs/http). Do not send the same request again.",
     ],
   },
   "not-authorised": {
@@ -67,7 +67,7 @@ export const problemKinds = {
     what: "No page and no call has this address.",
     why: "The path has a typing error or a part is missing.",
     fix: [
-      "Compare the path with [the reference](/docs/hosts#http). Calls to a robot begin with `/api/v1/robots/ID`.",
+      "Compare the path with [the reference](/docs/http). Calls to a robot begin with `/api/v1/robots/ID`.",
     ],
   },
   "no-robot": {
@@ -122,7 +122,7 @@ export const problemKinds = {
     why: "The robot's page has not connected yet, or the robot is a physical one that knows no maze.",
     fix: [
       "Open the robot's page, choose **Remote** and try again.",
-      "Drive by the sensors alone, with `GET /sensors`.",
+      "Drive by the sensors alone, as the [wall follower](/docs/recipes#wall-follower-that-stops-at-the-goal) does.",
     ],
   },
   "no-command": {

@@ -4,6 +4,10 @@ import { escaped } from "./markdown.ts";
 /** The pages in the navigation, in the order in which somebody who writes a script needs them. */
 const navigation = [
   { path: "/docs", words: "Begin" },
+  { path: "/docs/recipes", words: "Recipes" },
+  { path: "/docs/python", words: "Python" },
+  { path: "/docs/javascript", words: "JavaScript" },
+  { path: "/docs/http", words: "HTTP and WebSocket" },
   { path: "/problems", words: "Problems" },
   { path: "/docs/try", words: "Try the calls" },
   { path: "/docs/hosts", words: "Protocol and robot hosts" },

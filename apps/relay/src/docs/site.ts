@@ -33,6 +33,26 @@ export function pagesOfSite(): Page[] {
   return [
     { path: "/docs", title: "Begin", html: htmlWithTabs(text(PAGES, "begin.md"), address) },
     {
+      path: "/docs/recipes",
+      title: "Recipes",
+      html: htmlWithTabs(text(PAGES, "recipes.md"), address),
+    },
+    {
+      path: "/docs/python",
+      title: "The Python library",
+      html: htmlOf(text(join(ROOT, "packages/client-python"), "README.md"), address),
+    },
+    {
+      path: "/docs/javascript",
+      title: "The TypeScript library",
+      html: htmlOf(text(join(ROOT, "packages/client"), "README.md"), address),
+    },
+    {
+      path: "/docs/http",
+      title: "HTTP and WebSocket",
+      html: htmlOf(text(PAGES, "http.md"), address),
+    },
+    {
       path: "/docs/try",
       title: "Try the calls",
       html: htmlOf(text(PAGES, "try.md"), address) + CONSOLE,
