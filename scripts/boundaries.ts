@@ -65,6 +65,7 @@ const allowed: Record<string, readonly string[]> = {
     "helmet",
     "node:",
     "leven",
+    "marked",
     "pino",
     "prom-client",
     "swagger-ui-dist",
