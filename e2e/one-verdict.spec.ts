@@ -2,11 +2,14 @@
  * Wrong answers to each mission with a program: wherever the page says why the run failed, it says the same
  * line, the same time and the same sentence.
  */
+import { encodeLink } from "@corridor/link";
 import type { ProgramDocument } from "@corridor/program";
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
+import { commandRow } from "./support/remote-panel.ts";
 
 /** "front < 50: left 90" and what otherwise does. */
 interface Answer {
@@ -115,6 +118,157 @@ for (const { mission, id, answers } of wrongAnswers) {
       await expectOneVerdict(corridor, lessons);
     }
   });
+}
+
+for (const { number, reads } of [
+  {
+    number: "400",
+    reads: /when back was 400\.01 cm\. That was about 50 cm too early\.$/,
+  },
+  {
+    number: "550",
+    reads:
+      /^Bump at .* Line 1 comes about 100 cm too late\. At 4\.\d s, when back was 450 cm, it was not yet true\.$/,
+  },
+]) {
+  test(`mission 5 with ${number}: told by how much, and offered nothing that the mission forbids`, async ({
+    corridor,
+    page,
+  }) => {
+    const lessons = new LessonsPanel(page);
+    await lessons.openMission(5);
+    await corridor.program.number(1).fill(number);
+    await corridor.speed.selectOption("max");
+    await corridor.run.click();
+    await expect(lessons.outcome).toHaveText(reads);
+    await expectNoOneClickFix(corridor);
+    // Only the number may change: nothing speaks of turns with a delay.
+    const card = page.getByRole("region", { name: /^Bump/ });
+    await expect(card).not.toContainText(/delay/i);
+    await expect(lessons.outcome).not.toHaveText(/delay/i);
+  });
+}
+
+for (const mission of [6, 11]) {
+  test(`mission ${mission}, Run first: the place is named, and no press solves it`, async ({
+    corridor,
+    page,
+  }) => {
+    const lessons = new LessonsPanel(page);
+    await lessons.openMission(mission);
+    await corridor.speed.selectOption("max");
+    await corridor.run.click();
+    await expect(lessons.outcome).toHaveText(
+      /^Bump at .* the wall was \d+ cm ahead, .* A line for this place is missing\.$/,
+    );
+    await expect(page.getByRole("region", { name: /^Bump/ })).toBeVisible();
+    await expectNoOneClickFix(corridor);
+  });
+}
+
+test("a failed check takes the place of the verdict before it", async ({ corridor, page }) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(12);
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(page.getByText("Works in this maze. Now check all 3.")).toBeVisible();
+  await lessons.button("Check in all 3 mazes").click();
+  await expect(lessons.outcome).toHaveText(/^Maze 2: The goal was not reached/);
+  await expect(page.getByText(/Works in this maze|Solved!/)).toHaveCount(0);
+  await expect(page.getByRole("button", { name: "Next mission" })).toHaveCount(0);
+  // The right wall passes in all: one verdict again, and one way on.
+  await corridor.program.addLine("right >", "60", "delayed right 90");
+  await lessons.button("Check in all 3 mazes").click();
+  await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
+  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 2 of 3");
+  await expect(page.getByRole("button", { name: "Next mission" })).toHaveCount(1);
+});
+
+test("a script that collides or reaches the goal gets the cards of a program", async ({
+  corridor,
+  page,
+}) => {
+  // Two squares to the goal, and two more to the wall.
+  await corridor.open(`/#${corridorOfFive()}`);
+  await setSpeed(page, "4");
+  const address = await copyAddress(page);
+  await api(address, "/commands", { action: "move", distance: 200 });
+  await api(address, "/commands/1?wait=20");
+  const solved = page.getByRole("region", { name: "Solved!" });
+  await expect(solved).toContainText("Your script takes the robot from start to goal.");
+  // The goal was reached before the whole way was driven; waiting counts apart.
+  await expect(solved).toContainText(/driving time1\.\d s.*waiting time\d+\.\d s/);
+  await expect(corridor.driving).toHaveText("Time 0:02.0 driving");
+  await api(address, "/commands", { action: "move", distance: 5000 });
+  await api(address, "/commands/2?wait=20");
+  const bump = page.getByRole("region", { name: "Bump" });
+  await expect(bump).toContainText(
+    /^BumpBump at \d+\.\d s\. “move 5000” needed 5025 cm ahead\. Front read 250 cm\./,
+  );
+  const [, time = ""] = /Bump at (\d+\.\d) s/.exec((await bump.textContent()) ?? "") ?? [];
+  expect(await storyOf(corridor)).toContain(`at ${time} s`);
+  await expect(commandRow(page, /move 5000/)).toContainText(/after 225 cm.*collided/);
+  await expect(corridor.bumps).toHaveText("1 bump");
+  await expect(solved).toBeHidden();
+});
+
+for (const speed of ["1×", "16×"]) {
+  test(`at ${speed} the panel and the lines read the same tick in every frame`, async ({
+    corridor,
+    page,
+  }) => {
+    const { program } = corridor;
+    await corridor.choosePreset("Empty");
+    await program.empty();
+    await program.addLine("front >", "60", "forward");
+    await program.addLine("front <", "61", "turn 180");
+    await corridor.speed.selectOption(speed);
+    await corridor.run.click();
+    const line = await program.line(1).elementHandle();
+    const panel = await corridor.sensor("front").elementHandle();
+    const { frames, apart } = await page.evaluate(readFrames, [line, panel] as const);
+    expect(frames, "frames with another reading than the one before").toBeGreaterThan(4);
+    expect(apart).toEqual([]);
+  });
+}
+
+async function expectNoOneClickFix({ page }: CorridorPage): Promise<void> {
+  const card = page.getByRole("region", { name: /^Bump/ });
+  await expect(card).toBeVisible();
+  const fixes = /^(Change|Add|Delete|Move|Let) /;
+  await expect(card.getByRole("button", { name: fixes })).toHaveCount(0);
+}
+
+/** The link of a corridor of five squares from west to east with the goal in the third. */
+function corridorOfFive(): string {
+  const link = encodeLink({
+    maze: {
+      format: "corridor/maze",
+      version: 1,
+      name: "",
+      blocks: ["#######", "#.....#", "#######"],
+      start: { column: 1, row: 1, heading: "east" },
+      goals: [{ column: 3, row: 1 }],
+    },
+  });
+  if (!link.ok) throw new Error(link.code);
+  return link.text;
+}
+
+/** Looks at each frame of two seconds. @returns frames that differ, and those in which line and panel do */
+async function readFrames([line, panel]: readonly [Node | null, Node | null]) {
+  const apart: string[] = [];
+  let [frames, last] = [0, ""];
+  for (const end = performance.now() + 2000; performance.now() < end;) {
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    const read = panel?.textContent ?? "";
+    const [, compared = ""] = /([\d.]+) > 60/.exec(line?.textContent ?? "") ?? [];
+    if (read !== last) frames++;
+    last = read;
+    // The line has a second digit where one would contradict it.
+    if (Math.abs(Number(compared) - Number(read)) > 0.051) apart.push(`${compared}, ${read}`);
+  }
+  return { frames, apart };
 }
 
 async function expectOneVerdict(corridor: CorridorPage, lessons: LessonsPanel): Promise<void> {

@@ -55,6 +55,14 @@ describe("shownCard", () => {
     expect(shownCard({ bump, goal }, snapshot, "now")).toBe(card);
   });
 
+  it("is the bump of a robot that drove on from the goal into a wall, and the goal after it", () => {
+    const later = explained("bump", 350);
+    const at = (tick: number) =>
+      snapshotOf({ driver: "program", tick, state: "paused", goalReached: true });
+    expect(shownCard({ bump: later, goal }, at(350), "now")).toBe("bump");
+    expect(shownCard({ bump: later, goal }, at(360), "now")).toBe("goal");
+  });
+
   const met = {
     state: "met",
     driver: "program",

@@ -2,7 +2,7 @@
 import type { Snapshot } from "@corridor/protocol";
 import type { CardState } from "../../stores/card-store.ts";
 import type { ChallengeResult } from "../../stores/challenge-store.ts";
-import type { RunView } from "../../worker/worker-messages.ts";
+import type { Moment, RunView } from "../../worker/worker-messages.ts";
 
 /** How the open challenge stands. */
 export interface ShownAttempt {
@@ -13,7 +13,7 @@ export interface ShownAttempt {
 
 /**
  * A bump is explained at the very moment at which it happened, also when the reader goes back to it. The
- * goal, or that the challenge is met, is told from then on while nobody drives on.
+ * goal, or that the challenge is met, is told from then on while nobody drives on, but for a newer bump.
  * @param attempt null while no challenge is open
  */
 export function shownCard(
@@ -29,14 +29,17 @@ export function shownCard(
   // A goal that is reached against the rules of the challenge solves nothing.
   const counts = attempt?.result.state !== "failed" && attempt?.result.state !== "met";
   const isReached = goal !== null && snapshot.goalReached && snapshot.tick >= goal.moment.tick;
-  if (counts && isReached) return "goal";
-  if (bump === null) return null;
-  // A script's robot rests at the wall until the next command.
-  const isAtBump =
-    bump.moment.driver === "remote"
-      ? snapshot.driver === "remote" && snapshot.bumping && snapshot.bumps === bump.moment.bumps
-      : snapshot.tick === bump.moment.tick;
+  const isAtBump = bump !== null && isOf(bump.moment, snapshot);
+  // A robot that drove on from the goal into a wall is told of the wall there.
+  const isGoalNewer = !isAtBump || (goal?.moment.tick ?? 0) >= bump.moment.tick;
+  if (counts && isReached && isGoalNewer) return "goal";
   return isAtBump ? "bump" : null;
+}
+
+/** A script's robot rests at the wall until the next command. */
+function isOf({ driver, bumps, tick }: Moment, snapshot: Snapshot): boolean {
+  if (driver !== "remote") return snapshot.tick === tick;
+  return snapshot.driver === "remote" && snapshot.bumping && snapshot.bumps === bumps;
 }
 
 /** Time goes on for a script between its commands: its robot is at rest while none runs. */

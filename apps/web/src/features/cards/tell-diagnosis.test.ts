@@ -55,6 +55,23 @@ describe("the message that the robot gets nowhere", () => {
         setMaze(workspace, { ...firstMaze, name: "Other" }),
     },
     {
+      name: "the card of a bump",
+      change: ({ run }: Awaited<ReturnType<typeof told>>) =>
+        run.setState({
+          moment: {
+            kind: "bump",
+            tick: 960,
+            pose: { x: 50, y: 50, heading: 0 },
+            line: 0,
+            driver: "program",
+            bumps: 1,
+            cause: null,
+            diagnosis: { event: { kind: "late", tick: 960 }, cause: null, fixes: [] },
+            program: null,
+          },
+        }),
+    },
+    {
       name: "a new run",
       change: ({ run }: Awaited<ReturnType<typeof told>>) => run.setState({ nowTick: 0 }),
     },

@@ -1,6 +1,6 @@
 /**
  * Reports that the program's robot gets nowhere, with a way to the line that causes it. It is true of one
- * run of one program in one maze: with another one the message goes.
+ * run of one program in one maze: with another one, and with a newer verdict, the message goes.
  */
 import { causeLine, type Diagnosis } from "@corridor/coach";
 import type { i18n } from "i18next";
@@ -46,7 +46,9 @@ export async function tellDiagnosis(
   const ends = [
     workspace.subscribe(() => end()),
     run.subscribe((next, before) => {
-      if (next.nowTick < before.nowTick) end();
+      const isBump = next.moment !== before.moment && next.moment?.kind === "bump";
+      // The card of a bump is the newer verdict.
+      if (next.nowTick < before.nowTick || (isBump && next.moment?.diagnosis)) end();
     }),
   ];
   function end(): void {
