@@ -111,8 +111,6 @@ test("no line moves when it bumps, and the readings keep to one row while a long
   const action = page.getByRole("combobox", { name: "Line 2, action" });
   await action.selectOption("delayed left 90");
   await expect(page.getByRole("button", { name: "Change to left 90" })).toBeVisible();
-  // The card takes its place at the bump, and its room is then free.
-  await page.getByRole("button", { name: "Hide this advice" }).click();
   await page.locator("main").click({ position: { x: 5, y: 5 } });
   const before = await linesOn(page);
   await expect(page.getByRole("group", { name: "Hold to drive" })).toHaveCount(0);

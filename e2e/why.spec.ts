@@ -140,19 +140,6 @@ test("sees which line bumped, and how far it came", async ({ corridor }) => {
   await expect(program.line(1)).toHaveAccessibleName(/^Line 1, bumped: if front is less than 50/);
 });
 
-test("leaves no empty room in a line that bumped, where its advice stood", async ({ corridor }) => {
-  const { program } = corridor;
-  await program.number(2).fill("20");
-  await expect(program.line(2).getByText(/is never true/)).toBeVisible();
-  await corridor.speed.selectOption("16");
-  await corridor.run.click();
-  await expect(corridor.bumpCard(2)).toBeVisible();
-  const heights = await Promise.all(
-    [1, 2].map(async (line) => (await program.line(line).boundingBox())?.height),
-  );
-  expect(heights[1]).toBe(heights[0]);
-});
-
 test("takes the advice on a line that can never decide, and takes it back", async ({
   corridor,
 }) => {
