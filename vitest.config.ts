@@ -9,7 +9,7 @@ export default defineConfig({
       "apps/**/*.test.ts",
       "scripts/**/*.test.ts",
       "benches/**/*.test.ts",
-      "e2e/faults/**/*.test.ts",
+      "e2e/**/*.test.ts",
     ],
     exclude: ["**/node_modules/**", "**/dist/**"],
     testTimeout: 60_000,

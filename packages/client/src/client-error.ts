@@ -1,5 +1,6 @@
-/** What can go wrong on a script's side of the line; never sent over it. */
+/** What can go wrong for a script. These codes never travel. */
 
+/** What went wrong, as a stable word for scripts. */
 export type ClientErrorCode =
   /** the robot's address cannot be read */
   | "bad-address"
@@ -7,21 +8,21 @@ export type ClientErrorCode =
   | "bad-command"
   /** the key is wrong, or does not allow this */
   | "not-authorised"
-  /** the robot's owner has sent this script away */
+  /** the robot's owner has blocked this script, until it is allowed again */
   | "sent-away"
-  /** there is no robot with this address any more */
+  /** there is no robot with this address (any more): robots are deleted after 2 hours without use */
   | "no-robot"
   /** the relay refused the command for another reason */
   | "refused"
-  /** the robot, its user or a stop ended the command */
+  /** a stop, the robot's owner, a reload or the robot itself ended the command */
   | "cancelled"
-  /** it was not started within its time to live */
+  /** the command could not start within its `ttl` */
   | "expired"
-  /** a later command took its place */
+  /** a newer command replaced it */
   | "superseded"
-  /** no answer in time */
+  /** the relay did not answer, or the robot did not finish, in time */
   | "timeout"
-  /** the robot's page is away and has not come back in time */
+  /** the robot's page is closed, and was not opened again in time */
   | "robot-gone"
   /** the robot's host does not publish its maze */
   | "no-maze"
@@ -36,10 +37,13 @@ export type ClientErrorCode =
   /** this client was closed */
   | "closed";
 
-/** An error with a stable code, and a hint that says how to go on. */
+/** Every error of this library. `message` has what went wrong, `code` and `hint`, and never the key. */
 export class ClientError extends Error {
+  /** by which a log tells it from other errors */
   override readonly name = "ClientError";
+  /** a stable word for scripts */
   readonly code: ClientErrorCode;
+  /** what to do */
   readonly hint: string;
 
   constructor(code: ClientErrorCode, what: string, hint: string, options?: ErrorOptions) {

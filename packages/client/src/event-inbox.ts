@@ -1,12 +1,13 @@
 /** Events of a robot for one reader that takes them at its own pace. */
 import { MAX_KEPT_EVENTS, type CommandRecord, type Snapshot } from "@corridor/protocol";
 
+/** One thing that happened; `kind` says what. */
 export type RobotEvent =
-  /** a newer report of the robot */
+  /** a newer snapshot */
   | { kind: "snapshot"; snapshot: Snapshot }
   /** the state of a command changed, whoever sent it */
   | { kind: "command"; command: CommandRecord }
-  /** states of commands were missed */
+  /** states of commands were missed, as after a long pause in reading */
   | { kind: "gap" };
 
 export class EventInbox {

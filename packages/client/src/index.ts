@@ -1,4 +1,10 @@
 export { ClientError, type ClientErrorCode } from "./client-error.ts";
 export type { RobotEvent } from "./event-inbox.ts";
 export type { MazeCell, RobotMaze } from "./robot-maze.ts";
-export { RobotClient, type RobotClientOptions } from "./robot-client.ts";
+export {
+  RobotClient,
+  type CommandWish,
+  type DriveWish,
+  type RobotClientOptions,
+} from "./robot-client.ts";
+export type { CommandRecord, Pose, SensorReadings, Snapshot } from "@corridor/protocol";

@@ -1,9 +1,8 @@
 /**
- * A robot in the hands of a script.
+ * A robot that a script drives.
  *
- * Every command carries an idempotency key and is sent again with it after a lost line, so a retry
- * never moves the robot twice. Commands are sent one after the other; a manoeuvre's promise is kept
- * when the robot has finished it, that of a motion without an end when the robot has begun.
+ * Commands are sent one after the other; a manoeuvre's promise resolves when the robot has finished it, that of a
+ * motion without an end when the robot has started it.
  */
 import {
   decodeFrame,
@@ -35,32 +34,34 @@ import { readMaze, type RobotMaze } from "./robot-maze.ts";
 import { SeenPace } from "./seen-pace.ts";
 import { SnapshotInbox } from "./snapshot-inbox.ts";
 
-/** What may be said beside a command. */
+/** Further terms of a command. */
 export interface CommandWish {
   /**
-   * ms within which it must have started, or it ends as `expired`; default 10 s, or as `connect` was told. The
-   * way to the robot and back counts, so a slow network needs a longer one
+   * ms within which the command must start, or it ends as `expired`: 200 to 60000; default: `ttl` of the robot. It
+   * must be longer than the way to the robot and back
    */
   ttl?: number;
-  /** ends all that was sent before it */
+  /** `true` ends every command that was sent before as `superseded`, and starts this one at once */
   replace?: boolean;
 }
 
+/** Further terms of a `drive`. */
 export interface DriveWish extends CommandWish {
-  /** ms for which the robot goes on when no other drive follows; default 500 */
+  /** ms for which the robot goes on when no other `drive` follows: 100 to 2000; default 500 */
   lease?: number;
 }
 
+/** What `connect` and `pair` take. */
 export interface RobotClientOptions {
-  /** ms within which a command must have started, where it says nothing else; default 10 s. Not for `stop` */
+  /** ms within which a command must start, where it has no `ttl` of its own; default 10 s. Not for `stop` */
   ttl?: number;
-  /** what this script calls itself, for the robot's owner; at most 40 characters are shown */
+  /** what this script calls itself, for the robot's owner; 40 characters are shown */
   name?: string;
   /** ms to wait for the relay's answer, reconnecting included; default 30 s */
   answerTimeout?: number;
-  /** ms to wait until the robot has done a command; default 10 minutes */
+  /** ms to wait until the robot has finished a command; default 10 minutes */
   finishTimeout?: number;
-  /** default: what browsers and Node offer */
+  /** WebSocket, HTTP, clock and chance, to replace in tests; default: those of the browser or of Node */
   platform?: Platform;
 }
 
@@ -85,8 +86,18 @@ const MAX_SENT_NAME = 200;
 /** Pause before a command is sent again that the relay could not take yet. */
 const BUSY_PAUSE_MS = 500;
 
+/**
+ * A robot on the network, in a page or on a table.
+ *
+ * Methods that drive resolve with the record of their command. `completed` and `collided` (a wall was in the way) are
+ * both no error. They reject with a `ClientError`: `bad-command` for a number out of its range, `refused` where the relay
+ * refused the command, `cancelled`, `superseded` or `expired` where it did not come to its end, `timeout` where the relay
+ * or the robot took too long, and `closed`.
+ *
+ * After a lost connection a command is sent again with its idempotency key and its age, so none is done twice or late.
+ */
 export class RobotClient {
-  /** the whole address, with its key, for the next time: keep it private */
+  /** the whole address, with its key, for the next time. Keep it private */
   readonly address: string;
   readonly #key: string;
   /** where the robot's calls begin */
@@ -137,7 +148,9 @@ export class RobotClient {
 
   /**
    * Connects to a robot.
-   * @param address `http://HOST/r/ID#KEY`, as the page shows it under Remote
+   * @param address `http://HOST/r/ID#KEY`, as the robot's page shows it under Remote
+   * @param options time limits and a name
+   * @returns the robot, once the relay has accepted the key
    * @throws ClientError bad-address, not-authorised, sent-away, no-robot or timeout
    */
   static async connect(address: string, options: RobotClientOptions = {}): Promise<RobotClient> {
@@ -147,9 +160,12 @@ export class RobotClient {
   }
 
   /**
-   * Connects to the robot whose page shows a code, typed by hand in place of the address. Waits until whoever
-   * has the page says yes; `address` can be kept for the next time.
-   * @param service where that page is, such as `http://HOST`
+   * Connects by a code of 8 letters, and waits until the robot's owner accepts this script. `address` of the robot
+   * works the next time without a code.
+   * @param service where the robot's page is, such as `http://HOST`
+   * @param code the code that the page shows under Remote; spaces and small letters are accepted
+   * @param options time limits and a name, which the page shows in its question to the owner
+   * @returns the robot, once it is connected
    * @throws ClientError wrong-code, pairing-refused, pairing-over, too-many-tries, or as `connect`
    */
   static async pair(
@@ -163,61 +179,108 @@ export class RobotClient {
     return RobotClient.connect(address, { ...options, platform });
   }
 
-  /** Drives until something else is chosen; resolves when the robot has begun. */
+  /**
+   * Drives forward until another command comes. The robot stops by itself within 3 s after this client was closed.
+   * @param wish further terms of this command
+   * @returns the record, once the robot has started
+   */
   forward(wish: CommandWish = {}): Promise<CommandRecord> {
     return this.#do({ action: "forward", ...wish }, "started");
   }
 
-  /** Drives backward until something else is chosen; resolves when the robot has begun. */
+  /**
+   * Drives backward until another command comes, as `forward` does.
+   * @param wish further terms of this command
+   * @returns the record, once the robot has started
+   */
   reverse(wish: CommandWish = {}): Promise<CommandRecord> {
     return this.#do({ action: "reverse", ...wish }, "started");
   }
 
-  /** Stops at once: ends what runs, and drops what waits, whoever sent it. */
+  /**
+   * Stops at once: cancels the command that runs and all that wait, whoever sent them.
+   * @param wish further terms of this command; it has a `ttl` of 10 s where none is given
+   * @returns the record, once the robot stands
+   */
   stop(wish: CommandWish = {}): Promise<CommandRecord> {
     return this.#do({ action: "stop", ...wish }, "ended");
   }
 
-  /** Turns left by 90 degrees on the spot. */
+  /**
+   * Turns left by 90 degrees on the spot.
+   * @param wish further terms of this command
+   * @returns the record, once the robot has finished
+   */
   left90(wish: CommandWish = {}): Promise<CommandRecord> {
     return this.#do({ action: "left 90", ...wish }, "ended");
   }
 
-  /** Turns right by 90 degrees on the spot. */
+  /**
+   * Turns right by 90 degrees on the spot.
+   * @param wish further terms of this command
+   * @returns the record, once the robot has finished
+   */
   right90(wish: CommandWish = {}): Promise<CommandRecord> {
     return this.#do({ action: "right 90", ...wish }, "ended");
   }
 
-  /** Turns round on the spot. */
+  /**
+   * Turns by 180 degrees on the spot.
+   * @param wish further terms of this command
+   * @returns the record, once the robot has finished
+   */
   turn180(wish: CommandWish = {}): Promise<CommandRecord> {
     return this.#do({ action: "turn 180", ...wish }, "ended");
   }
 
-  /** Drives on 50 cm, turns left, drives 60 cm out of the junction. */
+  /**
+   * Drives on 50 cm, turns left, drives 60 cm out of the junction.
+   * @param wish further terms of this command
+   * @returns the record, once the robot has finished
+   */
   delayedLeft90(wish: CommandWish = {}): Promise<CommandRecord> {
     return this.#do({ action: "delayed left 90", ...wish }, "ended");
   }
 
-  /** Drives on 50 cm, turns right, drives 60 cm out of the junction. */
+  /**
+   * Drives on 50 cm, turns right, drives 60 cm out of the junction.
+   * @param wish further terms of this command
+   * @returns the record, once the robot has finished
+   */
   delayedRight90(wish: CommandWish = {}): Promise<CommandRecord> {
     return this.#do({ action: "delayed right 90", ...wish }, "ended");
   }
 
-  /** Drives so many cm; negative is backward. The record says `collided` where a wall was in the way. */
+  /**
+   * Drives straight on.
+   * @param distance cm, -25600 to 25600; negative is backward
+   * @param wish further terms of this command
+   * @returns the record, once the robot has finished; `state` is `collided` where a wall was in the way
+   */
   move(distance: number, wish: CommandWish = {}): Promise<CommandRecord> {
     return this.#do({ action: "move", distance, ...wish }, "ended");
   }
 
-  /** Turns by so many degrees on the spot; negative is left. */
+  /**
+   * Turns on the spot.
+   * @param degrees -3600 to 3600; negative is left
+   * @param wish further terms of this command
+   * @returns the record, once the robot has finished
+   */
   turn(degrees: number, wish: CommandWish = {}): Promise<CommandRecord> {
     return this.#do({ action: "turn", degrees, ...wish }, "ended");
   }
 
   /**
-   * Sets the wheel powers, each from -1 to 1, for so many milliseconds. Resolves when the time is over.
-   * Without a time it is a velocity: the robot stops after half a second unless another one follows, and
-   * this resolves when it has begun. Of velocities that could not be sent yet only the newest is, and all
-   * of them resolve with it.
+   * Sets the power of the two wheels.
+   *
+   * Without a time it is a velocity: the robot stops after half a second unless another one follows. Of velocities that
+   * could not be sent yet only the newest is sent, and all of them resolve with it.
+   * @param left power of the left wheel, -1 to 1; negative is backward
+   * @param right power of the right wheel, -1 to 1
+   * @param milliseconds 1 to 60000; left out: a velocity
+   * @param wish further terms of this command; `lease` is for velocities
+   * @returns the record, once the time is over; for a velocity, once the robot has started
    */
   drive(
     left: number,
@@ -230,21 +293,28 @@ export class RobotClient {
     return this.#do({ ...order, milliseconds }, "ended");
   }
 
-  /** The four distances in cm, all of one tick, newer than those of the last call. */
+  /**
+   * Reads the four distances.
+   * @returns the distances in cm, all of one tick, newer than those of the last call
+   * @throws ClientError robot-gone when the robot stays silent
+   */
   async sensors(): Promise<SensorReadings> {
     return (await this.snapshot()).sensors;
   }
 
   /**
-   * All that the robot reports, newer than at the last call: after a command has ended it is never
-   * from before the end.
+   * Reads everything that the robot reports.
+   * @returns a newer snapshot than at the last call, never from before the end of the last command
    * @throws ClientError robot-gone when the robot stays silent
    */
   snapshot(): Promise<Snapshot> {
     return this.#inbox.next(this.#answerMs);
   }
 
-  /** Every snapshot as it comes (about 20 a second); a slow reader gets the newest each time. */
+  /**
+   * Follows the robot until `close`: `for await (const snapshot of robot.snapshots())`.
+   * @returns one snapshot after the other, about 20 a second; a slow reader gets the newest each time
+   */
   async *snapshots(): AsyncGenerator<Snapshot, void, void> {
     let seq = -1;
     for (;;) {
@@ -256,8 +326,8 @@ export class RobotClient {
   }
 
   /**
-   * What happens from now on, as it happens: newer snapshots, and commands whose state changes, whoever
-   * sent them. A slow reader gets the newest snapshot, and every state of a command.
+   * Follows the robot and the commands of all scripts until `close`.
+   * @returns events in their order; a slow reader gets the newest snapshot, and every state of a command
    */
   events(): AsyncGenerator<RobotEvent, void, void> {
     const inbox = new EventInbox();
@@ -269,7 +339,8 @@ export class RobotClient {
   }
 
   /**
-   * The maze that the robot is in.
+   * Reads the maze that the robot is in.
+   * @returns its blocks, its start and its goals
    * @throws ClientError no-maze where the robot's host does not publish it
    */
   async maze(): Promise<RobotMaze> {
@@ -282,7 +353,10 @@ export class RobotClient {
     });
   }
 
-  /** Leaves the robot as it is. What was not done yet is rejected with the code `closed`. */
+  /**
+   * Closes the connection. Commands that have not ended are rejected with the code `closed`; what the robot has, it
+   * finishes, and motions without an end stop within 3 s.
+   */
   close(): void {
     this.#finish(new ClientError("closed", "The client was closed", "Connect again to go on."));
   }

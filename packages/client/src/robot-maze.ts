@@ -5,15 +5,21 @@ import type { Platform } from "./platform.ts";
 
 /** A square of the maze, 100 cm wide, counted from 0 at the top left. */
 export interface MazeCell {
+  /** from the left */
   column: number;
+  /** from the top */
   row: number;
 }
 
+/** The maze of a robot. */
 export interface RobotMaze {
+  /** its title */
   name: string;
   /** one text for each row, from the top: `#` is a block, `.` is open */
   blocks: readonly string[];
+  /** where the robot starts, and where it faces */
   start: MazeCell & { heading: "north" | "east" | "south" | "west" };
+  /** the squares that are goals */
   goals: readonly MazeCell[];
 }
 

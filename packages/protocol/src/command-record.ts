@@ -30,20 +30,24 @@ export const commandRecordSchema = z.strictObject({
   seq: z.int().min(1).max(Number.MAX_SAFE_INTEGER),
   /** the idempotency key, or null when the sender gave none */
   key: idempotencyKeySchema.nullable(),
+  /** such as `move` or `left 90` */
   action: z.enum(actionNames),
   /** the whole request, with its numbers */
   command: commandSchema,
+  /** accepted, delivered, started, or an ending: completed, collided, cancelled, superseded or expired */
   state: z.enum(commandStates),
   /** why it ended as it did, in words; null while nothing needs saying */
   reason: z.string().max(200).nullable(),
+  /** when the relay stored it, in UTC */
   acceptedAt: z.iso.datetime(),
-  /** where the robot was when the command ended */
+  /** where the robot was when the command ended; null before */
   pose: poseSchema.nullable(),
-  /** cm driven by this command */
+  /** cm driven by this command, 0 or more; null until it has ended */
   distance: z.number().min(0).nullable(),
   /** true in the answer to a retry of a command that was already stored */
   duplicate: z.boolean(),
 });
+/** The record of one command. */
 export type CommandRecord = z.infer<typeof commandRecordSchema>;
 
 /** Whether the life of the command is over. */

@@ -24,16 +24,29 @@ const heading = z
   .lt(360, { error: "less than 360 degrees" });
 
 /** Where the robot's centre is and where it faces: `{x: units right, y: units down, heading: [0, 360)}`. */
-export const poseSchema = z.strictObject({ x: length, y: length, heading });
+export const poseSchema = z.strictObject({
+  /** cm from the left edge of the maze */
+  x: length,
+  /** cm from the top edge of the maze */
+  y: length,
+  /** degrees clockwise from north, from 0 up to 360 */
+  heading,
+});
+/** Where the robot's centre is, and where it faces. */
 export type Pose = z.infer<typeof poseSchema>;
 
 /** The four range sensors, in units from the robot's centre. */
 export const sensorReadingsSchema = z.strictObject({
+  /** cm to the wall in front */
   front: reading,
+  /** cm to the wall at the right */
   right: reading,
+  /** cm to the wall behind */
   back: reading,
+  /** cm to the wall at the left */
   left: reading,
 });
+/** The distance to the next wall on each side, in cm from the robot's centre, all of one tick. */
 export type SensorReadings = z.infer<typeof sensorReadingsSchema>;
 
 /** Who drives the robot. */

@@ -14,12 +14,17 @@ const count = z
 export const robotReportSchema = z.strictObject({
   /** ticks of 1/60 s since the robot was put at its start */
   tick: count,
+  /** the four distances */
   sensors: sensorReadingsSchema,
+  /** where the robot is */
   pose: poseSchema,
   /** the action that moves the robot now */
   motion: z.string().max(40),
+  /** number of walls that the robot has met since its start */
   bumps: count,
+  /** whether the robot touches a wall now */
   bumping: z.boolean(),
+  /** whether the robot has reached a goal since its start */
   goalReached: z.boolean(),
 });
 export type RobotReport = z.infer<typeof robotReportSchema>;
@@ -29,14 +34,16 @@ export const lineSchema = z.union([z.literal("default"), count]);
 export type LineRef = z.infer<typeof lineSchema>;
 
 export const snapshotSchema = robotReportSchema.extend({
-  /** rises with every snapshot that the page sends */
+  /** number of the snapshot; it rises with each one that the page sends */
   seq: count,
-  /** running, paused (the page sleeps or the user paused), gone (the page is away) */
+  /** running, paused (the page sleeps or the user paused) or gone (the page is closed) */
   state: z.enum(["running", "paused", "gone"]),
+  /** who drives */
   driver: driverSchema,
   /** the line that decides now; null unless a program drives */
   line: lineSchema.nullable(),
   /** seq of the remote command that runs; null when none does */
   command: count.nullable(),
 });
+/** Everything that the robot reports, of one tick. */
 export type Snapshot = z.infer<typeof snapshotSchema>;

@@ -1,17 +1,37 @@
 /** The frame of every page of the documentation: head, navigation and main part. */
 import { escaped } from "./markdown.ts";
 
-/** The pages in the navigation, in the order in which somebody who writes a script needs them. */
-const navigation = [
-  { path: "/docs", words: "Begin" },
-  { path: "/docs/recipes", words: "Recipes" },
-  { path: "/docs/python", words: "Python" },
-  { path: "/docs/javascript", words: "JavaScript" },
-  { path: "/docs/http", words: "HTTP and WebSocket" },
-  { path: "/problems", words: "Problems" },
-  { path: "/docs/try", words: "Try the calls" },
-  { path: "/docs/hosts", words: "Protocol and robot hosts" },
-] as const;
+interface Link {
+  path: string;
+  words: string;
+}
+
+/** The sections in the order in which somebody who writes a script needs them; the first page leads to the others. */
+const sections: readonly { words: string; pages: readonly [Link, ...Link[]] }[] = [
+  { words: "Begin", pages: [{ path: "/docs", words: "Begin" }] },
+  { words: "Recipes", pages: [{ path: "/docs/recipes", words: "Recipes" }] },
+  {
+    words: "Python",
+    pages: [
+      { path: "/docs/python", words: "The Python library" },
+      { path: "/docs/python-reference", words: "Reference" },
+    ],
+  },
+  {
+    words: "JavaScript",
+    pages: [
+      { path: "/docs/javascript", words: "The TypeScript library" },
+      { path: "/docs/javascript-reference", words: "Reference" },
+    ],
+  },
+  { words: "HTTP and WebSocket", pages: [{ path: "/docs/http", words: "HTTP and WebSocket" }] },
+  { words: "Problems", pages: [{ path: "/problems", words: "All problems" }] },
+  { words: "Try the calls", pages: [{ path: "/docs/try", words: "Try the calls" }] },
+  {
+    words: "Protocol and robot hosts",
+    pages: [{ path: "/docs/protocol", words: "Protocol" }],
+  },
+];
 
 export interface Page {
   path: string;
@@ -24,10 +44,12 @@ export interface Page {
 
 /** A whole page. */
 export function framed({ path, title, html, head = "" }: Page): string {
-  const links = navigation.map(({ path: to, words }) => {
-    const isHere = to === path || (to === "/problems" && path.startsWith("/problems/"));
-    return `<a href="${to}"${isHere ? ' aria-current="page"' : ""}>${words}</a>`;
-  });
+  const here = sections.find(({ pages }) => pages.some((each) => isPart(path, each.path)));
+  const links = sections.map(({ words, pages: [{ path: to }] }) =>
+    link({ path: to, words }, to === path ? "page" : words === here?.words ? "true" : null),
+  );
+  const neighbours = here === undefined || here.pages.length === 1 ? [] : here.pages;
+  const inSection = neighbours.map((each) => link(each, each.path === path ? "page" : null));
   return `<!doctype html>
 <html lang="en">
   <head>
@@ -43,7 +65,10 @@ export function framed({ path, title, html, head = "" }: Page): string {
     <a class="skip" href="#text">Skip to the text</a>
     <header>
       <a class="home" href="/">Corridor</a>
-      <nav aria-label="Documentation">${links.join("")}</nav>
+      <nav aria-label="Documentation">
+        <div>${links.join("")}</div>
+        ${inSection.length === 0 ? "" : `<div class="section">${inSection.join("")}</div>`}
+      </nav>
     </header>
     <main id="text" tabindex="-1">
 ${html}
@@ -51,4 +76,12 @@ ${html}
   </body>
 </html>
 `;
+}
+
+function isPart(path: string, of: string): boolean {
+  return path === of || (path.startsWith("/problems/") && of === "/problems");
+}
+
+function link({ path, words }: Link, current: "page" | "true" | null): string {
+  return `<a href="${path}"${current === null ? "" : ` aria-current="${current}"`}>${words}</a>`;
 }

@@ -1,6 +1,6 @@
 /** Every page of the documentation. The texts are Markdown; the addresses are here alone. */
 import { readFileSync } from "node:fs";
-import { join } from "node:path";
+import { join, posix } from "node:path";
 import type { Page } from "./frame.ts";
 import { htmlOf, type Address } from "./markdown.ts";
 import { problemPages } from "./problem-pages.ts";
@@ -9,19 +9,38 @@ import { htmlWithTabs } from "./tabs.ts";
 const PAGES = join(import.meta.dirname, "pages");
 const ROOT = join(import.meta.dirname, "../../../..");
 
-/** Where a file of the repository is served, by its name. */
-const served: Readonly<Record<string, string>> = {
-  "protocol.md": "/docs/hosts",
-};
+/** Files of the repository that are served as they are. */
+const files: readonly { file: string; path: string; title: string }[] = [
+  {
+    file: "packages/client-python/README.md",
+    path: "/docs/python",
+    title: "The Python library",
+  },
+  {
+    file: "packages/client-python/REFERENCE.md",
+    path: "/docs/python-reference",
+    title: "Reference of the Python library",
+  },
+  { file: "packages/client/README.md", path: "/docs/javascript", title: "The TypeScript library" },
+  {
+    file: "packages/client/REFERENCE.md",
+    path: "/docs/javascript-reference",
+    title: "Reference of the TypeScript library",
+  },
+  { file: "docs/protocol.md", path: "/docs/protocol", title: "Protocol" },
+];
 
-/** Links between files lead to their pages, or nowhere where a file is not served. */
-const address: Address = (href) => {
-  if (/^(?:#|\/|https?:)/.test(href)) return href;
-  const [file = "", fragment] = href.split("#");
-  const path = served[file.slice(file.lastIndexOf("/") + 1)];
-  if (path === undefined) return "";
-  return fragment === undefined ? path : `${path}#${fragment}`;
-};
+/** Links from one file to another lead to its page, or nowhere where that file is not served. */
+function addressIn(file: string): Address {
+  return (href) => {
+    if (/^(?:#|\/|https?:)/.test(href)) return href;
+    const [to = "", fragment] = href.split("#");
+    const name = posix.join(posix.dirname(file), to);
+    const path = files.find((each) => each.file === name)?.path;
+    if (path === undefined) return "";
+    return fragment === undefined ? path : `${path}#${fragment}`;
+  };
+}
 
 const text = (folder: string, file: string): string => readFileSync(join(folder, file), "utf8");
 
@@ -31,40 +50,22 @@ the same.</p></div>`;
 /** Read and made once, at the start. */
 export function pagesOfSite(): Page[] {
   return [
-    { path: "/docs", title: "Begin", html: htmlWithTabs(text(PAGES, "begin.md"), address) },
-    {
-      path: "/docs/recipes",
-      title: "Recipes",
-      html: htmlWithTabs(text(PAGES, "recipes.md"), address),
-    },
-    {
-      path: "/docs/python",
-      title: "The Python library",
-      html: htmlOf(text(join(ROOT, "packages/client-python"), "README.md"), address),
-    },
-    {
-      path: "/docs/javascript",
-      title: "The TypeScript library",
-      html: htmlOf(text(join(ROOT, "packages/client"), "README.md"), address),
-    },
-    {
-      path: "/docs/http",
-      title: "HTTP and WebSocket",
-      html: htmlOf(text(PAGES, "http.md"), address),
-    },
+    { path: "/docs", title: "Begin", html: htmlWithTabs(text(PAGES, "begin.md")) },
+    { path: "/docs/recipes", title: "Recipes", html: htmlWithTabs(text(PAGES, "recipes.md")) },
+    { path: "/docs/http", title: "HTTP and WebSocket", html: htmlOf(text(PAGES, "http.md")) },
     {
       path: "/docs/try",
       title: "Try the calls",
-      html: htmlOf(text(PAGES, "try.md"), address) + CONSOLE,
+      html: htmlOf(text(PAGES, "try.md")) + CONSOLE,
       head: `<link rel="stylesheet" href="/docs/swagger-ui.css" />
     <script defer src="/docs/swagger-ui-bundle.js"></script>
     <script type="module" src="/docs/docs.js"></script>`,
     },
-    {
-      path: "/docs/hosts",
-      title: "Protocol and robot hosts",
-      html: htmlOf(text(join(ROOT, "docs"), "protocol.md"), address),
-    },
+    ...files.map(({ file, path, title }) => ({
+      path,
+      title,
+      html: htmlOf(text(ROOT, file), addressIn(file)),
+    })),
     ...problemPages,
   ];
 }

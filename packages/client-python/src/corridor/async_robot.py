@@ -27,10 +27,11 @@ from .talk import RobotTalk
 
 
 class AsyncRobot:
-    """A robot for scripts that do several things at once.
+    """A robot for scripts that do several things at once, with asyncio.
 
-    `async with AsyncRobot(ADDRESS) as robot:` or `robot = await AsyncRobot.connect(ADDRESS)`. The
-    arguments are those of Robot.
+    Use it as `async with AsyncRobot(ADDRESS) as robot:` or `robot = await AsyncRobot.connect(ADDRESS)`.
+    Parameters, results and errors are those of `Robot` and of its methods with the same names. `sensor`,
+    `goal_reached` and `bumps` are missing: read them from `await robot.snapshot()`.
     """
 
     def __init__(
@@ -58,7 +59,7 @@ class AsyncRobot:
         ttl: Optional[float] = None,
         name: Optional[str] = None,
     ) -> AsyncRobot:
-        """A robot that is known to be there, with a key that fits."""
+        """Makes an `AsyncRobot`, and checks that the robot is there and takes the key."""
         robot = cls(
             address,
             key,
@@ -81,10 +82,7 @@ class AsyncRobot:
         ttl: Optional[float] = None,
         name: Optional[str] = None,
     ) -> AsyncRobot:
-        """The robot whose page at `service`, such as `http://HOST`, shows this code.
-
-        Waits until whoever has the page says yes. `address` of the robot can be kept for the next time.
-        """
+        """Connects by a code of 8 letters, and waits until the robot's owner accepts this script."""
         address = await run_async(pair(service, code, name, answer_timeout), Line())
         return await cls.connect(
             address,
@@ -96,67 +94,64 @@ class AsyncRobot:
 
     @property
     def address(self) -> str:
-        """The whole address, with its key: keep it private."""
+        """The whole address, with its key. Keep it private."""
         return self._talk.address.whole
 
     # --- measured: they end by themselves, or at a wall ---
 
     async def forward(self, distance: Optional[float] = None) -> Command:
-        """Drives so many cm; without a number: until something else is chosen."""
+        """Drives forward, and waits for the end; without a distance, until another command comes."""
         return await self._do(go_forward(distance))
 
     async def reverse(self, distance: Optional[float] = None) -> Command:
-        """Drives backward so many cm; without a number: until something else is chosen."""
+        """Drives backward, as `forward` drives forward."""
         return await self._do(go_reverse(distance))
 
     async def left(self, degrees: float = 90) -> Command:
-        """Turns left on the spot."""
+        """Turns left on the spot, and waits for the end."""
         return await self._do(turn_left(degrees))
 
     async def right(self, degrees: float = 90) -> Command:
-        """Turns right on the spot."""
+        """Turns right on the spot, and waits for the end."""
         return await self._do(turn_right(degrees))
 
     async def turn(self, degrees: float) -> Command:
-        """Turns on the spot; negative is left."""
+        """Turns on the spot, and waits for the end. Negative is left."""
         return await self._do(turn_by(degrees))
 
     async def delayed_left(self) -> Command:
-        """Drives on 50 cm, turns left, drives 60 cm out of the junction."""
+        """Drives on 50 cm, turns left, drives 60 cm out of the junction, and waits for the end."""
         return await self._do(plain("delayed left 90"))
 
     async def delayed_right(self) -> Command:
-        """Drives on 50 cm, turns right, drives 60 cm out of the junction."""
+        """Drives on 50 cm, turns right, drives 60 cm out of the junction, and waits for the end."""
         return await self._do(plain("delayed right 90"))
 
     async def drive(self, left: float, right: float, milliseconds: Optional[float] = None) -> Command:
-        """Wheel powers from -1 to 1 for a time; without a time: until something else is chosen."""
+        """Sets the power of the two wheels, for a time, and waits for the end."""
         return await self._do(power_wheels(left, right, milliseconds))
 
     async def stop(self) -> Command:
-        """Stops at once: ends what runs, and drops what waits, whoever sent it."""
+        """Stops at once: cancels the command that runs and all that wait, whoever sent them."""
         return await self._run(self._talk.stop())
 
     # --- reading and waiting ---
 
     async def sensors(self) -> Sensors:
-        """The four distances as they are now: `(await robot.sensors()).front`."""
+        """Reads the four distances: `(await robot.sensors()).front`."""
         return (await self.snapshot()).sensors
 
     async def snapshot(self) -> Snapshot:
-        """All that the robot reports now, never from before the end of the last command."""
+        """Reads everything that the robot reports."""
         return await self._run(self._talk.look())
 
     async def snapshots(self) -> AsyncIterator[Snapshot]:
-        """One report after the other as they come; a slow reader gets the newest each time."""
+        """Follows the robot without an end: `async for snapshot in robot.snapshots():`."""
         while True:
             yield await self._run(self._talk.look(1.0))
 
     async def events(self) -> AsyncIterator[Event]:
-        """What happens from now on, as it happens: newer reports, and commands whose state changes.
-
-        It begins with a report. A reader that was slow gets the newest report, and every command.
-        """
+        """Follows the robot and the commands of all scripts, without an end."""
         since: Optional[str] = None
         newest: Optional[Snapshot] = None
         while True:
@@ -170,27 +165,27 @@ class AsyncRobot:
                 yield event
 
     async def maze(self) -> Maze:
-        """The maze that the robot is in: its blocks, its start and its goals."""
+        """Reads the maze that the robot is in."""
         return await self._run(self._talk.maze())
 
     async def wait_until(
         self, condition: Callable[[Sensors], object], timeout: Optional[float] = None
     ) -> Sensors:
-        """Waits until a condition holds: `robot.wait_until(lambda sensor: sensor.front < 60)`."""
+        """Waits until a condition holds: `await robot.wait_until(lambda sensor: sensor.front < 60)`."""
         return await self._run(self._talk.wait_until(condition, timeout))
 
     async def wait(self, seconds: float) -> None:
-        """Lets the robot go on for so long. Unlike in asyncio.sleep(), it knows that you are there."""
+        """Waits, and lets the robot go on with what it does, unlike `asyncio.sleep`."""
         await self._run(self._talk.wait(seconds))
 
     async def commands(self) -> List[Command]:
-        """The log: every command that the robot's host keeps, oldest first."""
+        """Reads the log: the record of every command that the robot's host stores, oldest first."""
         return await self._run(self._talk.log())
 
     # --- the end ---
 
     def close(self) -> None:
-        """Leaves the robot as it is; this object can do nothing more."""
+        """Ends the use of this object. The robot goes on with what it does."""
         self._talk.is_closed = True
 
     async def __aenter__(self) -> AsyncRobot:

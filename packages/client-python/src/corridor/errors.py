@@ -1,13 +1,25 @@
-"""What can go wrong on a script's side of the line: each error says what, and how to go on."""
+"""What can go wrong for a script: each error says what, and what to do."""
 
 from __future__ import annotations
 
 
 class RobotError(Exception):
-    """Something did not work: `what`, and the `hint` says what to do. `code` is stable. All are in the text.
+    """The base of all errors here. The text of an error has `what`, `code` and `hint`, and never the key.
 
-    Uncaught, it ends the script with its line, `what` and `hint` in place of a traceback.
+    Uncaught, it ends the script and prints the script's line, `what` and `hint` in place of a traceback.
+
+    Args:
+        code: a stable word for scripts, such as `timeout`.
+        what: what went wrong, for people.
+        hint: what to do.
     """
+
+    #: a stable word for scripts, such as `timeout`; each error below names its own
+    code: str
+    #: what went wrong, for people
+    what: str
+    #: what to do
+    hint: str
 
     def __init__(self, code: str, what: str, hint: str) -> None:
         super().__init__(f"{what} ({code}). {hint}")
@@ -25,19 +37,27 @@ class CommandError(RobotError, ValueError):
 
 
 class NotAuthorisedError(RobotError):
-    """The key is wrong (`not-authorised`), or the robot's owner has sent this script away (`sent-away`)."""
+    """The key is wrong (`not-authorised`), or the robot's owner has blocked this script (`sent-away`)."""
 
 
 class PairingError(RobotError):
-    """No robot by this code: `wrong-code`, `pairing-refused`, `pairing-over` or `too-many-tries`."""
+    """Pairing failed.
+
+    No page shows the code (`wrong-code`), the owner refused (`pairing-refused`), nobody answered or the
+    code is over (`pairing-over`), or too many codes were typed (`too-many-tries`).
+    """
 
 
 class RobotGoneError(RobotError):
-    """The robot was forgotten (`no-robot`), or its page is closed (`robot-gone`)."""
+    """There is no such robot (`no-robot`), as after 2 hours without use, or its page is closed (`robot-gone`)."""
 
 
 class CommandEndedError(RobotError):
-    """The command did not come to its end: `cancelled`, `superseded` or `expired`."""
+    """The command did not come to its end.
+
+    A stop, the owner or a reload ended it (`cancelled`), a newer one replaced it (`superseded`), or it
+    could not start within its `ttl` (`expired`). A wall is no error: see `Command.collided`.
+    """
 
 
 class NoMazeError(RobotError):
@@ -45,8 +65,8 @@ class NoMazeError(RobotError):
 
 
 class NoAnswerError(RobotError, TimeoutError):
-    """No answer in time (`timeout`)."""
+    """The host did not answer, or the robot did not finish, in time (`timeout`)."""
 
 
 class ClosedError(RobotError):
-    """This robot was closed by the script itself (`closed`)."""
+    """The script has closed this robot (`closed`)."""

@@ -8,11 +8,11 @@ from .reports import Snapshot
 
 
 class LiveSensor:
-    """The four distances in cm, read when they are asked for.
+    """`robot.sensor`: the four distances in cm from the robot's centre, read when they are asked for.
 
     Different sides that are read within 0.1 s are of one snapshot, so the readings of one decision
-    belong together. A new snapshot is taken for a side that is read again, after any other call to
-    the robot, and after 0.1 s. `robot.sensors()` gives four readings that stay as they are.
+    belong together. A new snapshot is taken for a side that is read again, after any other call of
+    the robot, and after 0.1 s. `robot.sensors()` gives four readings that do not change.
     """
 
     def __init__(self, read: Callable[[str], Snapshot]) -> None:
@@ -20,22 +20,22 @@ class LiveSensor:
 
     @property
     def front(self) -> float:
-        """To the wall ahead."""
+        """cm to the wall in front."""
         return self._read("front").sensors.front
 
     @property
     def right(self) -> float:
-        """To the wall at the right."""
+        """cm to the wall at the right."""
         return self._read("right").sensors.right
 
     @property
     def back(self) -> float:
-        """To the wall behind."""
+        """cm to the wall behind."""
         return self._read("back").sensors.back
 
     @property
     def left(self) -> float:
-        """To the wall at the left."""
+        """cm to the wall at the left."""
         return self._read("left").sensors.left
 
     def __repr__(self) -> str:

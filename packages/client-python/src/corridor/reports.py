@@ -11,7 +11,9 @@ ENDINGS = ("completed", "collided", "cancelled", "superseded", "expired")
 class Cell(NamedTuple):
     """A square of the maze, 100 cm wide, counted from 0 at the top left."""
 
+    #: from the left
     column: int
+    #: from the top
     row: int
 
 
@@ -19,9 +21,13 @@ class Cell(NamedTuple):
 class Sensors:
     """The distance to the next wall on each side, in cm from the robot's centre, all of one tick."""
 
+    #: cm to the wall in front
     front: float
+    #: cm to the wall at the right
     right: float
+    #: cm to the wall behind
     back: float
+    #: cm to the wall at the left
     left: float
 
 
@@ -29,41 +35,46 @@ class Sensors:
 class Pose:
     """Where the robot's centre is, in cm, and where it faces: degrees clockwise from north."""
 
+    #: cm from the left edge of the maze
     x: float
+    #: cm from the top edge of the maze
     y: float
+    #: degrees clockwise from north, from 0 up to 360
     heading: float
 
     @property
     def cell(self) -> Cell:
-        """The cell in which the centre is."""
+        """The square of the maze in which the centre is."""
         return Cell(int(self.x // _CELL), int(self.y // _CELL))
 
 
 @dataclass(frozen=True)
 class Snapshot:
-    """All that the robot reports, of one tick."""
+    """Everything that the robot reports, of one tick."""
 
-    #: number of this report; it rises
+    #: number of this snapshot; it rises
     seq: int
     #: 1/60 s since the robot was put at its start
     tick: int
-    #: running, paused (it stands still) or gone (its page is closed)
+    #: `running`, `paused` (the robot stands still) or `gone` (its page is closed)
     state: str
-    #: who drives: me, program or remote
+    #: who drives: `me`, `program` or `remote`
     driver: str
+    #: the four distances
     sensors: Sensors
+    #: where the robot is
     pose: Pose
-    #: the action that moves it now, such as forward or stop
+    #: the action that moves the robot now, such as `forward` or `stop`
     motion: str
-    #: number of walls that it has met since its start
+    #: number of walls that the robot has met since its start
     bumps: int
-    #: whether it touches a wall now
+    #: whether the robot touches a wall now
     bumping: bool
-    #: whether it has reached a goal since its start
+    #: whether the robot has reached a goal since its start
     goal_reached: bool
-    #: the deciding line of its program, counted from 0, or "default" for "otherwise"
+    #: the deciding line of its program, counted from 0, `"default"` for "otherwise", or `None`
     line: Union[int, str, None]
-    #: seq of the remote command that runs
+    #: `seq` of the command that runs, or `None`
     command: Optional[int]
 
 
@@ -71,26 +82,30 @@ class Snapshot:
 class Command:
     """The record of one command. It counts as true unless a wall was in the way."""
 
+    #: number of the command at its robot: 1, 2, 3
     seq: int
+    #: such as `move` or `left 90`
     action: str
-    #: accepted, delivered, started, or one of the endings completed, collided, cancelled, ...
+    #: `accepted`, `delivered`, `started`, or an ending: `completed`, `collided`, `cancelled`,
+    #: `superseded` or `expired`
     state: str
+    #: why it ended as it did, or `None`
     reason: Optional[str]
-    #: cm driven by this command
+    #: cm driven by this command, never below 0; `None` until it has ended
     distance: Optional[float]
-    #: where the robot was when the command ended
+    #: where the robot was when the command ended; `None` before
     pose: Optional[Pose]
     #: the whole request, with its numbers
     request: Mapping[str, Any]
 
     @property
     def ended(self) -> bool:
-        """Whether its life is over."""
+        """Whether the command has ended."""
         return self.state in ENDINGS
 
     @property
     def collided(self) -> bool:
-        """Whether a wall was in the way."""
+        """Whether a wall ended the command."""
         return self.state == "collided"
 
     def __bool__(self) -> bool:
@@ -101,42 +116,57 @@ class Command:
 class Event:
     """One thing that happened. `kind` says what, and which of the two fields is set."""
 
-    #: snapshot (a newer report), command (the state of one changed) or gap (events were missed)
+    #: `snapshot` (a newer one), `command` (the state of one changed) or `gap` (events were missed)
     kind: str
+    #: set where `kind` is `snapshot`
     snapshot: Optional[Snapshot] = None
+    #: set where `kind` is `command`
     command: Optional[Command] = None
 
 
 @dataclass(frozen=True)
 class Start:
-    """Where the robot starts, and where it faces: north, east, south or west."""
+    """Where the robot starts, and where it faces."""
 
+    #: the square
     cell: Cell
+    #: `north`, `east`, `south` or `west`
     heading: str
 
 
 @dataclass(frozen=True)
 class Maze:
-    """The maze of a robot. A cell is 100 cm wide."""
+    """The maze of a robot. A square is 100 cm wide."""
 
+    #: its title
     name: str
     #: one text for each row, from the top: `#` is a block, `.` is open
     blocks: Tuple[str, ...]
+    #: where the robot starts
     start: Start
+    #: the squares that are goals
     goals: Tuple[Cell, ...]
 
     @property
     def columns(self) -> int:
-        """How many cells a row has."""
+        """Number of squares in a row."""
         return len(self.blocks[0])
 
     @property
     def rows(self) -> int:
-        """How many rows there are."""
+        """Number of rows."""
         return len(self.blocks)
 
     def is_open(self, column: int, row: int) -> bool:
-        """Whether a robot can be in this cell; outside of the maze it cannot."""
+        """Whether a square is open, so that a robot can be there.
+
+        Args:
+            column: from 0 at the left.
+            row: from 0 at the top.
+
+        Returns:
+            False for a block, and outside of the maze.
+        """
         is_inside = 0 <= column < self.columns and 0 <= row < self.rows
         return is_inside and self.blocks[row][column] != "#"
 

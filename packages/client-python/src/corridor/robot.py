@@ -1,4 +1,4 @@
-"""A robot in the hands of a script. Every method waits until the robot has done it."""
+"""A robot that a script drives. Every method waits until the robot has done it."""
 
 from __future__ import annotations
 
@@ -27,12 +27,27 @@ from .talk import RobotTalk
 
 
 class Robot:
-    """A robot somewhere on the network, in a page or of metal.
+    """A robot on the network, in a page or on a table. Each method waits until the robot has done it.
 
-    `address` is `http://HOST/r/ID#KEY`, as the page shows it under Remote. `answer_timeout` is how
-    many seconds a host may stay silent, reconnecting included; `finish_timeout` how many the robot
-    may take for one command; `ttl` within how many a command must have begun, or it expires (0.2 to
-    60; the host's own default is 10, also for stop(); the way to the host and back counts); `name` what this script calls itself, for the robot's owner.
+    A failed request is sent again, with the same idempotency key and its age, so no command is done
+    twice or late. Every method that asks the robot's host raises `NotAuthorisedError`, `RobotGoneError`,
+    `NoAnswerError` or `ClosedError` where it does not get what it asked for.
+
+    Used as `with Robot(ADDRESS) as robot:`, it stops a robot that would drive on at the end of the block.
+
+    Args:
+        address: `http://HOST/r/ID#KEY`, as the robot's page shows it under Remote.
+        key: the key, where the address comes without it.
+        answer_timeout: seconds that the host may stay silent, reconnecting included.
+        finish_timeout: seconds that the robot may take for one command.
+        ttl: seconds within which a command must start, or it ends as `expired`: 0.2 to 60. `None` is
+            the host's default, 10. `stop()` always has 10. It must be longer than the way to the host
+            and back.
+        name: what this script calls itself, for the robot's owner. 40 characters are shown.
+
+    Raises:
+        AddressError: the address is not complete, or leads to something else.
+        CommandError: `ttl` is out of its range.
     """
 
     def __init__(
@@ -62,9 +77,20 @@ class Robot:
         ttl: Optional[float] = None,
         name: Optional[str] = None,
     ) -> Robot:
-        """The robot whose page at `service`, such as `http://HOST`, shows this code.
+        """Connects by a code of 8 letters, and waits until the robot's owner accepts this script.
 
-        Waits until whoever has the page says yes. `address` of the robot can be kept for the next time.
+        `robot.address` has a key of its own and works the next time without a code.
+
+        Args:
+            service: where the robot's page is, such as `http://HOST`.
+            code: the code that the page shows under Remote. Spaces and small letters are accepted.
+            answer_timeout: as in `Robot`.
+            finish_timeout: as in `Robot`.
+            ttl: as in `Robot`.
+            name: as in `Robot`. The page shows it in its question to the owner.
+
+        Raises:
+            PairingError: the code is wrong or over, or the owner refused.
         """
         address = run(pair(service, code, name, answer_timeout), Line())
         return cls(
@@ -77,81 +103,189 @@ class Robot:
 
     @property
     def address(self) -> str:
-        """The whole address, with its key: keep it private."""
+        """The whole address, with its key. Keep it private."""
         return self._talk.address.whole
 
     # --- measured: they end by themselves, or at a wall ---
 
     def forward(self, distance: Optional[float] = None) -> Command:
-        """Drives so many cm; without a number: until something else is chosen."""
+        """Drives forward, and waits for the end; without a distance, until another command comes.
+
+        Without a distance it returns once the robot has started. The robot stops by itself 3 s after
+        the last request of this script.
+
+        Args:
+            distance: cm, at most 25600. `None`: no end.
+
+        Returns:
+            The record. It counts as false where a wall ended the move.
+
+        Raises:
+            CommandError: the distance is out of its range, or the host refused the command.
+            CommandEndedError: the command was cancelled, superseded, or could not start in time.
+        """
         return self._do(go_forward(distance))
 
     def reverse(self, distance: Optional[float] = None) -> Command:
-        """Drives backward so many cm; without a number: until something else is chosen."""
+        """Drives backward, as `forward` drives forward.
+
+        Args:
+            distance: cm, at most 25600. `None`: no end.
+
+        Returns:
+            The record. It counts as false where a wall ended the move.
+
+        Raises:
+            CommandError: as in `forward`.
+            CommandEndedError: as in `forward`.
+        """
         return self._do(go_reverse(distance))
 
     def left(self, degrees: float = 90) -> Command:
-        """Turns left on the spot."""
+        """Turns left on the spot, and waits for the end.
+
+        Args:
+            degrees: at most 3600.
+
+        Returns:
+            The record.
+
+        Raises:
+            CommandError: as in `forward`.
+            CommandEndedError: as in `forward`.
+        """
         return self._do(turn_left(degrees))
 
     def right(self, degrees: float = 90) -> Command:
-        """Turns right on the spot."""
+        """Turns right on the spot, and waits for the end.
+
+        Args:
+            degrees: at most 3600.
+
+        Returns:
+            The record.
+
+        Raises:
+            CommandError: as in `forward`.
+            CommandEndedError: as in `forward`.
+        """
         return self._do(turn_right(degrees))
 
     def turn(self, degrees: float) -> Command:
-        """Turns on the spot; negative is left."""
+        """Turns on the spot, and waits for the end.
+
+        Args:
+            degrees: -3600 to 3600. Positive is right, negative is left.
+
+        Returns:
+            The record.
+
+        Raises:
+            CommandError: as in `forward`.
+            CommandEndedError: as in `forward`.
+        """
         return self._do(turn_by(degrees))
 
     def delayed_left(self) -> Command:
-        """Drives on 50 cm, turns left, drives 60 cm out of the junction."""
+        """Drives on 50 cm, turns left, drives 60 cm out of the junction, and waits for the end.
+
+        Returns:
+            The record.
+
+        Raises:
+            CommandError: as in `forward`.
+            CommandEndedError: as in `forward`.
+        """
         return self._do(plain("delayed left 90"))
 
     def delayed_right(self) -> Command:
-        """Drives on 50 cm, turns right, drives 60 cm out of the junction."""
+        """Drives on 50 cm, turns right, drives 60 cm out of the junction, and waits for the end.
+
+        Returns:
+            The record.
+
+        Raises:
+            CommandError: as in `forward`.
+            CommandEndedError: as in `forward`.
+        """
         return self._do(plain("delayed right 90"))
 
     def drive(self, left: float, right: float, milliseconds: Optional[float] = None) -> Command:
-        """Wheel powers from -1 to 1 for a time; without a time: until something else is chosen."""
+        """Sets the power of the two wheels, for a time, and waits for the end.
+
+        Without a time it returns once the robot has started, and the robot stops by itself half a
+        second later unless another `drive` follows.
+
+        Args:
+            left: power of the left wheel, -1 to 1. Negative is backward.
+            right: power of the right wheel, -1 to 1.
+            milliseconds: 1 to 60000. `None`: half a second, and no waiting.
+
+        Returns:
+            The record. It counts as false where a wall ended the drive.
+
+        Raises:
+            CommandError: as in `forward`.
+            CommandEndedError: as in `forward`.
+        """
         return self._do(power_wheels(left, right, milliseconds))
 
     def stop(self) -> Command:
-        """Stops at once: ends what runs, and drops what waits, whoever sent it."""
+        """Stops at once: cancels the command that runs and all that wait, whoever sent them.
+
+        Returns:
+            The record, once the robot stands.
+        """
         return self._run(self._talk.stop())
 
     # --- reading and waiting ---
 
     @property
     def sensor(self) -> LiveSensor:
-        """The four distances: `robot.sensor.front`. Those of one decision are of one snapshot."""
+        """The four distances, read when they are asked for: `robot.sensor.front`."""
         return self._sensor
 
     @property
     def goal_reached(self) -> bool:
-        """Whether the robot has reached a goal since its start, read like a side of `sensor`."""
+        """Whether the robot has reached a goal since its start. It is read like a side of `sensor`."""
         return self._read("goal_reached").goal_reached
 
     @property
     def bumps(self) -> int:
-        """How many walls the robot has met since its start, read like a side of `sensor`."""
+        """Number of walls that the robot has met since its start. It is read like a side of `sensor`."""
         return self._read("bumps").bumps
 
     def sensors(self) -> Sensors:
-        """The four distances as they are now, in one object that stays as it is."""
+        """Reads the four distances.
+
+        Returns:
+            The distances of one tick. The object does not change later.
+        """
         return self.snapshot().sensors
 
     def snapshot(self) -> Snapshot:
-        """All that the robot reports now, never from before the end of the last command."""
+        """Reads everything that the robot reports.
+
+        Returns:
+            The newest snapshot. It is never from before the end of the last command.
+        """
         return self._run(self._talk.look())
 
     def snapshots(self) -> Iterator[Snapshot]:
-        """One report after the other as they come; a slow reader gets the newest each time."""
+        """Follows the robot without an end: `for snapshot in robot.snapshots():`.
+
+        Returns:
+            One snapshot after the other, about 20 a second. A slow reader gets the newest each time.
+        """
         while True:
             yield self._run(self._talk.look(1.0))
 
     def events(self) -> Iterator[Event]:
-        """What happens from now on, as it happens: newer reports, and commands whose state changes.
+        """Follows the robot and the commands of all scripts, without an end.
 
-        It begins with a report. A reader that was slow gets the newest report, and every command.
+        Returns:
+            Events in their order. The first one is a snapshot. A slow reader gets the newest snapshot,
+            and every change of a command.
         """
         since: Optional[str] = None
         newest: Optional[Snapshot] = None
@@ -166,28 +300,54 @@ class Robot:
                 yield event
 
     def maze(self) -> Maze:
-        """The maze that the robot is in: its blocks, its start and its goals."""
+        """Reads the maze that the robot is in.
+
+        Returns:
+            Its blocks, its start and its goals.
+
+        Raises:
+            NoMazeError: the robot's host does not publish its maze.
+        """
         return self._run(self._talk.maze())
 
     def wait_until(
         self, condition: Callable[[Sensors], object], timeout: Optional[float] = None
     ) -> Sensors:
-        """Waits until a condition holds: `robot.wait_until(lambda sensor: sensor.front < 60)`."""
+        """Waits until a condition holds: `robot.wait_until(lambda sensor: sensor.front < 60)`.
+
+        The robot goes on with what it does.
+
+        Args:
+            condition: is called with each new reading.
+            timeout: seconds to wait at most. `None`: `finish_timeout` of the robot.
+
+        Returns:
+            The reading for which the condition holds.
+
+        Raises:
+            NoAnswerError: the condition did not hold in time.
+        """
         return self._run(self._talk.wait_until(condition, timeout))
 
     def wait(self, seconds: float) -> None:
-        """Lets the robot go on for so long. Unlike in time.sleep(), it knows that you are there."""
+        """Waits, and lets the robot go on with what it does.
+
+        Unlike `time.sleep`, it sends a request each second, so that the robot does not stop.
+
+        Args:
+            seconds: how long.
+        """
         self._run(self._talk.wait(seconds))
 
     @property
     def commands(self) -> List[Command]:
-        """The log: every command that the robot's host keeps, oldest first."""
+        """The log: the record of every command that the robot's host stores, oldest first."""
         return self._run(self._talk.log())
 
     # --- the end ---
 
     def close(self) -> None:
-        """Leaves the robot as it is; this object can do nothing more."""
+        """Ends the use of this object. The robot goes on with what it does."""
         self._talk.is_closed = True
 
     def __enter__(self) -> Robot:
