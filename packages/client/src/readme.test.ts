@@ -1,9 +1,11 @@
-/** What the READMEs of the libraries and of the examples show, run as it stands there, at the real relay. */
+/** What the READMEs of the libraries, of the examples and the page about HTTP show, run as it stands there, at the real relay. */
 import { execFile, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
+import { createServer, type IncomingMessage, type ServerResponse } from "node:http";
+import type { AddressInfo } from "node:net";
 import { join } from "node:path";
 import { promisify } from "node:util";
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, onTestFinished } from "vitest";
 import { RobotClient } from "./robot-client.ts";
 import { robotWithCode, type RobotWithCode } from "./testing/robot-with-code.ts";
 
@@ -17,7 +19,7 @@ const bash = ["bash", "-c"];
 /** The one block of a README in which this stands. */
 function shown(readme: string, words: string): string {
   const text = readFileSync(join(ROOT, readme), "utf8");
-  const blocks = [...text.matchAll(/^( *)```(?:ts|python|sh|bash)\n([^]*?)^ *```$/gm)];
+  const blocks = [...text.matchAll(/^( *)```(?:ts|js|python|sh|bash)\n([^]*?)^ *```$/gm)];
   const found = blocks.filter(([, , block]) => block?.includes(words));
   expect(found).toHaveLength(1);
   const [[, indent = "", block = ""] = []] = found;
@@ -115,4 +117,46 @@ describe("what a README shows", () => {
       expect(robot.done).toHaveLength(turns);
     },
   );
+
+  it("the page about HTTP sends again, and the robot moves once", async () => {
+    const scene = await robotWithCode(["#####", "#...#", "#####"]);
+    const script = await RobotClient.connect(scene.registration.address);
+    await script.right90();
+    script.close();
+    const { origin, tries } = await networkThatLosesTheFirstAnswer(scene.origin);
+    const [, key = ""] = scene.registration.address.split("#");
+    const program = shown("apps/relay/src/docs/pages/http.md", "randomUUID")
+      .replace("http://HOST", origin)
+      .replace("/ID", `/${scene.registration.id}`)
+      .replace("KEY", key);
+    expect(await run(node, program)).toBe("Command 2 was stored by an earlier try\n");
+    expect(tries).toHaveLength(2);
+    await expect.poll(() => scene.robot.done.length).toBe(2);
+    expect(scene.robot.done[1]).toMatchObject({ action: "move", distance: 100 });
+  });
 });
+
+/** In front of the relay: the first request reaches it, and its answer is lost. */
+async function networkThatLosesTheFirstAnswer(relay: string) {
+  const tries: string[] = [];
+  const pass = async (request: IncomingMessage, response: ServerResponse): Promise<void> => {
+    const chunks: Buffer[] = [];
+    for await (const chunk of request) chunks.push(chunk as Buffer);
+    const body = Buffer.concat(chunks).toString();
+    const { method = "", url = "", headers } = request;
+    const passed = Object.entries(headers).filter(([name]) =>
+      ["authorization", "content-type", "idempotency-key"].includes(name),
+    ) as [string, string][];
+    const answer = await fetch(relay + url, { method, headers: passed, body });
+    const text = await answer.text();
+    tries.push(body);
+    if (tries.length === 1) response.destroy();
+    else response.writeHead(answer.status).end(text);
+  };
+  const server = createServer((request, response) => {
+    pass(request, response).catch(() => response.destroy());
+  });
+  await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
+  onTestFinished(() => void server.close());
+  return { origin: `http://127.0.0.1:${(server.address() as AddressInfo).port}`, tries };
+}
