@@ -201,24 +201,6 @@ async function* log(origin: string, robot: { id: string; driverKey: string }) {
   }
 }
 
-describe("the example of /docs", () => {
-  it("turns, and prints why it may not, as it stands there", async () => {
-    const { relay, robot, registration } = await robotIn(CORRIDOR);
-    const page = await (await fetch(`${relay.origin}/docs`)).text();
-    const html = /<pre id="example"[^>]*><code>([^]*?)<\/code>/.exec(page)?.[1] ?? "";
-    const program = html.replaceAll("&gt;", ">").replaceAll("&lt;", "<").replaceAll("&amp;", "&");
-    expect(program.split("\n").length).toBeLessThanOrEqual(12);
-    const once = async () => run("python3", ["-c", program, registration.address]);
-    expect((await once()).stdout).toBe("completed\n");
-    expect(robot.done.map(({ action }) => action)).toEqual(["left 90"]);
-    await fetch(`${relay.origin}/api/v1/robots/${registration.id}/pause`, {
-      method: "PUT",
-      headers: { Authorization: `Bearer ${registration.ownerKey}` },
-    });
-    expect((await once()).stdout).toContain("Press 'Let scripts drive' under Remote");
-  });
-});
-
 describe("the examples", () => {
   it.each([
     { name: "Python", program: "python3", file: "python/right_wall.py" },

@@ -614,7 +614,7 @@ const badInput: PlantedFault[] = [
       "            order = order_of(read_json(body))",
       "        except Problem:",
       "            with self.server.ledger.changed:",
-      '                self.server.ledger.submit(Order({"action": "right 90"}), None)',
+      '                self.server.ledger.submit(Order({"action": "turn", "degrees": 50}), None)',
       "            raise\n",
     ].join("\n"),
   ),
