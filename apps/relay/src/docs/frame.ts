@@ -28,8 +28,21 @@ const sections: readonly { words: string; pages: readonly [Link, ...Link[]] }[] 
   { words: "Problems", pages: [{ path: "/problems", words: "All problems" }] },
   { words: "Try the calls", pages: [{ path: "/docs/try", words: "Try the calls" }] },
   {
-    words: "Protocol and robot hosts",
-    pages: [{ path: "/docs/protocol", words: "Protocol" }],
+    words: "Robot hosts",
+    pages: [
+      { path: "/docs/hosts", words: "Build a robot host" },
+      { path: "/docs/protocol", words: "Protocol" },
+      { path: "/docs/conformance", words: "Conformance kit" },
+    ],
+  },
+  {
+    words: "File formats",
+    pages: [
+      { path: "/docs/maze-format", words: "Mazes" },
+      { path: "/docs/program-language", words: "Programs" },
+      { path: "/docs/run-format", words: "Runs" },
+      { path: "/docs/challenge-format", words: "Challenges" },
+    ],
   },
 ];
 

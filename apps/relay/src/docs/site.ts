@@ -28,6 +28,11 @@ const files: readonly { file: string; path: string; title: string }[] = [
     title: "Reference of the TypeScript library",
   },
   { file: "docs/protocol.md", path: "/docs/protocol", title: "Protocol" },
+  { file: "docs/conformance.md", path: "/docs/conformance", title: "Conformance kit" },
+  { file: "docs/maze-format.md", path: "/docs/maze-format", title: "Mazes" },
+  { file: "docs/program-language.md", path: "/docs/program-language", title: "Programs" },
+  { file: "docs/run-format.md", path: "/docs/run-format", title: "Runs" },
+  { file: "docs/challenge-format.md", path: "/docs/challenge-format", title: "Challenges" },
 ];
 
 /** Links from one file to another lead to its page, or nowhere where that file is not served. */
@@ -53,6 +58,7 @@ export function pagesOfSite(): Page[] {
     { path: "/docs", title: "Begin", html: htmlWithTabs(text(PAGES, "begin.md")) },
     { path: "/docs/recipes", title: "Recipes", html: htmlWithTabs(text(PAGES, "recipes.md")) },
     { path: "/docs/http", title: "HTTP and WebSocket", html: htmlOf(text(PAGES, "http.md")) },
+    { path: "/docs/hosts", title: "Build a robot host", html: htmlOf(text(PAGES, "hosts.md")) },
     {
       path: "/docs/try",
       title: "Try the calls",

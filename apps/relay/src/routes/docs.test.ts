@@ -63,6 +63,17 @@ describe("the documentation", () => {
     }
   });
 
+  it("names only checks of the conformance kit to people who build a host", async () => {
+    const { origin } = await startTestRelay();
+    const [hosts = "", protocol = ""] = await Promise.all(
+      ["/docs/hosts", "/docs/protocol"].map(async (path) => (await fetch(origin + path)).text()),
+    );
+    const cells = [...hosts.matchAll(/<td>((?:<code>[a-z-]+<\/code>(?:, )?)+)<\/td><\/tr>/g)];
+    const ids = cells.flatMap(([, cell = ""]) => [...cell.matchAll(/<code>[a-z-]+<\/code>/g)]);
+    expect(ids.length).toBeGreaterThan(10);
+    for (const [id] of ids) expect(protocol).toContain(`<tr><td>${id}</td>`);
+  });
+
   it("comes under the strict policy, with everything that it loads", async () => {
     const { origin } = await startTestRelay();
     const page = await fetch(`${origin}/docs/try`);
