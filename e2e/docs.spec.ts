@@ -35,7 +35,7 @@ test("shows one language at a time, by keyboard and without scripts", async ({
 test("every page can be read by everybody, in both themes and on the smallest phone", async ({
   page,
 }) => {
-  test.setTimeout(180_000);
+  test.setTimeout(360_000);
   await page.setViewportSize({ width: 320, height: 640 });
   const paths = new Set(["/docs", "/problems/too-late"]);
   // A set gives what is added on the way, too: the pages of a section are in the navigation of that section.

@@ -53,14 +53,13 @@ test("lets go of the key where the sensor says", async ({ corridor, page }) => {
   await lessons.expectMission(3);
 });
 
-test("takes over with a key after Run and Reset in a mission for the hand", async ({
+test("is offered no Run in a mission for the hand, and drives with a key after Reset", async ({
   corridor,
   page,
 }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(2);
-  await corridor.run.click();
-  await expect(corridor.driver("Program")).toBeChecked();
+  await expect(corridor.run).toBeDisabled();
   await corridor.reset.click();
   await expect(corridor.clock).toHaveText("Time 0:00.0");
   const start = await corridor.robotPlace.textContent();

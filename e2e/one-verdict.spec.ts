@@ -296,10 +296,12 @@ async function expectOneVerdict(corridor: CorridorPage, lessons: LessonsPanel): 
   await expect.poll(async () => (await spokenOn(page)).join("\n")).toContain(verdict);
   if (!verdict.startsWith("Bump")) {
     // The robot waits at the moment that is spoken of.
-    const seconds = /(?:after|in) (\d+) s/.exec(verdict)?.[1];
+    const seconds = Number(/(?:after|in) (\d+) s/.exec(verdict)?.[1]);
+    const minutes = Math.floor(seconds / 60);
+    const clock = `${minutes > 0 ? `${minutes} min ` : ""}${seconds % 60}`;
     await expect(corridor.timeline.slider).toHaveAttribute(
       "aria-valuetext",
-      new RegExp(`^${seconds}\\.0 s`),
+      new RegExp(`^${clock}\\.0 s`),
     );
     const spoken = await spokenOn(page);
     expect(spoken.filter((text) => text.includes("look at"))).toEqual([]);
