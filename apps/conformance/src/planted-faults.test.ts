@@ -68,7 +68,7 @@ describe("the physical robot", () => {
   it.each(plantedFaults)("with a fault, $fault: caught by $caughtBy", (fault) => {
     const found = outcomes.get(fault);
     if (found instanceof Error) throw found;
-    // The whole of what failed, for whoever reads that another check was first.
+    // All fields of the failure, so that the report shows which other check failed first.
     expect(found).toEqual({ ...found, promise: fault.caughtBy });
   });
 

@@ -58,7 +58,7 @@ export const problemKinds = {
     status: 403,
     title: "The robot's owner said no",
     what: "The owner did not let this script drive.",
-    why: "Whoever has the robot's page open pressed **No**.",
+    why: "The owner pressed **No** on the robot's page.",
     fix: ["Ask them, and pair again with a new code."],
   },
   "not-found": {
@@ -224,7 +224,7 @@ export const problemKinds = {
     status: 421,
     title: "This service has another name",
     what: "The relay does not answer under the name in the header `Host`.",
-    why: "The name of the service has changed, or whoever runs it has not listed this name.",
+    why: "The name of the service has changed, or its operator has not listed this name.",
     fix: [
       "Use the address that the service prints at its start.",
       "If you run the service, add the name to `ALLOWED_HOSTS`.",
@@ -281,7 +281,7 @@ export const problemKinds = {
     why: "The relay's log has the details.",
     fix: [
       "Send the request again in a moment, with the same `Idempotency-Key`.",
-      "If it fails again, tell whoever runs the service.",
+      "If it fails again, tell the operator of the service.",
     ],
   },
   "page-not-built": {
@@ -295,7 +295,7 @@ export const problemKinds = {
     status: 503,
     title: "The relay is being restarted",
     what: "The relay takes no requests at the moment.",
-    why: "Whoever runs the service restarts it. Robots and commands are stored.",
+    why: "The operator restarts the service. Robots and commands are stored.",
     fix: ["Send the same request again after the seconds in `Retry-After`."],
   },
   "no-store": {

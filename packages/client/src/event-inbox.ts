@@ -5,7 +5,7 @@ import { MAX_KEPT_EVENTS, type CommandRecord, type Snapshot } from "@corridor/pr
 export type RobotEvent =
   /** a newer snapshot */
   | { kind: "snapshot"; snapshot: Snapshot }
-  /** the state of a command changed, whoever sent it */
+  /** the state of a command of any script changed */
   | { kind: "command"; command: CommandRecord }
   /** states of commands were missed, as after a long pause in reading */
   | { kind: "gap" };

@@ -198,7 +198,7 @@ export class RobotClient {
   }
 
   /**
-   * Stops at once: cancels the command that runs and all that wait, whoever sent them.
+   * Stops at once: cancels the running command and all waiting ones, from every script.
    * @param wish further terms of this command; it has a `ttl` of 10 s where none is given
    * @returns the record, once the robot stands
    */

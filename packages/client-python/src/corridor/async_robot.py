@@ -132,7 +132,7 @@ class AsyncRobot:
         return await self._do(power_wheels(left, right, milliseconds))
 
     async def stop(self) -> Command:
-        """Stops at once: cancels the command that runs and all that wait, whoever sent them."""
+        """Stops at once: cancels the running command and all waiting ones, from every script."""
         return await self._run(self._talk.stop())
 
     # --- reading and waiting ---

@@ -231,7 +231,7 @@ class Robot:
         return self._do(power_wheels(left, right, milliseconds))
 
     def stop(self) -> Command:
-        """Stops at once: cancels the command that runs and all that wait, whoever sent them.
+        """Stops at once: cancels the running command and all waiting ones, from every script.
 
         Returns:
             The record, once the robot stands.

@@ -110,7 +110,7 @@ class RobotTalk:
         return (yield from self._follow(_read(read_command, answer), action))
 
     def stop(self) -> Talk[Command]:
-        """Ends what runs, and drops what waits, whoever sent it."""
+        """Ends the running command and drops all waiting ones, from every script."""
         return (yield from self.do(plain("stop")))
 
     def look(self, wait: float = _READING_WAIT) -> Talk[Snapshot]:

@@ -30,7 +30,7 @@ export function shownCard(
   const counts = attempt?.result.state !== "failed" && attempt?.result.state !== "met";
   const isReached = goal !== null && snapshot.goalReached && snapshot.tick >= goal.moment.tick;
   const isAtBump = bump !== null && isOf(bump.moment, snapshot);
-  // A robot that drove on from the goal into a wall is told of the wall there.
+  // After a robot drove on from the goal into a wall, the card explains the bump.
   const isGoalNewer = !isAtBump || (goal?.moment.tick ?? 0) >= bump.moment.tick;
   if (counts && isReached && isGoalNewer) return "goal";
   return isAtBump ? "bump" : null;
