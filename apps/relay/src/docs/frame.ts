@@ -1,50 +1,6 @@
 /** The frame of every page of the documentation: head, navigation and main part. */
 import { escaped } from "./markdown.ts";
-
-interface Link {
-  path: string;
-  words: string;
-}
-
-/** The sections in the order in which somebody who writes a script needs them; the first page leads to the others. */
-const sections: readonly { words: string; pages: readonly [Link, ...Link[]] }[] = [
-  { words: "Begin", pages: [{ path: "/docs", words: "Begin" }] },
-  { words: "Recipes", pages: [{ path: "/docs/recipes", words: "Recipes" }] },
-  {
-    words: "Python",
-    pages: [
-      { path: "/docs/python", words: "The Python library" },
-      { path: "/docs/python-reference", words: "Reference" },
-    ],
-  },
-  {
-    words: "JavaScript",
-    pages: [
-      { path: "/docs/javascript", words: "The TypeScript library" },
-      { path: "/docs/javascript-reference", words: "Reference" },
-    ],
-  },
-  { words: "HTTP and WebSocket", pages: [{ path: "/docs/http", words: "HTTP and WebSocket" }] },
-  { words: "Problems", pages: [{ path: "/problems", words: "All problems" }] },
-  { words: "Try the calls", pages: [{ path: "/docs/try", words: "Try the calls" }] },
-  {
-    words: "Robot hosts",
-    pages: [
-      { path: "/docs/hosts", words: "Build a robot host" },
-      { path: "/docs/protocol", words: "Protocol" },
-      { path: "/docs/conformance", words: "Conformance kit" },
-    ],
-  },
-  {
-    words: "File formats",
-    pages: [
-      { path: "/docs/maze-format", words: "Mazes" },
-      { path: "/docs/program-language", words: "Programs" },
-      { path: "/docs/run-format", words: "Runs" },
-      { path: "/docs/challenge-format", words: "Challenges" },
-    ],
-  },
-];
+import { sections, type Entry } from "./sections.ts";
 
 export interface Page {
   path: string;
@@ -95,6 +51,9 @@ function isPart(path: string, of: string): boolean {
   return path === of || (path.startsWith("/problems/") && of === "/problems");
 }
 
-function link({ path, words }: Link, current: "page" | "true" | null): string {
+function link(
+  { path, words }: Pick<Entry, "path" | "words">,
+  current: "page" | "true" | null,
+): string {
   return `<a href="${path}"${current === null ? "" : ` aria-current="${current}"`}>${words}</a>`;
 }
