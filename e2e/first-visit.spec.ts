@@ -138,9 +138,9 @@ for (const width of [390, 320]) {
 test("is asked to write a program only while no script drives", async ({ corridor, page }) => {
   const writeOwn = corridor.transport.getByRole("button", { name: "Write my own" });
   await expect(writeOwn).toBeVisible();
-  await page.getByRole("radio", { name: "Remote", exact: true }).check();
+  await page.getByRole("radio", { name: "Remote", exact: true }).click();
   await expect(writeOwn).toHaveCount(0);
-  await page.getByRole("radio", { name: "Program", exact: true }).check();
+  await page.getByRole("radio", { name: "Program", exact: true }).click();
   await expect(writeOwn).toBeVisible();
 });
 
