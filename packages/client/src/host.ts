@@ -5,4 +5,6 @@ export {
   type HostLinkOptions,
   type HostStatus,
 } from "./host-link.ts";
+export { globalPlatform } from "./platform.ts";
 export { registerRobot, RegistrationError } from "./register-robot.ts";
+export { RetryPauses } from "./retry-pauses.ts";

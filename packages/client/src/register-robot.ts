@@ -7,8 +7,8 @@ const MAX_ANSWER = 4_096;
 /** Why no robot was registered; `code` is stable, the message is a sentence for who reads logs. */
 export class RegistrationError extends Error {
   override readonly name = "RegistrationError";
-  /** `noService`: what answers at this address is not the service, or nothing does */
-  readonly code: "tooManyRobots" | "noService" | "refused";
+  /** `noService`: something else than the service answers at this address; `noAnswer`: nothing does */
+  readonly code: "tooManyRobots" | "noService" | "noAnswer" | "refused";
 
   constructor(code: RegistrationError["code"], message: string, options?: ErrorOptions) {
     super(message, options);
@@ -51,7 +51,7 @@ async function ask(url: string, fetch: Fetch): ReturnType<Fetch> {
     return await fetch(url, { method: "POST" });
   } catch (cause) {
     throw new RegistrationError(
-      "noService",
+      "noAnswer",
       `Nothing answers at ${url}. Check the network and that the service runs.`,
       { cause },
     );

@@ -97,6 +97,11 @@ class Relay {
     this.#say({ type: "stored", seq });
   }
 
+  /** The page's pause before a new try is over. */
+  pauseOver(): void {
+    for (const over of this.pauses) over();
+  }
+
   cut(code: number): void {
     this.#events.at(-1)?.closed(code);
   }
@@ -364,7 +369,7 @@ describe("another robot", () => {
 
 describe("a robot that is not registered", () => {
   it.each([
-    { name: "nothing answers", isReachable: false, status: 0, reason: "noService" },
+    { name: "nothing answers", isReachable: false, status: 0, reason: "lineLost" },
     { name: "only files are served", isReachable: true, status: 405, reason: "noService" },
     { name: "too many were registered", isReachable: true, status: 429, reason: "tooManyRobots" },
     { name: "the service is in trouble", isReachable: true, status: 503, reason: "refused" },
@@ -373,5 +378,30 @@ describe("a robot that is not registered", () => {
     Object.assign(relay, { isReachable, status });
     await open(null);
     expect(view()).toMatchObject({ status: { kind: "lost", reason }, session: null });
+  });
+
+  it("is registered without a word of the user once the network is back", async () => {
+    const { relay, open, view } = openPage();
+    relay.isReachable = false;
+    await open(null);
+    relay.isReachable = true;
+    relay.pauseOver();
+    await expect.poll(() => relay.lines).toBe(1);
+    relay.welcome("A");
+    expect(view()).toMatchObject({ status: { kind: "waiting" }, session: { id: "A".repeat(22) } });
+  });
+
+  it("is not registered later where the user disconnected, and once where they connected again", async () => {
+    const { relay, host, open, view } = openPage();
+    relay.isReachable = false;
+    await open(null);
+    const pauseOver = [...relay.pauses];
+    host.close();
+    relay.isReachable = true;
+    for (const over of pauseOver) over();
+    await open(null);
+    relay.welcome("A");
+    expect(relay.registered).toBe(1);
+    expect(view().status).toEqual({ kind: "waiting" });
   });
 });

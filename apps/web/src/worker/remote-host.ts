@@ -3,6 +3,7 @@
  * command for the Remote panel. The client library comes with the first connection; who never drives
  * by script never loads it.
  */
+import type * as ClientLibrary from "@corridor/client/host";
 import type { CommandJournal, HostLink, HostLinkOptions, HostStatus } from "@corridor/client/host";
 import type { MazeDocument } from "@corridor/maze";
 import { expiredReason } from "@corridor/protocol";
@@ -179,16 +180,9 @@ export class RemoteHost implements RemoteDriverEvents {
       import("@corridor/client/host"),
       import("./remote-trouble.ts"),
     ]);
-    const { origin, fetch, platform, save } = this.#ports;
-    let session = wanted;
-    try {
-      session ??= { ...(await client.registerRobot(origin, fetch)), lastApplied: 0 };
-    } catch (error) {
-      const reason = error instanceof client.RegistrationError ? error.code : "noService";
-      if (attempt === this.#attempt) this.#tell({ kind: "lost", reason });
-      return;
-    }
-    if (attempt !== this.#attempt) return;
+    const { origin, platform, save } = this.#ports;
+    const session = wanted ?? (await this.#register(client, attempt));
+    if (session === null || attempt !== this.#attempt) return;
     this.#session = session;
     this.#mazes.begin();
     const restored = fresh ? (this.#ports.restored?.() ?? null) : null;
@@ -230,6 +224,35 @@ export class RemoteHost implements RemoteDriverEvents {
       },
       ...(platform === undefined ? {} : { platform }),
     });
+  }
+
+  /**
+   * Registers a robot. Where nothing answers it tries again by itself, as the link does: a device says that it
+   * has a network before requests get through.
+   * @returns null where the service has no robot for this page, or another attempt began
+   */
+  async #register(client: typeof ClientLibrary, attempt: number): Promise<RemoteSession | null> {
+    const { origin, fetch, platform } = this.#ports;
+    const { clock, random } = platform ?? client.globalPlatform();
+    const pauses = new client.RetryPauses();
+    while (attempt === this.#attempt) {
+      try {
+        return { ...(await client.registerRobot(origin, fetch)), lastApplied: 0 };
+      } catch (error) {
+        if (attempt !== this.#attempt) break;
+        const reason = error instanceof client.RegistrationError ? error.code : "noService";
+        if (reason !== "noAnswer") {
+          this.#tell({ kind: "lost", reason });
+          break;
+        }
+      }
+      this.#tell({ kind: "lost", reason: "lineLost" });
+      const pause = Promise.withResolvers<void>();
+      clock.after(pauses.next(clock.now(), random()), pause.resolve);
+      await pause.promise;
+      if (attempt === this.#attempt) this.#tell({ kind: "connecting" });
+    }
+    return null;
   }
 
   /** A command waits at the relay: was it sent before the page took the robot? */

@@ -214,7 +214,7 @@ export type RemoteStatus =
   | { kind: "waiting" }
   /** `heardAt`: milliseconds since 1970, since worker and page count their own time from different starts */
   | { kind: "connected"; client: string; heardAt: number }
-  /** not connected; where there is a session, it is tried again by itself */
+  /** not connected; the page tries again by itself, unless the service answered that it has no robot for it */
   | { kind: "lost"; reason: RemoteTrouble }
   /** the session is gone for this page */
   | { kind: "over"; reason: RemoteTrouble };
@@ -222,8 +222,8 @@ export type RemoteStatus =
 /** Why there is no connection: a close code by its name, or what went wrong without one. */
 export type RemoteTrouble =
   | keyof typeof closeReasons
-  | RegistrationError["code"]
-  /** the line broke without a word */
+  | Exclude<RegistrationError["code"], "noAnswer">
+  /** the connection broke without a close code, or nothing answers */
   | "lineLost";
 
 /** A command for this page's robot, and what became of it. */
