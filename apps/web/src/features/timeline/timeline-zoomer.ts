@@ -17,7 +17,7 @@ export class TimelineZoomer implements ZoomActions {
   readonly #zoom: TimelineZoomStore;
   readonly #width: () => number;
 
-  /** @param width of the time, in px */
+  /** @param width of the time, in px; measuring it lays out the page, so a frame of the run does not ask for it */
   constructor(sources: Sources, zoom: TimelineZoomStore, width: () => number) {
     this.#sources = sources;
     this.#zoom = zoom;
@@ -55,14 +55,15 @@ export class TimelineZoomer implements ZoomActions {
 
   /** The displayed moment stays in sight, unless the reader looks elsewhere while the robot drives. */
   readonly follow = ({ snapshot, view, nowTick }: RunState, before: RunState): void => {
-    const now = this.#now;
-    if (now.window === null || snapshot === null) return;
+    const { window } = this.#zoom.getState();
+    if (window === null || snapshot === null) return;
     // A new run is displayed whole.
-    if (nowTick === 0 || nowTick < now.window.from) return this.#show(null);
+    if (nowTick === 0 || nowTick < window.from) return this.#show(null);
     const tickBefore = before.snapshot?.tick ?? 0;
-    if (snapshot.tick === tickBefore || holds(now.window, snapshot.tick)) return;
+    if (snapshot.tick === tickBefore || holds(window, snapshot.tick)) return;
     const isLive = view === "now" && snapshot.state === "running";
-    if (isLive && !holds(now.window, tickBefore)) return;
+    if (isLive && !holds(window, tickBefore)) return;
+    const now = this.#now;
     // The timeline comes a frame later than the moment.
     const endTick = Math.max(now.endTick, nowTick);
     this.#show(following({ ...now, endTick }, snapshot.tick));
