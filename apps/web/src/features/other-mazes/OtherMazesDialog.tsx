@@ -17,17 +17,20 @@ import { countOutcomes, seedsFrom, trialChoice, Trials, TRIALS } from "./trials.
 /** How long the workers wait for the next press of the button. */
 const IDLE_MS = 60_000;
 /** Between two looks at the results: each costs a layout of the grid, on a core that the mazes want too. */
-const SHOW_MS = 100;
+const SHOW_MS = 250;
 
 interface OtherMazesDialogProps {
   isOpen: boolean;
   onClose: () => void;
 }
 
-/** Opens once its words are there. */
+/** Opens once its words are there; the mazes are begun at the press, before React draws a hundred tiles. */
 export function OtherMazesDialog({ isOpen, onClose }: OtherMazesDialogProps) {
-  const { t, ready } = useTranslation("otherMazes", { useSuspense: false });
+  const { t, i18n, ready } = useTranslation("otherMazes", { useSuspense: false });
+  const services = useServices();
+  const { trials } = trialsOfPage(services, i18n);
   const minutes = useStore(trialChoice, ({ side }) => minutesFor(side));
+  useEffect(() => tryWhileOpen(services, trials), [services, trials]);
   return (
     <Dialog
       isOpen={isOpen && ready}
@@ -46,19 +49,9 @@ function TrialRun({ onClose }: { onClose: () => void }) {
   const { trials, opener } = trialsOfPage(services, i18n);
   const [isOpening, setOpening] = useState(false);
   const choice = useStore(trialChoice);
-  const { state, results } = useStore(trials.store);
-  useEffect(() => {
-    trials.start(choice, services.workspace.getState().program);
-  }, [trials, choice, services]);
-  useEffect(() => {
-    clearTimeout(closing);
-    return () => {
-      trials.clear();
-      closing = setTimeout(() => trials.close(), IDLE_MS);
-    };
-  }, [trials]);
+  const { state, results, pictured } = useStore(trials.store);
 
-  // The mazes are begun before a hundred tiles are drawn.
+  // In a frame of its own: a hundred tiles take as long to draw as all the rest.
   const hasGrid = useDeferredValue(true, false);
   const counts = countOutcomes(results);
   const seeds = seedsFrom(choice.first);
@@ -126,7 +119,12 @@ function TrialRun({ onClose }: { onClose: () => void }) {
         {state === "done" || state === "stopped" ? sentence : ""}
       </output>
       {hasGrid && (
-        <TrialGrid seeds={seeds} results={results} onOpen={(result) => void open(result)} />
+        <TrialGrid
+          seeds={seeds}
+          results={results}
+          pictured={pictured}
+          onOpen={(result) => void open(result)}
+        />
       )}
     </div>
   );
@@ -139,7 +137,6 @@ interface PageTrials {
 
 /** One for the page: the workers stay warm for a while, and the way back to the student's own maze stays. */
 let pageTrials: PageTrials | null = null;
-let closing: ReturnType<typeof setTimeout> | undefined;
 
 function trialsOfPage(
   services: ReturnType<typeof useServices>,
@@ -151,4 +148,29 @@ function trialsOfPage(
     pageTrials = { trials, opener: new TrialOpener(services, words, pool) };
   }
   return pageTrials;
+}
+
+/** Tries the program when the dialog is asked for and when other mazes are chosen in it. @returns a function that ends it */
+function tryWhileOpen({ screen, workspace }: ReturnType<typeof useServices>, trials: Trials) {
+  const isOpen = () => screen.getState().isTryingMazes;
+  let closing: ReturnType<typeof setTimeout> | undefined;
+  const begin = () => {
+    clearTimeout(closing);
+    trials.start(trialChoice.getState(), workspace.getState().program);
+  };
+  const end = () => {
+    trials.clear();
+    closing = setTimeout(() => trials.close(), IDLE_MS);
+  };
+  if (isOpen()) begin();
+  const endings = [
+    screen.subscribe((now, before) => {
+      if (now.isTryingMazes !== before.isTryingMazes) (now.isTryingMazes ? begin : end)();
+    }),
+    trialChoice.subscribe(() => isOpen() && begin()),
+  ];
+  return () => {
+    for (const stop of endings) stop();
+    end();
+  };
 }

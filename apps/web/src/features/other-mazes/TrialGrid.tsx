@@ -9,10 +9,12 @@ import { TrialTile } from "./TrialTile.tsx";
 interface TrialGridProps {
   seeds: readonly number[];
   results: ReadonlyMap<number, TrialResult>;
+  /** those whose pictures are drawn */
+  pictured: ReadonlyMap<number, TrialResult>;
   onOpen: (result: TrialResult) => void;
 }
 
-export function TrialGrid({ seeds, results, onOpen }: TrialGridProps) {
+export function TrialGrid({ seeds, results, pictured, onOpen }: TrialGridProps) {
   const { t } = useTranslation("otherMazes", { useSuspense: false });
   const list = useRef<HTMLUListElement>(null);
   const [at, setAt] = useState(0);
@@ -53,6 +55,7 @@ export function TrialGrid({ seeds, results, onOpen }: TrialGridProps) {
           key={seed}
           seed={seed}
           result={results.get(seed) ?? null}
+          picture={pictured.get(seed)?.maze ?? null}
           isStop={index === at}
           onOpen={open}
         />

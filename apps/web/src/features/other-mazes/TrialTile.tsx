@@ -1,4 +1,5 @@
 /** One maze that the program is tried in: its picture, its seed, and what came of it in a mark and a word. */
+import type { MazeDocument } from "@corridor/maze";
 import { Check, Clock, X } from "lucide-react";
 import { memo, useDeferredValue } from "react";
 import { useTranslation } from "react-i18next";
@@ -11,6 +12,8 @@ interface TrialTileProps {
   seed: number;
   /** null: not tried yet */
   result: TrialResult | null;
+  /** null: not drawn yet */
+  picture: MazeDocument | null;
   /** whether the Tab key stops here; arrow keys lead to the others */
   isStop: boolean;
   onOpen: (result: TrialResult) => void;
@@ -18,10 +21,16 @@ interface TrialTileProps {
 
 const icons = { works: Check, bump: X, "time-limit": Clock } as const;
 
-export const TrialTile = memo(function TrialTile({ seed, result, isStop, onOpen }: TrialTileProps) {
+export const TrialTile = memo(function TrialTile({
+  seed,
+  result,
+  picture,
+  isStop,
+  onOpen,
+}: TrialTileProps) {
   const { t, i18n } = useTranslation("otherMazes", { useSuspense: false });
   // What came of it is shown first, its picture as soon as the page has time.
-  const drawn = useDeferredValue(result);
+  const drawn = useDeferredValue(picture);
   const outcome = result?.outcome ?? null;
   const Icon = outcome === null ? null : icons[outcome];
   const time = formatClock(result?.tick ?? 0, i18n.language);
@@ -38,9 +47,7 @@ export const TrialTile = memo(function TrialTile({ seed, result, isStop, onOpen 
           if (result !== null) onOpen(result);
         }}
       >
-        <span className={styles["picture"]}>
-          {drawn !== null && <MazePicture maze={drawn.maze} />}
-        </span>
+        <span className={styles["picture"]}>{drawn !== null && <MazePicture maze={drawn} />}</span>
         <span className={styles["caption"]}>
           <span className={styles["seed"]}>{seed}</span>
           {outcome !== null && Icon !== null && (

@@ -98,6 +98,29 @@ describe("trying a program in other mazes", () => {
     expect(workers.map(({ waiting }) => waiting.length)).toEqual([25, 19]);
   });
 
+  it("draws pictures each fourth time while mazes are tried, and all at the end", () => {
+    const { workers, trials, later, answerAll, state } = setUp(1);
+    trials.start(choice, rightWall);
+    const pictures: number[] = [];
+    for (let shown = 1; shown <= 8; shown++) {
+      workers[0]?.answer();
+      later();
+      pictures.push(state().pictured.size);
+    }
+    expect(pictures).toEqual([0, 0, 0, 4, 4, 4, 4, 8]);
+    answerAll();
+    expect(state().pictured.size).toBe(100);
+  });
+
+  it("draws the pictures of what was tried when it is stopped", () => {
+    const { workers, trials, state } = setUp(1);
+    trials.start(choice, rightWall);
+    workers[0]?.answer();
+    workers[0]?.answer();
+    trials.stop();
+    expect(state().pictured.size).toBe(2);
+  });
+
   it("shows the first result and the last at once, and the others together", () => {
     const { workers, trials, later, answerAll, state } = setUp();
     trials.start(choice, rightWall);

@@ -23,18 +23,28 @@ export interface TrialsState {
   state: "idle" | "running" | "done" | "stopped" | "failed";
   /** by seed */
   results: ReadonlyMap<number, TrialResult>;
+  /** those whose pictures are drawn */
+  pictured: ReadonlyMap<number, TrialResult>;
 }
+
+/** Drawing a maze takes a core that the mazes want too: while they are tried, pictures follow each fourth time. */
+const SHOWN_PER_PICTURES = 4;
+const nothing = {
+  results: new Map<number, TrialResult>(),
+  pictured: new Map<number, TrialResult>(),
+};
 
 export class Trials {
   readonly store: StoreApi<TrialsState> = createStore<TrialsState>()(() => ({
     state: "idle",
-    results: new Map(),
+    ...nothing,
   }));
   readonly pool: TrialPool;
   readonly #later: (show: () => void) => void;
   /** results that the screen does not have yet */
   #news: TrialResult[] = [];
   #isDue = false;
+  #shown = 0;
 
   /** @param later runs a function after a while: what comes between the first and the last result is shown together */
   constructor(pool: TrialPool, later: (show: () => void) => void) {
@@ -44,7 +54,8 @@ export class Trials {
 
   start({ kind, side, first }: TrialChoice, program: ProgramDocument): void {
     this.#news = [];
-    this.store.setState({ state: "running", results: new Map() });
+    this.#shown = 0;
+    this.store.setState({ state: "running", ...nothing });
     this.pool.run(
       { program, mazes: { kind, side }, seeds: seedsFrom(first) },
       {
@@ -60,13 +71,14 @@ export class Trials {
   stop(): void {
     this.pool.stop();
     this.#show();
-    if (this.store.getState().state === "running") this.store.setState({ state: "stopped" });
+    const { state, results } = this.store.getState();
+    if (state === "running") this.store.setState({ state: "stopped", pictured: results });
   }
 
   /** Stops, and drops the results. */
   clear(): void {
     this.stop();
-    this.store.setState({ state: "idle", results: new Map() });
+    this.store.setState({ state: "idle", ...nothing });
   }
 
   /** Ends the workers as well. */
@@ -92,8 +104,10 @@ export class Trials {
     if (news.length === 0) return;
     const results = new Map(this.store.getState().results);
     for (const result of news) results.set(result.seed, result);
-    const isDone = results.size === TRIALS;
-    this.store.setState(isDone ? { results, state: "done" } : { results });
+    this.#shown++;
+    if (results.size === TRIALS) this.store.setState({ state: "done", results, pictured: results });
+    else if (this.#shown % SHOWN_PER_PICTURES > 0) this.store.setState({ results });
+    else this.store.setState({ results, pictured: results });
   }
 }
 
