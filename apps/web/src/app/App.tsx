@@ -50,8 +50,7 @@ function Page() {
   const { t } = useTranslation();
   const isPhone = useMediaQuery("(max-width: 37.49em)");
   const [opened, setOpened] = useState<"keys" | "remote" | null>(null);
-  const { camera, run, challenge, screen } = useServices();
-  const isTryingMazes = useStore(screen, (state) => state.isTryingMazes);
+  const { camera, run, challenge } = useServices();
   const isPathOpen = useStore(challenge, (state) => state.isPathOpen);
   const isDriving = useStore(camera, (state) => state.isDriving);
   const isNow = useStore(run, ({ view }) => view === "now");
@@ -101,10 +100,7 @@ function Page() {
           isOpen={isPathOpen}
           onClose={() => challenge.setState({ isPathOpen: false })}
         />
-        <OtherMazesDialog
-          isOpen={isTryingMazes}
-          onClose={() => screen.setState({ isTryingMazes: false })}
-        />
+        <OtherMazes />
         <ShortcutsDialog isOpen={opened === "keys"} onClose={close} />
         <Dialog isOpen={opened === "remote"} onClose={close} title={t("drive.remote")}>
           <div className={styles["remote"]}>
@@ -114,6 +110,15 @@ function Page() {
         </Dialog>
       </Later>
     </div>
+  );
+}
+
+/** Opens and closes without the page around it being drawn again. */
+function OtherMazes() {
+  const { screen } = useServices();
+  const isOpen = useStore(screen, (state) => state.isTryingMazes);
+  return (
+    <OtherMazesDialog isOpen={isOpen} onClose={() => screen.setState({ isTryingMazes: false })} />
   );
 }
 
