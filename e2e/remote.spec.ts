@@ -324,7 +324,7 @@ test("paused scripts drive no more until they are let, over a reload as well", a
   const refused = await api(address, "/commands", { action: "left 90" });
   expect([refused.status, (await refused.json()).detail]).toEqual([
     409,
-    expect.stringContaining("owner has paused remote driving"),
+    expect.stringContaining("Let scripts drive"),
   ]);
   expect((await api(address, "/commands", { action: "stop" })).status).toBe(202);
   await page.reload();

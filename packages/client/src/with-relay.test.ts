@@ -161,6 +161,28 @@ describe("a script and a robot at the real relay", () => {
     });
   });
 
+  it("tells a script whose command a pause of the owner ended what to press before the next one", async () => {
+    const { relay, robot, registration } = await robotIn(CORRIDOR);
+    const script = await scriptFor(registration.address);
+    await script.right90();
+    robot.link.close();
+    for await (const event of script.events()) {
+      if (event.kind === "snapshot" && event.snapshot.state === "gone") break;
+    }
+    const hint = expect.stringContaining("Press 'Let scripts drive'") as string;
+    const error = script.move(100).catch((thrown: unknown) => thrown);
+    for await (const { command } of log(relay.origin, registration)) {
+      if (command === "accepted") break;
+    }
+    const paused = await fetch(`${relay.origin}/api/v1/robots/${registration.id}/pause`, {
+      method: "PUT",
+      headers: { Authorization: `Bearer ${registration.ownerKey}` },
+    });
+    expect(paused.status).toBe(204);
+    expect(await error).toMatchObject({ code: "cancelled", hint });
+    await expect(script.move(100)).rejects.toMatchObject({ code: "refused", hint });
+  });
+
   it("tells a script at once when its key was revoked, and not to try again", async () => {
     const { relay, registration } = await robotIn(CORRIDOR);
     const robot = await RobotClient.connect(registration.address);

@@ -10,6 +10,7 @@ export {
   type EndingState,
 } from "./command-record.ts";
 export { expiredReason } from "./expired-reason.ts";
+export { PAUSED_REASON } from "./paused-reason.ts";
 export {
   MAX_PROBLEMS,
   describeProblem,

@@ -1,4 +1,5 @@
 import {
+  PAUSED_REASON,
   scriptListSchema,
   sentAwaySchema,
   type Registration,
@@ -197,7 +198,7 @@ describe("remote driving that is paused", () => {
     const refused = await as("Ben", "/commands", LEFT);
     expect([refused.status, await refused.json()]).toMatchObject([
       409,
-      { type: "/problems/driving-paused", detail: expect.stringContaining("owner has paused") },
+      { type: "/problems/driving-paused", detail: PAUSED_REASON },
     ]);
     script.send({ type: "command", key: "a-key-0001", command: LEFT });
     expect(await script.next("problem")).toMatchObject({
@@ -223,7 +224,7 @@ describe("remote driving that is paused", () => {
     }
     expect(await (await relay.ask(robot, "/commands/9?wait=5")).json()).toMatchObject({
       state: "cancelled",
-      reason: "the owner paused remote driving",
+      reason: PAUSED_REASON,
     });
   });
 

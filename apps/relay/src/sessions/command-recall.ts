@@ -2,7 +2,12 @@
  * Taking commands back: what waits ends at the relay; for what the robot has, the robot is asked. The
  * store keeps the wish, so that a page that was away is asked when it is back.
  */
-import { recallCauses, type CommandRecord, type RecallCause } from "@corridor/protocol";
+import {
+  PAUSED_REASON,
+  recallCauses,
+  type CommandRecord,
+  type RecallCause,
+} from "@corridor/protocol";
 import type {
   AwayResult,
   KeyChange,
@@ -30,7 +35,7 @@ const reasons = {
   sender: "cancelled by its sender",
   revoked: "its key was revoked",
   "sent-away": "its script was sent away",
-  paused: "the owner paused remote driving",
+  paused: PAUSED_REASON,
 } as const satisfies Record<RecallCause, string>;
 
 export class CommandRecall {

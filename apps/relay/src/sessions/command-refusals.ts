@@ -1,5 +1,5 @@
 /** Why a command is not stored, in words that its sender can act on. */
-import type { CommandTerms } from "@corridor/protocol";
+import { PAUSED_REASON, type CommandTerms } from "@corridor/protocol";
 import { noRobot, Refusal, retryAfter } from "../problems.ts";
 import type { AddResult } from "../store/session-store.ts";
 import { keyRevoked } from "./key-ring.ts";
@@ -18,10 +18,7 @@ export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusa
     case "sent-away":
       return scriptIsAway();
     case "paused":
-      return new Refusal(
-        "driving-paused",
-        "The owner has paused remote driving. Press 'Let scripts drive' under Remote on the robot's page, and send the command again.",
-      );
+      return new Refusal("driving-paused", PAUSED_REASON);
     case "full":
       return new Refusal(
         "queue-full",

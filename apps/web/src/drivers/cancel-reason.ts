@@ -2,6 +2,8 @@
  * Why this page ends remote commands early. The page shows a reason in its reader's language, by its code;
  * scripts get the English sentence.
  */
+import { PAUSED_REASON } from "@corridor/protocol";
+
 export const cancelReasons = {
   notRemote: "Remote does not drive: choose Remote on the robot's page.",
   handedOver: "The robot's page took over: choose Remote there to let scripts drive.",
@@ -13,7 +15,7 @@ export const cancelReasons = {
   takenBack: "Its sender took it back.",
   keyRevoked: "Its key was revoked.",
   sentAway: "Its script was blocked.",
-  paused: "The owner paused remote driving.",
+  paused: PAUSED_REASON,
   silent: "Its sender fell silent, so the robot stopped.",
   disconnected: "The robot's page disconnected.",
   addressEnded: "The robot's page no longer uses this address.",

@@ -80,7 +80,7 @@ export function sessionCases(name: string, open: () => Promise<OpenStore>): void
   });
 
   describe(`${name}: remote driving that is paused`, () => {
-    const reason = "the owner paused remote driving";
+    const reason = "paused";
 
     it("takes back what was sent, all but stops, in the same step", async () => {
       const { store, add, deliver, states } = await withRobot();
