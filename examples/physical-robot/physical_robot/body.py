@@ -1,7 +1,11 @@
 """The robot's body: two wheels, four range finders, a bumper. Here it is simulated.
 
-This is the one module to replace for a robot of metal: `drive` sets the motors, `ranges` reads the
+This is the one module to replace for a physical robot: `drive` sets the motors, `ranges` reads the
 range finders, `pose` is what wheel encoders and a gyroscope make of the way so far.
+
+`drive` is called 50 times a second while the robot moves, and not at all while it stands or after
+this program has crashed. So motors must stop by themselves when no call has come for 0.1 s: let the
+motor controller do this. The simulated wheels turn only within a call.
 """
 
 from __future__ import annotations
@@ -43,7 +47,11 @@ class SimulatedBody:
         self.bumps = 0
 
     def drive(self, left: float, right: float, seconds: float) -> float:
-        """Turns the wheels, in cm/s, for so long. Gives how many cm the robot came along."""
+        """Turns the wheels, in cm/s each, for so many seconds: 0.1 at most. Motors stop 0.1 s after the
+        last call.
+
+        Returns how many cm the robot drove, never below 0.
+        """
         turned = math.degrees((left - right) / TRACK * seconds)
         way = (left + right) / 2 * seconds
         middle = math.radians(self.pose.heading + turned / 2)

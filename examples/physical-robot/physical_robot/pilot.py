@@ -12,6 +12,8 @@ from .ledger import Entry, Ledger
 from .orders import Json
 
 STEP = 0.02
+#: One call of `drive` is for so many seconds at most; motors stop by themselves after them.
+LONGEST_STEP = 0.1
 #: cm/s of a wheel at power 1, of a drive straight on, degrees/s of a turn on the spot
 WHEEL_SPEED = 261.0
 SPEED = 100.0
@@ -66,7 +68,7 @@ class Pilot:
             now = time.monotonic()
             with self._ledger.changed:
                 # A machine that slept must not make up for it with one long step.
-                self._step(now, min(now - before, 5 * STEP))
+                self._step(now, min(now - before, LONGEST_STEP))
             before = now
 
     def _step(self, now: float, seconds: float) -> None:
