@@ -70,6 +70,11 @@ export class RemoteDriver {
     return { seq, distance };
   }
 
+  /** Whether the robot has nothing to do until a script sends the next command. */
+  get isIdle(): boolean {
+    return this.#running === null && this.#waiting.length === 0;
+  }
+
   /** Takes a delivered command into the queue. One that replaces ends all before it. */
   accept(delivery: DeliveredCommand): void {
     const now = this.#now();

@@ -1,6 +1,6 @@
 /**
  * From real time to ticks at the chosen speed. "max" is as many as a share of the time allows. The speed is for
- * programs, scripts and replays: under a hand a second of the robot always takes a second.
+ * programs, scripts and replays: under a hand, and while a robot waits for its script, a second always takes a second.
  */
 import { FixedTimestep } from "@corridor/simulation";
 import type { Speed } from "./worker-messages.ts";
@@ -33,15 +33,15 @@ export class RunClock {
 
   /**
    * Asks for the ticks of the time since the last call.
-   * @param flow standing: none; by-hand: as many as in real time; at-speed: as many as the chosen speed says
+   * @param flow standing: none; real-time: as many as in real time; at-speed: as many as the chosen speed says
    * @param runTicks runs so many. @returns false when time has stopped flowing
    */
-  advance(flow: "standing" | "by-hand" | "at-speed", runTicks: (count: number) => boolean): void {
+  advance(flow: "standing" | "real-time" | "at-speed", runTicks: (count: number) => boolean): void {
     const now = this.#now();
     const elapsed = now - this.#lastAt;
     this.#lastAt = now;
     if (flow === "standing") return;
-    const speed = flow === "by-hand" ? 1 : this.#speed;
+    const speed = flow === "real-time" ? 1 : this.#speed;
     if (speed !== "max") {
       runTicks(this.#timestep.ticksFor(elapsed, speed));
       return;

@@ -124,6 +124,31 @@ describe("time", () => {
     expect(Math.abs(loop.snapshot().tick - 120 * speed)).toBeLessThanOrEqual(1);
   });
 
+  it.each([0.25, 4, 16, "max"] as const)(
+    "flows as in real time at speed %s while a robot waits for its script",
+    (speed) => {
+      const loop = loopOf();
+      loop.setDriver("remote");
+      loop.setSpeed(speed);
+      pass(loop, 2000);
+      expect(Math.abs(loop.snapshot().tick - 120)).toBeLessThanOrEqual(1);
+      deliver(loop, 1, { action: "left 90" });
+      pass(loop, 8000);
+      const turned = endings[1]?.state === "completed" ? loop.snapshot().tick : 0;
+      pass(loop, 2000);
+      expect(Math.abs(loop.snapshot().tick - turned - 120)).toBeLessThanOrEqual(1);
+    },
+  );
+
+  it("flows at the chosen speed while a command of a script runs", () => {
+    const loop = loopOf();
+    loop.setDriver("remote");
+    loop.setSpeed(16);
+    deliver(loop, 1, { action: "drive", left: 0, right: 0, milliseconds: 5000 });
+    pass(loop, 160);
+    expect(Math.abs(loop.snapshot().tick - 16 * 0.16 * 60)).toBeLessThanOrEqual(2);
+  });
+
   it("does not change what happens: every speed ends in the same snapshot", () => {
     const ends = ([0.5, 1, 16] as const).map((speed) => {
       const loop = loopOf();

@@ -243,9 +243,18 @@ export class RunLoop {
   /** Runs the ticks that real time asks for since the last call. */
   advance(): void {
     this.#remote?.tend();
-    const isByHand = this.driver === "me" && !this.#screen.isPast;
-    const flow = !this.isRunning ? "standing" : isByHand ? "by-hand" : "at-speed";
-    this.#clock.advance(flow, (count) => this.#runTicks(count));
+    const isAtSpeed = !this.#isByHand && !this.#isAwaitingScript;
+    const flow = !this.isRunning ? "standing" : isAtSpeed ? "at-speed" : "real-time";
+    this.#clock.advance(flow, (count) => this.#runTicks(count, isAtSpeed));
+  }
+
+  get #isByHand(): boolean {
+    return this.driver === "me" && !this.#screen.isPast;
+  }
+
+  /** At speed "max", hours would pass while a script thinks. */
+  get #isAwaitingScript(): boolean {
+    return this.driver === "remote" && !this.#screen.isPast && this.#remote?.isIdle !== false;
   }
 
   /** What there is to draw and to tell since the last call; null when nothing changed. */
@@ -344,16 +353,17 @@ export class RunLoop {
     this.#isDirty = true;
   }
 
-  /** @returns whether time still flows */
-  #runTicks(count: number): boolean {
+  /** @returns whether time still flows in the same way */
+  #runTicks(count: number, isAtSpeed: boolean): boolean {
     if (count > 0) this.#isDirty = true;
-    if (!this.#screen.isPast) {
-      for (let i = 0; i < count && this.#isRunning; i++) this.#tick();
-    } else {
+    if (this.#screen.isPast) {
       this.#screen.playOn(count);
       if (this.#screen.isAtEnd) this.now();
+      return this.isRunning;
     }
-    return this.isRunning;
+    const flowsOn = (): boolean => this.#isRunning && !(isAtSpeed && this.#isAwaitingScript);
+    for (let i = 0; i < count && flowsOn(); i++) this.#tick();
+    return flowsOn();
   }
 
   #tick(): void {
