@@ -6,12 +6,17 @@ import { FrontDoor, NEWER_MARK } from "./support/front-door.ts";
 import { RelayProcess } from "./support/relay-process.ts";
 
 test.use({ serviceWorkers: "allow" });
+test.setTimeout(120_000);
 
 const OFFLINE = "You are offline. Driving and programs still work, but Remote does not.";
 
+/** All files of the page are fetched once more; a busy machine took more than 15 s for that. */
+const KEPT_MS = 45_000;
+
 /** Waits until the device has every file of the page. */
 async function isKept(page: Page): Promise<void> {
-  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  const isThere = () => navigator.serviceWorker.controller !== null;
+  await page.waitForFunction(isThere, undefined, { timeout: KEPT_MS });
 }
 
 test("visits once, loses the network, and drives, programs, builds and shares all the same", async ({
