@@ -43,3 +43,17 @@ test("the clock of a script counts driving, and waiting apart", async ({ corrido
   await expect(corridor.waiting).not.toHaveText(waited);
   await expect(corridor.driving).toHaveText(driven);
 });
+
+test("the card of a script's bump tells the seconds that the clock counts as driving", async ({
+  corridor,
+  page,
+}) => {
+  await corridor.open();
+  const address = await copyAddress(page);
+  await expect(corridor.waiting).not.toHaveText(/^0:0[01]/);
+  await api(address, "/commands", { action: "move", distance: 5000 });
+  const card = page.getByRole("region", { name: "Bump" });
+  await expect(card).toContainText(/Bump at \d/);
+  const seconds = /Bump at (\d+\.\d) s/.exec((await card.textContent()) ?? "")?.[1];
+  await expect(corridor.driving).toHaveText(`Time 0:0${seconds} driving`);
+});

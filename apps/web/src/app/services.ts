@@ -144,7 +144,7 @@ export function createServices(browser: Browser): Services {
         if (challenge.getState().challenge !== null) return;
         void import("../features/cards/tell-diagnosis.ts").then(
           ({ tellDiagnosis }) =>
-            tellDiagnosis({ screen, workspace, run, words }, message.diagnosis),
+            tellDiagnosis({ screen, workspace, run, timeline, words }, message.diagnosis),
           () => undefined,
         );
         return;

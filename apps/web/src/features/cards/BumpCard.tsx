@@ -5,6 +5,7 @@ import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { useWaited } from "../../app/use-waited.ts";
 import type { Explanation } from "../../stores/card-store.ts";
 import { Badge } from "../../ui/Badge.tsx";
 import { Button } from "../../ui/Button.tsx";
@@ -13,7 +14,7 @@ import { takeMend } from "../program/take-mend.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
 import { BurstIcon } from "../timeline/BurstIcon.tsx";
 import styles from "./cards.module.css";
-import { diagnosisText, diagnosisTitle } from "./diagnosis-text.ts";
+import { diagnosisText, diagnosisTitle, diagnosisWords } from "./diagnosis-text.ts";
 import { FloatingCard } from "./FloatingCard.tsx";
 import { fixText } from "./fix-text.ts";
 import { RoomBars } from "./RoomBars.tsx";
@@ -32,13 +33,15 @@ interface BumpCardProps {
 
 export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
   const { t, i18n, ready } = useTranslation(["diagnosis", "words"], { useSuspense: false });
-  const { workspace, simulator, screen, run, challenge } = useServices();
+  const { workspace, simulator, screen, run, timeline, challenge } = useServices();
   const { moment, program, diagnosis } = explanation;
   // A program that was edited since needs other fixes, or none.
   const isSame = useStore(workspace, (state) => state.program === program);
   // In a challenge the student finds the change: the card names the place and the idea.
   const isChallenge = useStore(challenge, (state) => state.challenge !== null);
   const { pose, tick } = moment;
+  // The timeline comes later than the bump.
+  useWaited(tick);
   const goals = useStore(workspace, (state) => state.maze.goals);
   const keepClear = useMemo(() => {
     const event = diagnosis?.event;
@@ -54,7 +57,7 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
   );
   if (diagnosis === null || diagnosis.event.kind !== "bump" || !ready) return null;
   const { event, cause, fixes } = diagnosis;
-  const words = { t, language: i18n.language };
+  const words = diagnosisWords(t, i18n.language, (at) => timeline.waitedUpTo(at));
   const offered = isSame && !isChallenge ? fixes : [];
   const since = cause === null ? event.begunAt : Math.min(event.begunAt, cause.moment.tick);
 

@@ -55,6 +55,12 @@ describe("the words of a diagnosis", () => {
     );
   });
 
+  it("tell the seconds of the clock, which counts apart what a script let the robot wait", () => {
+    const words = { ...wordsFor(["diagnosis", "words"]), waited: (tick: number) => tick - 60 };
+    const facts: Diagnosis = { event: bump, cause: null, fixes: [] };
+    expect(diagnosisText(words, facts)).toMatch(/^Bump at 1\.0 s\./);
+  });
+
   it.each([
     { side: "front" as const, text: "“move 2000” needed 2025 cm ahead. Front read 50 cm." },
     { side: "back" as const, text: "“move -2000” needed 2025 cm behind. Back read 50 cm." },

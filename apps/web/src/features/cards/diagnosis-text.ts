@@ -21,14 +21,20 @@ import { formatSeconds, localNumber } from "../../text/numbers.ts";
 export interface DiagnosisWords {
   t: TFunction<["diagnosis", "words"]>;
   language: string;
+  /** ticks up to one in which a script let the robot wait: seconds are those of the clock, which counts them apart */
+  waited?: (tick: number) => number;
 }
 
 /**
  * The words of a translator whose first namespace is another one: keys are written with theirs.
  * @param t with the namespace "diagnosis" loaded
  */
-export function diagnosisWords(t: unknown, language: string): DiagnosisWords {
-  return { t: t as DiagnosisWords["t"], language };
+export function diagnosisWords(
+  t: unknown,
+  language: string,
+  waited: DiagnosisWords["waited"] = () => 0,
+): DiagnosisWords {
+  return { t: t as DiagnosisWords["t"], language, waited };
 }
 
 /** "Bump: look at line 1" */
@@ -60,21 +66,25 @@ function commonWords({ t }: DiagnosisWords): TFunction {
   return ((key: string, values?: object) => say(`words:${key}`, values)) as unknown as TFunction;
 }
 
+function secondsAt({ language, waited }: DiagnosisWords, tick: number): string {
+  return formatSeconds(tick - (waited?.(tick) ?? 0), language);
+}
+
 function cornerText({ t }: DiagnosisWords): string {
   return t("diagnosis:event.corner");
 }
 
 /** @param isShort whether a cause follows, which has its own numbers */
 function eventText(words: DiagnosisWords, event: FailureEvent, isShort: boolean): string {
-  const { t, language } = words;
-  const seconds = formatSeconds(event.tick, language);
+  const { t } = words;
+  const seconds = secondsAt(words, event.tick);
   if (event.kind === "late")
     return t("diagnosis:event.late", { seconds: Math.floor(event.tick / 60) });
   if (event.kind !== "bump") return t(`diagnosis:event.${event.kind}`, { times: event.times });
   if (isShort) return t("diagnosis:event.bump", { seconds });
   const known = {
     seconds,
-    from: formatSeconds(event.begunAt, language),
+    from: secondsAt(words, event.begunAt),
     ...roomText(words, event.reading, event.needs),
     action: actionText(words, event.action),
   };
@@ -97,10 +107,10 @@ function eventText(words: DiagnosisWords, event: FailureEvent, isShort: boolean)
 }
 
 function causeText(words: DiagnosisWords, cause: Cause): string {
-  const { t, language } = words;
+  const { t } = words;
   const { moment } = cause;
   const { tick, line, action, readings } = moment;
-  const seconds = formatSeconds(tick, language);
+  const seconds = secondsAt(words, tick);
   const known = { who: who(words, line), action: t(`words:program.action.${action}`), seconds };
   const shown = shownReadings(words, moment, "when" in cause ? cause.when : null);
   const { front, left, right } = shown;

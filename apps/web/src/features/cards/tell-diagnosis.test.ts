@@ -32,7 +32,10 @@ async function told() {
     language: "en",
     loadNamespaces: () => Promise.resolve(),
   };
-  await tellDiagnosis({ screen, workspace, run, words }, diagnosis);
+  await tellDiagnosis(
+    { screen, workspace, run, timeline: { waitedUpTo: () => 0 }, words },
+    diagnosis,
+  );
   return { run, workspace, messages: () => screen.getState().messages };
 }
 

@@ -5,6 +5,7 @@
 import { causeLine, type Diagnosis } from "@corridor/coach";
 import type { i18n } from "i18next";
 import type { RunStore } from "../../stores/run-store.ts";
+import type { TimelineStore } from "../../stores/timeline-store.ts";
 import { dismiss, tell, type ScreenStore } from "../../stores/screen-store.ts";
 import type { WorkspaceStore } from "../../stores/workspace-store.ts";
 import { focusLine } from "../program/focus-line.ts";
@@ -14,18 +15,19 @@ interface Ports {
   screen: ScreenStore;
   workspace: WorkspaceStore;
   run: RunStore;
+  timeline: Pick<TimelineStore, "waitedUpTo">;
   words: Pick<i18n, "t" | "language" | "loadNamespaces">;
 }
 
 export async function tellDiagnosis(
-  { screen, workspace, run, words }: Ports,
+  { screen, workspace, run, timeline, words }: Ports,
   diagnosis: Diagnosis,
 ): Promise<void> {
   const { nowTick } = run.getState();
   await words.loadNamespaces("diagnosis");
   // It may be over before its words are there.
   if (run.getState().nowTick < nowTick) return;
-  const known = diagnosisWords(words.t, words.language);
+  const known = diagnosisWords(words.t, words.language, (tick) => timeline.waitedUpTo(tick));
   const line = causeLine(diagnosis);
   const id = typeof line === "number" ? workspace.getState().lineIds[line] : undefined;
   const message = tell(screen, {

@@ -11,9 +11,8 @@ import { missionIds } from "./missions/mission.ts";
 import { projectOf } from "./missions/projects.ts";
 
 export function ChallengeLine() {
-  const words = useTranslation(["missions", "words"], { useSuspense: false });
-  const { t } = words;
-  const { challenge: store } = useServices();
+  const { t, i18n } = useTranslation(["missions", "words"], { useSuspense: false });
+  const { challenge: store, timeline } = useServices();
   const challenge = useStore(store, (state) => state.challenge);
   const mission = useStore(store, (state) => state.mission);
   const result = useStore(store, challengeResult);
@@ -24,7 +23,7 @@ export function ChallengeLine() {
     return (
       <p className={styles["line"]} data-state="met" dir="auto">
         <Check size={18} aria-hidden="true" />
-        {metText(words, challenge, result)}
+        {metText({ t, i18n, waited: (tick) => timeline.waitedUpTo(tick) }, challenge, result)}
       </p>
     );
   }

@@ -13,7 +13,9 @@ import styles from "./lessons.module.css";
 export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) {
   const { t, i18n } = useTranslation(["missions", "words", "diagnosis"], { useSuspense: false });
   const words: MissionWords = { t: t as unknown as MissionWords["t"], i18n };
-  const { challenge: store, run, speech } = useServices();
+  const { challenge: store, run, timeline, speech } = useServices();
+  // Of a check nothing waits.
+  const ofRun: MissionWords = { ...words, waited: (tick) => timeline.waitedUpTo(tick) };
   const result = useStore(store, (state) => state.result);
   const verdict = useStore(store, (state) => state.verdict);
   const diagnoses = useStore(store, (state) => state.diagnoses);
@@ -25,14 +27,14 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
   // Nothing has failed where a hand may drive on.
   const isOpen = failure === null && failedRun === null && result.state === "open";
   const text = isMet
-    ? metText(words, challenge, result)
+    ? metText(ofRun, challenge, result)
     : failure !== null
       ? failureText(words, challenge, failure, diagnoses[failure.maze ?? -1] ?? null)
       : failedRun !== null
-        ? runFailureText(words, failedRun)
+        ? runFailureText(ofRun, failedRun)
         : isOpen && standing !== null
           ? handText(words, challenge, standing)
-          : liveFailureText(words, challenge, result);
+          : liveFailureText(ofRun, challenge, result);
   useSay(text, "mission");
   useEffect(
     () => () => {

@@ -39,11 +39,11 @@ function diagnosed(
 
 /** Why the run on the screen failed, or the run of a check. */
 export function runFailureText(
-  { t, i18n }: MissionWords,
+  { t, i18n, waited }: MissionWords,
   diagnosis: Diagnosis,
   happened?: string,
 ): string {
-  return diagnosisText(diagnosisWords(t, i18n.language), diagnosis, happened);
+  return diagnosisText(diagnosisWords(t, i18n.language, waited), diagnosis, happened);
 }
 
 function reasonText(words: MissionWords, challenge: ChallengeDocument, it: Failure): string {
@@ -83,7 +83,7 @@ function reasonText(words: MissionWords, challenge: ChallengeDocument, it: Failu
 
 /** What the run on the screen says; null while nothing has failed. */
 export function liveFailureText(
-  { t, i18n }: MissionWords,
+  { t, i18n, waited }: MissionWords,
   challenge: ChallengeDocument,
   result: ChallengeResult,
 ): string | null {
@@ -96,7 +96,9 @@ export function liveFailureText(
           : "missions:failure.hand",
       );
     case "bump":
-      return t("missions:failure.bumpLive", { seconds: formatSeconds(result.tick, i18n.language) });
+      return t("missions:failure.bumpLive", {
+        seconds: formatSeconds(result.tick - (waited?.(result.tick) ?? 0), i18n.language),
+      });
     case "late":
       return t("missions:failure.late", { seconds: challenge.checks.seconds });
     // What the check said of the program stands before this.
@@ -138,12 +140,14 @@ function missedText(
 
 /** That it is met, and with what. */
 export function metText(
-  { t, i18n }: MissionWords,
+  { t, i18n, waited }: MissionWords,
   { allowed }: ChallengeDocument,
   result: Extract<ChallengeResult, { state: "met" }>,
 ): string {
   // Where no line may be written there is none to count.
   return result.driver === "program" && allowed.lines > 0
     ? t("missions:bar.met", { found: result.lines, needed: allowed.lines })
-    : t("missions:bar.metByHand", { seconds: formatSeconds(result.ticks, i18n.language) });
+    : t("missions:bar.metByHand", {
+        seconds: formatSeconds(result.ticks - (waited?.(result.ticks) ?? 0), i18n.language),
+      });
 }

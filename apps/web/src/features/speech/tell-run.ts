@@ -98,7 +98,7 @@ export function tellRun(
   function momentText(moment: Moment): string {
     const { t, language } = words();
     if (moment.diagnosis !== null) {
-      const known = diagnosisWords(t, language);
+      const known = diagnosisWords(t, language, (tick) => timeline.waitedUpTo(tick));
       const { diagnosis } = moment;
       // In a challenge its card says the rest.
       const title = asSentence(t, diagnosisTitle(known, diagnosis));

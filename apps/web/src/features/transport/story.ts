@@ -26,11 +26,11 @@ export interface Story {
 
 /**
  * What there is to tell about a moment.
- * @param waited ticks up to it in which a script let the robot wait: a goal is reached after the driving alone
+ * @param waited ticks up to it in which a script let the robot wait, which the clock counts apart
  */
 export function storyOf({ kind, line, driver, tick, pose }: Moment, waited = 0): Story {
   const isNumbered = typeof line === "number" && kind === "goal";
-  const after = kind === "goal" ? tick - waited : tick;
+  const after = tick - waited;
   return {
     kind,
     teller:
