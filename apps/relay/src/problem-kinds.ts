@@ -210,7 +210,7 @@ export const problemKinds = {
     status: 413,
     title: "The body is too large",
     what: "The relay did not read the body to its end.",
-    why: "A command or message has at most 16 KiB, a maze or program at most 64 KiB.",
+    why: "A document of a short link and the maze of a robot have at most 64 KiB, every other body 16 KiB.",
     fix: ["Send less. Do not send the same request again."],
   },
   "not-json": {

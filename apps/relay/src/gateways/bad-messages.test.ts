@@ -92,9 +92,13 @@ testDoors({
 
   "a hello by HTTPS": {
     knocks: {
-      ...bodies('{"type":"hello","version":40,"role":"drive","key":"drv_"}', KIB, ({ robot }) => ({
-        path: `/robots/${robot.id}/line`,
-      })),
+      ...bodies(
+        '{"type":"hello","version":40,"role":"drive","key":"drv_"}',
+        16 * KIB,
+        ({ robot }) => ({
+          path: `/robots/${robot.id}/line`,
+        }),
+      ),
       "a key of another robot": asking(({ robot, other }) => ({
         method: "POST",
         path: `/robots/${robot.id}/line`,
@@ -102,7 +106,7 @@ testDoors({
       })),
     },
     answers: {
-      "too large": "413 too-large | 1 KiB",
+      "too large": "413 too-large | 16 KiB",
       deep: "400 bad-request | an object",
       "prototype keys": "400 bad-request | no field of this name",
       NaN: "400 bad-request | a JSON document",

@@ -211,7 +211,7 @@ describe("a line by HTTPS", () => {
     { name: "another version", body: { role: "drive", version: 2 }, status: 400 },
     {
       name: "a hello that is too long",
-      body: { role: "drive", more: "x".repeat(1_100) },
+      body: { role: "drive", more: "x".repeat(16 * 1024) },
       status: 413,
     },
   ])("is not opened with $name", async ({ body, status }) => {

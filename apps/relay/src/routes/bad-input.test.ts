@@ -178,8 +178,11 @@ testDoors({
 
   "a pairing code": {
     knocks: {
-      ...bodies('{"code":40}', KIB, () => ({ path: "/pairing" })),
-      "wrong order": asking(() => ({ path: "/pairing", headers: keyOf("par_nobody_has_asked") })),
+      ...bodies('{"code":40}', 16 * KIB, () => ({ path: "/pairing" })),
+      "wrong order": asking(() => ({
+        path: "/pairing",
+        headers: keyOf("drv_AAAAAAAAAAAAAAAAAAAAAA"),
+      })),
       "a key of another robot": asking(({ robot, other }) => ({
         method: "POST",
         path: `/robots/${robot.id}/pairing`,
@@ -187,7 +190,7 @@ testDoors({
       })),
     },
     answers: {
-      "too large": "413 too-large | 1 KiB",
+      "too large": "413 too-large | 16 KiB",
       deep: "400 bad-request | an object",
       "prototype keys": "400 bad-request | no field of this name",
       NaN: "400 bad-request | a JSON document",
@@ -203,7 +206,7 @@ testDoors({
 
   "a new key": {
     knocks: {
-      ...bodies('{"kind":40}', KIB, ({ robot }) => ({
+      ...bodies('{"kind":40}', 16 * KIB, ({ robot }) => ({
         path: `/robots/${robot.id}/keys`,
         headers: keyOf(robot.ownerKey),
       })),
@@ -215,7 +218,7 @@ testDoors({
       })),
     },
     answers: {
-      "too large": "413 too-large | 1 KiB",
+      "too large": "413 too-large | 16 KiB",
       deep: "400 bad-request | an object",
       "prototype keys": "400 bad-request | no field of this name",
       NaN: "400 bad-request | a JSON document",

@@ -1,14 +1,17 @@
 /** Keys that a robot's owner makes for others, and takes back. */
-import { keyIdSchema, keyWishSchema, type KeyList, type MadeKey } from "@corridor/protocol";
+import {
+  keyIdSchema,
+  keyWishSchema,
+  MAX_FRAME_BYTES,
+  type KeyList,
+  type MadeKey,
+} from "@corridor/protocol";
 import { Router } from "express";
 import { z } from "zod";
 import type { Entrance } from "../entrance/entrance.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 import { jsonText, read, readBearer, readBody } from "./reading.ts";
-
-/** A wish has a few words. */
-const MAX_WISH_BYTES = 1024;
 
 /** The id of a key, as the last part of a path. */
 export const keyPath = z.object({ keyId: keyIdSchema.describe("id of the key") });
@@ -24,10 +27,10 @@ export function keyRoutes(hub: SessionHub, entrance: Entrance): Router {
         await hub.authorise(request.params.id, readBearer(request), "grant");
         next();
       },
-      jsonText(MAX_WISH_BYTES),
+      jsonText(),
       async (request, response) => {
         const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-        const wish = readBody(request, keyWishSchema, MAX_WISH_BYTES, "The wish is wrong.");
+        const wish = readBody(request, keyWishSchema, MAX_FRAME_BYTES, "The wish is wrong.");
         const made = await session.keys.make(wish);
         const address = `${entrance.originOf(request)}/r/${session.id}#${made.key}`;
         const answer: MadeKey = { ...made, address };

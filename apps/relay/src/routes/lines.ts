@@ -1,10 +1,5 @@
 /** The WebSocket's messages by plain HTTPS: open a line with hello, send, fetch by long poll, leave. */
-import {
-  helloSchema,
-  MAX_FRAME_BYTES,
-  MAX_HELLO_BYTES,
-  sentMessagesSchema,
-} from "@corridor/protocol";
+import { helloSchema, MAX_FRAME_BYTES, sentMessagesSchema } from "@corridor/protocol";
 import { Router } from "express";
 import type { Entrance } from "../entrance/entrance.ts";
 import type { HttpLines } from "../gateways/http-lines.ts";
@@ -16,8 +11,8 @@ export function lineRoutes(lines: HttpLines, entrance: Entrance): Router {
 
   router
     .route("/robots/:id/line")
-    .post(jsonText(MAX_HELLO_BYTES), async (request, response) => {
-      const hello = readBody(request, helloSchema, MAX_HELLO_BYTES, "The hello is wrong.");
+    .post(jsonText(), async (request, response) => {
+      const hello = readBody(request, helloSchema, MAX_FRAME_BYTES, "The hello is wrong.");
       const from = entrance.addressOf(request);
       const opened = await lines.open(request.params.id, hello, from, readClient(request));
       response.status(201).set("Cache-Control", "no-store").json(opened);

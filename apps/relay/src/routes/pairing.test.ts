@@ -103,6 +103,18 @@ describe("pairing by a code", () => {
     expect((await script.hear("drv_AAAAAAAAAAAAAAAAAAAAAA")).kind).toBe("no-pairing");
   });
 
+  it("takes the longest name also where its letters are escaped, as Python does", async () => {
+    const { relay, owner } = await withRobot();
+    const wish = { code: await owner.code(), name: "\u0416".repeat(200) };
+    const answer = await fetch(`${relay.origin}/api/v1/pairing`, {
+      method: "POST",
+      headers: { "Content-Type": "application/json" },
+      body: JSON.stringify(wish).replaceAll("\u0416", String.raw`\u0416`),
+    });
+    expect(answer.status).toBe(202);
+    expect(await owner.show()).toMatchObject({ question: { name: "\u0416".repeat(40) } });
+  });
+
   it("lets the owner say yes again once there is room for one more key", async () => {
     const { relay, robot, owner, script } = await withRobot();
     const own = { key: robot.ownerKey };

@@ -1,5 +1,10 @@
 /** Pairing: the owner's code and answer, and the script that asks with it. */
-import { pairingReplySchema, pairingWishSchema, scriptName } from "@corridor/protocol";
+import {
+  MAX_FRAME_BYTES,
+  pairingReplySchema,
+  pairingWishSchema,
+  scriptName,
+} from "@corridor/protocol";
 import { Router } from "express";
 import type { Entrance } from "../entrance/entrance.ts";
 import type { PairingDesk } from "../pairing/pairing-desk.ts";
@@ -15,9 +20,6 @@ import {
   readIntroduction,
   readWait,
 } from "./reading.ts";
-
-/** A code and a name, or an answer. */
-const MAX_BODY_BYTES = 1024;
 
 export function pairingRoutes(hub: SessionHub, desk: PairingDesk, entrance: Entrance): Router {
   const router = Router();
@@ -40,10 +42,15 @@ export function pairingRoutes(hub: SessionHub, desk: PairingDesk, entrance: Entr
         await hub.authorise(request.params.id, readBearer(request), "grant");
         next();
       },
-      jsonText(MAX_BODY_BYTES),
+      jsonText(),
       async (request, response) => {
         const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-        const reply = readBody(request, pairingReplySchema, MAX_BODY_BYTES, "The answer is wrong.");
+        const reply = readBody(
+          request,
+          pairingReplySchema,
+          MAX_FRAME_BYTES,
+          "The answer is wrong.",
+        );
         await desk.reply(session, reply.id, reply.accept);
         response.status(204).end();
       },
@@ -57,11 +64,11 @@ export function pairingRoutes(hub: SessionHub, desk: PairingDesk, entrance: Entr
 
   router
     .route("/pairing")
-    .post(jsonText(MAX_BODY_BYTES), async (request, response) => {
+    .post(jsonText(), async (request, response) => {
       const { code, name } = readBody(
         request,
         pairingWishSchema,
-        MAX_BODY_BYTES,
+        MAX_FRAME_BYTES,
         "The pairing code is wrong.",
       );
       const asked = await desk.ask({

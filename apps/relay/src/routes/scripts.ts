@@ -1,5 +1,6 @@
 /** The scripts of a robot, as its owner sees them: sending one away, letting it back, pausing all. */
 import {
+  MAX_FRAME_BYTES,
   scriptIdSchema,
   scriptRefSchema,
   type ScriptList,
@@ -11,9 +12,6 @@ import { keyId } from "../keys.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 import { jsonText, read, readBearer, readBody } from "./reading.ts";
-
-/** Key, name and language. */
-const MAX_REF_BYTES = 1024;
 
 /** The id of a script, as the last part of a path. */
 export const scriptPath = z.object({ scriptId: scriptIdSchema.describe("id of the script") });
@@ -52,10 +50,10 @@ export function scriptRoutes(hub: SessionHub): Router {
         await hub.authorise(request.params.id, readBearer(request), "moderate");
         next();
       },
-      jsonText(MAX_REF_BYTES),
+      jsonText(),
       async (request, response) => {
         const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
-        const wanted = readBody(request, scriptRefSchema, MAX_REF_BYTES, "The script is wrong.");
+        const wanted = readBody(request, scriptRefSchema, MAX_FRAME_BYTES, "The script is wrong.");
         const script = await session.gate.sendAway(wanted);
         const answer: SentAway = { ...script, driver: keyId(script.driver) };
         response
