@@ -56,6 +56,14 @@ export function mintCode(): string {
   return letters(PAIRING_LENGTH);
 }
 
+/** Every key that the service has made: a prefix that names its kind, then 128 random bits. */
+const MADE_KEY = new RegExp(`^(?:${Object.values(PREFIX).join("|")})[A-Za-z0-9_-]{22}$`);
+
+/** Whether a text can be a key of the service. What cannot is refused before anything is looked up. */
+export function canBeKey(text: string | null): text is string {
+  return text !== null && MADE_KEY.test(text);
+}
+
 /** What is stored of a key. */
 export function hashKey(key: string): string {
   return createHash("sha256").update(key).digest("base64url");

@@ -192,6 +192,20 @@ export const problemKinds = {
     why: "The robot has no key of this kind with the id in `replace`.",
     fix: ["List the keys with `GET /keys`, or make the key without `replace`."],
   },
+  "unknown-driver": {
+    status: 409,
+    title: "The script's key is not known",
+    what: "The script was not blocked.",
+    why: "The robot has no driver key with the id in `driver`: the owner has revoked it, or the id has a typing error.",
+    fix: ["List the scripts with `GET /scripts`. A script whose key is revoked cannot come back."],
+  },
+  "no-question": {
+    status: 409,
+    title: "The question is over",
+    what: "The answer was not stored.",
+    why: "No script asks with the `id` in the body: it was answered, the code was taken back, or its 10 minutes are over.",
+    fix: ["Make a new code under **Remote** on the robot's page, and let the script ask again."],
+  },
   "too-many-keys": {
     status: 409,
     title: "The robot has too many keys",

@@ -5,7 +5,7 @@
 import { readShortCode, type ShortLink } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../clock.ts";
-import { hashKey, mintKey, mintLinkIds } from "../keys.ts";
+import { canBeKey, hashKey, mintKey, mintLinkIds } from "../keys.ts";
 import { CheckQueue } from "../pairing/check-queue.ts";
 import { notAuthorised, Refusal, retryAfter } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
@@ -67,15 +67,12 @@ export class DocumentShelf {
 
   /** Takes back what was stored with this key. @throws Refusal no-document or not-authorised */
   async remove(id: string, key: string | null, from: string): Promise<void> {
+    if (!canBeKey(key)) throw wrongKey();
     const result = await this.#tried(id, from, async (known) => {
-      const removed = await this.#store.remove(known, hashKey(key ?? ""));
+      const removed = await this.#store.remove(known, hashKey(key));
       return removed === "no-document" ? null : removed;
     });
-    if (result === "wrong-key") {
-      throw notAuthorised(
-        "Send the deleteKey that came with the short link, as: Authorization: Bearer KEY",
-      );
-    }
+    if (result === "wrong-key") throw wrongKey();
   }
 
   async close(): Promise<void> {
@@ -118,6 +115,12 @@ export class DocumentShelf {
     }
     this.#cancelTimer = this.#clock.after(SWEEP_MS, () => void this.#sweep());
   }
+}
+
+function wrongKey(): Refusal {
+  return notAuthorised(
+    "Send the deleteKey that came with the short link, as: Authorization: Bearer KEY",
+  );
 }
 
 function noDocument(): Refusal {

@@ -10,7 +10,7 @@ import {
   type SentMessages,
   type TakenMessages,
 } from "@corridor/protocol";
-import { hashKey, markOf, mintKey } from "../keys.ts";
+import { canBeKey, hashKey, markOf, mintKey } from "../keys.ts";
 import { notAuthorised, Refusal, retryAfter } from "../problems.ts";
 import type { Patience } from "../sessions/audience.ts";
 import { limits } from "../sessions/limits.ts";
@@ -108,7 +108,7 @@ export class HttpLines {
   }
 
   #find(robot: string, key: string | null): HttpLine {
-    if (key === null || key === "") {
+    if (!canBeKey(key)) {
       throw notAuthorised(
         "Send the key of the line, which came with it, as: Authorization: Bearer KEY",
       );

@@ -47,7 +47,7 @@ export const pairingCalls: ZodOpenApiPathsObject = {
       },
       responses: {
         204: { description: "It is answered." },
-        ...refusals(...keyed, "no-pairing", "too-many-keys", "too-large", "not-json"),
+        ...refusals(...keyed, "no-question", "too-many-keys", "too-large", "not-json"),
         ...refusals("storage-full"),
       },
     },

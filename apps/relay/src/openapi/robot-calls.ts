@@ -130,7 +130,7 @@ export const robotCalls: ZodOpenApiPathsObject = {
       requestBody: { required: true, content: { "application/json": { schema: scriptRefSchema } } },
       responses: {
         201: answer("The script that is away.", sentAwaySchema, location),
-        ...refusals(...keyed, "no-key", "too-many-away", "too-large", "not-json"),
+        ...refusals(...keyed, "unknown-driver", "too-many-away", "too-large", "not-json"),
       },
     },
   },

@@ -215,7 +215,7 @@ describe("real answers are as described", () => {
     const { id } = (shown.body as { question: { id: string } }).question;
     const yes = { key, body: { id, accept: true } };
     expect((await api.call("put", PAIRING, yes)).status).toBe(204);
-    expect((await api.call("put", PAIRING, yes)).status).toBe(404);
+    expect((await api.call("put", PAIRING, yes)).status).toBe(409);
     expect((await api.callAt("get", PAIR, { key: waiting })).body).toMatchObject({
       state: "accepted",
     });

@@ -90,7 +90,7 @@ export class PairingDesk {
 
   /**
    * The owner's yes or no to one question.
-   * @throws Refusal no-pairing when nobody asks this any more, or as `KeyRing.admit`
+   * @throws Refusal no-question when nobody asks this any more, or as `KeyRing.admit`
    */
   async reply({ id, keys }: OwnedRobot, question: string, accept: boolean): Promise<void> {
     const found = await this.#find({ robot: id });
@@ -234,7 +234,7 @@ function ownerSaidNo(): Refusal {
 
 function nobodyAsks(): Refusal {
   return new Refusal(
-    "no-pairing",
+    "no-question",
     "Nobody asks this any more: it was answered, or its 10 minutes are over.",
   );
 }

@@ -158,11 +158,19 @@ describe("a wrong request", () => {
     expect((await problemOf(asDriver)).status).toBe(403);
   });
 
-  it("for a robot that does not exist says so before it asks for a key", async () => {
+  it("for a robot that does not exist asks for a key before it says so", async () => {
     const relay = await startTestRelay();
+    const { driverKey } = await relay.register();
+    const kindFor = async (id: string, headers: HeadersInit): Promise<string> =>
+      (await problemOf(await fetch(`${relay.origin}/api/v1/robots/${id}/sensors`, { headers })))
+        .type;
     for (const id of ["AAAAAAAAAAAAAAAAAAAAAA", "__proto__", "x".repeat(500)]) {
-      const answer = await fetch(`${relay.origin}/api/v1/robots/${id}/sensors`);
-      expect((await problemOf(answer)).type).toBe("/problems/no-robot");
+      expect(await kindFor(id, {})).toBe("/problems/not-authorised");
+      // Cut off while it was copied.
+      const cut = { Authorization: `Bearer ${driverKey.slice(0, -1)}` };
+      expect(await kindFor(id, cut)).toBe("/problems/not-authorised");
+      const whole = { Authorization: `Bearer ${driverKey}` };
+      expect(await kindFor(id, whole)).toBe("/problems/no-robot");
     }
   });
 

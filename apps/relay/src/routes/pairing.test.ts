@@ -76,7 +76,7 @@ describe("pairing by a code", () => {
     expect(await owner.say(false)).toBe("");
     expect(await answer).toMatchObject({ status: 403, kind: "pairing-refused" });
     expect(await drive(`${relay.origin}/r/${robot.id}#${key}`)).toBe(401);
-    expect(await owner.say(true)).toBe("no-pairing");
+    expect(await owner.say(true)).toBe("no-question");
   });
 
   it("is for one script, and for the newest code alone", async () => {
@@ -143,7 +143,7 @@ describe("pairing by a code", () => {
     await clock.pass(10 * MINUTE - 1_000);
     expect((await script.hear(key)).body).toMatchObject({ state: "asked", endsInSeconds: 1 });
     await clock.pass(1_000);
-    expect(await owner.say(true)).toBe("no-pairing");
+    expect(await owner.say(true)).toBe("no-question");
     expect((await script.hear(key)).kind).toBe("no-pairing");
     await clock.pass(MINUTE);
     for (const text of [hashKey(code), hashKey(key), "A forgettable name"]) {

@@ -7,6 +7,7 @@ import {
 } from "@corridor/protocol";
 import { Router } from "express";
 import type { Entrance } from "../entrance/entrance.ts";
+import { canBeKey } from "../keys.ts";
 import type { PairingDesk } from "../pairing/pairing-desk.ts";
 import { notAuthorised } from "../problems.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
@@ -82,7 +83,7 @@ export function pairingRoutes(hub: SessionHub, desk: PairingDesk, entrance: Entr
     .get(async (request, response) => {
       const { wait } = readWait(request);
       const key = readBearer(request);
-      if (key === null) {
+      if (!canBeKey(key)) {
         throw notAuthorised(
           "Send the key that came with the question, as: Authorization: Bearer KEY",
         );

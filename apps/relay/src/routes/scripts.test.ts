@@ -178,7 +178,11 @@ describe("a script that is sent away", () => {
       409,
       { type: "/problems/too-many-away" },
     ]);
-    expect((await post({ driver: "______", client, name: "Anna" })).status).toBe(404);
+    const unknown = await post({ driver: "______", client, name: "Anna" });
+    expect([unknown.status, await unknown.json()]).toMatchObject([
+      409,
+      { type: "/problems/unknown-driver" },
+    ]);
     expect((await post({ driver, client })).status).toBe(400);
     expect((await post({ driver, client, name: "" })).status).toBe(400);
   });

@@ -67,7 +67,10 @@ export class ScriptGate {
     const stored = await this.#stored();
     const key = stored?.keys.find(({ kind, hash }) => kind === "drive" && keyId(hash) === driver);
     if (key === undefined) {
-      throw new Refusal("no-key", "No script can use it any more. GET .../scripts lists all.");
+      throw new Refusal(
+        "unknown-driver",
+        "No script can use this key any more. GET .../scripts lists all.",
+      );
     }
     const script = scriptOf(key.hash, { name, client });
     await this.#change({ add: script, remove: null });

@@ -7,7 +7,7 @@ import type { Logger } from "pino";
 import type { Clock } from "../clock.ts";
 import { LocalSwitchboard } from "../cluster/local-switchboard.ts";
 import type { Switchboard } from "../cluster/switchboard.ts";
-import { hashKey, mintId, mintKey } from "../keys.ts";
+import { canBeKey, hashKey, mintId, mintKey } from "../keys.ts";
 import { noRobot, notAuthorised, Refusal, retryAfter, restarting } from "../problems.ts";
 import type { SessionStore, StoredKey } from "../store/session-store.ts";
 import type { ReaderDoor } from "./audience.ts";
@@ -128,16 +128,15 @@ export class SessionHub {
     verb: Verb,
     introduction: Introduction = unknownScript,
   ): Promise<Grant> {
-    const session = await this.#find(id);
     // A key that is not known any more would be given up for good; a restart is not the key's fault.
     if (this.#isClosing) throw restarting();
+    // Without a key nobody is told which robots there are.
+    if (!canBeKey(key)) throw wrongKey();
+    const session = await this.#find(id);
+    if (this.#isClosing) throw restarting();
     if (session === null) throw noRobot();
-    const stored = key === null ? null : session.grantOf(key);
-    if (stored === null) {
-      throw notAuthorised(
-        "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY",
-      );
-    }
+    const stored = session.grantOf(key);
+    if (stored === null) throw wrongKey();
     checkRight(stored.kind, verb);
     const caller = callerOf(stored, introduction);
     session.gate.check(caller);
@@ -265,4 +264,10 @@ export class SessionHub {
     }
     await Promise.all(urgent);
   }
+}
+
+function wrongKey(): Refusal {
+  return notAuthorised(
+    "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY",
+  );
 }

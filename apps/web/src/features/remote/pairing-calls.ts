@@ -58,7 +58,8 @@ export async function replyToPairing(
     });
     if (answer.ok) return "done";
     if (answer.status === 404) return "over";
-    return answer.status === 409 ? "tooManyKeys" : "failed";
+    if (answer.status !== 409) return "failed";
+    return (await answer.text()).includes("/problems/too-many-keys") ? "tooManyKeys" : "over";
   } catch {
     return "failed";
   }

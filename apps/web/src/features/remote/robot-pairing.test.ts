@@ -101,7 +101,7 @@ it("finds the question again after a reload, and lets it go when its time is ove
   await answer(shown("asked", question));
   expect(view()).toMatchObject({ kind: "asked", question });
   void pairing.accept();
-  await answer(Response.json({}, { status: 409 }));
+  await answer(Response.json({ type: "/problems/too-many-keys" }, { status: 409 }));
   expect(view()).toMatchObject({ kind: "asked", trouble: "tooManyKeys" });
   await pass(500_000);
   expect(view()).toMatchObject({ kind: "over" });
@@ -134,7 +134,7 @@ it("says so when there is no code, or nobody asks any more", async () => {
   void pairing.resume();
   await answer(shown("asked", question));
   void pairing.accept();
-  await answer(Response.json({}, { status: 404 }));
+  await answer(Response.json({ type: "/problems/no-question" }, { status: 409 }));
   expect(view()).toMatchObject({ kind: "over" });
 });
 
