@@ -130,6 +130,24 @@ const states = [
   },
 ];
 
+test("a first script with a misspelled action names it, and the actions that there are", async ({
+  page,
+}) => {
+  test.setTimeout(120_000);
+  const folder = await mkdtemp(join(tmpdir(), "corridor-misspelled-"));
+  await page.goto("/");
+  const scripts = await firstScripts(page, await copyAddress(page), folder);
+  for (const { name, command, text } of scripts) {
+    const misspelled = text.replace(/action(.{1,6})left 90/, "action$1turn left");
+    if (misspelled === text) continue;
+    // Java reads a file and not its input.
+    if (name === "Java") await writeFile(join(folder, "Robot.java"), misspelled);
+    const { output } = await runScript([...command], misspelled);
+    expect(output, name).toMatch(/found '?turn left'?, expected one of forward, reverse, stop/);
+  }
+  await rm(folder, { recursive: true });
+});
+
 for (const { state, prepare, last } of states) {
   test(`every first script ends with what to do: the page is ${state}`, async ({ page }) => {
     test.setTimeout(120_000);

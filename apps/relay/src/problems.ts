@@ -2,7 +2,7 @@
  * Everything that the relay refuses, as problem documents (RFC 9457). The same document answers an
  * HTTP request and a WebSocket message, and it never tells more than the client may know.
  */
-import type { FieldProblem, ProblemDocument } from "@corridor/protocol";
+import { describeProblem, type FieldProblem, type ProblemDocument } from "@corridor/protocol";
 import { problemKinds, type ProblemKind } from "./problem-kinds.ts";
 import { isDiskFull } from "./store/disk-full.ts";
 import { StoreAway } from "./store/store-away.ts";
@@ -36,9 +36,15 @@ export class Refusal extends Error {
   }
 }
 
-/** A refusal of input that breaks a schema. */
+/**
+ * A refusal of input that breaks a schema. `detail` names the first wrong field, because short scripts print
+ * nothing else. It has no double quotes, because scripts without a JSON parser read it up to the next one.
+ */
 export function badRequest(what: string, errors: FieldProblem[]): Refusal {
-  return new Refusal("bad-request", `${what} See "errors" for each field.`, { errors });
+  const first = errors.slice(0, 1).map((each) => ` ${describeProblem(each)}.`);
+  const rest = errors.length > 1 ? " The field 'errors' lists all that is wrong." : "";
+  const detail = `${what}${first.join("")}${rest}`.replaceAll('"', "'");
+  return new Refusal("bad-request", detail, { errors });
 }
 
 /** A refusal for want of a valid key. @param detail which key to send, and how */

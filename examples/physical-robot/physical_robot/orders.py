@@ -6,7 +6,7 @@ import json
 import math
 from typing import Any, Dict, List, Optional, Tuple
 
-from .problems import Problem
+from .problems import Problem, bad_request
 
 PLAIN = (
     "forward",
@@ -105,4 +105,4 @@ def _error(path: str, found: str, expected: str) -> Dict[str, str]:
 
 
 def _wrong(errors: List[Dict[str, str]]) -> Problem:
-    return Problem(400, "bad-request", 'The command is wrong. See "errors" for each field.', errors)
+    return bad_request("The command is wrong.", errors)

@@ -41,3 +41,11 @@ class Problem(Exception):
             "detail": detail,
             "errors": errors or [],
         }
+
+
+def bad_request(what: str, errors: List[Dict[str, str]]) -> Problem:
+    """Input of the wrong form. The first wrong field stands in `detail`, where short scripts look."""
+    first = errors[0]
+    named = f"{first['path'] or 'document'}: found {first['found']}, expected {first['expected']}."
+    rest = " The field 'errors' lists all that is wrong." if len(errors) > 1 else ""
+    return Problem(400, "bad-request", f"{what} {named}{rest}".replace('"', "'"), errors)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Dict
 
-from .problems import Problem
+from .problems import Problem, bad_request
 
 LONGEST_WAIT = 25.0
 _WAIT = re.compile(r"\d{1,2}(\.\d{1,3})?")
@@ -28,7 +28,7 @@ def wait_in(query: Dict[str, str]) -> float:
 
 def wrong(path: str, found: str, expected: str) -> Problem:
     error = {"path": path, "found": found[:60], "expected": expected}
-    return Problem(400, "bad-request", 'The request is wrong. See "errors" for each field.', [error])
+    return bad_request("The request is wrong.", [error])
 
 
 def nothing_here() -> Problem:

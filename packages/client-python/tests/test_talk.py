@@ -284,6 +284,15 @@ def test_a_host_that_was_never_heard_is_given_up_sooner() -> None:
     assert scene.now <= 110
 
 
+def test_a_refusal_says_a_field_once_that_its_detail_names() -> None:
+    errors = [{"path": "action", "found": '"fly"', "expected": "one of forward, reverse"}]
+    detail = "The command is wrong. action: found 'fly', expected one of forward, reverse."
+    scene = Scene(problem(400, "bad-request", detail, errors=errors))
+    with pytest.raises(CommandError) as error:
+        scene.move()
+    assert str(error.value).count("expected one of forward") == 1
+
+
 def test_a_refusal_says_which_field_is_wrong_and_what_was_expected() -> None:
     errors = [{"path": "distance", "found": "text", "expected": "a distance in cm"}]
     scene = Scene(problem(400, "bad-request", "The command is wrong.", errors=errors))

@@ -99,7 +99,7 @@ export const messageExamples: { [S in keyof MessageKinds]: OfEachKind<MessageKin
         type: "/problems/bad-request",
         title: "The request cannot be read",
         status: 400,
-        detail: 'The message is wrong. See "errors" for each field.',
+        detail: "The message is wrong. command.distance: found 'far', expected a number.",
         errors: [{ path: "command.distance", found: '"far"', expected: "a number" }],
       },
       key,

@@ -23,6 +23,9 @@ describe("a wrong command", () => {
     const problem = await problemOf(answer);
     expect(problem).toMatchObject({ status: 400, type: "/problems/bad-request" });
     expect(problem.errors[0]?.path).toBe(path);
+    // What a script prints that shows no more than `detail`, or reads it without a JSON parser.
+    expect(problem.detail).toContain(`The command is wrong. ${path || "document"}: found `);
+    expect(problem.detail).not.toContain('"');
     const log = await relay.ask(robot, "/commands");
     expect(await log.json()).toEqual({ commands: [] });
   });

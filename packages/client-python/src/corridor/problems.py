@@ -31,16 +31,19 @@ def may_pass(answer: Answer) -> bool:
 
 
 def reason_of(answer: Answer) -> str:
-    """What the service says is wrong, field by field."""
+    """What the service says is wrong, each field once."""
     if answer.status == 0:
         return answer.lost
     try:
         problem: Any = json.loads(answer.body)
+        detail = str(problem["detail"])
         fields = [
-            f"{error['path']}: found {error['found']}, expected {error['expected']}."
+            f"{error['path'] or 'document'}: found {error['found']}, expected {error['expected']}."
             for error in problem["errors"]
         ]
-        return " ".join([str(problem["detail"]), *fields])[:1_000]
+        # The relay puts the first field into `detail`, with other quotation marks.
+        rest = [field for field in fields if field.replace('"', "'") not in detail]
+        return " ".join([detail, *rest])[:1_000]
     except (ValueError, KeyError, TypeError):
         return f"It answered with status {answer.status} and gave no reason."
 
