@@ -231,6 +231,22 @@ describe("a line by HTTPS", () => {
     expect(await answer.json()).toMatchObject({ type: "/problems/no-line", status: 404 });
   });
 
+  it("asks for its key before it reads what is sent", async () => {
+    const { relay, robot } = await withRobot();
+    const body = " ".repeat(17 * 1024);
+    const sent = async (key: string) =>
+      (await relay.ask(robot, "/line/messages", { method: "POST", key, body })).status;
+    expect(await sent("lin_cut_off")).toBe(401);
+    expect(await sent("lin_AAAAAAAAAAAAAAAAAAAAAA")).toBe(404);
+    const { line } = (await (
+      await relay.ask(robot, "/line", {
+        method: "POST",
+        body: { type: "hello", version: 1, role: "drive", key: robot.driverKey },
+      })
+    ).json()) as { line: string };
+    expect(await sent(line)).toBe(413);
+  });
+
   it("is not reached at another robot, and is gone once it was left", async () => {
     const { relay, robot } = await withRobot();
     const other = await relay.register();

@@ -79,6 +79,11 @@ export class HttpLines {
     return { line: key };
   }
 
+  /** @throws Refusal when there is no such line */
+  require(robot: string, key: string | null): void {
+    this.#find(robot, key);
+  }
+
   /** Takes what the other side of a line sends. @throws Refusal when there is no such line */
   take(robot: string, key: string | null, { first, messages }: SentMessages): TakenMessages {
     const line = this.#find(robot, key);

@@ -25,15 +25,23 @@ export function lineRoutes(lines: HttpLines, entrance: Entrance): Router {
 
   router
     .route("/robots/:id/line/messages")
-    .post(jsonText(), (request, response) => {
-      const sent = readBody(
-        request,
-        sentMessagesSchema,
-        MAX_FRAME_BYTES,
-        "The messages are wrong.",
-      );
-      response.json(lines.take(request.params.id, readBearer(request), sent));
-    })
+    .post(
+      // Who may not is told so before the body is read.
+      (request, _response, next) => {
+        lines.require(request.params.id, readBearer(request));
+        next();
+      },
+      jsonText(),
+      (request, response) => {
+        const sent = readBody(
+          request,
+          sentMessagesSchema,
+          MAX_FRAME_BYTES,
+          "The messages are wrong.",
+        );
+        response.json(lines.take(request.params.id, readBearer(request), sent));
+      },
+    )
     .get(async (request, response) => {
       const { after, wait } = readFetch(request);
       const patience = patienceOf(response, wait);
