@@ -52,26 +52,21 @@ export const openApiFuzz: Row = {
 /** One round. What was found is shown. @throws Error when it did not come to its end */
 function fuzz(python: string, url: string, robots: string, seed: number, terms: Terms) {
   const options = `--max-examples ${EXAMPLES} --seed ${seed} --continue-on-failure --generation-database none --warnings off --no-color`;
-  const config = `${HERE}schemathesis.toml`;
   const run = ["run", `${url}/openapi.json`, ...options.split(" ")];
-  const { stdout, stderr } = spawnSync(
-    python,
-    ["-m", "schemathesis.cli", "--config-file", config, ...run],
-    {
-      cwd: terms.folder,
-      encoding: "utf8",
-      timeout: ROUND_MS,
-      env: {
-        ...process.env,
-        PYTHONPATH: HERE,
-        PYTHONDONTWRITEBYTECODE: "1",
-        SCHEMATHESIS_HOOKS: "hooks",
-        CORRIDOR_URL: url,
-        CORRIDOR_ROBOTS: robots,
-        CORRIDOR_SEED: String(seed),
-      },
+  const { stdout, stderr } = spawnSync(python, ["-m", "schemathesis.cli", ...run], {
+    cwd: terms.folder,
+    encoding: "utf8",
+    timeout: ROUND_MS,
+    env: {
+      ...process.env,
+      PYTHONPATH: HERE,
+      PYTHONDONTWRITEBYTECODE: "1",
+      SCHEMATHESIS_HOOKS: "hooks",
+      CORRIDOR_URL: url,
+      CORRIDOR_ROBOTS: robots,
+      CORRIDOR_SEED: String(seed),
     },
-  );
+  });
   const summary = /Test cases:\s+(\d+) generated, (?:(\d+) found|\d+ passed)/.exec(stdout);
   if (summary === null) throw new Error(`schemathesis did not end: ${stdout}${stderr}`);
   const findings = Number(summary[2] ?? 0) + (stdout.includes(" ERRORS ") ? 1 : 0);
