@@ -6,9 +6,11 @@ import { chromium } from "playwright";
 import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
 import { checkOf, textOf } from "../../../packages/link/src/digits.ts";
 import { chromiumArguments, requireChromium } from "../../../scripts/chromium.ts";
+import share from "../../../apps/web/src/text/en/share.json" with { type: "json" };
 import { RelayProcess } from "../../support/relay-process.ts";
 import type { Row } from "../row.ts";
 
+const REFUSALS = Object.values(share.linkProblems);
 const LINKS = { short: 150, long: 1_500 };
 const ANSWER_MS = 2_000;
 const HEAP_MIB = 150;
@@ -56,7 +58,7 @@ export const hostileLinks: Row = {
       await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => done(null))));
       longestMs = Math.max(longestMs, performance.now() - began);
       const sentences = (await messages.count()) > 0 ? await messages.innerText() : "";
-      if (/This (?:link|is no link)/.test(sentences)) told += 1;
+      if (REFUSALS.some((sentence) => sentences.includes(sentence))) told += 1;
       else if (sentences.includes("You opened a shared")) opened += 1;
       else silent += 1;
       const found = await page.evaluate((mark) => {
