@@ -22,7 +22,10 @@ ROOM = "#######,#.#...#,#.#.#.#,#...#.#,#######"
 
 def not_offered(options: argparse.Namespace, body: SimulatedBody) -> Dict[str, str]:
     """What this robot cannot do, and why. Its scripts and the conformance kit read it."""
-    missing = {"maze": "It has no map of the room."}
+    missing = {
+        "maze": "It has no map of the room.",
+        "websocket": "Libraries use the long-poll connection.",
+    }
     if not options.tracked:
         missing["pose"] = "It counts the turns of its wheels: its pose is an estimate."
     if not body.has_goal:

@@ -3,6 +3,7 @@ import {
   commandRecordSchema,
   hasEnded,
   featureListSchema,
+  PROTOCOL_VERSION,
   snapshotSchema,
   type CommandRecord,
   type FeatureList,
@@ -35,6 +36,16 @@ export interface AskOptions {
   headers?: Record<string, string>;
 }
 
+/** What a hello says besides the usual. */
+export interface HelloTerms {
+  /** `STREAM-n` of the last state of an earlier connection */
+  since?: string;
+  /** ms by the script's clock */
+  sentAt?: number;
+  key?: string;
+  version?: number;
+}
+
 export class Host {
   readonly origin: string;
   readonly id: string;
@@ -57,6 +68,12 @@ export class Host {
 
   get api(): string {
     return `${this.origin}/api/v1/robots/${this.id}`;
+  }
+
+  /** The first message of a connection. */
+  hello(terms: HelloTerms = {}) {
+    const hello = { type: "hello", version: PROTOCOL_VERSION, role: "drive", key: this.#key };
+    return { ...hello, ...terms };
   }
 
   /** An idempotency key that was never used before. */

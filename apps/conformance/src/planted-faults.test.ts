@@ -3,6 +3,7 @@
  * copy of it, as the first of all checks.
  */
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { connections } from "./checks/connections.ts";
 import { passes } from "./report.ts";
 import { groups, runChecks, type Outcome, type Result, type RunOptions } from "./run-checks.ts";
 import { plantedFaults, type PlantedFault } from "./testing/planted-faults.ts";
@@ -12,6 +13,7 @@ import {
   type RobotOptions,
   type RunningRobot,
 } from "./testing/physical-robot.ts";
+import { startBridge, type BridgeFault } from "./testing/websocket-bridge.ts";
 
 /** Robots at the same time: a run mostly waits for leases and times to live. */
 const AT_ONCE = 24;
@@ -31,14 +33,32 @@ async function kitOn(robotOptions: Partial<RobotOptions>, options?: RunOptions):
   }
 }
 
-async function firstFailure({ edits }: PlantedFault): Promise<Result | undefined> {
-  const results = await kitOn({ isTracked: true, edits }, { stopsAtFailure: true });
+async function firstFailure({ edits, bridge }: PlantedFault): Promise<Result | undefined> {
+  const results =
+    bridge === undefined
+      ? await kitOn({ isTracked: true, edits }, { stopsAtFailure: true })
+      : await connectionsOn(bridge);
   return results.find(({ outcome }) => outcome.kind === "failed");
+}
+
+/** What the checks of connections say of the example with a WebSocket; all others see the same as without. */
+async function connectionsOn(fault?: BridgeFault): Promise<Result[]> {
+  const robot = await startPhysicalRobot({ room: PEN, haste: 8, isTracked: true });
+  running.add(robot);
+  const bridge = await startBridge(robot.address, fault);
+  try {
+    return await runChecks(bridge.address, { groups: [connections], stopsAtFailure: true });
+  } finally {
+    bridge.stop();
+    robot.stop();
+    running.delete(robot);
+  }
 }
 
 describe("the physical robot", () => {
   const outcomes = new Map<PlantedFault, Result | undefined | Error>();
   let unchanged: Result[] = [];
+  let bridged: Result[] = [];
 
   beforeAll(async () => {
     // The longest runs first: a late check is reached after all others.
@@ -49,7 +69,7 @@ describe("the physical robot", () => {
         outcomes.set(fault, found);
       }
     });
-    [unchanged] = await Promise.all([kitOn({}), ...work]);
+    [unchanged, bridged] = await Promise.all([kitOn({}), connectionsOn(), ...work]);
   }, RUN_MS);
 
   afterAll(() => {
@@ -61,8 +81,19 @@ describe("the physical robot", () => {
       unchanged.filter(({ outcome }) => outcome.kind === kind).map(({ promise }) => promise);
     expect(unchanged.filter(({ outcome }) => outcome.kind === "failed")).toEqual([]);
     expect(of("not testable")).toEqual([]);
-    expect(of("not offered")).toEqual(["pose-heading", "pose-axes", "pose-ending", "maze"]);
+    const webSocket = connections.checks.filter(({ needs }) => needs?.includes("websocket"));
+    expect(of("not offered")).toEqual([
+      "pose-heading",
+      "pose-axes",
+      "pose-ending",
+      "maze",
+      ...webSocket.map(({ promise }) => promise),
+    ]);
     expect(passes(unchanged)).toBe(true);
+  });
+
+  it("does the same by WebSocket, where it has one", () => {
+    expect(bridged.filter(({ outcome }) => outcome.kind !== "passed")).toEqual([]);
   });
 
   it.each(plantedFaults)("with a fault, $fault: caught by $caughtBy", (fault) => {

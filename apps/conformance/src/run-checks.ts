@@ -2,6 +2,7 @@
 import type { HostFeature } from "@corridor/protocol";
 import { access } from "./checks/access.ts";
 import { badInput } from "./checks/bad-input.ts";
+import { connections } from "./checks/connections.ts";
 import { directions } from "./checks/directions.ts";
 import { events } from "./checks/events.ts";
 import { leases } from "./checks/leases.ts";
@@ -28,6 +29,7 @@ export const groups: readonly CheckGroup[] = [
   badInput,
   leases,
   limits,
+  connections,
 ];
 
 export type Outcome =
@@ -48,6 +50,8 @@ export interface Result {
 export interface RunOptions {
   /** receives each result as it comes */
   onResult?: (result: Result) => void;
+  /** default: all */
+  groups?: readonly CheckGroup[];
   /** ends the run at the first failed check */
   stopsAtFailure?: boolean;
 }
@@ -57,7 +61,7 @@ export async function runChecks(address: string, options: RunOptions = {}): Prom
   const host = new Host(address);
   const missing = await missingFeatures(host);
   const results: Result[] = [];
-  for (const { title, checks } of groups) {
+  for (const { title, checks } of options.groups ?? groups) {
     for (const check of checks) {
       const outcome = await outcomeOf(check, host, missing);
       const result = { group: title, promise: check.promise, check: check.name, outcome };

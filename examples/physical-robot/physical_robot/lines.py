@@ -18,6 +18,7 @@ from .pilot import Pilot
 from .problems import Problem
 from .reading import not_known, nothing_here, number_in, wrong
 
+VERSION = 1
 MOST_MESSAGES = 64
 MOST_LINES = 16
 #: the latest time of a script's clock, in ms
@@ -88,6 +89,8 @@ class Lines:
         key = hello.get("key")
         if not isinstance(key, str) or not hmac.compare_digest(key.encode(), self._key.encode()):
             raise _no_key("Send the robot's key in the hello, the part of its address after the #.")
+        if hello.get("version") != VERSION:
+            raise wrong("version", str(hello.get("version")), f"version {VERSION} of the protocol")
         if hello.get("type") != "hello" or hello.get("role") != "drive":
             raise wrong("role", str(hello.get("role")), "a hello of a script: drive")
         with self._ledger.changed:

@@ -5,7 +5,15 @@
 import { z } from "zod";
 
 /** What a host may do without. */
-export const hostFeatures = ["pose", "speed", "bumps", "goal", "maze"] as const;
+export const hostFeatures = [
+  "pose",
+  "speed",
+  "bumps",
+  "goal",
+  "maze",
+  "websocket",
+  "long-poll",
+] as const;
 export type HostFeature = (typeof hostFeatures)[number];
 
 export const featureListSchema = z.strictObject({

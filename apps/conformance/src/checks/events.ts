@@ -148,7 +148,7 @@ export const events: CheckGroup = {
 };
 
 /** The states of one command: in the order of a life, with one ending at its end. */
-function mustLive(states: readonly StateEvent[], seq: number): void {
+export function mustLive(states: readonly StateEvent[], seq: number): void {
   const life = states.filter(({ record }) => record.seq === seq).map(({ record }) => record.state);
   const endings = life.filter((state) => hasEnded(state));
   must(endings.length === 1, `one ending of command ${seq}`, life);

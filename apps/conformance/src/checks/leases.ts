@@ -10,7 +10,7 @@ import { atHome, mustStand } from "../setting.ts";
  * ms from sending to the ending. It can never take less than the lease, but more: a slow network
  * delays both ends.
  */
-const FORWARD_MS = { least: 2_800, most: 5_000 };
+export const FORWARD_MS = { least: 2_800, most: 5_000 };
 const DRIVE_MS = { least: 400, most: 2_500 };
 const LONG_DRIVE_MS = { least: 1_900, most: 4_500 };
 /** cm from the far wall, at which the robot does not touch it */
@@ -205,7 +205,7 @@ async function bothLast(
   });
 }
 
-function mustTake(ms: number, { least, most }: { least: number; most: number }): void {
+export function mustTake(ms: number, { least, most }: { least: number; most: number }): void {
   const range = `an ending after ${least / 1_000} to ${most / 1_000} s`;
   must(ms >= least && ms <= most, range, `${(ms / 1_000).toFixed(1)} s`);
 }

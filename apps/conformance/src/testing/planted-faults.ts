@@ -3,16 +3,20 @@
  * it so, and the promise whose check is the first to fail.
  */
 import type { Edit } from "./physical-robot.ts";
+import type { BridgeFault, Message } from "./websocket-bridge.ts";
 
 export interface PlantedFault {
   fault: string;
   edits: readonly Edit[];
   caughtBy: string;
+  /** for a WebSocket, which the example has by a bridge alone */
+  bridge?: BridgeFault;
 }
 
 const BODY = "physical_robot/body.py";
 const HOST = "robot_host.py";
 const LEDGER = "physical_robot/ledger.py";
+const LINES = "physical_robot/lines.py";
 const ORDERS = "physical_robot/orders.py";
 const PILOT = "physical_robot/pilot.py";
 const READING = "physical_robot/reading.py";
@@ -50,8 +54,8 @@ const access: PlantedFault[] = [
     "features",
     "the host says that it cannot stop",
     HOST,
-    'missing = {"maze": "It has no map of the room."}',
-    'missing = {"maze": "It has no map of the room.", "stop": "It has no brakes."}',
+    '"maze": "It has no map of the room.",',
+    '"maze": "It has no map of the room.", "stop": "It has no brakes.",',
   ),
 ];
 
@@ -475,8 +479,8 @@ const reading: PlantedFault[] = [
     "maze",
     "the host has no maze and does not say so",
     HOST,
-    'missing = {"maze": "It has no map of the room."}',
-    "missing = {}",
+    '"maze": "It has no map of the room.",',
+    "",
   ),
   fault(
     "log",
@@ -738,6 +742,149 @@ const limits: PlantedFault[] = [
   ),
 ];
 
+const longPoll: PlantedFault[] = [
+  fault(
+    "long-poll-command",
+    "states have the number of the next one",
+    LINES,
+    '{"type": "state", "n": n,',
+    '{"type": "state", "n": n + 1,',
+  ),
+  fault(
+    "long-poll-command",
+    "the snapshot of an ending comes after it",
+    LINES,
+    "is_due = len(events) > 0 or now - line.told_at >= PACE",
+    "is_due = len(events) == 0 and now - line.told_at >= PACE",
+  ),
+  {
+    fault: "a key counts for its connection alone",
+    caughtBy: "long-poll-retry",
+    edits: [
+      {
+        file: LINES,
+        before: "record = self._ledger.submit(order, key)",
+        after: 'record = {**self._ledger.submit(order, f"{key}{line.key}"), "key": key}',
+      },
+    ],
+  },
+  fault(
+    "long-poll-resume",
+    "`since` is ignored",
+    LINES,
+    'self._welcome(line, hello.get("since"))',
+    "self._welcome(line, None)",
+  ),
+  fault(
+    "long-poll-gap",
+    "a reader is not told of its gap",
+    LINES,
+    '"snapshot": snapshot})\n        if gap is not None:',
+    '"snapshot": snapshot})\n        if False:',
+  ),
+  fault(
+    "long-poll-problem",
+    "a refusal does not say of which command",
+    LINES,
+    '"problem": problem.document, "key": key}',
+    '"problem": problem.document, "key": None}',
+  ),
+  fault(
+    "long-poll-transit",
+    "the time on the way does not count",
+    LINES,
+    "order.age += line.transit(message)",
+    "line.transit(message)",
+  ),
+  fault(
+    "long-poll-key",
+    "any key that looks like one opens a connection",
+    LINES,
+    "not hmac.compare_digest(key.encode(), self._key.encode())",
+    "not key.startswith(self._key[:8])",
+  ),
+  fault(
+    "long-poll-key",
+    "every version of the protocol is welcome",
+    LINES,
+    'if hello.get("version") != VERSION:',
+    "if False:",
+  ),
+  fault(
+    "long-poll-silence",
+    "an open connection holds a motion",
+    LINES,
+    "self._lines.append(line)",
+    "self._lines.append(line)\n            self._ledger.listeners += 1",
+  ),
+  fault(
+    "long-poll-numbers",
+    "messages that are posted again are taken again",
+    LINES,
+    "if number == line.taken + 1:",
+    "if True:",
+  ),
+  fault(
+    "long-poll-numbers",
+    "messages are forgotten before they are confirmed",
+    LINES,
+    '            return {"first": line.first, "messages": line.outbox[:MOST_MESSAGES], "closed": None}',
+    [
+      "            first, sent = line.first, line.outbox",
+      "            line.first, line.outbox = first + len(sent), []",
+      '            return {"first": first, "messages": sent, "closed": None}',
+    ].join("\n"),
+  ),
+];
+
+/** The same text for a key at both ends of one connection, and another one at the next. */
+function keyOfConnection(message: Message, connection: number): Message {
+  const { type, key } = message;
+  return type === "command" ? { ...message, key: `${key}-${connection}` } : message;
+}
+
+function keyOfScript(message: Message, connection: number): Message {
+  const { record } = message;
+  if (record === undefined) return message;
+  const key = record.key?.replace(new RegExp(`-${connection}$`), "") ?? null;
+  return { ...message, record: { ...record, key } };
+}
+
+function bridged(caughtBy: string, what: string, bridge: BridgeFault): PlantedFault {
+  return { fault: what, caughtBy, edits: [], bridge };
+}
+
+const webSocket: PlantedFault[] = [
+  bridged("websocket-command", "states have the number of the next one", {
+    toScript: (message) =>
+      message.type === "state" ? { ...message, n: (message.n ?? 0) + 1 } : message,
+  }),
+  bridged("websocket-command", "no snapshot is sent", {
+    toScript: (message) => (message.type === "snapshot" ? null : message),
+  }),
+  bridged("websocket-retry", "a key counts for its connection alone", {
+    toHost: keyOfConnection,
+    toScript: keyOfScript,
+  }),
+  bridged("websocket-resume", "`since` is ignored", {
+    toHost: ({ since: _since, ...message }) => message as Message,
+  }),
+  bridged("websocket-gap", "a reader is not told of its gap", {
+    toScript: (message) => (message.type === "gap" ? null : message),
+  }),
+  bridged("websocket-problem", "a refusal does not say of which command", {
+    toScript: (message) => (message.type === "problem" ? { ...message, key: null } : message),
+  }),
+  bridged("websocket-transit", "the time on the way does not count", {
+    toHost: ({ sentAt: _sentAt, ...message }) => message as Message,
+  }),
+  bridged("websocket-key", "a wrong key closes the connection by another code", {
+    closeCode: 1008,
+  }),
+  bridged("websocket-key", "every version of the protocol is welcome", { takesAnyVersion: true }),
+  bridged("websocket-silence", "an open connection holds a motion", { isRestless: true }),
+];
+
 export const plantedFaults: readonly PlantedFault[] = [
   ...access,
   ...directions,
@@ -750,4 +897,6 @@ export const plantedFaults: readonly PlantedFault[] = [
   ...badInput,
   ...leases,
   ...limits,
+  ...longPoll,
+  ...webSocket,
 ];

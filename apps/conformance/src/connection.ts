@@ -1,0 +1,176 @@
+/** A connection of messages, as a script's library opens it: a WebSocket, or the same by long poll. */
+import {
+  fetchedMessagesSchema,
+  openedLineSchema,
+  relayToDriverSchema,
+  takenMessagesSchema,
+  type RelayToDriver,
+} from "@corridor/protocol";
+import type { HelloTerms, Host } from "./host.ts";
+import { must, shaped } from "./mismatch.ts";
+
+const GIVE_UP_MS = 15_000;
+/** seconds for which a request waits for a message */
+const WAIT = 1;
+/** messages of a script, and what it says first */
+type Sent = Readonly<Record<string, unknown>> & { type: string };
+
+export abstract class Connection {
+  /** all that has come, in its order */
+  readonly received: RelayToDriver[] = [];
+
+  abstract send(message: Sent): Promise<void>;
+  abstract close(): Promise<void>;
+  /** Waits until something came, or a second. @throws Mismatch when the connection is over */
+  protected abstract wait(): Promise<void>;
+
+  protected took(message: unknown): void {
+    this.received.push(shaped(relayToDriverSchema, message, "a message to a script"));
+  }
+
+  /** Waits until it holds. @throws Mismatch when that takes too long or the connection is over */
+  async until<T>(find: () => T | undefined, what: string): Promise<T> {
+    const giveUp = performance.now() + GIVE_UP_MS;
+    for (;;) {
+      const found = find();
+      if (found !== undefined) return found;
+      const types = [...new Set(this.received.map(({ type }) => type))].join(", ");
+      must(performance.now() < giveUp, what, `nothing of it within 15 s, but ${types}`);
+      await this.wait();
+    }
+  }
+
+  /** Waits for a message of a type. @param fits which of them; default: the first */
+  async message<T extends RelayToDriver["type"]>(
+    type: T,
+    fits: (message: Extract<RelayToDriver, { type: T }>) => boolean = () => true,
+  ): Promise<Extract<RelayToDriver, { type: T }>> {
+    const isOf = (each: RelayToDriver): each is Extract<RelayToDriver, { type: T }> =>
+      each.type === type;
+    return this.until(() => this.received.filter(isOf).find(fits), `a message ${type}`);
+  }
+}
+
+export type OpenConnection = (host: Host, terms?: HelloTerms) => Promise<Connection>;
+
+class LongPollConnection extends Connection {
+  readonly #host: Host;
+  readonly #key: string;
+  #sent = 0;
+
+  constructor(host: Host, key: string) {
+    super();
+    this.#host = host;
+    this.#key = key;
+  }
+
+  async send(message: Sent): Promise<void> {
+    this.#sent += 1;
+    const body = { first: this.#sent, messages: [message] };
+    const answer = await this.ask("/messages", "POST", body);
+    must(answer.status === 200, "200 for posted messages", `${answer.status} ${answer.text}`);
+    const { taken } = shaped(takenMessagesSchema, answer.json, "how many were taken");
+    must(taken === this.#sent, `message ${this.#sent} taken`, taken);
+  }
+
+  async close(): Promise<void> {
+    await this.ask("", "DELETE");
+  }
+
+  protected async wait(): Promise<void> {
+    const answer = await this.ask(`/messages?after=${this.received.length}&wait=${WAIT}`);
+    must(answer.status === 200, "200 for messages", `${answer.status} ${answer.text}`);
+    const fetched = shaped(fetchedMessagesSchema, answer.json, "fetched messages");
+    must(fetched.closed === null, "a connection that goes on", fetched.closed);
+    const next = this.received.length + 1;
+    must(fetched.first === next, `message ${next} as the first`, fetched.first);
+    for (const message of fetched.messages) this.took(message);
+  }
+
+  private async ask(path: string, method = "GET", body?: object) {
+    const options = { method, key: this.#key, ...(body !== undefined && { body }) };
+    return this.#host.ask(`/line${path}`, options);
+  }
+}
+
+class WebSocketConnection extends Connection {
+  readonly #socket: WebSocket;
+  readonly #texts: string[] = [];
+  readonly #closed: Promise<number>;
+  #code: number | null = null;
+  #wake: () => void = () => undefined;
+
+  constructor(socket: WebSocket, closed: Promise<number>) {
+    super();
+    this.#socket = socket;
+    this.#closed = closed;
+    socket.addEventListener("message", ({ data }) => {
+      this.#texts.push(String(data));
+      this.#wake();
+    });
+    void closed.then((code) => {
+      this.#code = code;
+      this.#wake();
+    });
+  }
+
+  async send(message: Sent): Promise<void> {
+    this.#socket.send(JSON.stringify(message));
+  }
+
+  async close(): Promise<void> {
+    this.#socket.close(1000);
+    await this.#closed;
+  }
+
+  protected async wait(): Promise<void> {
+    if (this.#texts.length === 0) {
+      must(this.#code === null, "a connection that goes on", `close code ${this.#code}`);
+      await new Promise<void>((resolve) => {
+        const timer = setTimeout(resolve, WAIT * 1_000);
+        this.#wake = () => {
+          clearTimeout(timer);
+          resolve();
+        };
+      });
+    }
+    for (const text of this.#texts.splice(0)) this.took(JSON.parse(text) as unknown);
+  }
+}
+
+export const openByLongPoll: OpenConnection = async (host, terms) => {
+  const answer = await host.ask("/line", { method: "POST", key: null, body: host.hello(terms) });
+  must(answer.status === 201, "201 for a hello", `${answer.status} ${answer.text}`);
+  const { line } = shaped(openedLineSchema, answer.json, "an opened connection");
+  return new LongPollConnection(host, line);
+};
+
+export const openByWebSocket: OpenConnection = async (host, terms) => {
+  const { socket, closed } = await openSocket(host);
+  const connection = new WebSocketConnection(socket, closed);
+  await connection.send(host.hello(terms));
+  return connection;
+};
+
+/** Sends one message on a new WebSocket. @returns the code by which the host closes it; null: it does not */
+export async function closeCodeAfter(host: Host, first: Sent): Promise<number | null> {
+  const { socket, closed } = await openSocket(host);
+  socket.send(JSON.stringify(first));
+  const giveUp = new Promise<null>((resolve) => setTimeout(resolve, GIVE_UP_MS, null));
+  const code = await Promise.race([closed, giveUp]);
+  socket.close();
+  return code;
+}
+
+async function openSocket(host: Host) {
+  const socket = new WebSocket(`${host.api.replace(/^http/, "ws")}/socket`);
+  const closed = new Promise<number>((resolve) =>
+    socket.addEventListener("close", ({ code }) => resolve(code)),
+  );
+  const opened = new Promise<null>((resolve) =>
+    socket.addEventListener("open", () => resolve(null)),
+  );
+  const code = await Promise.race([opened, closed]);
+  must(code === null, "a WebSocket", `close code ${code} instead of its opening`);
+  return { socket, closed };
+}

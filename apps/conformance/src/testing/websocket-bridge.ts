@@ -1,0 +1,245 @@
+/**
+ * Puts a WebSocket before a host that has none, so that the checks of one can be tested: commands go on
+ * as requests, and events come from its stream. A fault can be planted in what goes through.
+ */
+import { createHash } from "node:crypto";
+import { createServer, request, type IncomingMessage, type ServerResponse } from "node:http";
+import type { AddressInfo } from "node:net";
+import type { Duplex } from "node:stream";
+import {
+  hasEnded,
+  type CommandRecord,
+  type EventPage,
+  type ProblemDocument,
+} from "@corridor/protocol";
+
+export interface Message {
+  type: string;
+  version?: number;
+  key?: string | null;
+  since?: string;
+  sentAt?: number;
+  n?: number | null;
+  record?: CommandRecord;
+  [field: string]: unknown;
+}
+
+export interface BridgeFault {
+  /** changes what a script sends; `connection` is the number of its connection */
+  toHost?: (message: Message, connection: number) => Message;
+  /** changes what a script gets; null: it does not get it */
+  toScript?: (message: Message, connection: number) => Message | null;
+  /** in place of 4401 */
+  closeCode?: number;
+  /** takes a hello of any version */
+  takesAnyVersion?: boolean;
+  /** asks the host for something again and again while a connection is open */
+  isRestless?: boolean;
+}
+
+interface Bridge {
+  /** the same robot, through the bridge */
+  address: string;
+  stop: () => void;
+}
+
+const GUID = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11";
+const REFUSED = 4401;
+
+/** @param address of a robot whose host has no WebSocket */
+export async function startBridge(address: string, fault: BridgeFault = {}): Promise<Bridge> {
+  const { origin, pathname, hash } = new URL(address);
+  const api = `${origin}/api/v1/robots/${pathname.slice(3)}`;
+  let connections = 0;
+  const server = createServer((asked, answer) => void forward(origin, asked, answer));
+  server.on("upgrade", (asked: IncomingMessage, socket: Duplex) => {
+    const key = String(asked.headers["sec-websocket-key"]);
+    const accept = createHash("sha1")
+      .update(key + GUID)
+      .digest("base64");
+    socket.write(
+      `HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Accept: ${accept}\r\n\r\n`,
+    );
+    new BridgedSocket(socket, api, fault, ++connections);
+  });
+  await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
+  const { port } = server.address() as AddressInfo;
+  return {
+    address: `http://127.0.0.1:${port}${pathname}${hash}`,
+    stop: () => {
+      server.close();
+      server.closeAllConnections();
+    },
+  };
+}
+
+/** A plain request, as it is; the list of what is not offered goes without the WebSocket. */
+async function forward(origin: string, asked: IncomingMessage, answer: ServerResponse) {
+  const { method = "GET", url = "/", headers } = asked;
+  if (url.endsWith("/features")) {
+    const authorization = headers.authorization ?? "";
+    const got = await fetch(origin + url, { headers: { authorization } });
+    const body = await got.text();
+    answer.writeHead(got.status, { "Content-Type": "application/json" });
+    return answer.end(body.replace(/\{"feature": "websocket", "reason": "[^"]*"\}(, )?/, ""));
+  }
+  const sent = request(origin + url, { method, headers }, (got) => {
+    answer.writeHead(got.statusCode ?? 502, got.headers);
+    got.pipe(answer);
+  });
+  answer.on("close", () => sent.destroy());
+  sent.on("error", () => answer.destroy());
+  return asked.pipe(sent);
+}
+
+class BridgedSocket {
+  readonly #socket: Duplex;
+  readonly #api: string;
+  readonly #fault: BridgeFault;
+  readonly #connection: number;
+  readonly #clock: string;
+  readonly #closed = new AbortController();
+  #bytes: Buffer = Buffer.alloc(0);
+  #key: string | null = null;
+  /** messages are served one after the other */
+  #work: Promise<void> = Promise.resolve();
+
+  constructor(socket: Duplex, api: string, fault: BridgeFault, connection: number) {
+    this.#socket = socket;
+    this.#api = api;
+    this.#fault = fault;
+    this.#connection = connection;
+    this.#clock = `bridge-${connection}-${Math.random().toString(36).slice(2, 10)}`;
+    socket.on("data", (bytes: Buffer) => this.#read(bytes));
+    socket.on("close", () => this.#closed.abort());
+    socket.on("error", () => this.#closed.abort());
+  }
+
+  #read(bytes: Buffer): void {
+    this.#bytes = Buffer.concat([this.#bytes, bytes]);
+    for (;;) {
+      const frame = takeFrame(this.#bytes);
+      if (frame === null) return;
+      this.#bytes = frame.rest;
+      if (frame.opcode === 8) return this.#close(1000);
+      if (frame.opcode !== 1) continue;
+      const message = JSON.parse(frame.payload.toString()) as Message;
+      const { toHost } = this.#fault;
+      const changed = toHost === undefined ? message : toHost(message, this.#connection);
+      this.#work = this.#work
+        .then(() => (this.#key === null ? this.#hello(changed) : this.#command(changed)))
+        .catch(() => this.#close(1011));
+    }
+  }
+
+  async #hello({ version, key, since, sentAt }: Message): Promise<void> {
+    const { closeCode = REFUSED, takesAnyVersion = false, isRestless = false } = this.#fault;
+    this.#key = key ?? "";
+    const query = since === undefined ? "" : `&since=${since}`;
+    const got = await this.#ask(`/events?wait=0${query}`, sentAt);
+    if (got.status === 401) return this.#close(closeCode);
+    if (version !== 1 && !takesAnyVersion) return this.#close(closeCode);
+    const page = (await got.json()) as EventPage;
+    const [stream, n] = (page.gap === null && since !== undefined ? since : page.since).split("-");
+    const snapshot = await (await this.#ask("/sensors")).json();
+    const told = page.gap === null ? Number(n) : null;
+    this.#say({ type: "welcome", version: 1, stream, n: told, snapshot });
+    if (page.gap !== null) this.#say({ ...page.gap, type: "gap" });
+    for (const state of page.states) this.#say({ ...state, type: "state" });
+    void this.#follow(page.since).catch(() => this.#close(1011));
+    if (!isRestless) return;
+    const timer = setInterval(() => void this.#ask("/commands?after=0"), 500);
+    this.#closed.signal.addEventListener("abort", () => clearInterval(timer));
+  }
+
+  async #command({ key, command, sentAt }: Message): Promise<void> {
+    const got = await this.#ask("/commands", sentAt, {
+      method: "POST",
+      body: JSON.stringify(command),
+      headers: {
+        "Content-Type": "application/json",
+        ...(typeof key === "string" && { "Idempotency-Key": key }),
+      },
+    });
+    if (got.status === 202) {
+      return this.#say({ type: "ack", record: (await got.json()) as CommandRecord });
+    }
+    const problem = (await got.json()) as ProblemDocument;
+    this.#say({ type: "problem", problem, key: key ?? null });
+  }
+
+  /** What comes by the stream of events, which does not count as a request of the script. */
+  async #follow(since: string): Promise<void> {
+    const headers = { Authorization: `Bearer ${this.#key}`, "Last-Event-ID": since };
+    const { signal } = this.#closed;
+    const { body } = await fetch(`${this.#api}/events`, { headers, signal });
+    let text = "";
+    for await (const chunk of body?.pipeThrough(new TextDecoderStream()) ?? []) {
+      const blocks = (text + chunk).split("\n\n");
+      text = blocks.pop() ?? "";
+      for (const block of blocks) await this.#tell(block);
+    }
+  }
+
+  async #tell(block: string): Promise<void> {
+    const event = /^event: ?(.*)$/m.exec(block)?.[1];
+    const value: unknown = JSON.parse(/^data: ?(.*)$/m.exec(block)?.[1] ?? "null");
+    if (event === "snapshot") this.#say({ type: "snapshot", snapshot: value });
+    if (event !== "state") return;
+    const record = value as CommandRecord;
+    if (hasEnded(record.state)) {
+      const snapshot = await (await this.#ask("/sensors")).json();
+      this.#say({ type: "snapshot", snapshot });
+    }
+    const n = Number(/^id: ?.*-(\d+)$/m.exec(block)?.[1]);
+    this.#say({ type: "state", n, record });
+  }
+
+  async #ask(path: string, sentAt?: number, options: RequestInit = {}): Promise<Response> {
+    const headers = {
+      Authorization: `Bearer ${this.#key}`,
+      ...(sentAt !== undefined && { "Script-Clock": `${this.#clock} ${sentAt}` }),
+      ...(options.headers as Record<string, string>),
+    };
+    return fetch(this.#api + path, { ...options, headers });
+  }
+
+  #say(message: Message): void {
+    const { toScript } = this.#fault;
+    const changed = toScript === undefined ? message : toScript(message, this.#connection);
+    if (changed !== null) this.#write(1, Buffer.from(JSON.stringify(changed)));
+  }
+
+  #close(code: number): void {
+    const reason = Buffer.alloc(2);
+    reason.writeUInt16BE(code);
+    this.#write(8, reason);
+    this.#socket.end();
+  }
+
+  #write(opcode: number, payload: Buffer): void {
+    if (!this.#socket.writable) return;
+    const { length } = payload;
+    const head = Buffer.alloc(length < 126 ? 2 : 4);
+    head[0] = 0x80 + opcode;
+    head[1] = Math.min(length, 126);
+    if (length >= 126) head.writeUInt16BE(length, 2);
+    this.#socket.write(Buffer.concat([head, payload]));
+  }
+}
+
+/** One whole frame of a client, which masks it; null while it has not come. Frames here are short and whole. */
+function takeFrame(bytes: Buffer) {
+  if (bytes.length < 2) return null;
+  const [first = 0, second = 0] = bytes;
+  const isLong = (second & 127) === 126;
+  if (isLong && bytes.length < 4) return null;
+  const start = isLong ? 8 : 6;
+  const end = start + (isLong ? bytes.readUInt16BE(2) : second & 127);
+  if (bytes.length < end) return null;
+  const mask = bytes.subarray(start - 4, start);
+  const payload = Buffer.from(
+    bytes.subarray(start, end).map((byte, at) => byte ^ (mask[at % 4] ?? 0)),
+  );
+  return { opcode: first & 15, payload, rest: bytes.subarray(end) };
+}
