@@ -2,6 +2,7 @@
 import {
   pairingMadeSchema,
   pairingSchema,
+  problemSchema,
   readJson,
   type Pairing,
   type PairingMade,
@@ -59,7 +60,8 @@ export async function replyToPairing(
     if (answer.ok) return "done";
     if (answer.status === 404) return "over";
     if (answer.status !== 409) return "failed";
-    return (await answer.text()).includes("/problems/too-many-keys") ? "tooManyKeys" : "over";
+    const problem = readJson(problemSchema, await answer.text(), MAX_ANSWER);
+    return problem.ok && problem.value.type === "/problems/too-many-keys" ? "tooManyKeys" : "over";
   } catch {
     return "failed";
   }

@@ -101,7 +101,7 @@ it("finds the question again after a reload, and lets it go when its time is ove
   await answer(shown("asked", question));
   expect(view()).toMatchObject({ kind: "asked", question });
   void pairing.accept();
-  await answer(Response.json({ type: "/problems/too-many-keys" }, { status: 409 }));
+  await answer(conflict("too-many-keys"));
   expect(view()).toMatchObject({ kind: "asked", trouble: "tooManyKeys" });
   await pass(500_000);
   expect(view()).toMatchObject({ kind: "over" });
@@ -134,7 +134,7 @@ it("says so when there is no code, or nobody asks any more", async () => {
   void pairing.resume();
   await answer(shown("asked", question));
   void pairing.accept();
-  await answer(Response.json({ type: "/problems/no-question" }, { status: 409 }));
+  await answer(conflict("no-question"));
   expect(view()).toMatchObject({ kind: "over" });
 });
 
@@ -148,3 +148,8 @@ it("is read in groups, with minutes and seconds", () => {
     "0:00",
   ]);
 });
+
+function conflict(kind: string): Response {
+  const words = { title: "It is in the way", detail: "Something else is there.", errors: [] };
+  return Response.json({ type: `/problems/${kind}`, status: 409, ...words }, { status: 409 });
+}
