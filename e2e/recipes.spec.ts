@@ -72,6 +72,7 @@ const recipes: Recipe[] = [
   { ...follower, language: "Python" },
   { ...follower, language: "JavaScript" },
   { ...follower, language: "HTTP with curl" },
+  { section: "react-to-a-bump", language: "Python", prints: /^Wall after 2\d\d cm\n$/ },
   {
     section: "read-the-maze",
     language: "Python",
@@ -84,6 +85,7 @@ const recipes: Recipe[] = [
   },
   { section: "read-the-maze", language: "HTTP with curl", prints: /"blocks":\["#####"/ },
   { section: "watch-a-robot", language: "Python", prints: /front \d/, isEndless: true },
+  { section: "watch-a-robot", language: "JavaScript", prints: /front \d/, isEndless: true },
   {
     section: "watch-a-robot",
     language: "HTTP with curl",
