@@ -33,6 +33,7 @@ MAZE = {
 }
 CODE = r"[ -]*(?:[BCDFGHJKLMNPQRSTVWXZbcdfghjklmnpqrstvwxz][ -]*){8}"
 MAX_TYPED = 32
+LINK = r"[BCDFGHJKLMNPQRSTVWXZbcdfghjklmnpqrstvwxz]{4,6}|[A-Za-z0-9_-]{12}"
 KEY = r"[A-Za-z0-9_-]{8,64}"
 SCRIPT_CLOCK = r"[A-Za-z0-9_-]{8,32} \d{1,15}"
 MAX_BODY = 16 * 1024
@@ -111,7 +112,7 @@ class Keys:
             case.query["wait"] = WAIT
 
     def document(self, case, operation):
-        if not is_right(case.path_parameters.get("id"), r"[A-Za-z0-9_-]{12}"):
+        if not is_right(case.path_parameters.get("id"), LINK):
             return
         if CHANCE.random() < MISSES:
             return
