@@ -121,12 +121,12 @@ const states = [
   {
     state: "paused",
     prepare: (page: Page) => page.getByRole("button", { name: "Pause", exact: true }).click(),
-    last: /check that the robot's page is open, on Remote and not paused/,
+    last: /check that the robot's page is open, connected under Remote and not paused/,
   },
   {
     state: "closed",
     prepare: (page: Page) => page.close(),
-    last: /check that the robot's page is open, on Remote and not paused|Open the page again/,
+    last: /check that the robot's page is open, connected under Remote and not paused|Open the page again/,
   },
 ];
 

@@ -49,10 +49,10 @@ export const problemKinds = {
   },
   "sent-away": {
     status: 403,
-    title: "This script was sent away",
+    title: "This script is blocked",
     what: "The robot's owner has blocked this script. All of its requests are refused.",
-    why: "The owner pressed **Send away** beside the script under **Remote**.",
-    fix: ["Ask the owner to let the script back, then start it again."],
+    why: "The owner pressed **Block** beside the script under **Remote**, **More**.",
+    fix: ["Ask the owner to press **Unblock** there, then start the script again."],
   },
   "pairing-refused": {
     status: 403,
@@ -112,7 +112,7 @@ export const problemKinds = {
     status: 404,
     title: "There is no such script",
     what: "The robot's owner has blocked no script with this id.",
-    why: "The script was let back already, or its key was revoked.",
+    why: "The script was unblocked already, or its key was revoked.",
     fix: ["List the scripts with `GET /scripts`."],
   },
   "no-maze": {
@@ -215,10 +215,10 @@ export const problemKinds = {
   },
   "too-many-away": {
     status: 409,
-    title: "Too many scripts are away",
+    title: "Too many scripts are blocked",
     what: "The script was not blocked.",
     why: "At most 16 scripts of a robot are blocked at a time.",
-    fix: ["Let a script back.", "Make a new key: it ends all scripts of the old one."],
+    fix: ["Unblock a script.", "Make a new key: it ends all scripts of the old one."],
   },
   "too-large": {
     status: 413,

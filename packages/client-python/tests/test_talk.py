@@ -363,7 +363,7 @@ def test_readings_of_a_robot_whose_page_is_away_are_not_passed_off_as_new() -> N
     back = Scene(snapshot(4, state="gone"), 1.0, snapshot(4, state="gone"), snapshot(1))
     assert back.run(back.talk.look()).state == "running"
     away = Scene(31.0, snapshot(4, state="gone"))
-    with pytest.raises(RobotGoneError, match="page is closed") as error:
+    with pytest.raises(RobotGoneError, match="page is closed or not connected.*press Connect") as error:
         away.run(away.talk.look())
     assert error.value.code == "robot-gone"
 

@@ -8,8 +8,8 @@ export function closeError({ code, cause, remedy }: CloseReason, key: string): C
   if (code === closeReasons.forbidden.code && key.startsWith("drv_")) {
     return new ClientError(
       "sent-away",
-      "This script was sent away",
-      "The robot's owner has sent this script away. Ask them to let it back, then start it again.",
+      "This script is blocked",
+      "The robot's owner has blocked this script. Ask them to press Unblock under Remote, then start it again.",
     );
   }
   const isKey = code === closeReasons.notAuthorised.code || code === closeReasons.forbidden.code;

@@ -36,9 +36,9 @@ export const closeReasons = {
   },
   forbidden: {
     code: 4403,
-    cause: "this key does not allow that, or the robot's owner has sent this script away",
+    cause: "this key does not allow that, or the robot's owner has blocked this script",
     remedy:
-      "Scripts use the driver key. One that was sent away waits until its owner lets it back.",
+      "Scripts use the driver key. A blocked script waits until the robot's owner unblocks it.",
     retry: false,
   },
   noRobot: {

@@ -2,5 +2,5 @@
 
 /** The `reason` of a command that expired, for its script. @param ttl in ms */
 export function expiredReason(ttl: number): string {
-  return `Not started within ${ttl / 1000} s: check that the robot's page is open, on Remote and not paused.`;
+  return `Not started within ${ttl / 1000} s: check that the robot's page is open, connected under Remote and not paused.`;
 }

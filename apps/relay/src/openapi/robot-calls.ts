@@ -122,7 +122,7 @@ export const robotCalls: ZodOpenApiPathsObject = {
     parameters: robot,
     post: {
       operationId: "sendScriptAway",
-      summary: "Send a script away, until it is let back",
+      summary: "Block a script, until it is unblocked",
       description:
         "Its lines are closed, its requests refused, and what it asked for and has not ended is cancelled. " +
         "Other scripts with the same key go on. It is no lock: to shut out whoever has the key, revoke it.",
@@ -138,7 +138,7 @@ export const robotCalls: ZodOpenApiPathsObject = {
     parameters: [...robot, ...parameters("path", scriptPath)],
     delete: {
       operationId: "letScriptBack",
-      summary: "Let a script back that was sent away",
+      summary: "Unblock a script",
       security: owner,
       responses: { 204: { description: "It may come again." }, ...refusals(...keyed, "no-script") },
     },

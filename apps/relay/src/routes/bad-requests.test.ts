@@ -31,6 +31,25 @@ describe("a wrong command", () => {
   });
 });
 
+describe("a key", () => {
+  it.each([
+    { what: "missing", sent: "", says: "Authorization: Bearer KEY" },
+    { what: "not put in", sent: "Bearer KEY", says: "press 'Copy address with key'" },
+    {
+      what: "replaced by a new one",
+      sent: "Bearer drv_AAAAAAAAAAAAAAAAAAAAAA",
+      says: "press 'Copy address with key'",
+    },
+  ])("that is $what is refused with what to do", async ({ sent, says }) => {
+    const relay = await startTestRelay();
+    const robot = await relay.register();
+    const headers = { Authorization: sent };
+    const problem = await problemOf(await relay.ask(robot, "/sensors", { headers }));
+    expect(problem).toMatchObject({ status: 401, type: "/problems/not-authorised" });
+    expect(problem.detail).toContain(says);
+  });
+});
+
 describe("a wrong request", () => {
   const json = { "Content-Type": "application/json" };
   const stop = '{"action":"stop"}';

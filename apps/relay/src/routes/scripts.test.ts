@@ -109,13 +109,16 @@ describe("a script that is sent away", () => {
     const anna = await sendAway(await named("Anna"));
 
     const { code, reason } = await socket.closed;
-    expect([code, reason]).toEqual([4403, expect.stringContaining("sent this script away")]);
+    expect([code, reason]).toEqual([4403, expect.stringContaining("blocked this script")]);
     expect((await poll).status).toBe(403);
     const fetched = await relay.ask(robot, "/line/messages?after=1", { key: line });
     expect(await fetched.json()).toMatchObject({ closed: { code: 4403 } });
     const refused = await as("Anna", "/commands", LEFT);
     expect(refused.status).toBe(403);
-    expect(await refused.json()).toMatchObject({ type: "/problems/sent-away" });
+    expect(await refused.json()).toMatchObject({
+      type: "/problems/sent-away",
+      detail: expect.stringContaining("press Unblock"),
+    });
     const again = await TestSocket.open(relay, robot.id);
     again.send({ type: "hello", version: 1, role: "drive", key: robot.driverKey, name: "Anna" });
     expect((await again.closed).code).toBe(4403);
@@ -140,10 +143,7 @@ describe("a script that is sent away", () => {
     await expect
       .poll(async () => (await (await as("Ben", "/commands?after=9")).json()) as unknown)
       .toMatchObject({
-        commands: [
-          { seq: 10, state: "cancelled", reason: "its script was sent away" },
-          { seq: 11 },
-        ],
+        commands: [{ seq: 10, state: "cancelled", reason: "its script was blocked" }, { seq: 11 }],
       });
     ben.send({ type: "command", command: LEFT });
     expect(await ben.next("ack")).toMatchObject({ record: { seq: 12 } });

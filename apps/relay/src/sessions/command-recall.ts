@@ -34,7 +34,7 @@ export interface CommandRecallParts {
 const reasons = {
   sender: "cancelled by its sender",
   revoked: "its key was revoked",
-  "sent-away": "its script was sent away",
+  "sent-away": "its script was blocked",
   paused: PAUSED_REASON,
 } as const satisfies Record<RecallCause, string>;
 

@@ -117,7 +117,7 @@ export class ScriptGate {
     if (result.outcome === "full") {
       throw new Refusal(
         "too-many-away",
-        `${MAX_SENT_AWAY} scripts are away already. Let one back, or make a new key, which ends all of the old one.`,
+        `${MAX_SENT_AWAY} scripts are blocked already. Unblock one, or make a new key, which ends all of the old one.`,
       );
     }
     this.learn(result);
@@ -129,6 +129,6 @@ export class ScriptGate {
 export function scriptIsAway(): Refusal {
   return new Refusal(
     "sent-away",
-    "The robot's owner has sent this script away. Ask them to let it back, then start it again.",
+    "The robot's owner has blocked this script. Ask them to press Unblock under Remote, then start it again.",
   );
 }

@@ -131,12 +131,12 @@ export class SessionHub {
     // A key that is not known any more would be given up for good; a restart is not the key's fault.
     if (this.#isClosing) throw restarting();
     // Without a key nobody is told which robots there are.
-    if (!canBeKey(key)) throw wrongKey();
+    if (!canBeKey(key)) throw wrongKey(key);
     const session = await this.#find(id);
     if (this.#isClosing) throw restarting();
     if (session === null) throw noRobot();
     const stored = session.grantOf(key);
-    if (stored === null) throw wrongKey();
+    if (stored === null) throw wrongKey(key);
     checkRight(stored.kind, verb);
     const caller = callerOf(stored, introduction);
     session.gate.check(caller);
@@ -266,8 +266,11 @@ export class SessionHub {
   }
 }
 
-function wrongKey(): Refusal {
+/** @param key as it was sent; null: none was. A script with a library sends one, but knows no header. */
+function wrongKey(key: string | null): Refusal {
   return notAuthorised(
-    "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY",
+    key === null
+      ? "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY"
+      : "This key is wrong, or a new one has replaced it. Copy the whole address again, with the part after the #: press 'Copy address with key' under Remote on the robot's page.",
   );
 }

@@ -65,7 +65,7 @@ def error_of(answer: Answer) -> RobotError:
             "Copy the whole address again; a network with a sign-in page wants that done first.",
         )
     if kind == "sent-away":
-        return NotAuthorisedError("sent-away", "This script was sent away", reason)
+        return NotAuthorisedError("sent-away", "This script is blocked", reason)
     if status in (401, 403):
         return NotAuthorisedError("not-authorised", "The robot does not take this key", reason)
     if status == 407:

@@ -55,6 +55,9 @@ _LONGEST_NAME = 40
 _DEFAULT_TTL = 10.0
 _LOG_PAGE = 200
 _NO_COMMAND_YET = 999_999_999_999_999
+#: The robot's page has left the relay.
+_GONE = "The robot's page is closed or not connected"
+_OPEN_AGAIN = "Open the page again and choose Remote. If it says Off, press Connect"
 
 #: The page shows what it begins with as the script's language.
 USER_AGENT = "Python-corridor/0.1"
@@ -127,10 +130,9 @@ class RobotTalk:
             if snapshot.state != "gone":
                 return snapshot
             if self._clock() >= deadline:
-                hint = "Open the page again, and connect the robot under Remote."
-                raise RobotGoneError("robot-gone", "The robot's page is closed", hint)
+                raise RobotGoneError("robot-gone", _GONE, f"{_OPEN_AGAIN}.")
             if not is_waiting:
-                _log.warning("The robot's page is closed. Waiting for it.")
+                _log.warning("%s. %s. Waiting for it.", _GONE, _OPEN_AGAIN)
             is_waiting = True
             wait = 1.0
 

@@ -321,7 +321,7 @@ end
 -- As expiredReason of the protocol.
 local function expiredReason(ttl)
   return string.format(
-    "Not started within %g s: check that the robot's page is open, on Remote and not paused.",
+    "Not started within %g s: check that the robot's page is open, connected under Remote and not paused.",
     ttl / 1000
   )
 end

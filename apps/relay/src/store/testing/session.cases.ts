@@ -7,7 +7,7 @@ export function sessionCases(name: string, open: () => Promise<OpenStore>): void
 
   describe(`${name}: scripts that are away`, () => {
     const driver = "driver-hash-of-this-robot";
-    const reason = "its script was sent away";
+    const reason = "its script was blocked";
     const anna = { id: "AnnaAnna", driver, name: "Anna \u00fc \u2713", client: "Python" };
     const watcher = { kind: "watch" as const, hash: "watcher-hash" };
     const nameless = { id: "Nameless", driver, name: null, client: "curl" };

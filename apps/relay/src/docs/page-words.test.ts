@@ -1,0 +1,32 @@
+/** Names of buttons and places in the documentation are the words of the page. */
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { expect, it } from "vitest";
+import { problemKinds } from "../problem-kinds.ts";
+
+const WORDS = join(import.meta.dirname, "../../../web/src/text/en");
+
+/** All texts of the page. */
+function textsIn(words: unknown): string[] {
+  if (typeof words === "string") return [words];
+  return typeof words === "object" && words !== null ? Object.values(words).flatMap(textsIn) : [];
+}
+
+const onPage = new Set(
+  readdirSync(WORDS)
+    .filter((file) => file.endsWith(".json"))
+    .flatMap((file) => textsIn(JSON.parse(readFileSync(join(WORDS, file), "utf8")))),
+);
+
+const page = (name: string): string =>
+  readFileSync(join(import.meta.dirname, `pages/${name}.md`), "utf8");
+
+it.each([
+  { where: "the problems", text: JSON.stringify(problemKinds) },
+  { where: "Begin", text: page("begin") },
+  { where: "the recipes", text: page("recipes") },
+])("$where call what is on the page as the page does", ({ text }) => {
+  const named = [...text.matchAll(/\*\*(.+?)\*\*/g)].map(([, words = ""]) => words);
+  expect(named).toContain("Remote");
+  expect(named.filter((words) => !onPage.has(words))).toEqual([]);
+});
