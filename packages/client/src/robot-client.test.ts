@@ -375,6 +375,24 @@ describe("RobotClient", () => {
     expect(seen).toEqual([1, 2, 3]);
   });
 
+  it("reads that the page is closed, which comes with the last snapshot once more", async () => {
+    const { platform, robot } = await connected();
+    const send = (state: "running" | "gone", seq: number): void =>
+      platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq, state }) });
+    const seen: string[] = [];
+    send("running", 1);
+    for await (const { seq, state } of robot.snapshots()) {
+      seen.push(`${state} ${seq}`);
+      if (seq === 2) robot.close();
+      else if (state === "gone") send("running", 2);
+      else {
+        send("running", 1);
+        send("gone", 1);
+      }
+    }
+    expect(seen).toEqual(["running 1", "gone 1", "running 2"]);
+  });
+
   it("gives up in time when nobody answers", async () => {
     const platform = new FakePlatform();
     const opening = RobotClient.connect(ADDRESS, { platform, answerTimeout: 5_000 });

@@ -313,15 +313,15 @@ export class RobotClient {
 
   /**
    * Follows the robot until `close`: `for await (const snapshot of robot.snapshots())`.
-   * @returns one snapshot after the other, about 20 a second; a slow reader gets the newest each time
+   * @returns one snapshot after the other, about 20 a second; a slow reader gets the newest each time. When the page
+   * is closed or sleeps, the last one comes again with the state `gone` or `paused`
    */
   async *snapshots(): AsyncGenerator<Snapshot, void, void> {
-    let seq = -1;
+    let read: Snapshot | null = null;
     for (;;) {
-      const snapshot = await this.#inbox.newerThan(seq);
-      if (snapshot === null) return;
-      seq = snapshot.seq;
-      yield snapshot;
+      read = await this.#inbox.changedFrom(read);
+      if (read === null) return;
+      yield read;
     }
   }
 

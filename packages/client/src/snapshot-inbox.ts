@@ -4,7 +4,7 @@ import { ClientError } from "./client-error.ts";
 import type { Clock } from "./platform.ts";
 
 interface Waiter {
-  after: number;
+  isNews(snapshot: Snapshot): boolean;
   resolve(snapshot: Snapshot | null): void;
 }
 
@@ -26,7 +26,7 @@ export class SnapshotInbox {
 
   put(snapshot: Snapshot): void {
     this.#newest = snapshot;
-    const due = this.#waiters.filter(({ after }) => snapshot.seq > after);
+    const due = this.#waiters.filter(({ isNews }) => isNews(snapshot));
     this.#waiters = this.#waiters.filter((waiter) => !due.includes(waiter));
     for (const waiter of due) waiter.resolve(snapshot);
   }
@@ -41,7 +41,7 @@ export class SnapshotInbox {
     const tooLate = new Promise<null>((resolve) => {
       cancelTimer = this.#clock.after(patience, () => resolve(null));
     });
-    const snapshot = await Promise.race([this.newerThan(this.#given), tooLate]);
+    const snapshot = await Promise.race([this.#once(({ seq }) => seq > this.#given), tooLate]);
     cancelTimer();
     if (this.#end !== null) throw this.#end;
     if (snapshot === null) {
@@ -55,11 +55,21 @@ export class SnapshotInbox {
     return snapshot;
   }
 
-  /** The newest snapshot once its seq is higher than `after`; null when the client has ended. */
-  newerThan(after: number): Promise<Snapshot | null> {
+  /**
+   * The newest snapshot once it says something else than one that was read; null when the client has ended. A robot whose
+   * page is closed or asleep reports nothing newer: the relay sends its last snapshot again, with another `state`.
+   */
+  changedFrom(read: Snapshot | null): Promise<Snapshot | null> {
+    return this.#once(
+      ({ seq, state }) =>
+        read === null || seq > read.seq || (seq === read.seq && state !== read.state),
+    );
+  }
+
+  #once(isNews: Waiter["isNews"]): Promise<Snapshot | null> {
     if (this.#end !== null) return Promise.resolve(null);
-    if (this.#newest !== null && this.#newest.seq > after) return Promise.resolve(this.#newest);
-    return new Promise((resolve) => this.#waiters.push({ after, resolve }));
+    if (this.#newest !== null && isNews(this.#newest)) return Promise.resolve(this.#newest);
+    return new Promise((resolve) => this.#waiters.push({ isNews, resolve }));
   }
 
   /** Lets everyone go who waits. */
