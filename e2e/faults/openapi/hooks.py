@@ -14,7 +14,6 @@ import urllib.request
 
 import schemathesis
 from documents import keep_rules
-from schemathesis.openapi.checks import UseAfterFree
 
 SERVICE = os.environ["CORRIDOR_URL"]
 ROBOTS = json.loads(os.environ["CORRIDOR_ROBOTS"])
@@ -42,7 +41,6 @@ DOCUMENTS = ["/api/v1/mazes", "/api/v1/robots/{id}/maze"]
 # Calls after which a robot is gone, has as many keys or lines as it may have, or hears these hooks no more.
 USES_UP = "deleteRobot makeKey revokeKey openLine leaveLine sendMessages fetchMessages sendScriptAway".split()
 STOP = {"action": "stop"}
-TAKES_BACK = re.compile(r"DELETE /api/v1/robots/[^/]+/commands(/\d+)?")
 INTERNALS = re.compile(
     r"node:|node_modules|file://|/src/|\.ts\b|\.js\b|\bat [\w.<>]+ \(|\bSQLITE_|/tmp/|/home/|/root/|Error:|ECONN|ENOENT"
 )
@@ -146,12 +144,6 @@ def filter_body(context, body):
     """No schema can say how many bytes a body may have, and a larger one is refused for that alone."""
     most = MAX_DOCUMENT if context.operation.path in DOCUMENTS else MAX_BODY
     return len(json.dumps(body, default=str)) <= most
-
-
-@schemathesis.hook
-def filter_failure(context, failure, case, response):
-    """DELETE of a command takes it back (202). Its record stays, and says how it ended: it is no use after free."""
-    return not (isinstance(failure, UseAfterFree) and TAKES_BACK.fullmatch(failure.free))
 
 
 @schemathesis.check
