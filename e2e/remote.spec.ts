@@ -236,6 +236,18 @@ test("an address to watch reads the robot and cannot drive it", async ({ page })
   await expect(connection(page)).toHaveText("Waiting for a script");
 });
 
+test("leads to the documentation, and the robot stays", async ({ page }) => {
+  await page.goto("/");
+  const address = await copyAddress(page);
+  const opened = page.context().waitForEvent("page");
+  await page.getByRole("link", { name: "How to write a script" }).click();
+  const docs = await opened;
+  await expect(docs.getByRole("heading", { level: 1 })).toHaveText(
+    "Drive a robot from your own script",
+  );
+  expect((await (await api(address, "/sensors?wait=25")).json()).state).toBe("running");
+});
+
 test("scripts are listed by name, and one is sent away while the others go on", async ({
   page,
 }) => {

@@ -8,7 +8,7 @@ import { starterLines, starterScript } from "./snippets.ts";
 import styles from "./remote.module.css";
 
 export function StarterScript({ address }: { address: RobotAddress }) {
-  const { t } = useTranslation();
+  const { t, ready } = useTranslation(["words", "watch"], { useSuspense: false });
   const [isRefused, setRefused] = useState(false);
   const full = starterScript(address.full);
   const masked = starterScript(address.full.replace(address.key, maskKey(address.key)));
@@ -44,6 +44,14 @@ export function StarterScript({ address }: { address: RobotAddress }) {
       />
       <p className={styles["note"]}>
         {isRefused ? t("remote.copyByHand") : t("remote.libraryNote")}
+      </p>
+      {/* In a tab of its own: the robot is gone when its page is. */}
+      <p className={styles["learn"]}>
+        {ready && (
+          <a className={styles["library"]} href="/docs" target="_blank" rel="noopener">
+            {t("watch:learn")}
+          </a>
+        )}
       </p>
     </section>
   );
