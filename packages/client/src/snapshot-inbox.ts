@@ -4,7 +4,7 @@ import { ClientError } from "./client-error.ts";
 import type { Clock } from "./platform.ts";
 
 interface Waiter {
-  isNews(snapshot: Snapshot): boolean;
+  isNews: (snapshot: Snapshot) => boolean;
   resolve(snapshot: Snapshot | null): void;
 }
 
