@@ -17,6 +17,14 @@ test("makes the calls that it shows", async ({ page, relay }) => {
   expect([...hosts]).toEqual([new URL(relay).host]);
 });
 
+test("a long page leads to its sections from its top", async ({ page }) => {
+  await page.goto("/docs/http");
+  const contents = page.getByRole("navigation", { name: "On this page" });
+  await contents.getByRole("link", { name: "Limits" }).click();
+  await expect(page.getByRole("heading", { name: "Limits" })).toBeInViewport();
+  await expect(contents).not.toBeInViewport();
+});
+
 test("shows one language at a time, by keyboard and without scripts", async ({
   browser,
   relay,

@@ -336,6 +336,7 @@ def test_a_command_that_was_taken_away_is_an_error_with_its_reason(state: str) -
     with pytest.raises(CommandEndedError, match="The page was reloaded.") as error:
         scene.move()
     assert error.value.code == state
+    assert str(error.value).count(state) == 1
 
 
 def test_another_command_after_a_motion_without_an_end_is_no_error() -> None:

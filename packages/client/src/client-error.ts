@@ -47,7 +47,7 @@ export class ClientError extends Error {
   readonly hint: string;
 
   constructor(code: ClientErrorCode, what: string, hint: string, options?: ErrorOptions) {
-    super(`${what} (${code}). ${hint}`, options);
+    super(`${what}${what.endsWith(code) ? "" : ` (${code})`}. ${hint}`, options);
     this.code = code;
     this.hint = hint;
   }

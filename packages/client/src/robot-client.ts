@@ -556,7 +556,8 @@ export class RobotClient {
     const isLost = state === "cancelled" || state === "expired";
     if (isLost || (state === "superseded" && pending.until === "ended")) {
       this.#forget(pending);
-      const what = `Command ${record.seq} (${record.action}) was ${state}`;
+      const ended = state === "expired" ? state : `was ${state}`;
+      const what = `Command ${record.seq} (${record.action}) ${ended}`;
       const hint = record.reason ?? "Somebody else drives this robot too.";
       return pending.reject(new ClientError(state, what, hint));
     }

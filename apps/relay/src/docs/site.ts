@@ -9,6 +9,9 @@ import { htmlWithTabs } from "./tabs.ts";
 
 const ROOT = join(import.meta.dirname, "../../../..");
 
+/** Sections from which on a page lists them at its top. */
+const MIN_SECTIONS = 6;
+
 const entries = sections.flatMap(({ pages }) => pages);
 
 /** Links from one file to another lead to its page, or nowhere where that file is not served. */
@@ -29,13 +32,24 @@ const CONSOLE_HEAD = `<link rel="stylesheet" href="/docs/swagger-ui.css" />
     <script defer src="/docs/swagger-ui-bundle.js"></script>
     <script type="module" src="/docs/docs.js"></script>`;
 
+/** With links to its sections below the heading, where a page has many of them. */
+function withContents(html: string): string {
+  const sections = [...html.matchAll(/<h2 id="(.*?)">(.*?)<\/h2>/g)];
+  if (sections.length < MIN_SECTIONS) return html;
+  const links = sections.map(([, id = "", words = ""]) => `<li><a href="#${id}">${words}</a></li>`);
+  const contents = `<nav class="contents" aria-label="On this page"><ul>${links.join("")}</ul></nav>`;
+  return html.replace("</h1>", `</h1>\n${contents}`);
+}
+
 /** Read and rendered once, at the start. */
 export function pagesOfSite(): Page[] {
   const pages = entries.flatMap(({ path, words, title = words, file }): Page[] => {
     if (file === null) return [];
     const html = htmlWithTabs(readFileSync(join(ROOT, file), "utf8"), addressIn(file));
-    const page = { path, title, html };
-    return [path === CONSOLE_PATH ? { ...page, html: html + CONSOLE, head: CONSOLE_HEAD } : page];
+    const page = { path, title, html: withContents(html) };
+    return [
+      path === CONSOLE_PATH ? { ...page, html: page.html + CONSOLE, head: CONSOLE_HEAD } : page,
+    ];
   });
   return [...pages, ...problemPages];
 }

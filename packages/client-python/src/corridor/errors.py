@@ -22,7 +22,8 @@ class RobotError(Exception):
     hint: str
 
     def __init__(self, code: str, what: str, hint: str) -> None:
-        super().__init__(f"{what} ({code}). {hint}")
+        named = what if what.endswith(code) else f"{what} ({code})"
+        super().__init__(f"{named}. {hint}")
         self.code = code
         self.what = what
         self.hint = hint

@@ -115,7 +115,7 @@ class Robot:
         the last request of this script.
 
         Args:
-            distance: cm, at most 25600. `None`: no end.
+            distance: cm, -25600 to 25600. Negative is backward. `None`: no end.
 
         Returns:
             The record. It counts as false where a wall ended the move.
@@ -130,7 +130,7 @@ class Robot:
         """Drives backward, as `forward` drives forward.
 
         Args:
-            distance: cm, at most 25600. `None`: no end.
+            distance: cm, -25600 to 25600. Negative is forward. `None`: no end.
 
         Returns:
             The record. It counts as false where a wall ended the move.

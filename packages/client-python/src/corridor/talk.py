@@ -55,6 +55,12 @@ _LONGEST_NAME = 40
 _DEFAULT_TTL = 10.0
 _LOG_PAGE = 200
 _NO_COMMAND_YET = 999_999_999_999_999
+#: The endings that are no success.
+_HOW_IT_ENDED = {
+    "cancelled": "was cancelled",
+    "superseded": "was superseded",
+    "expired": "expired",
+}
 #: The robot's page has left the relay.
 _GONE = "The robot's page is closed or not connected"
 _OPEN_AGAIN = "Open the page again and choose Remote. If it says Off, press Connect"
@@ -208,10 +214,10 @@ class RobotTalk:
             command = _read(read_command, (yield from self._ask("GET", path, wait=wait)))
         # Another command took its place: that is how a motion without an end is meant to end.
         was_replaced = command.state == "superseded" and not ends
-        if command.state in ("cancelled", "superseded", "expired") and not was_replaced:
+        if command.state in _HOW_IT_ENDED and not was_replaced:
             raise CommandEndedError(
                 command.state,
-                f"Command {command.seq} ({command.action}) was {command.state}",
+                f"Command {command.seq} ({command.action}) {_HOW_IT_ENDED[command.state]}",
                 sentence(command.reason or "somebody else drives this robot too"),
             )
         return command
