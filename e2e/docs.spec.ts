@@ -25,6 +25,15 @@ test("a long page leads to its sections from its top", async ({ page }) => {
   await expect(contents).not.toBeInViewport();
 });
 
+test("copies a script whole", async ({ page }) => {
+  await page.goto("/docs");
+  const panel = page.getByRole("group", { name: "Python" });
+  await panel.getByRole("button", { name: "Copy" }).click();
+  await expect(panel.getByRole("status")).toHaveText("Copied");
+  const script = await page.evaluate(() => navigator.clipboard.readText());
+  expect(script).toMatch(/^from corridor import Robot\n[^]*front\)\s*$/);
+});
+
 test("shows one language at a time, by keyboard and without scripts", async ({
   browser,
   relay,

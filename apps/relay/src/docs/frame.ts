@@ -28,6 +28,7 @@ export function framed({ path, title, html, head = "" }: Page): string {
     <title>${escaped(title)} - Corridor</title>
     <link rel="icon" href="data:," />
     <link rel="stylesheet" href="/docs/docs.css" />
+    <script type="module" src="/docs/copy.js"></script>
     ${head}
   </head>
   <body>
