@@ -64,6 +64,11 @@ def test_the_code_is_asked_with_and_the_answer_waited_for() -> None:
     assert talk(problem(429, "too-fast"), ASKED, said(ADDRESS))[0] == ADDRESS
 
 
+def test_a_script_that_waits_for_the_owner_says_so(caplog: pytest.LogCaptureFixture) -> None:
+    talk(ASKED, said(None), said(ADDRESS))
+    assert caplog.messages == ["Waiting for 'Yes, let it drive' on the robot's page."]
+
+
 @pytest.mark.parametrize(
     ("answers", "code"),
     [

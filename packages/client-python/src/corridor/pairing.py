@@ -6,6 +6,7 @@ The robot's page shows the code, and its owner says yes or no to the script that
 from __future__ import annotations
 
 import json
+import logging
 import random
 import re
 import time
@@ -16,6 +17,8 @@ from .errors import AddressError, NoAnswerError, PairingError
 from .problems import error_of, kind_of, may_pass, reason_of
 from .requests import Answer, Json, Pause, Request, Talk
 from .talk import USER_AGENT
+
+_pairing_log = logging.getLogger("corridor")
 
 _FIRST_TRY_PAUSE = 0.25
 _LONGEST_TRY_PAUSE = 10.0
@@ -58,6 +61,7 @@ def pair(
     asking = Request("POST", url, _headers(), wish, _LONGEST_CHECK + _LINE_GRACE)
     asked = yield from _tried(asking, answer_timeout, clock, chance)
     ends = clock() + float(asked["endsInSeconds"])
+    _pairing_log.warning("Waiting for 'Yes, let it drive' on the robot's page.")
     waiting = Request(
         "GET",
         f"{url}?wait={_ANSWER_POLL:g}",
