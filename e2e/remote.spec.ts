@@ -268,7 +268,7 @@ test("scripts are listed by name, and one is sent away while the others go on", 
   const refused = await as("Anna", "/commands", { action: "left 90" });
   expect([refused.status, (await refused.json()).detail]).toEqual([
     403,
-    expect.stringContaining("has sent this script away"),
+    expect.stringContaining("has blocked this script"),
   ]);
   expect((await as("Ben", "/commands", { action: "left 90" })).status).toBe(202);
   await expectNoBarriers(page, "scripts by name");
