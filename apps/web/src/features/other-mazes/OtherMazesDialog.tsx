@@ -17,7 +17,7 @@ import { countOutcomes, seedsFrom, trialChoice, Trials, TRIALS } from "./trials.
 /** How long the workers wait for the next press of the button. */
 const IDLE_MS = 60_000;
 /** Between two looks at the results: each costs a layout of the grid, on a core that the mazes want too. */
-const SHOW_MS = 250;
+const SHOW_MS = 125;
 
 interface OtherMazesDialogProps {
   isOpen: boolean;
