@@ -50,6 +50,7 @@ const REFUSED = 4401;
 export async function startBridge(address: string, fault: BridgeFault = {}): Promise<Bridge> {
   const { origin, pathname, hash } = new URL(address);
   const api = `${origin}/api/v1/robots/${pathname.slice(3)}`;
+  const sockets = new Set<Duplex>();
   let connections = 0;
   const server = createServer((asked, answer) => void forward(origin, asked, answer));
   server.on("upgrade", (asked: IncomingMessage, socket: Duplex) => {
@@ -61,6 +62,7 @@ export async function startBridge(address: string, fault: BridgeFault = {}): Pro
       `HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Accept: ${accept}\r\n\r\n`,
     );
     new BridgedSocket(socket, api, fault, ++connections);
+    sockets.add(socket.once("close", () => sockets.delete(socket)));
   });
   await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
   const { port } = server.address() as AddressInfo;
@@ -69,6 +71,7 @@ export async function startBridge(address: string, fault: BridgeFault = {}): Pro
     stop: () => {
       server.close();
       server.closeAllConnections();
+      for (const socket of sockets) socket.destroy();
     },
   };
 }
@@ -147,9 +150,11 @@ class BridgedSocket {
     if (page.gap !== null) this.#say({ ...page.gap, type: "gap" });
     for (const state of page.states) this.#say({ ...state, type: "state" });
     void this.#follow(page.since).catch(() => this.#close(1011));
-    if (!isRestless) return;
-    const timer = setInterval(() => void this.#ask("/commands?after=0"), 500);
-    this.#closed.signal.addEventListener("abort", () => clearInterval(timer));
+    const { signal } = this.#closed;
+    if (!isRestless || signal.aborted) return;
+    const ask = () => this.#ask("/commands?after=0").catch(() => this.#close(1011));
+    const timer = setInterval(() => void ask(), 500);
+    signal.addEventListener("abort", () => clearInterval(timer));
   }
 
   async #command({ key, command, sentAt }: Message): Promise<void> {
