@@ -12,6 +12,9 @@ import { exampleOf, runScript } from "./support/script.ts";
 
 const library = fileURLToPath(new URL("../packages/client-python/src/", import.meta.url));
 
+/** What a script prints until its owner has answered. */
+const waits = "Waiting for 'Yes, let it drive' on the robot's page.\n";
+
 /** A student's script: it has the page's address and what stands on the screen. */
 function runPaired(origin: string, code: string): ReturnType<typeof runScript> {
   const [python = ""] = exampleOf("Python");
@@ -57,7 +60,7 @@ test("a script that types the code drives once the page says yes", async ({ page
   await page.getByRole("button", { name: "Yes, let it drive" }).focus();
   await page.keyboard.press("Enter");
   const { code: exit, output } = await running;
-  expect([exit, output.trim()]).toEqual([0, "completed"]);
+  expect([exit, output.trim()]).toEqual([0, `${waits}completed`]);
   await expect(
     page.getByText("Right wall (Python script) can drive now. It has its own key."),
   ).toBeVisible();
@@ -124,7 +127,7 @@ test("a script that the page says no to is told so, also after a reload of the p
   await expect(page.getByText(question)).toBeVisible();
   await page.getByRole("button", { name: "No", exact: true }).click();
   const { code: exit, output } = await running;
-  expect([exit, output.trim()]).toEqual([1, "pairing-refused"]);
+  expect([exit, output.trim()]).toEqual([1, `${waits}pairing-refused`]);
   await expect(
     new CorridorPage(page).messages.getByText(
       "Right wall (Python script) cannot drive: you said no.",
@@ -177,7 +180,7 @@ test.describe("asks its owner wherever they are on the page:", () => {
     await dialog.getByRole("button", no).click();
     await expect(dialog.getByText(question)).toHaveCount(0);
     const { output } = await running;
-    expect(output.trim()).toBe("pairing-refused");
+    expect(output.trim()).toBe(`${waits}pairing-refused`);
   });
 
   test("the panel that asks lies below the screen", async ({ page }) => {
@@ -217,7 +220,7 @@ test.describe("on a phone", () => {
     await messages.getByRole("button", { name: "Yes, let it drive" }).tap();
     await expect(messages.getByText(question)).toHaveCount(0);
     const { code: exit, output } = await running;
-    expect([exit, output.trim()]).toEqual([0, "completed"]);
+    expect([exit, output.trim()]).toEqual([0, `${waits}completed`]);
   });
 });
 
