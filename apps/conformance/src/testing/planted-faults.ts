@@ -777,7 +777,7 @@ const longPoll: PlantedFault[] = [
   ),
   fault(
     "long-poll-gap",
-    "a reader is not told of its gap",
+    "a reader receives no gap",
     LINES,
     '"snapshot": snapshot})\n        if gap is not None:',
     '"snapshot": snapshot})\n        if False:',
@@ -869,7 +869,7 @@ const webSocket: PlantedFault[] = [
   bridged("websocket-resume", "`since` is ignored", {
     toHost: ({ since: _since, ...message }) => message as Message,
   }),
-  bridged("websocket-gap", "a reader is not told of its gap", {
+  bridged("websocket-gap", "a reader receives no gap", {
     toScript: (message) => (message.type === "gap" ? null : message),
   }),
   bridged("websocket-problem", "a refusal does not say of which command", {

@@ -22,7 +22,7 @@ export interface DiagnosisWords {
   t: TFunction<["diagnosis", "words"]>;
   language: string;
   /** ticks up to one in which a script let the robot wait: seconds are those of the clock, which counts them apart */
-  waited?: (tick: number) => number;
+  waited: (tick: number) => number;
 }
 
 /**
@@ -67,7 +67,7 @@ function commonWords({ t }: DiagnosisWords): TFunction {
 }
 
 function secondsAt({ language, waited }: DiagnosisWords, tick: number): string {
-  return formatSeconds(tick - (waited?.(tick) ?? 0), language);
+  return formatSeconds(tick - waited(tick), language);
 }
 
 function cornerText({ t }: DiagnosisWords): string {

@@ -83,10 +83,11 @@ function reasonText(words: MissionWords, challenge: ChallengeDocument, it: Failu
 
 /** What the run on the screen says; null while nothing has failed. */
 export function liveFailureText(
-  { t, i18n, waited }: MissionWords,
+  words: MissionWords,
   challenge: ChallengeDocument,
   result: ChallengeResult,
 ): string | null {
+  const { t } = words;
   if (result.state !== "failed") return null;
   switch (result.code) {
     case "driver":
@@ -97,7 +98,7 @@ export function liveFailureText(
       );
     case "bump":
       return t("missions:failure.bumpLive", {
-        seconds: formatSeconds(result.tick - (waited?.(result.tick) ?? 0), i18n.language),
+        seconds: secondsOf(words, result.tick),
       });
     case "late":
       return t("missions:failure.late", { seconds: challenge.checks.seconds });
@@ -140,14 +141,20 @@ function missedText(
 
 /** That it is met, and with what. */
 export function metText(
-  { t, i18n, waited }: MissionWords,
+  words: MissionWords,
   { allowed }: ChallengeDocument,
   result: Extract<ChallengeResult, { state: "met" }>,
 ): string {
+  const { t } = words;
   // Where no line may be written there is none to count.
   return result.driver === "program" && allowed.lines > 0
     ? t("missions:bar.met", { found: result.lines, needed: allowed.lines })
     : t("missions:bar.metByHand", {
-        seconds: formatSeconds(result.ticks - (waited?.(result.ticks) ?? 0), i18n.language),
+        seconds: secondsOf(words, result.ticks),
       });
+}
+
+/** Seconds of the clock, which counts apart what a script let the robot wait. */
+function secondsOf({ i18n, waited = () => 0 }: MissionWords, tick: number): string {
+  return formatSeconds(tick - waited(tick), i18n.language);
 }

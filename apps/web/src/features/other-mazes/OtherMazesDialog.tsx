@@ -171,6 +171,8 @@ function tryWhileOpen({ screen, workspace }: ReturnType<typeof useServices>, tri
   ];
   return () => {
     for (const stop of endings) stop();
-    end();
+    clearTimeout(closing);
+    trials.clear();
+    trials.close();
   };
 }
