@@ -12,10 +12,9 @@ import styles from "./other-mazes.module.css";
 import { TrialChoices } from "./TrialChoices.tsx";
 import { TrialGrid } from "./TrialGrid.tsx";
 import { createTrialPool } from "./trial-pool.ts";
+import { tryWhileOpen } from "./try-while-open.ts";
 import { countOutcomes, seedsFrom, trialChoice, Trials, TRIALS } from "./trials.ts";
 
-/** How long the workers wait for the next press of the button. */
-const IDLE_MS = 60_000;
 /** Between two looks at the results: each costs a layout of the grid, on a core that the mazes want too. */
 const SHOW_MS = 125;
 
@@ -148,31 +147,4 @@ function trialsOfPage(
     pageTrials = { trials, opener: new TrialOpener(services, words, pool) };
   }
   return pageTrials;
-}
-
-/** Tries the program when the dialog is asked for and when other mazes are chosen in it. @returns a function that ends it */
-function tryWhileOpen({ screen, workspace }: ReturnType<typeof useServices>, trials: Trials) {
-  const isOpen = () => screen.getState().isTryingMazes;
-  let closing: ReturnType<typeof setTimeout> | undefined;
-  const begin = () => {
-    clearTimeout(closing);
-    trials.start(trialChoice.getState(), workspace.getState().program);
-  };
-  const end = () => {
-    trials.clear();
-    closing = setTimeout(() => trials.close(), IDLE_MS);
-  };
-  if (isOpen()) begin();
-  const endings = [
-    screen.subscribe((now, before) => {
-      if (now.isTryingMazes !== before.isTryingMazes) (now.isTryingMazes ? begin : end)();
-    }),
-    trialChoice.subscribe(() => isOpen() && begin()),
-  ];
-  return () => {
-    for (const stop of endings) stop();
-    clearTimeout(closing);
-    trials.clear();
-    trials.close();
-  };
 }

@@ -1,8 +1,8 @@
 import { programPresets } from "@corridor/program";
 import { describe, expect, it } from "vitest";
-import { mazeOf, minutesFor, recordTrial, tryMaze } from "../../worker/maze-trial.ts";
-import type { FromTrialWorker, ToTrialWorker } from "../../worker/trial-messages.ts";
-import { TrialPool, type TrialPort } from "./trial-pool.ts";
+import { mazeOf } from "../../worker/maze-trial.ts";
+import { FakeTrialWorker } from "./testing/fake-trial-worker.ts";
+import { TrialPool } from "./trial-pool.ts";
 import { countOutcomes, Trials, type TrialChoice } from "./trials.ts";
 
 const program = programPresets[1]?.program;
@@ -10,50 +10,11 @@ if (program === undefined) throw new Error("a preset is gone");
 const rightWall = program;
 const choice: TrialChoice = { kind: "tree", side: 5, first: 1 };
 
-/** A worker that answers when it is told to. */
-class FakeWorker implements TrialPort {
-  onmessage: TrialPort["onmessage"] = null;
-  onerror: TrialPort["onerror"] = null;
-  isOver = false;
-  /** what it has to do */
-  readonly waiting: (() => FromTrialWorker)[] = [];
-
-  postMessage(message: ToTrialWorker): void {
-    if (message.type === "stop") this.waiting.length = 0;
-    else if (message.type === "record") {
-      const { maze, program: recorded, ticks } = message;
-      const record = () => recordTrial(maze, recorded, ticks);
-      this.waiting.push(() => ({ type: "recorded", written: record() }));
-    } else this.waiting.push(...message.seeds.map((seed) => () => resultOf(message, seed)));
-  }
-
-  terminate(): void {
-    this.isOver = true;
-  }
-
-  /** Does the oldest. @returns whether there was one */
-  answer(): boolean {
-    const data = this.waiting.shift()?.();
-    if (data === undefined) return false;
-    this.onmessage?.({ data } as MessageEvent<FromTrialWorker>);
-    return true;
-  }
-}
-
-function resultOf(
-  { job, mazes, program: tried }: Extract<ToTrialWorker, { type: "try" }>,
-  seed: number,
-): FromTrialWorker {
-  const maze = mazeOf(mazes, seed);
-  const result = { seed, maze, ...tryMaze(maze, tried, minutesFor(mazes.side)) };
-  return { type: "result", job, result };
-}
-
 function setUp(size = 3) {
-  const workers: FakeWorker[] = [];
+  const workers: FakeTrialWorker[] = [];
   const waits: (() => void)[] = [];
   const pool = new TrialPool(() => {
-    const worker = new FakeWorker();
+    const worker = new FakeTrialWorker();
     workers.push(worker);
     return worker;
   }, size);

@@ -1,0 +1,42 @@
+import { mazeOf, minutesFor, recordTrial, tryMaze } from "../../../worker/maze-trial.ts";
+import type { FromTrialWorker, ToTrialWorker } from "../../../worker/trial-messages.ts";
+import type { TrialPort } from "../trial-pool.ts";
+
+/** A worker that answers when it is told to. */
+export class FakeTrialWorker implements TrialPort {
+  onmessage: TrialPort["onmessage"] = null;
+  onerror: TrialPort["onerror"] = null;
+  isOver = false;
+  /** what it has to do */
+  readonly waiting: (() => FromTrialWorker)[] = [];
+
+  postMessage(message: ToTrialWorker): void {
+    if (message.type === "stop") this.waiting.length = 0;
+    else if (message.type === "record") {
+      const { maze, program: recorded, ticks } = message;
+      const record = () => recordTrial(maze, recorded, ticks);
+      this.waiting.push(() => ({ type: "recorded", written: record() }));
+    } else this.waiting.push(...message.seeds.map((seed) => () => resultOf(message, seed)));
+  }
+
+  terminate(): void {
+    this.isOver = true;
+  }
+
+  /** Does the oldest. @returns whether there was one */
+  answer(): boolean {
+    const data = this.waiting.shift()?.();
+    if (data === undefined) return false;
+    this.onmessage?.({ data } as MessageEvent<FromTrialWorker>);
+    return true;
+  }
+}
+
+function resultOf(
+  { job, mazes, program: tried }: Extract<ToTrialWorker, { type: "try" }>,
+  seed: number,
+): FromTrialWorker {
+  const maze = mazeOf(mazes, seed);
+  const result = { seed, maze, ...tryMaze(maze, tried, minutesFor(mazes.side)) };
+  return { type: "result", job, result };
+}

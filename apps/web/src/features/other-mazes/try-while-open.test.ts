@@ -1,0 +1,74 @@
+import { mazePresets } from "@corridor/maze";
+import { programPresets } from "@corridor/program";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { createScreenStore } from "../../stores/screen-store.ts";
+import { createWorkspaceStore } from "../../stores/workspace-store.ts";
+import { FakeTrialWorker } from "./testing/fake-trial-worker.ts";
+import { TrialPool } from "./trial-pool.ts";
+import { Trials } from "./trials.ts";
+import { tryWhileOpen } from "./try-while-open.ts";
+
+const MINUTE_MS = 60_000;
+
+function setUp() {
+  const [maze] = mazePresets;
+  const [program] = programPresets;
+  if (maze === undefined || program === undefined) throw new Error("a preset is gone");
+  const workspace = createWorkspaceStore(maze.maze, program.program);
+  const screen = createScreenStore();
+  const workers: FakeTrialWorker[] = [];
+  const pool = new TrialPool(() => {
+    const worker = new FakeTrialWorker();
+    workers.push(worker);
+    return worker;
+  }, 1);
+  const trials = new Trials(pool, (show) => show());
+  const mount = () => tryWhileOpen({ screen, workspace }, trials);
+  const press = (isTryingMazes: boolean) => screen.setState({ isTryingMazes });
+  return { workers, trials, mount, press };
+}
+
+describe("the workers that try other mazes", () => {
+  beforeEach(() => {
+    vi.useFakeTimers();
+  });
+  afterEach(() => {
+    vi.useRealTimers();
+  });
+
+  it("begin at the press and stay for a minute after the dialog is closed", () => {
+    const { workers, trials, mount, press } = setUp();
+    mount();
+    expect(workers).toHaveLength(0);
+    press(true);
+    expect(trials.store.getState().state).toBe("running");
+    press(false);
+    vi.advanceTimersByTime(MINUTE_MS - 1);
+    expect(workers.map(({ isOver }) => isOver)).toEqual([false]);
+    vi.advanceTimersByTime(1);
+    expect(workers.map(({ isOver }) => isOver)).toEqual([true]);
+  });
+
+  it("stay where the button is pressed again within the minute", () => {
+    const { workers, mount, press } = setUp();
+    mount();
+    press(true);
+    press(false);
+    vi.advanceTimersByTime(MINUTE_MS / 2);
+    press(true);
+    vi.advanceTimersByTime(2 * MINUTE_MS);
+    expect(workers.map(({ isOver }) => isOver)).toEqual([false]);
+  });
+
+  it("of the next page are not ended by the minute of the page before", () => {
+    const { workers, mount, press } = setUp();
+    const leave = mount();
+    press(true);
+    press(false);
+    leave();
+    mount();
+    press(true);
+    vi.advanceTimersByTime(2 * MINUTE_MS);
+    expect(workers.map(({ isOver }) => isOver)).toEqual([true, false]);
+  });
+});
