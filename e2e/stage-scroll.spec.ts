@@ -34,12 +34,15 @@ async function chooseLarge(corridor: CorridorPage, isPhone: boolean): Promise<vo
   await corridor.dismissMessages();
 }
 
-/** Turns the wheel over the stage until nothing more comes. */
+/** Turns the wheel over the stage: again, where the stage had not been laid out for the new maze yet. */
 async function scrollToTheEnd({ page, maze }: CorridorPage): Promise<void> {
   const before = await maze.grid.boundingBox();
   await page.locator("canvas").first().hover({ force: true });
-  await page.mouse.wheel(5000, 5000);
-  await expect.poll(async () => (await maze.grid.boundingBox())?.y).toBeLessThan(before?.y ?? 0);
+  await expect(async () => {
+    await page.mouse.wheel(5000, 5000);
+    const top = async () => (await maze.grid.boundingBox())?.y;
+    await expect.poll(top, { timeout: 2000 }).toBeLessThan(before?.y ?? 0);
+  }).toPass();
 }
 
 for (const isPhone of [false, true]) {

@@ -122,10 +122,14 @@ export class StageController {
         this.#pixelRatio = pixelRatio;
         this.#show();
       }),
-      workspace.subscribe(() => this.#divide()),
-      screen.subscribe(({ tool }, before) => {
+      // To divide it the browser lays out the page, so that only what the division depends on does that.
+      workspace.subscribe(({ maze }, before) =>
+        maze === before.maze ? this.#show() : this.#divide(),
+      ),
+      screen.subscribe(({ tool, showRulers }, before) => {
         if (tool !== before.tool) this.#toolChanged();
-        this.#divide();
+        if (showRulers === before.showRulers) this.#show();
+        else this.#divide();
       }),
       camera.subscribe(() => {
         this.#pointer.cancel();
