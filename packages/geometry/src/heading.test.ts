@@ -14,13 +14,13 @@ describe("writeUnitVector", () => {
     { name: "east", heading: 90, x: 1, y: 0 },
     { name: "south", heading: 180, x: 0, y: 1 },
     { name: "west", heading: 270, x: -1, y: 0 },
-  ])("is exact to the last bit facing $name", ({ heading, x, y }) => {
+  ])("is exact to the last bit when heading $name", ({ heading, x, y }) => {
     const vector = unitVector(heading);
     expect(vector.x + 0).toBe(x);
     expect(vector.y + 0).toBe(y);
   });
 
-  it("agrees with sine and cosine within 1e-15 everywhere", () => {
+  it("matches sine and cosine within 2e-15 for every heading", () => {
     fc.assert(
       fc.property(fc.double({ min: 0, max: 359.999999, noNaN: true }), (heading) => {
         const { x, y } = unitVector(heading);
@@ -39,11 +39,11 @@ describe("normaliseHeading", () => {
     { degrees: -90, heading: 270 },
     { degrees: 725, heading: 5 },
     { degrees: -1e-20, heading: 0 },
-  ])("turns $degrees into $heading", ({ degrees, heading }) => {
+  ])("returns $heading for $degrees degrees", ({ degrees, heading }) => {
     expect(normaliseHeading(degrees)).toBe(heading);
   });
 
-  it("always lands in [0, 360)", () => {
+  it("always returns a value in [0, 360)", () => {
     fc.assert(
       fc.property(fc.double({ min: -1e6, max: 1e6, noNaN: true }), (degrees) => {
         const heading = normaliseHeading(degrees);

@@ -1,23 +1,23 @@
 /**
- * Headings: degrees clockwise from north (up), and the unit vectors that go with them.
+ * Headings, in degrees clockwise from north (up), and their unit vectors.
  *
- * The engines of browsers and Node give different bits for `Math.sin` and `Math.cos`, so the vector
- * comes from the project's own polynomial: only + - * / and floor, the same bits everywhere.
+ * JavaScript engines return different bits for `Math.sin` and `Math.cos`. This module therefore
+ * evaluates its own polynomial with + - * / and floor only, which are exact to the bit everywhere.
  */
 
 const RADIANS_PER_DEGREE = 0.017453292519943295;
 
-/** The same direction in [0, 360). */
+/** Returns the same direction in [0, 360) degrees. */
 export function normaliseHeading(degrees: number): number {
-  const rest = degrees % 360;
-  const heading = rest < 0 ? rest + 360 : rest;
-  // A tiny negative rest rounds up to 360 itself.
+  const remainder = degrees % 360;
+  const heading = remainder < 0 ? remainder + 360 : remainder;
+  // A tiny negative remainder plus 360 rounds to 360 itself.
   return heading >= 360 ? 0 : heading;
 }
 
 /**
- * Writes the unit vector of a heading: x to the right, y downward.
- * Exact at quarter turns; elsewhere within 1e-15 of the true value.
+ * Writes the unit vector of a heading. x points right, y points down.
+ * The result is exact at quarter turns and within 1e-15 of the true value elsewhere.
  * @param heading degrees clockwise from north, in [0, 360)
  * @param out receives x at 0 and y at 1
  */
@@ -25,7 +25,7 @@ export function writeUnitVector(heading: number, out: Float64Array): void {
   const quarter = Math.floor((heading + 45) / 90);
   const r = (heading - quarter * 90) * RADIANS_PER_DEGREE;
   const q = r * r;
-  // Taylor series; |r| <= pi/4, so the first term left out is below 5e-17.
+  // Taylor series. Since |r| <= pi/4, the first omitted term is below 5e-17.
   const sin =
     r *
     (1 +

@@ -1,15 +1,15 @@
 /**
- * Corridors one cell wide on the odd cells of a lattice, with exactly one way between any two open
- * cells, by depth-first search; and the same with some walls opened, so that there are ways round.
+ * Carves corridors one cell wide on the odd cells of a lattice by depth-first search, with exactly
+ * one path between any two open cells. `carveLoops` opens some walls, which adds cycles.
  */
 import type { Cell } from "./maze-document.ts";
 import { BLOCK, OPEN } from "./maze-limits.ts";
 import type { Random } from "./random.ts";
 
-/** Rows of single cells, while they are being dug. */
+/** Mutable rows of single cells, used during generation. */
 export type CellRows = string[][];
 
-/** How many of a hundred walls that a tree leaves between its corridors a maze with loops opens. */
+/** Percentage of the walls between corridors that `carveLoops` opens. */
 const OPENED_PERCENT = 15;
 
 const steps = [
@@ -19,37 +19,37 @@ const steps = [
   { column: -1, row: 0 },
 ] as const;
 
-/** All cells filled. */
+/** Creates rows in which all cells are blocks. */
 export function solidRows(columns: number, rows: number): CellRows {
   return Array.from({ length: rows }, () => Array.from({ length: columns }, (): string => BLOCK));
 }
 
-/** Opens a cell; one outside of the rows is left alone. */
+/** Opens a cell. Ignores rows outside the grid. */
 export function openCell(grid: CellRows, column: number, row: number): void {
   const cells = grid[row];
   if (cells !== undefined) cells[column] = OPEN;
 }
 
 /**
- * Walks from (1, 1) to unvisited cells two steps away, at random, and goes back where it is stuck.
+ * Random depth-first search from (1, 1) over lattice cells two steps apart, with backtracking.
  * @param columns odd, as `rows`
  */
 export function carveTree(columns: number, rows: number, random: Random): CellRows {
   const grid = solidRows(columns, rows);
   const path: Cell[] = [{ column: 1, row: 1 }];
   openCell(grid, 1, 1);
-  for (let here = path.at(-1); here !== undefined; here = path.at(-1)) {
-    const { column, row } = here;
-    const ways = steps.filter(
+  for (let current = path.at(-1); current !== undefined; current = path.at(-1)) {
+    const { column, row } = current;
+    const unvisited = steps.filter(
       (step) => grid[row + 2 * step.row]?.[column + 2 * step.column] === BLOCK,
     );
-    const way = ways.length === 0 ? undefined : ways[random.below(ways.length)];
-    if (way === undefined) {
+    const step = unvisited.length === 0 ? undefined : unvisited[random.below(unvisited.length)];
+    if (step === undefined) {
       path.pop();
       continue;
     }
-    const next = { column: column + 2 * way.column, row: row + 2 * way.row };
-    openCell(grid, column + way.column, row + way.row);
+    const next = { column: column + 2 * step.column, row: row + 2 * step.row };
+    openCell(grid, column + step.column, row + step.row);
     openCell(grid, next.column, next.row);
     path.push(next);
   }
@@ -57,22 +57,22 @@ export function carveTree(columns: number, rows: number, random: Random): CellRo
 }
 
 /**
- * A tree with a share of its inner walls opened, at least one. The posts between four corridor cells
- * stay, so that no two by two cells are ever open.
- * @param columns odd and at least 5, as `rows`: smaller lattices have no wall whose loss makes a loop
+ * Carves a tree, then opens `OPENED_PERCENT` of its inner walls, at least one. The posts between four
+ * corridor cells remain, so no open square of 2 x 2 cells exists.
+ * @param columns odd and at least 5, as `rows`: in smaller lattices no opened wall creates a cycle
  */
 export function carveLoops(columns: number, rows: number, random: Random): CellRows {
   const grid = carveTree(columns, rows, random);
   const walls: Cell[] = [];
   for (let row = 1; row < rows - 1; row += 1) {
-    // Between two corridor cells: in their row, or in their column.
+    // Only cells between two corridor cells, horizontally or vertically.
     for (let column = 1 + (row % 2); column < columns - 1; column += 2) {
       if (grid[row]?.[column] === BLOCK) walls.push({ column, row });
     }
   }
   const count = Math.max(1, Math.floor((walls.length * OPENED_PERCENT) / 100));
   for (let opened = 0; opened < count; opened += 1) {
-    // The chosen one changes places with the last, so that none is chosen twice.
+    // Replaces the chosen wall with the last one, so that no wall is chosen twice.
     const at = random.below(walls.length);
     const last = walls.pop();
     const wall = at < walls.length ? walls[at] : last;

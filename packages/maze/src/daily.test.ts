@@ -7,14 +7,14 @@ import { parseMaze } from "./maze-document.ts";
 const DAY_MS = 86_400_000;
 const anyNumber = fc.integer({ min: -30_000, max: 100_000 });
 
-/** The same date by the engine's own calendar. */
+/** Date of a day number, computed with the built-in `Date`. */
 function byEngine(number: number): Day {
   const date = new Date(number * DAY_MS);
   return { year: date.getUTCFullYear(), month: date.getUTCMonth() + 1, day: date.getUTCDate() };
 }
 
 describe("the calendar", () => {
-  it("agrees with the engine's", () => {
+  it("matches the built-in Date", () => {
     fc.assert(
       fc.property(anyNumber, fc.integer({ min: -800, max: 800 }), (number, days) => {
         expect(dayNumber(byEngine(number))).toBe(number);
@@ -23,15 +23,15 @@ describe("the calendar", () => {
     );
   });
 
-  it("refuses a date that does not exist", () => {
+  it("rejects a date that does not exist", () => {
     expect(() => dayNumber({ year: 2026, month: 2, day: 29 })).toThrow(RangeError);
     expect(() => dayNumber({ year: 2028, month: 13, day: 1 })).toThrow(RangeError);
     expect(dayNumber({ year: 2028, month: 2, day: 29 })).toBe(21_243);
   });
 });
 
-describe("the maze of the day", () => {
-  it("is a legal maze whose goal can be reached, on every day", () => {
+describe("the daily maze", () => {
+  it("is a valid maze with a reachable goal on every day", () => {
     fc.assert(
       fc.property(anyNumber, (number) => {
         const maze = dailyMaze(byEngine(number), "Day");
@@ -45,7 +45,7 @@ describe("the maze of the day", () => {
     );
   });
 
-  it("is never that of the day before", () => {
+  it("differs from the maze of the previous day", () => {
     fc.assert(
       fc.property(anyNumber, (number) => {
         const today = dailyMaze(byEngine(number), "Day");
@@ -55,7 +55,7 @@ describe("the maze of the day", () => {
     );
   });
 
-  it("stays what it was: links, results and friends rely on it", () => {
+  it("stays the same across releases, because links and results refer to it", () => {
     const maze = dailyMaze({ year: 2026, month: 1, day: 5 }, "Maze of 5 January 2026");
     expect(maze).toMatchInlineSnapshot(`
       {

@@ -1,6 +1,6 @@
 /**
- * The maze of the day: a date gives the same maze to everybody, without a server. The size rises from
- * Monday to Sunday, the kind changes from day to day.
+ * The daily maze. Every client generates the same maze for a date, without a server. The size grows
+ * from Monday to Sunday, and the kind changes daily.
  */
 import { generateMaze, mazeKinds } from "./generate.ts";
 import type { MazeDocument } from "./maze-document.ts";
@@ -15,14 +15,14 @@ export interface Day {
   day: number;
 }
 
-/** Sides from Monday to Sunday, in cells. */
+/** Side lengths from Monday to Sunday, in cells. */
 const sides = [9, 11, 11, 13, 13, 15, 17] as const;
-/** Index of Monday in a count of days that begins on a Thursday. */
+/** Day number of the first Monday. Day 0, 1970-01-01, is a Thursday. */
 const MONDAY = 4;
 
 /**
- * The maze of a date.
- * @throws RangeError when the calendar has no such date
+ * Generates the maze of a date.
+ * @throws RangeError if the date does not exist in the calendar
  */
 export function dailyMaze(date: Day, name: string): MazeDocument {
   const number = dayNumber(date);
@@ -38,17 +38,17 @@ export function dailyMaze(date: Day, name: string): MazeDocument {
   });
 }
 
-/** The date so many days later, or earlier where `days` is negative. */
+/** Adds `days` to a date. A negative value returns an earlier date. */
 export function dayAfter(date: Day, days: number): Day {
   return dayOf(dayNumber(date) + days);
 }
 
 /**
- * Days from 1970-01-01 to a date.
- * @throws RangeError when the calendar has no such date
+ * Number of days from 1970-01-01 to a date.
+ * @throws RangeError if the date does not exist in the calendar
  */
 export function dayNumber({ year, month, day }: Day): number {
-  // The year begins in March, so that a leap day is its last one.
+  // The year starts in March here, so that a leap day is the last day of the year.
   const shifted = month <= 2 ? year - 1 : year;
   const monthFromMarch = (month + 9) % 12;
   const dayOfYear = Math.floor((153 * monthFromMarch + 2) / 5) + day - 1;
@@ -61,7 +61,7 @@ export function dayNumber({ year, month, day }: Day): number {
   return number;
 }
 
-/** The date so many days after 1970-01-01. */
+/** Inverse of `dayNumber`: the date `number` days after 1970-01-01. */
 function dayOf(number: number): Day {
   const days = number + 719_468;
   const era = Math.floor(days / 146_097);

@@ -1,8 +1,8 @@
 /**
- * Rectangular rooms joined by doors and, in larger mazes, by corridors: the floor plan of a school.
- * An area is divided by a wall with a door, or by a corridor with a door to either side, until what is
- * left is as small as a room. Walls stand on even cells and doors on odd ones, so that no later wall
- * meets a door.
+ * Rectangular rooms connected by doors and, in larger mazes, by corridors, like a floor plan.
+ * Recursive division: a wall with a door, or a corridor with a door on each side, divides an area
+ * until each part is as small as a room. Walls are on even cells and doors on odd cells, so that no
+ * later wall blocks a door.
  */
 import { type CellRows, openCell, solidRows } from "./carve-tree.ts";
 import { BLOCK } from "./maze-limits.ts";
@@ -16,19 +16,18 @@ interface Area {
   height: number;
 }
 
-/** Shortest and longest side of a room in lattice cells: 3 and 9 cells. */
-const LEAST = 2;
-const MOST = 5;
-/** From this length on an area may be divided by a corridor: two rooms, two walls and the corridor. */
-const CORRIDOR_FROM = 2 * LEAST + 3;
-/** How many of a hundred areas that may have a corridor get one, and how many of those that could stay whole do. */
+/** Bounds of a room's sides in lattice cells, equal to 3 and 9 maze cells. */
+const MIN_ROOM_SIDE = 2;
+const MAX_ROOM_SIDE = 5;
+/** Minimum length of an area with a corridor, in lattice cells: two rooms, two walls, one corridor. */
+const MIN_CORRIDOR_LENGTH = 2 * MIN_ROOM_SIDE + 3;
+/** Percentage of long enough areas that get a corridor, and of small enough areas that stay whole. */
 const CORRIDOR_PERCENT = 40;
 const WHOLE_PERCENT = 45;
 
 /**
- * Divides the inside of a maze.
+ * Divides the inside of a maze into rooms of at least 3 x 3 cells. All open cells are connected.
  * @param columns odd and at least 5, as `rows`
- * @returns every room at least 3 by 3 cells, all open cells joined
  */
 export function divideRooms(columns: number, rows: number, random: Random): CellRows {
   const grid = solidRows(columns, rows);
@@ -43,20 +42,20 @@ export function divideRooms(columns: number, rows: number, random: Random): Cell
   return grid;
 }
 
-/** Whether an area stays whole: it must where it is too short to divide, and may where it is no hall. */
+/** Whether an area stays whole: always if it is too short to divide, at random if it is room-sized. */
 function isRoom({ width, height }: Area, random: Random): boolean {
   const longest = Math.max(width, height);
-  if (longest < 2 * LEAST) return true;
-  return longest <= MOST && random.below(100) < WHOLE_PERCENT;
+  if (longest < 2 * MIN_ROOM_SIDE) return true;
+  return longest <= MAX_ROOM_SIDE && random.below(100) < WHOLE_PERCENT;
 }
 
 /** Divides an area across its longer side. */
 function divide(grid: CellRows, area: Area, random: Random): Area[] {
   const isWide = area.width === area.height ? random.below(2) === 0 : area.width > area.height;
   const length = isWide ? area.width : area.height;
-  const hasCorridor = length >= CORRIDOR_FROM && random.below(100) < CORRIDOR_PERCENT;
+  const hasCorridor = length >= MIN_CORRIDOR_LENGTH && random.below(100) < CORRIDOR_PERCENT;
   const gap = hasCorridor ? 1 : 0;
-  const first = LEAST + random.below(length - 2 * LEAST - gap + 1);
+  const first = MIN_ROOM_SIDE + random.below(length - 2 * MIN_ROOM_SIDE - gap + 1);
   wall(grid, area, isWide, first, random);
   if (hasCorridor) wall(grid, area, isWide, first + gap, random);
   const rest = length - first - gap;
@@ -71,7 +70,7 @@ function divide(grid: CellRows, area: Area, random: Random): Area[] {
       ];
 }
 
-/** A wall with one door behind the first so many lattice cells of an area. */
+/** Builds a wall with one door across an area, after its first `behind` lattice cells. */
 function wall(grid: CellRows, area: Area, isWide: boolean, behind: number, random: Random): void {
   const across = isWide ? area.height : area.width;
   const along = 2 * ((isWide ? area.left : area.top) + behind);

@@ -12,12 +12,12 @@ const maze: MazeDocument = {
 };
 
 describe("flood fill", () => {
-  it("counts the steps from the start and does not pass blocks, corners or edges", () => {
+  it("counts steps from the start without crossing blocks, corners or edges", () => {
     const no = UNREACHABLE;
     expect([...distancesFromStart(maze)]).toEqual([0, 1, no, no, no, 2, no, no, 4, 3, no, no]);
   });
 
-  it("counts open cells that cannot be reached too", () => {
+  it("includes unreachable cells in the number of open cells", () => {
     expect(countOpenCells(maze)).toBe(7);
   });
 
@@ -28,7 +28,7 @@ describe("flood fill", () => {
     [4, 0, false],
     [-1, 1, false],
     [0, 3, false],
-  ])("knows whether (%i, %i) can be reached: %s", (column, row, expected) => {
+  ])("returns whether (%i, %i) is reachable: %s", (column, row, expected) => {
     expect(isReachable(maze, { column, row })).toBe(expected);
   });
 });

@@ -1,14 +1,12 @@
-/**
- * What can be reached: distances from the start in steps between neighbouring open cells.
- */
+/** Breadth-first search from the start over adjacent open cells. */
 import { sizeOf } from "./maze-cells.ts";
 import { type Cell, type MazeDocument } from "./maze-document.ts";
 import { OPEN } from "./maze-limits.ts";
 
-/** Distance of a cell that cannot be reached, or that is a block. */
+/** Distance of a block, or of an open cell that has no path from the start. */
 export const UNREACHABLE = -1;
 
-/** Number of open cells, whether they can be reached or not. */
+/** Number of open cells, reachable or not. */
 export function countOpenCells(maze: MazeDocument): number {
   let count = 0;
   for (const row of maze.blocks) {
@@ -18,8 +16,9 @@ export function countOpenCells(maze: MazeDocument): number {
 }
 
 /**
- * Steps from the start to every cell.
- * @returns one number a cell at `row * columns + column`: 0 at the start, `UNREACHABLE` where no way leads
+ * Computes the number of steps from the start to every cell.
+ * @returns one number per cell, at index `row * columns + column`: 0 at the start, `UNREACHABLE`
+ *   where no path exists
  */
 export function distancesFromStart(maze: MazeDocument): Int32Array {
   const { columns, rows } = sizeOf(maze);
@@ -34,8 +33,8 @@ export function distancesFromStart(maze: MazeDocument): Int32Array {
     end += 1;
   };
   visit(maze.start.column, maze.start.row, 0);
-  for (let begin = 0; begin < end; begin += 1) {
-    const at = queue[begin] ?? 0;
+  for (let head = 0; head < end; head += 1) {
+    const at = queue[head] ?? 0;
     const column = at % columns;
     const row = (at - column) / columns;
     const distance = (distances[at] ?? 0) + 1;
@@ -47,7 +46,7 @@ export function distancesFromStart(maze: MazeDocument): Int32Array {
   return distances;
 }
 
-/** Whether the robot could drive from the start to a cell. */
+/** Whether a path of open cells leads from the start to a cell. */
 export function isReachable(maze: MazeDocument, { column, row }: Cell): boolean {
   const { columns } = sizeOf(maze);
   if (column < 0 || column >= columns) return false;

@@ -7,14 +7,14 @@ import { parseMaze, type MazeDocument } from "./maze-document.ts";
 
 const oddSide = fc.integer({ min: 2, max: 25 }).map((half) => 2 * half + 1);
 
-/** Any maze of a kind. */
+/** Generates mazes of a kind. */
 function anyMaze(kind: MazeKind): fc.Arbitrary<MazeDocument> {
   return fc
     .record({ columns: oddSide, rows: oddSide, seed: fc.integer() })
     .map((options) => generateMaze({ ...options, kind, name: "Generated" }));
 }
 
-/** Calls back for every cell that is open. */
+/** Calls `visit` for every open cell. */
 function eachOpen(maze: MazeDocument, visit: (column: number, row: number) => void): void {
   const { columns, rows } = sizeOf(maze);
   for (let row = 0; row < rows; row += 1) {
@@ -24,7 +24,7 @@ function eachOpen(maze: MazeDocument, visit: (column: number, row: number) => vo
   }
 }
 
-/** Pairs of open cells side by side: one fewer than cells in a tree, more where there are loops. */
+/** Number of adjacent pairs of open cells. A tree has one fewer than its open cells; loops add more. */
 function countPassages(maze: MazeDocument): number {
   let count = 0;
   eachOpen(maze, (column, row) => {
@@ -34,12 +34,12 @@ function countPassages(maze: MazeDocument): number {
   return count;
 }
 
-/** Open squares of so many by so many cells. */
-function countHalls(maze: MazeDocument, side: number): number {
-  const places = Array.from({ length: side * side }, (_, at) => at);
+/** Number of open squares with a given side, in cells. Squares may overlap. */
+function countOpenSquares(maze: MazeDocument, side: number): number {
+  const offsets = Array.from({ length: side * side }, (_, at) => at);
   let count = 0;
   eachOpen(maze, (column, row) => {
-    const isOpen = places.every(
+    const isOpen = offsets.every(
       (at) => !isBlock(maze, column + (at % side), row + Math.floor(at / side)),
     );
     if (isOpen) count += 1;
@@ -48,7 +48,7 @@ function countHalls(maze: MazeDocument, side: number): number {
 }
 
 describe.each(mazeKinds)("a generated maze of kind %s", (kind) => {
-  it("is a legal document with a solid border and a way to every open cell", () => {
+  it("is a valid document with a solid border in which every open cell is reachable", () => {
     fc.assert(
       fc.property(anyMaze(kind), (maze) => {
         expect(parseMaze(maze)).toEqual({ ok: true, value: maze });
@@ -63,7 +63,7 @@ describe.each(mazeKinds)("a generated maze of kind %s", (kind) => {
     );
   });
 
-  it("starts with a wall on the right and open ahead, the goal at the farthest cell", () => {
+  it("starts with a wall on the right and an open cell ahead; the goal is the farthest cell", () => {
     fc.assert(
       fc.property(anyMaze(kind), (maze) => {
         const { heading } = maze.start;
@@ -89,7 +89,7 @@ describe.each(mazeKinds)("a generated maze of kind %s", (kind) => {
     );
   });
 
-  it("is the same for the same seed, and another for another", () => {
+  it("depends on the seed only", () => {
     const options = { kind, columns: 33, rows: 33, name: "Generated" };
     expect(generateMaze({ ...options, seed: 7 })).toEqual(generateMaze({ ...options, seed: 7 }));
     expect(generateMaze({ ...options, seed: 7 })).not.toEqual(
@@ -103,7 +103,7 @@ describe.each(mazeKinds)("a generated maze of kind %s", (kind) => {
     { columns: 257, rows: 5 },
     { columns: 5, rows: 7.5 },
     { columns: Number.NaN, rows: 5 },
-  ])("refuses $columns x $rows with the field and the range", (size) => {
+  ])("rejects $columns x $rows with the field and the range", (size) => {
     expect(() => generateMaze({ ...size, kind, seed: 1, name: "" })).toThrow(
       /^(columns|rows): found .*, expected an odd number from 5 to 255$/,
     );
@@ -111,7 +111,7 @@ describe.each(mazeKinds)("a generated maze of kind %s", (kind) => {
 });
 
 describe("the kinds of generated mazes", () => {
-  it("a tree has exactly one way between any two cells, and every odd cell open", () => {
+  it("tree has exactly one path between any two cells, and all odd cells are open", () => {
     fc.assert(
       fc.property(anyMaze("tree"), (maze) => {
         expect(countPassages(maze)).toBe(countOpenCells(maze) - 1);
@@ -125,30 +125,30 @@ describe("the kinds of generated mazes", () => {
     );
   });
 
-  it("loops has ways round, and nowhere two by two open cells", () => {
+  it("loops contains cycles and no open square of 2 x 2 cells", () => {
     fc.assert(
       fc.property(anyMaze("loops"), (maze) => {
         expect(countPassages(maze)).toBeGreaterThanOrEqual(countOpenCells(maze));
-        expect(countHalls(maze, 2)).toBe(0);
+        expect(countOpenSquares(maze, 2)).toBe(0);
       }),
     );
   });
 
-  it("rooms has a room of three by three cells or more", () => {
+  it("rooms contains a room of at least 3 x 3 cells", () => {
     fc.assert(
       fc.property(anyMaze("rooms"), (maze) => {
-        expect(countHalls(maze, 3)).toBeGreaterThanOrEqual(1);
+        expect(countOpenSquares(maze, 3)).toBeGreaterThanOrEqual(1);
       }),
     );
   });
 
-  it("rooms divides whatever is longer than nine cells", () => {
+  it("rooms divides areas longer than 9 cells", () => {
     const large = anyMaze("rooms").filter((maze) => Math.max(...Object.values(sizeOf(maze))) > 11);
     fc.assert(
       fc.property(large, (maze) => {
         const { columns, rows } = sizeOf(maze);
-        // Undivided, the inside would hold one at every cell but those at its far edges.
-        expect(countHalls(maze, 3)).toBeLessThan((columns - 4) * (rows - 4));
+        // An undivided inside contains (columns - 4) * (rows - 4) such squares.
+        expect(countOpenSquares(maze, 3)).toBeLessThan((columns - 4) * (rows - 4));
       }),
     );
   });
@@ -190,12 +190,12 @@ describe("the kinds of generated mazes", () => {
         "###########",
       ],
     },
-  ] as const)("$kind stays what it was when it was first published", ({ kind, blocks }) => {
+  ] as const)("$kind generates the same maze as its first release", ({ kind, blocks }) => {
     const maze = generateMaze({ kind, columns: 11, rows: 7, seed: 42, name: "Generated" });
     expect(maze.blocks).toEqual(blocks);
   });
 
-  it("a tree by its own name is the same", () => {
+  it("generateTree returns the same maze as generateMaze with kind tree", () => {
     const options = { columns: 15, rows: 9, seed: 3, name: "Tree" };
     expect(generateTree(options)).toEqual(generateMaze({ ...options, kind: "tree" }));
   });

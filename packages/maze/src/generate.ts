@@ -1,6 +1,6 @@
 /**
- * Seeded mazes inside a solid border. The same options give the same document in every engine, so that
- * a teacher can dictate a maze: its kind, its size and its seed.
+ * Generates seeded mazes inside a solid border. Every JavaScript engine generates the same document
+ * from the same options, so a teacher can share a maze by its kind, size and seed.
  */
 import { carveLoops, carveTree, type CellRows } from "./carve-tree.ts";
 import { divideRooms } from "./divide-rooms.ts";
@@ -10,10 +10,10 @@ import { MAX_SIDE, OPEN } from "./maze-limits.ts";
 import { createRandom, type Random } from "./random.ts";
 
 /**
- * What a generated maze is made of:
- * `tree`: corridors with exactly one way between any two cells;
- * `loops`: such corridors with some walls opened, so that there are ways round;
- * `rooms`: rooms joined by doors and corridors.
+ * Kinds of generated mazes:
+ * - `tree`: corridors with exactly one path between any two cells
+ * - `loops`: a tree with some walls opened, which adds cycles
+ * - `rooms`: rooms connected by doors and corridors
  */
 export const mazeKinds = ["tree", "loops", "rooms"] as const;
 export type MazeKind = (typeof mazeKinds)[number];
@@ -41,9 +41,9 @@ const builders: Record<MazeKind, (columns: number, rows: number, random: Random)
 };
 
 /**
- * A maze of a kind. Every open cell can be reached. The start is at (1, 1) with a wall on the right and
- * open ahead, as the right-wall program wants it; the goal is the farthest cell from there.
- * @throws RangeError when a side is even or not from 5 to 255
+ * Generates a maze in which every open cell is reachable. The start is at (1, 1) with a wall on the
+ * right and an open cell ahead, as the right-wall program requires. The goal is the farthest cell.
+ * @throws RangeError if a side is even or not from 5 to 255
  */
 export function generateMaze({ kind, columns, rows, seed, name }: GenerateOptions): MazeDocument {
   for (const [side, length] of Object.entries({ columns, rows })) {
@@ -54,8 +54,8 @@ export function generateMaze({ kind, columns, rows, seed, name }: GenerateOption
   }
   const grid = builders[kind](columns, rows, createRandom(seed));
   const blocks = grid.map((row) => row.join(""));
-  // A robot in the top-left corner has a wall on its right when it faces east and the way south is
-  // shut, and when it faces south (its right is the border). One of the two always leads on.
+  // The robot in the top-left corner has a wall on its right if it faces south (the border), or if it
+  // faces east and the cell to the south is blocked. At least one of the two headings is open ahead.
   const isSouthOpen = grid[2]?.[1] === OPEN;
   const maze: MazeDocument = {
     format: "corridor/maze",
@@ -68,12 +68,12 @@ export function generateMaze({ kind, columns, rows, seed, name }: GenerateOption
   return { ...maze, goals: [farthestCell(maze, columns)] };
 }
 
-/** A maze of kind `tree`. @throws as `generateMaze` */
+/** Generates a maze of kind `tree`. @throws the errors of `generateMaze` */
 export function generateTree(options: TreeOptions): MazeDocument {
   return generateMaze({ ...options, kind: "tree" });
 }
 
-/** The first, reading from the top-left, of the cells that are farthest from the start. */
+/** The cell farthest from the start; the first in reading order if several are equally far. */
 function farthestCell(maze: MazeDocument, columns: number): Cell {
   const distances = distancesFromStart(maze);
   let farthest = 0;

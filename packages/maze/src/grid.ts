@@ -1,6 +1,6 @@
 /**
- * The maze as physics and sensors look it up: one byte a cell with a solid border around it, so that
- * nobody has to ask whether a cell lies inside the maze.
+ * The maze as a lookup table for physics and sensors: one byte per cell, with a solid border around
+ * it, so that lookups next to the edge need no bounds check.
  */
 import { sizeOf } from "./maze-cells.ts";
 import { type MazeDocument } from "./maze-document.ts";
@@ -12,13 +12,13 @@ export const CELL = 100;
 export interface Grid {
   columns: number;
   rows: number;
-  /** cells from one row to the next; cell (c, r) is `solid[(r + 1) * stride + c + 1]` */
+  /** array elements per row; cell (c, r) is `solid[(r + 1) * stride + c + 1]` */
   stride: number;
   /** 1 for a block or the border, 0 for an open cell */
   solid: Uint8Array;
 }
 
-/** Builds the lookup; linear in the number of cells. */
+/** Builds the lookup table in time linear in the number of cells. */
 export function gridOf(maze: MazeDocument): Grid {
   const { columns, rows } = sizeOf(maze);
   const stride = columns + 2;

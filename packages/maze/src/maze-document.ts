@@ -1,6 +1,6 @@
 /**
- * The maze document, `corridor/maze` version 1: rows of blocks, a start and goals.
- * A cell is 100 x 100 units; outside the grid is solid.
+ * The maze document, `corridor/maze` version 1: rows of cells, a start and goals.
+ * A cell is 100 x 100 units. The area outside the grid is solid.
  */
 import { readJson, readValue, type ReadResult } from "@corridor/protocol";
 import { z } from "zod";
@@ -24,7 +24,7 @@ const cell = z.strictObject(
   { column: index, row: index },
   { error: 'a cell: {"column": ..., "row": ...}' },
 );
-/** A cell of the grid, counted from 0 at the top-left. */
+/** A cell of the grid. `column` and `row` start at 0 in the top-left corner. */
 export type Cell = z.infer<typeof cell>;
 
 const start = z.strictObject(
@@ -57,7 +57,10 @@ const shape = z.strictObject(
 );
 export type MazeDocument = z.infer<typeof shape>;
 
-/** The document with its rules between fields: rows of one length; start and goals open and inside. */
+/**
+ * The schema with its cross-field rules: all rows have the same length, and the start and the goals
+ * are open cells inside the grid.
+ */
 export const mazeSchema = shape.check((context) => {
   const { blocks, start: from, goals } = context.value;
   const width = blocks[0]?.length ?? 0;
@@ -82,7 +85,7 @@ export const mazeSchema = shape.check((context) => {
   for (const [number, goal] of goals.entries()) checkOpen(goal, ["goals", number]);
 });
 
-/** The largest legal document with room for indentation. */
+/** Maximum text length in characters: the largest valid document plus indentation. */
 const MAX_TEXT_LENGTH = 262_144;
 
 /** Reads a maze from a parsed value. */

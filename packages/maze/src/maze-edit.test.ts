@@ -30,7 +30,7 @@ function edited(edit: MazeEdit): MazeDocument {
 }
 
 describe("blocks", () => {
-  it("fills and opens a cell and shares the other rows with the document before", () => {
+  it("are filled and opened without changing the previous document, start or goals", () => {
     const filled = edited(setBlock(maze, { column: 3, row: 0 }, true));
     expect(filled.blocks).toEqual(["...#", ".##.", "...."]);
     expect(edited(setBlock(filled, { column: 3, row: 0 }, false)).blocks).toEqual(maze.blocks);
@@ -39,31 +39,31 @@ describe("blocks", () => {
     expect(maze.blocks).toEqual(["....", ".##.", "...."]);
   });
 
-  it("toggles a block off and on", () => {
+  it("are toggled off and on", () => {
     const opened = edited(toggleBlock(maze, { column: 1, row: 1 }));
     expect(opened.blocks[1]).toBe("..#.");
     expect(edited(toggleBlock(opened, { column: 1, row: 1 }))).toEqual(maze);
   });
 
-  it("removes a goal that is built over", () => {
+  it("remove the goal on their cell", () => {
     expect(edited(toggleBlock(maze, { column: 3, row: 2 }))).toMatchObject({
       blocks: ["....", ".##.", "...#"],
       goals: [],
     });
   });
 
-  it("opens every cell on clear and keeps start and goals", () => {
+  it("are all opened by clearBlocks, which retains the start and the goals", () => {
     expect(clearBlocks(maze)).toEqual({ ...maze, blocks: ["....", "....", "...."] });
   });
 });
 
 describe("start and goals", () => {
-  it("moves and turns the start", () => {
+  it("setStart changes the cell and the heading", () => {
     const moved = edited(setStart(maze, { column: 3, row: 2 }, "north"));
     expect(moved.start).toEqual({ column: 3, row: 2, heading: "north" });
   });
 
-  it("sets a goal and takes it away again", () => {
+  it("toggleGoal adds a goal and removes it again", () => {
     const two = edited(toggleGoal(maze, { column: 0, row: 2 }));
     expect(two.goals).toEqual([
       { column: 3, row: 2 },
@@ -72,7 +72,7 @@ describe("start and goals", () => {
     expect(edited(toggleGoal(two, { column: 0, row: 2 })).goals).toEqual(maze.goals);
   });
 
-  it("takes a goal away that a document holds twice", () => {
+  it("toggleGoal removes all goals on a cell", () => {
     const twice = { ...maze, goals: [...maze.goals, ...maze.goals] };
     expect(edited(toggleGoal(twice, { column: 3, row: 2 })).goals).toEqual([]);
   });
@@ -83,7 +83,7 @@ describe("resize", () => {
     expect(edited(resize(maze, 5, 4)).blocks).toEqual([".....", ".##..", ".....", "....."]);
   });
 
-  it("moves a start inside that would be cut off, onto an opened cell, and drops such goals", () => {
+  it("moves a start outside the new size onto an opened cell, and removes goals outside it", () => {
     const from: MazeDocument = { ...maze, start: { column: 3, row: 1, heading: "south" } };
     expect(edited(resize(from, 3, 2))).toEqual({
       ...maze,
@@ -101,11 +101,11 @@ describe("an edit that changes nothing", () => {
     ["the same start", (from) => edited(setStart(from, { column: 0, row: 0 }, "east"))],
     ["the same size", (from) => edited(resize(from, 4, 3))],
     ["the same name", (from) => edited(rename(from, "Small"))],
-  ])("gives the very same document back: %s", (_, edit) => {
+  ])("returns the same object: %s", (_, edit) => {
     expect(edit(maze)).toBe(maze);
   });
 
-  it("gives a clear maze back on clear", () => {
+  it("returns the same object when a maze without blocks is cleared", () => {
     const clear = clearBlocks(maze);
     expect(clearBlocks(clear)).toBe(clear);
   });
@@ -132,7 +132,7 @@ describe("a refused edit", () => {
     ["half a column", resize(maze, 4.5, 3), "bad-size"],
     ["a size that is no number", resize(maze, Number.NaN, 3), "bad-size"],
     ["a name of 101 characters", rename(maze, "x".repeat(101)), "name-too-long"],
-  ])("says why: %s", (_, edit, code) => {
+  ])("returns a code: %s", (_, edit, code) => {
     expect(edit).toEqual({ ok: false, code });
   });
 });
@@ -167,7 +167,7 @@ describe("any sequence of edits", () => {
     { maxLength: 30 },
   );
 
-  it("keeps the document legal, leaves the one before as it was, and undoes to it", () => {
+  it("results in a valid document and never changes an earlier one", () => {
     fc.assert(
       fc.property(arbitraryMaze, edits, (first, sequence) => {
         const history: { document: MazeDocument; text: string }[] = [];

@@ -1,8 +1,7 @@
 /**
- * Edits of a maze: document in, document out. Pure, so that undo is keeping the old document;
- * untouched rows are shared between the two, and an edit that changes nothing gives back the very
- * same document. An edit that would break the document is refused with a code, never an exception:
- * the page turns the code into a sentence.
+ * Edits of a maze as pure functions from document to document, so that undo restores the previous
+ * document. Both documents share unchanged rows. An edit without effect returns the same object.
+ * An edit that would make the document invalid returns a code, which the page translates.
  */
 import { isBlock, sizeOf } from "./maze-cells.ts";
 import { type Cell, type MazeDocument } from "./maze-document.ts";
@@ -17,24 +16,24 @@ import {
 
 /** Why an edit was refused. */
 export type MazeRefusal =
-  /** the cell lies outside of the grid */
+  /** the cell is outside the grid */
   | "outside"
-  /** a block cannot be put onto the start */
+  /** the start cannot be a block */
   | "start-here"
-  /** start and goals stand on open cells only */
+  /** the start and the goals must be open cells */
   | "block-here"
-  /** the maze has as many goals as a document can hold */
+  /** the maze already has the maximum number of goals */
   | "too-many-goals"
-  /** columns or rows are not whole numbers from 1 to 256 */
+  /** columns and rows must be whole numbers from 1 to 256 */
   | "bad-size"
-  /** the name is longer than a document can hold */
+  /** the name exceeds the maximum length */
   | "name-too-long";
 
 export type MazeEdit = { ok: true; maze: MazeDocument } | { ok: false; code: MazeRefusal };
 
 /**
- * Fills or opens a cell. Filling a goal removes that goal; filling the start is refused.
- * @returns refused as "outside" or "start-here"
+ * Fills or opens a cell. Filling a goal removes the goal. Filling the start is refused.
+ * @returns the edit, or the code "outside" or "start-here"
  */
 export function setBlock(maze: MazeDocument, cell: Cell, filled: boolean): MazeEdit {
   if (!isInside(maze, cell)) return refuse("outside");
@@ -44,28 +43,28 @@ export function setBlock(maze: MazeDocument, cell: Cell, filled: boolean): MazeE
   return accept({ ...maze, blocks, goals: filled ? withoutGoal(maze.goals, cell) : maze.goals });
 }
 
-/** Fills an open cell, opens a filled one; refused as `setBlock` is. */
+/** Fills an open cell or opens a filled one. Returns the codes of `setBlock`. */
 export function toggleBlock(maze: MazeDocument, cell: Cell): MazeEdit {
   return setBlock(maze, cell, !isBlock(maze, cell.column, cell.row));
 }
 
 /**
- * Puts the start onto an open cell, which may be a goal.
- * @returns refused as "outside" or "block-here"
+ * Moves the start to an open cell, which may be a goal.
+ * @returns the edit, or the code "outside" or "block-here"
  */
 export function setStart(maze: MazeDocument, cell: Cell, heading: HeadingName): MazeEdit {
-  const code = whyNotOpen(maze, cell);
+  const code = closedReason(maze, cell);
   if (code !== null) return refuse(code);
   if (isSameCell(maze.start, cell) && maze.start.heading === heading) return accept(maze);
   return accept({ ...maze, start: { column: cell.column, row: cell.row, heading } });
 }
 
 /**
- * Makes an open cell a goal, or takes every goal on it away.
- * @returns refused as "outside", "block-here" or "too-many-goals"
+ * Adds a goal on an open cell, or removes all goals on it.
+ * @returns the edit, or the code "outside", "block-here" or "too-many-goals"
  */
 export function toggleGoal(maze: MazeDocument, cell: Cell): MazeEdit {
-  const code = whyNotOpen(maze, cell);
+  const code = closedReason(maze, cell);
   if (code !== null) return refuse(code);
   const others = withoutGoal(maze.goals, cell);
   if (others !== maze.goals) return accept({ ...maze, goals: others });
@@ -73,7 +72,7 @@ export function toggleGoal(maze: MazeDocument, cell: Cell): MazeEdit {
   return accept({ ...maze, goals: [...maze.goals, { column: cell.column, row: cell.row }] });
 }
 
-/** Opens every cell; start and goals stay. */
+/** Opens every cell. The start and the goals remain. */
 export function clearBlocks(maze: MazeDocument): MazeDocument {
   if (maze.blocks.every((row) => !row.includes(BLOCK))) return maze;
   const openRow = OPEN.repeat(sizeOf(maze).columns);
@@ -81,11 +80,11 @@ export function clearBlocks(maze: MazeDocument): MazeDocument {
 }
 
 /**
- * Changes the size at the right and bottom edges. New cells are open. A start that is cut off moves
- * to the nearest cell that remains, which is opened for it; goals that are cut off are dropped.
+ * Changes the size at the right and bottom edges. New cells are open. A start outside the new size
+ * moves to the nearest cell inside, which is opened. Goals outside the new size are removed.
  * @param columns 1 to 256
  * @param rows 1 to 256
- * @returns refused as "bad-size"
+ * @returns the edit, or the code "bad-size"
  */
 export function resize(maze: MazeDocument, columns: number, rows: number): MazeEdit {
   if (!isSide(columns) || !isSide(rows)) return refuse("bad-size");
@@ -105,7 +104,7 @@ export function resize(maze: MazeDocument, columns: number, rows: number): MazeE
   });
 }
 
-/** Gives the maze another name, which may be empty; refused as "name-too-long". */
+/** Renames the maze. The name may be empty. Returns the code "name-too-long" if it is too long. */
 export function rename(maze: MazeDocument, name: string): MazeEdit {
   if (name.length > MAX_NAME_LENGTH) return refuse("name-too-long");
   return accept(maze.name === name ? maze : { ...maze, name });
@@ -131,12 +130,12 @@ function isInside(maze: MazeDocument, { column, row }: Cell): boolean {
   return maze.blocks[row]?.[column] !== undefined;
 }
 
-function whyNotOpen(maze: MazeDocument, cell: Cell): MazeRefusal | null {
+function closedReason(maze: MazeDocument, cell: Cell): MazeRefusal | null {
   if (!isInside(maze, cell)) return "outside";
   return isBlock(maze, cell.column, cell.row) ? "block-here" : null;
 }
 
-/** The goals without those on a cell; the same list when there is none. */
+/** Removes the goals on a cell. Returns the same array if there are none. */
 function withoutGoal(goals: Cell[], cell: Cell): Cell[] {
   const others = goals.filter((goal) => !isSameCell(goal, cell));
   return others.length === goals.length ? goals : others;

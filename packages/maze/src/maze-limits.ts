@@ -1,6 +1,6 @@
 /**
- * The signs and bounds of the maze document, apart from its schema: who only looks cells up (the
- * simulation worker) need not load a schema library.
+ * Characters and bounds of the maze document. They are separate from the schema so that the
+ * simulation worker, which only reads cells, does not load the schema library.
  */
 
 export const MAX_SIDE = 256;

@@ -6,7 +6,7 @@ import { parseMaze } from "./maze-document.ts";
 import { type HeadingName } from "./maze-limits.ts";
 import { mazePresets } from "./presets.ts";
 
-/** The step to the cell ahead; the one on the right is that of the next heading. */
+/** Steps to the cell ahead and to the cell on the right, by heading. */
 const steps: Record<HeadingName, { ahead: [number, number]; right: [number, number] }> = {
   north: { ahead: [0, -1], right: [1, 0] },
   east: { ahead: [1, 0], right: [0, 1] },
@@ -15,14 +15,14 @@ const steps: Record<HeadingName, { ahead: [number, number]; right: [number, numb
 };
 
 describe("maze presets", () => {
-  it("have ids and names of their own", () => {
+  it("have unique ids and names", () => {
     const ids = mazePresets.map(({ id }) => id);
     expect(new Set(ids).size).toBe(ids.length);
     expect(new Set(mazePresets.map(({ maze }) => maze.name)).size).toBe(ids.length);
   });
 
   it.each(mazePresets)(
-    "$id is legal, solvable, and starts with a wall on the right",
+    "$id is valid, solvable, and starts with a wall on the right",
     ({ maze }) => {
       expect(parseMaze(maze)).toEqual({ ok: true, value: maze });
       expect(maze.goals.every((goal) => isReachable(maze, goal))).toBe(true);
@@ -33,7 +33,7 @@ describe("maze presets", () => {
     },
   );
 
-  it("tree is what the generator makes", () => {
+  it("tree equals the generator's output", () => {
     const tree = mazePresets.find(({ id }) => id === "tree")?.maze;
     expect(tree).toEqual(generateTree({ columns: 15, rows: 15, seed: 1, name: "Tree" }));
   });

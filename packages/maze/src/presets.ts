@@ -1,6 +1,6 @@
 /**
- * Ready-made mazes, from easy to hard, written down as rows so that they can be read and changed here.
- * The ids stay for ever: saved works, tests and the page's words refer to them.
+ * Preset mazes, from easy to hard, as editable rows.
+ * Never change an id: saved projects, tests and the page's translations refer to it.
  */
 import type { Cell, MazeDocument, Start } from "./maze-document.ts";
 
@@ -31,7 +31,7 @@ function preset(
   return { id, maze: { format: "corridor/maze", version: 1, name, blocks, start, goals } };
 }
 
-/** All mazes of the menu, in its order. */
+/** All preset mazes, in menu order. */
 export const mazePresets: readonly MazePreset[] = [
   // A corridor with one jog.
   preset(
@@ -69,7 +69,7 @@ export const mazePresets: readonly MazePreset[] = [
       "###########",
     ],
   ),
-  // One dead end after the other.
+  // A row of dead ends.
   preset(
     "comb",
     "Comb",
@@ -84,7 +84,7 @@ export const mazePresets: readonly MazePreset[] = [
       "#############",
     ],
   ),
-  // generateTree({ columns: 15, rows: 15, seed: 1 }), written down.
+  // The output of generateTree({ columns: 15, rows: 15, seed: 1 }).
   preset(
     "tree",
     "Tree",
@@ -108,7 +108,7 @@ export const mazePresets: readonly MazePreset[] = [
       "###############",
     ],
   ),
-  // Open to its edges, with a loop round the block at (7, 1).
+  // Open at its edges, with a cycle around the block at (7, 1).
   preset(
     "long-way-round",
     "Long way round",
@@ -140,7 +140,7 @@ export const mazePresets: readonly MazePreset[] = [
       ".....#.....",
     ],
   ),
-  // For mazes of one's own.
+  // For new mazes.
   preset(
     "empty",
     "Empty",

@@ -1,19 +1,19 @@
 /**
- * Seeded random numbers: sfc32 (Chris Doty-Humphrey, PractRand), whole numbers only.
- * The same seed gives the same numbers in every engine; nothing here reads a clock.
+ * Seeded random integers by sfc32 (Chris Doty-Humphrey, PractRand). A seed produces the same numbers
+ * in every JavaScript engine.
  */
 
-/** A source of random numbers that moves on with every call. */
+/** A stateful source of random numbers. */
 export interface Random {
-  /** a whole number from 0 to `limit` - 1; `limit` is a whole number from 1 to 2^32 */
+  /** Returns a whole number from 0 to `limit` - 1. `limit` is a whole number from 1 to 2^32. */
   below: (limit: number) => number;
 }
 
-/** Rounds that mix the seed into all four words before the first number is given out. */
+/** Rounds that mix the seed into all four words before the first number is returned. */
 const WARM_UP_ROUNDS = 12;
 const WORD = 4_294_967_296;
 
-/** @param seed any finite number; its whole part counts modulo 2^64 */
+/** @param seed any finite number, rounded down and reduced modulo 2^64 */
 export function createRandom(seed: number): Random {
   const whole = Math.floor(seed);
   let a = 0;
@@ -33,7 +33,7 @@ export function createRandom(seed: number): Random {
 
   return {
     below: (limit) => {
-      // Numbers from the incomplete last stretch would favour small results; draw again.
+      // Rejection sampling: words from the incomplete last interval would favour small results.
       const fair = WORD - (WORD % limit);
       let word = next();
       while (word >= fair) word = next();

@@ -5,7 +5,7 @@ import { mazePresets } from "./presets.ts";
 import { arbitraryMaze } from "./testing/arbitrary-maze.ts";
 import { readTextMaze, writeTextMaze } from "./text-maze.ts";
 
-/** Goals as a drawing has them: in reading order, each once. */
+/** The maze that a drawing represents: each goal once, in reading order. */
 function drawn(maze: MazeDocument): MazeDocument {
   const key = ({ column, row }: Cell): number => row * 256 + column;
   const byKey = new Map(maze.goals.map((goal) => [key(goal), goal]));
@@ -22,8 +22,8 @@ function read(...lines: string[]): unknown {
   return [...blocks, `${start.column},${start.row} ${start.heading}`, ...to];
 }
 
-describe("a maze that was drawn as text", () => {
-  it("comes back from its own drawing, with any line ends, indentation and spaces behind", () => {
+describe("a maze drawn as text", () => {
+  it("is read back from its drawing, with any line endings and surrounding empty lines", () => {
     const layout = fc.record({
       end: fc.constantFrom("\n", "\r\n", "\r"),
       around: fc.constantFrom("", "\n", "\n\n"),
@@ -36,7 +36,7 @@ describe("a maze that was drawn as text", () => {
     );
   });
 
-  it.each(mazePresets)("$id is read from a mail that indents it and adds spaces", ({ maze }) => {
+  it.each(mazePresets)("$id is read from text with indentation and trailing spaces", ({ maze }) => {
     const text = writeTextMaze(maze)
       .replaceAll(/^(?=.)/gm, "    ")
       .replaceAll("\n", "  \n");
@@ -48,7 +48,7 @@ describe("a maze that was drawn as text", () => {
     expect(readTextMaze(text, maze.name)).toEqual({ ok: true, value: maze });
   });
 
-  it("takes all of its marks, and a mark order mark", () => {
+  it("accepts all marks and a byte order mark", () => {
     expect(read("\uFEFF#Xx█", ">._*", "Gg##")).toEqual([
       "####",
       "....",
@@ -66,69 +66,82 @@ describe("a maze that was drawn as text", () => {
     { lines: ["#S#", "#.#"], heading: "south" },
     { lines: [".S#", "###"], heading: "west" },
     { lines: ["#S#", "###", "..."], heading: "north" },
-  ])("turns an S to its first open way, from north on: $heading", ({ lines, heading }) => {
+  ])("sets the heading of an S to its first open direction: $heading", ({ lines, heading }) => {
     expect(read(...lines)).toContainEqual(expect.stringContaining(heading));
   });
 
-  it("ends shorter lines in open squares where those are spaces", () => {
+  it("pads shorter lines with open squares if spaces are open squares", () => {
     expect(read("#####", "#S", "#   #")).toEqual(["#####", "#....", "#...#", "1,1 east"]);
     expect(read("####", "#S  ", "#   ")).toEqual(["####", "#...", "#...", "1,1 east"]);
   });
 
   it.each([
     {
-      is: "a mark of its own",
+      defect: "an unknown mark",
       lines: ["###", "#?S"],
-      says: 'line 2, column 2: "?", # for a block',
+      problem: 'line 2, column 2: "?", # for a block',
     },
-    { is: "a tab", lines: ["S..", ".\t."], says: "line 2, column 2: a tab, # for" },
+    { defect: "a tab", lines: ["S..", ".\t."], problem: "line 2, column 2: a tab, # for" },
     {
-      is: "a space among dots",
+      defect: "a space among dots",
       lines: ["  S..", "  . ."],
-      says: "line 2, column 4: a space, . as",
+      problem: "line 2, column 4: a space, . as",
     },
     {
-      is: "a short row",
+      defect: "a short row",
       lines: ["", "S..", ".."],
-      says: "line 3: 2 squares, 3 squares, as in line 2",
+      problem: "line 3: 2 squares, 3 squares, as in line 2",
     },
-    { is: "an empty row", lines: ["S..", "", "..."], says: "line 2: 0 squares, 3 squares, as in" },
     {
-      is: "an empty row with spaces",
+      defect: "an empty row",
+      lines: ["S..", "", "..."],
+      problem: "line 2: 0 squares, 3 squares, as in",
+    },
+    {
+      defect: "an empty row with spaces",
       lines: ["# #", "", "#S"],
-      says: "line 2: an empty line, a row",
+      problem: "line 2: an empty line, a row",
     },
-    { is: "no start", lines: ["...", "###"], says: "start: none, one S, or one of ^ > v <" },
+    { defect: "no start", lines: ["...", "###"], problem: "start: none, one S, or one of ^ > v <" },
     {
-      is: "two starts",
+      defect: "two starts",
       lines: ["S..", "..>"],
-      says: "line 2, column 3: a second start, one start in all; the first is in line 1, column 1",
+      problem:
+        "line 2, column 3: a second start, one start in all; the first is in line 1, column 1",
     },
     {
-      is: "no drawing",
+      defect: "no drawing",
       lines: ["Dear all, the maze"],
-      says: 'line 1: "Dear all, the maze", a row of',
+      problem: 'line 1: "Dear all, the maze", a row of',
     },
-    { is: "nothing", lines: ["", "  "], says: ": nothing, a maze, line by line" },
-    { is: "too wide", lines: [`S${".".repeat(256)}`], says: "line 1: 257 squares, at most 256" },
+    { defect: "nothing", lines: ["", "  "], problem: ": nothing, a maze, line by line" },
     {
-      is: "too tall",
+      defect: "too wide",
+      lines: [`S${".".repeat(256)}`],
+      problem: "line 1: 257 squares, at most 256",
+    },
+    {
+      defect: "too tall",
       lines: ["S.", ...Array.from({ length: 300 }, () => "..")],
-      says: "line 257: 301 rows, at most 256 rows",
+      problem: "line 257: 301 rows, at most 256 rows",
     },
-    { is: "too long", lines: ["S".repeat(262_145)], says: ": 262145 characters, at most 262144" },
     {
-      is: "too many goals",
-      lines: ["S", "G".repeat(255), "GG"].map((line) => line.padEnd(255, "#")),
-      says: "line 3, column 2: one more goal, at most 256 goals",
+      defect: "too long",
+      lines: ["S".repeat(262_145)],
+      problem: ": 262145 characters, at most 262144",
     },
-  ])("is refused where it has $is, by place, found and expected", ({ lines, says }) => {
-    expect(read(...lines)).toEqual([expect.stringContaining(says)]);
+    {
+      defect: "too many goals",
+      lines: ["S", "G".repeat(255), "GG"].map((line) => line.padEnd(255, "#")),
+      problem: "line 3, column 2: one more goal, at most 256 goals",
+    },
+  ])("is rejected for $defect, with position, found and expected", ({ lines, problem }) => {
+    expect(read(...lines)).toEqual([expect.stringContaining(problem)]);
   });
 });
 
 describe("a micromouse maze", () => {
-  it("becomes blocks for its walls and posts", () => {
+  it("is read with a block for each wall and post", () => {
     const lines = [
       "o---o---o---o",
       "|       | G |",
@@ -138,11 +151,11 @@ describe("a micromouse maze", () => {
     ];
     const maze = ["#######", "#...#.#", "#.###.#", "#.#....", "#######", "1,3 north", "5,1"];
     expect(read(...lines)).toEqual(maze);
-    // Editors drop spaces at the end, mails put some in front.
+    // Editors strip trailing spaces, and mail clients indent quoted text.
     expect(read(...lines.map((line) => `  ${line.trimEnd()}`))).toEqual(maze);
   });
 
-  it("has open space where a post is left out", () => {
+  it("is open where a post is missing", () => {
     expect(read("o---o---o", "| >     |", "o       o", "|   |   |", "o---o---o")).toEqual([
       "#####",
       "#...#",
@@ -154,25 +167,55 @@ describe("a micromouse maze", () => {
   });
 
   it.each([
-    { is: "half a wall", at: 2, line: "o-- o   o", says: 'line 3, column 2: "-- ", a wall, ---' },
-    { is: "a wrong post", at: 2, line: "o---x   o", says: 'line 3, column 5: "x", a post: o or +' },
-    { is: "a wrong side", at: 1, line: "| S :   |", says: 'line 2, column 5: ":", a wall, |, or' },
-    { is: "a number", at: 1, line: "| S | 12|", says: 'line 2, column 7: "12", three spaces, S' },
     {
-      is: "a longer line",
+      defect: "half a wall",
+      at: 2,
+      line: "o-- o   o",
+      problem: 'line 3, column 2: "-- ", a wall, ---',
+    },
+    {
+      defect: "a wrong post",
+      at: 2,
+      line: "o---x   o",
+      problem: 'line 3, column 5: "x", a post: o or +',
+    },
+    {
+      defect: "a wrong side",
+      at: 1,
+      line: "| S :   |",
+      problem: 'line 2, column 5: ":", a wall, |, or',
+    },
+    {
+      defect: "a number",
+      at: 1,
+      line: "| S | 12|",
+      problem: 'line 2, column 7: "12", three spaces, S',
+    },
+    {
+      defect: "a longer line",
       at: 3,
       line: "|   |   | <",
-      says: "line 4: 11 characters, at most 9, as",
+      problem: "line 4: 11 characters, at most 9, as",
     },
-    { is: "a cut first line", at: 0, line: "o---o--", says: "line 1: 7 characters, 1 to 127" },
-    { is: "a line too many", at: 4, line: "o---o---o\n|   |", says: "line 6: 6 lines, an odd" },
-  ])("is refused with $is, by place, found and expected", ({ at, line, says }) => {
+    {
+      defect: "a truncated first line",
+      at: 0,
+      line: "o---o--",
+      problem: "line 1: 7 characters, 1 to 127",
+    },
+    {
+      defect: "an extra line",
+      at: 4,
+      line: "o---o---o\n|   |",
+      problem: "line 6: 6 lines, an odd",
+    },
+  ])("is rejected for $defect, with position, found and expected", ({ at, line, problem }) => {
     const lines = ["o---o---o", "| S     |", "o   o   o", "|   |   |", "o---o---o"];
     lines[at] = line;
-    expect(read(...lines)).toEqual([expect.stringContaining(says)]);
+    expect(read(...lines)).toEqual([expect.stringContaining(problem)]);
   });
 
-  it("may have 127 by 127 squares and no more", () => {
+  it("is limited to 127 x 127 squares", () => {
     const text = (side: number): string => {
       const posts = `${"o---".repeat(side)}o`;
       const squares = `| S ${"    ".repeat(side - 1)}|`;
@@ -184,7 +227,7 @@ describe("a micromouse maze", () => {
     expect(readTextMaze(text(128), "").ok).toBe(false);
   });
 
-  it("is refused, however many lines it has", () => {
+  it("is rejected with one problem when it has 131,001 lines", () => {
     expect(read("o".concat("\no".repeat(131_000)))).toEqual([
       "line 1: 1 characters, 1 to 127 squares: a post every 4 characters, o---o---o",
     ]);
@@ -192,18 +235,22 @@ describe("a micromouse maze", () => {
 });
 
 describe("any text", () => {
-  const signs = fc.string({
+  const characters = fc.string({
     unit: fc.constantFrom(...Array.from("#.X _\nSG^>v<*o+-|▲\t?1\r")),
     maxLength: 300,
   });
 
-  it("is a legal maze or refused with 1 to 20 problems", () => {
+  it("is a valid maze or rejected with 1 to 20 problems", () => {
     fc.assert(
-      fc.property(fc.oneof(signs, fc.string({ unit: "binary" })), fc.string(), (text, name) => {
-        const result = readTextMaze(text, name.repeat(40));
-        if (result.ok) return parseMaze(result.value).ok;
-        return result.problems.length >= 1 && result.problems.length <= 20;
-      }),
+      fc.property(
+        fc.oneof(characters, fc.string({ unit: "binary" })),
+        fc.string(),
+        (text, name) => {
+          const result = readTextMaze(text, name.repeat(40));
+          if (result.ok) return parseMaze(result.value).ok;
+          return result.problems.length >= 1 && result.problems.length <= 20;
+        },
+      ),
       { numRuns: 2000 },
     );
   });

@@ -1,7 +1,7 @@
 /**
- * Mazes drawn as plain text, as they stand in mails, books and other programs. Two ways of drawing are
- * read: squares (one character a cell) and the walls and posts of micromouse mazes. What would have to
- * be guessed is refused with line, column, what was found and what was expected.
+ * Mazes drawn as plain text, for example in mails, books and other programs. Two notations are
+ * supported: squares (one character per cell), and the walls and posts of micromouse mazes.
+ * Ambiguous text is rejected with line, column, the found and the expected text.
  */
 import type { FieldProblem, ReadResult } from "@corridor/protocol";
 import type { Cell, MazeDocument } from "./maze-document.ts";
@@ -10,13 +10,14 @@ import { GOAL_MARK, startMarks } from "./text-sketch.ts";
 import { readSquares } from "./text-squares.ts";
 import { readWalls } from "./text-walls.ts";
 
-/** The longest text that is looked at: the largest micromouse maze needs half of it. */
+/** Maximum text length in characters. The largest micromouse maze needs half of it. */
 const MAX_TEXT_LENGTH = 262_144;
 
 /**
- * Reads a drawn maze; docs/maze-format.md describes the drawings.
- * @param name the document's name, since a drawing has none; cut to what a document can hold
- * @returns the maze with its goals in reading order, or 1 to 20 problems whose path is a line and a column
+ * Reads a drawn maze. docs/maze-format.md describes the notations.
+ * @param name name of the document, truncated to `MAX_NAME_LENGTH`; a drawing has no name
+ * @returns the maze with its goals in reading order, or 1 to 20 problems whose path is a line and a
+ *   column
  */
 export function readTextMaze(text: string, name: string): ReadResult<MazeDocument> {
   if (text.length > MAX_TEXT_LENGTH) {
@@ -24,7 +25,7 @@ export function readTextMaze(text: string, name: string): ReadResult<MazeDocumen
   }
   const lines = text.replace(/^\uFEFF/, "").split(/\r\n|\r|\n/);
   if (lines.every((line) => line.trim() === "")) return refuse("nothing", "a maze, line by line");
-  // Where spaces are open squares, a line of spaces is a row; else only a line around the drawing.
+  // If spaces are open squares, a line of spaces is a row. Otherwise it only surrounds the drawing.
   const isSpaced = !isWalls(lines) && !lines.some((line) => /[._]/.test(line));
   const isRow = (line: string): boolean => (isSpaced ? line : line.trim()) !== "";
   const first = lines.findIndex(isRow);
@@ -43,8 +44,8 @@ export function readTextMaze(text: string, name: string): ReadResult<MazeDocumen
 }
 
 /**
- * Draws a maze with one character a square: `#` block, `.` open, `^ > v <` start by its heading, `G` goal,
- * `▲ ► ▼ ◄` a start that is a goal. The name and the order of the goals are not in the drawing.
+ * Draws a maze with one character per square: `#` block, `.` open, `^ > v <` start by heading, `G`
+ * goal, `▲ ► ▼ ◄` a start that is also a goal. The drawing omits the name and the order of goals.
  */
 export function writeTextMaze(maze: MazeDocument): string {
   const { blocks, start, goals } = maze;
@@ -60,7 +61,7 @@ export function writeTextMaze(maze: MazeDocument): string {
   return `${rows.map((row) => row.join("")).join("\n")}\n`;
 }
 
-/** Posts begin a drawing of walls, and no drawing of squares. */
+/** Whether the text uses the micromouse notation: only that notation starts with a post. */
 function isWalls(lines: readonly string[]): boolean {
   return /^\s*[o+]/.test(lines.find((line) => line.trim() !== "") ?? "");
 }

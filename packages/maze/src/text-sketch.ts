@@ -1,29 +1,29 @@
 /**
- * What the readers of drawn mazes share: the meaning of a mark, and a sketch that collects start, goals
- * and problems until the whole drawing was looked at.
+ * Shared by the parsers of drawn mazes: the meaning of each mark, and a sketch that collects the
+ * start, the goals and the problems of a drawing.
  */
 import type { FieldProblem, ReadResult } from "@corridor/protocol";
 import type { Cell, MazeDocument } from "./maze-document.ts";
 import { BLOCK, type HeadingName, headingNames, MAX_GOALS } from "./maze-limits.ts";
 
-/** The lines of a drawing without empty ones around it. */
+/** The lines of a drawing, without leading and trailing empty lines. */
 export interface Drawing {
   lines: readonly string[];
-  /** number of the first line in the whole text, counted from 1 */
+  /** line number of the first line in the whole text, starting at 1 */
   firstLine: number;
 }
 
-/** What a drawing says of a maze. */
+/** The parts of a maze document that a drawing contains. */
 export type DrawnMaze = Pick<MazeDocument, "blocks" | "start" | "goals">;
 
-/** What a character stands for. The heading of a start is null where its mark does not tell it. */
+/** Meaning of a character. `heading` is null if the mark of the start has no heading. */
 export type Mark =
   | { kind: "block" }
   | { kind: "open" }
   | { kind: "goal" }
   | { kind: "start"; heading: HeadingName | null; isGoal: boolean };
 
-/** Marks of a start by its heading, and of a start that is a goal too. */
+/** Marks of the start by heading, and of a start that is also a goal. */
 export const startMarks: Record<HeadingName, { start: string; startAndGoal: string }> = {
   north: { start: "^", startAndGoal: "▲" },
   east: { start: ">", startAndGoal: "►" },
@@ -33,22 +33,22 @@ export const startMarks: Record<HeadingName, { start: string; startAndGoal: stri
 export const GOAL_MARK = "G";
 
 const marks = new Map<string, Mark>();
-for (const sign of "#Xx█") marks.set(sign, { kind: "block" });
-for (const sign of "._ ") marks.set(sign, { kind: "open" });
-for (const sign of `${GOAL_MARK}g*`) marks.set(sign, { kind: "goal" });
-for (const sign of "Ss") marks.set(sign, { kind: "start", heading: null, isGoal: false });
+for (const character of "#Xx█") marks.set(character, { kind: "block" });
+for (const character of "._ ") marks.set(character, { kind: "open" });
+for (const character of `${GOAL_MARK}g*`) marks.set(character, { kind: "goal" });
+for (const character of "Ss") marks.set(character, { kind: "start", heading: null, isGoal: false });
 for (const heading of headingNames) {
   const { start, startAndGoal } = startMarks[heading];
   marks.set(start, { kind: "start", heading, isGoal: false });
   marks.set(startAndGoal, { kind: "start", heading, isGoal: true });
 }
 
-/** What a character stands for; undefined where it stands for nothing. */
-export function markOf(sign: string): Mark | undefined {
-  return marks.get(sign);
+/** Returns the meaning of a character, or undefined if it is not a mark. */
+export function markOf(character: string): Mark | undefined {
+  return marks.get(character);
 }
 
-/** No more problems than this are listed; the rest is looked at when these are mended. */
+/** Maximum number of reported problems. */
 const MAX_PROBLEMS = 20;
 
 const steps: Record<HeadingName, readonly [number, number]> = {
@@ -62,80 +62,85 @@ export class Sketch {
   readonly #firstLine: number;
   readonly #problems: FieldProblem[] = [];
   readonly #goals: Cell[] = [];
-  #start: { cell: Cell; heading: HeadingName | null; place: string } | null = null;
+  #start: { cell: Cell; heading: HeadingName | null; position: string } | null = null;
 
-  /** @param firstLine number of the drawing's first line in its text, counted from 1 */
+  /** @param firstLine line number of the drawing's first line in its text, starting at 1 */
   constructor(firstLine: number) {
     this.#firstLine = firstLine;
   }
 
-  /** Whether another problem would not be listed any more. */
+  /** Whether the maximum number of problems is reached. */
   get isFull(): boolean {
     return this.#problems.length >= MAX_PROBLEMS;
   }
 
   /**
-   * Notes a problem.
-   * @param line counted from 0 in the drawing
-   * @param column counted from 0 in the text's line; null where the whole line is meant
+   * Adds a problem. Ignored if `isFull`.
+   * @param line index in the drawing, from 0
+   * @param column index in the line of text, from 0; null for the whole line
    */
-  refuse(line: number, column: number | null, found: string, expected: string): void {
-    if (!this.isFull) this.#problems.push({ path: this.#place(line, column), found, expected });
+  addProblem(line: number, column: number | null, found: string, expected: string): void {
+    if (!this.isFull) this.#problems.push({ path: this.#position(line, column), found, expected });
   }
 
-  /** Takes a start or a goal, which stands at a cell of the maze and at a place in the text. */
-  take(mark: Mark, cell: Cell, line: number, column: number): void {
+  /**
+   * Adds a start or a goal, and a problem for a second start or one goal too many.
+   * @param cell the cell in the maze
+   * @param line index of the mark's line in the drawing
+   * @param column index of the mark in its line of text
+   */
+  addMark(mark: Mark, cell: Cell, line: number, column: number): void {
     if (mark.kind === "goal" || (mark.kind === "start" && mark.isGoal)) {
       if (this.#goals.length === MAX_GOALS) {
-        this.refuse(line, column, "one more goal", `at most ${MAX_GOALS} goals`);
+        this.addProblem(line, column, "one more goal", `at most ${MAX_GOALS} goals`);
       } else this.#goals.push(cell);
     }
     if (mark.kind !== "start") return;
     if (this.#start === null) {
-      this.#start = { cell, heading: mark.heading, place: this.#place(line, column) };
+      this.#start = { cell, heading: mark.heading, position: this.#position(line, column) };
     } else {
-      const expected = `one start in all; the first is in ${this.#start.place}`;
-      this.refuse(line, column, "a second start", expected);
+      const expected = `one start in all; the first is in ${this.#start.position}`;
+      this.addProblem(line, column, "a second start", expected);
     }
   }
 
-  /** The maze, once every line was looked at. */
+  /** Returns the maze, or the problems. Call it after the last line. */
   finish(blocks: string[]): ReadResult<DrawnMaze> {
     if (this.#start === null && this.#problems.length === 0) {
-      const expected = "one S, or one of ^ > v < for the way that the robot faces";
+      const expected = "one S, or one of ^ > v < for a start with a heading";
       return { ok: false, problems: [{ path: "start", found: "none", expected }] };
     }
     if (this.#start === null || this.#problems.length > 0) {
       return { ok: false, problems: this.#problems };
     }
     const { cell, heading } = this.#start;
-    const start = { ...cell, heading: heading ?? firstWay(blocks, cell) };
+    const start = { ...cell, heading: heading ?? firstOpenHeading(blocks, cell) };
     return { ok: true, value: { blocks, start, goals: this.#goals } };
   }
 
-  #place(line: number, column: number | null): string {
-    const place = `line ${line + this.#firstLine}`;
-    return column === null ? place : `${place}, column ${column + 1}`;
+  #position(line: number, column: number | null): string {
+    const position = `line ${line + this.#firstLine}`;
+    return column === null ? position : `${position}, column ${column + 1}`;
   }
 }
 
-/** Where a start that does not say it faces: the first open way of north, east, south and west. */
-function firstWay(blocks: readonly string[], { column, row }: Cell): HeadingName {
-  const way = headingNames.find((heading) => {
+/** Heading for a start without one: the first open direction of north, east, south and west. */
+function firstOpenHeading(blocks: readonly string[], { column, row }: Cell): HeadingName {
+  const firstOpen = headingNames.find((heading) => {
     const [right, down] = steps[heading];
     return (blocks[row + down]?.[column + right] ?? BLOCK) !== BLOCK;
   });
-  return way ?? "north";
+  return firstOpen ?? "north";
 }
 
-/** Characters that all lines but empty ones have in front, at most; they belong to the page around the drawing. */
+/** Common indentation of all non-empty lines, in characters. It is not part of the drawing. */
 export function indentOf(lines: readonly string[]): number {
   let least = Number.POSITIVE_INFINITY;
   for (const line of lines) if (line.trim() !== "") least = Math.min(least, line.search(/\S/));
   return least;
 }
 
-/** A character or a few as a problem names them. */
+/** Formats one or more characters for a problem. */
 export function nameOf(text: string): string {
   if (text === " ") return "a space";
   if (text === "\t") return "a tab";

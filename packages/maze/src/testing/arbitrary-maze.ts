@@ -1,4 +1,4 @@
-/** Random legal mazes for property tests: sides skewed small, any share of blocks, any name. */
+/** Random valid mazes for property tests: mostly small sides, any share of blocks, any name. */
 import fc from "fast-check";
 import { type MazeDocument } from "../maze-document.ts";
 import { headingNames, MAX_GOALS, MAX_NAME_LENGTH } from "../maze-limits.ts";
@@ -10,7 +10,7 @@ const side = fc.oneof(
   { weight: 1, arbitrary: fc.integer({ min: 61, max: 256 }) },
 );
 
-/** Rows of blocks from a seed: cell by cell from fast-check would take its time for nothing. */
+/** Generates rows of blocks from a seed, which is faster than one fast-check value per cell. */
 function rowsFrom(columns: number, rows: number, percent: number, seed: number): string[] {
   const random = createRandom(seed);
   return Array.from({ length: rows }, () =>
@@ -18,7 +18,7 @@ function rowsFrom(columns: number, rows: number, percent: number, seed: number):
   );
 }
 
-/** Any legal maze. */
+/** Generates valid mazes. */
 export const arbitraryMaze: fc.Arbitrary<MazeDocument> = fc
   .record({
     columns: side,
