@@ -1,52 +1,56 @@
-/** Known holes in what the project depends on, as the registry tells them to `npm audit`. */
+/** Known vulnerabilities in the project's dependencies, as `npm audit` reports them. */
 import { spawnSync } from "node:child_process";
 
 export interface Audit {
-  /** unknown: the registry does not tell, or is not reached */
+  /** unknown: the registry offers no audit, or is unreachable */
   verdict: "passed" | "failed" | "unknown";
-  words: string;
+  message: string;
 }
 
-/** A registry that does not answer holds nobody up for long, and no report is too long. */
-const OPTIONS = ["--json", "--fetch-timeout=30000", "--fetch-retries=0"];
-const MOST_BYTES = 64 * 1024 * 1024;
+/** An unreachable registry delays the tests by at most 30 s. */
+const AUDIT_OPTIONS = ["--json", "--fetch-timeout=30000", "--fetch-retries=0"];
+const MAX_REPORT_BYTES = 64 * 1024 * 1024;
 
-/** Fails on what is rated high or critical. */
+/** Runs `npm audit`. Vulnerabilities rated high or critical fail the audit. */
 export function audit(): Audit {
-  const { stdout } = spawnSync("npm", ["audit", ...OPTIONS], {
+  const { stdout } = spawnSync("npm", ["audit", ...AUDIT_OPTIONS], {
     encoding: "utf8",
-    maxBuffer: MOST_BYTES,
+    maxBuffer: MAX_REPORT_BYTES,
     shell: process.platform === "win32",
   });
-  return auditOf(stdout);
+  return parseAuditReport(stdout);
 }
 
-/** @param report what `npm audit --json` printed */
-export function auditOf(report: string): Audit {
-  if (report === "") return { verdict: "unknown", words: "No audit: npm printed nothing." };
-  const read = reportIn(report);
-  if (read === null) return { verdict: "failed", words: `This is no report:\n${report}` };
-  const { metadata, vulnerabilities = {}, message, error } = read;
-  if (metadata?.vulnerabilities === undefined) {
-    const why = message ?? error?.summary ?? "npm does not say why.";
-    return { verdict: "unknown", words: `No audit: ${why}` };
+/** @param report the output of `npm audit --json` */
+export function parseAuditReport(report: string): Audit {
+  if (report === "") return { verdict: "unknown", message: "No audit: npm printed nothing." };
+  const parsed = parseJson(report);
+  if (parsed === null) {
+    return { verdict: "failed", message: `npm audit did not print a report:\n${report}` };
   }
-  const bad = Object.entries(vulnerabilities)
+  const { metadata, vulnerabilities = {}, message, error } = parsed;
+  if (metadata?.vulnerabilities === undefined) {
+    const reason = message ?? error?.summary ?? "npm gave no reason.";
+    return { verdict: "unknown", message: `No audit: ${reason}` };
+  }
+  const severe = Object.entries(vulnerabilities)
     .filter(([, { severity }]) => severity === "high" || severity === "critical")
     .map(([name, { severity }]) => `${name} (${severity})`);
-  if (bad.length === 0) return { verdict: "passed", words: "Nothing rated high is known." };
-  return { verdict: "failed", words: `${bad.join(", ")}: \`npm audit\` says what to do.` };
+  if (severe.length === 0) {
+    return { verdict: "passed", message: "No known vulnerability is rated high or critical." };
+  }
+  return { verdict: "failed", message: `${severe.join(", ")}: run \`npm audit\` for details.` };
 }
 
 interface Report {
   metadata?: { vulnerabilities?: object };
   vulnerabilities?: Record<string, { severity: string }>;
-  /** instead of a report: why there is none */
+  /** The registry's error message; present instead of a report. */
   message?: string;
   error?: { summary?: string };
 }
 
-function reportIn(report: string): Report | null {
+function parseJson(report: string): Report | null {
   try {
     return JSON.parse(report) as Report;
   } catch {

@@ -1,7 +1,7 @@
 /**
- * The smallest balancer that will do for trying out several relays: each request goes to the next relay
- * that takes it, those of a line by HTTPS to one relay for each robot, because a line lives there. In
- * earnest use nginx, HAProxy or a cloud's.
+ * A minimal load balancer for trying out several relays on one machine. It distributes requests
+ * round-robin. Requests of a robot's long-poll connection always reach the same relay, because that
+ * relay holds the connection's state. In production, use nginx, HAProxy or a cloud load balancer.
  */
 import { createHash } from "node:crypto";
 import {
@@ -14,35 +14,35 @@ import { connect, type AddressInfo, type Socket } from "node:net";
 import { pipeline, type Duplex } from "node:stream";
 
 const CONNECT_MS = 1_000;
-const LINE = /^\/api\/v1\/robots\/([^/?]+)\/line(?:[/?]|$)/;
-/** of one connection, not of the message; what the body needs Node adds again */
-const HOP = new Set(["connection", "keep-alive", "transfer-encoding"]);
+const LONG_POLL_PATH = /^\/api\/v1\/robots\/([^/?]+)\/line(?:[/?]|$)/;
+/** Headers that apply to one connection only (RFC 9110, 7.6.1). Node.js sets its own. */
+const HOP_BY_HOP_HEADERS = new Set(["connection", "keep-alive", "transfer-encoding"]);
 
 export interface Balancer {
   port: number;
-  /** where requests may go; may change at any time */
+  /** Ports of the relays; may change at any time. */
   targets: number[];
   close(): Promise<void>;
 }
 
 /**
  * Starts a balancer.
- * @param targets ports of this machine
- * @param port 0: any free one
- * @param host to listen on; undefined: every address
+ * @param targets ports of the relays on this machine
+ * @param port the port to listen on; 0 selects a free port
+ * @param host the address to listen on; every address if undefined
  */
 export async function startBalancer(targets: number[], port = 0, host?: string): Promise<Balancer> {
   const balancer = { port, targets, close: () => close() };
   const open = new Set<Socket>();
-  let turn = 0;
+  let nextIndex = 0;
   const orderFor = (url = ""): number[] => {
-    const robot = LINE.exec(url)?.[1];
-    if (robot !== undefined) return byRobot(robot, balancer.targets);
-    const first = turn++ % Math.max(1, balancer.targets.length);
+    const robot = LONG_POLL_PATH.exec(url)?.[1];
+    if (robot !== undefined) return rankedForRobot(robot, balancer.targets);
+    const first = nextIndex++ % Math.max(1, balancer.targets.length);
     return [...balancer.targets.slice(first), ...balancer.targets.slice(0, first)];
   };
   const server = createServer((request, response) => {
-    void pass(request, response, orderFor(request.url));
+    void proxyRequest(request, response, orderFor(request.url));
   });
   server.on("connection", (client: Socket) => {
     open.add(client);
@@ -50,7 +50,7 @@ export async function startBalancer(targets: number[], port = 0, host?: string):
     client.on("error", () => client.destroy());
   });
   server.on("upgrade", (request, client, head) => {
-    void join(request, client, head, orderFor(request.url));
+    void proxyUpgrade(request, client, head, orderFor(request.url));
   });
   const close = async (): Promise<void> => {
     for (const client of open) client.destroy();
@@ -64,80 +64,84 @@ export async function startBalancer(targets: number[], port = 0, host?: string):
   return balancer;
 }
 
-/** The order in which relays are tried for a robot: the same as long as they are, and little else when one goes. */
-function byRobot(robot: string, ports: number[]): number[] {
+/**
+ * The order in which relays are tried for a robot (rendezvous hashing). It is stable while the
+ * relays are the same. When a relay leaves, only the robots of that relay move.
+ */
+function rankedForRobot(robot: string, ports: number[]): number[] {
   const rank = (port: number): string =>
     createHash("sha1").update(`${robot} ${port}`).digest("hex");
   return ports.toSorted((a, b) => (rank(a) < rank(b) ? -1 : 1));
 }
 
-/** Passes a request on, and its answer back as it comes. A relay that breaks off cuts its client. */
-async function pass(
+/** Proxies a request and streams the response. A relay that disconnects disconnects the client. */
+async function proxyRequest(
   request: IncomingMessage,
   response: ServerResponse,
   ports: number[],
 ): Promise<void> {
-  const relay = await firstOf(ports);
+  const relay = await connectToFirst(ports);
   if (relay === null) return void response.destroy();
   const { method, url, rawHeaders } = request;
-  const onward = forward({
+  const upstream = forward({
     createConnection: () => relay,
     method,
     path: url,
-    headers: withoutHops(rawHeaders),
+    headers: endToEndHeaders(rawHeaders),
     setHost: false,
   });
-  onward.on("error", () => response.destroy());
-  onward.on("response", (answer) => {
-    response.writeHead(answer.statusCode ?? 502, withoutHops(answer.rawHeaders));
+  upstream.on("error", () => response.destroy());
+  upstream.on("response", (upstreamResponse) => {
+    const { statusCode, rawHeaders: headers } = upstreamResponse;
+    response.writeHead(statusCode ?? 502, endToEndHeaders(headers));
     response.flushHeaders();
-    pipeline(answer, response, () => undefined);
+    pipeline(upstreamResponse, response, () => undefined);
   });
-  response.on("close", () => onward.destroy());
-  request.pipe(onward);
+  response.on("close", () => upstream.destroy());
+  request.pipe(upstream);
 }
 
-/** Joins a client that wants another protocol with a relay, byte by byte. */
-async function join(
+/** Proxies an upgrade request, such as a WebSocket handshake, and then its bytes both ways. */
+async function proxyUpgrade(
   { method, url, rawHeaders }: IncomingMessage,
   client: Duplex,
   head: Buffer,
   ports: number[],
 ): Promise<void> {
-  const relay = await firstOf(ports);
+  const relay = await connectToFirst(ports);
   if (relay === null) return void client.destroy();
   relay.on("error", () => client.destroy());
   relay.on("close", () => client.destroy());
   client.on("error", () => relay.destroy());
   client.on("close", () => relay.destroy());
-  const lines = pairsOf(rawHeaders).map(([name, value]) => `${name}: ${value}\r\n`);
-  relay.write(`${method} ${url} HTTP/1.1\r\n${lines.join("")}\r\n`);
+  const headers = headerPairs(rawHeaders).map(([name, value]) => `${name}: ${value}\r\n`);
+  relay.write(`${method} ${url} HTTP/1.1\r\n${headers.join("")}\r\n`);
   relay.write(head);
   client.pipe(relay).pipe(client);
 }
 
-function withoutHops(rawHeaders: string[]): string[] {
-  return pairsOf(rawHeaders)
-    .filter(([name]) => !HOP.has(name.toLowerCase()))
+function endToEndHeaders(rawHeaders: string[]): string[] {
+  return headerPairs(rawHeaders)
+    .filter(([name]) => !HOP_BY_HOP_HEADERS.has(name.toLowerCase()))
     .flat();
 }
 
-function pairsOf(rawHeaders: string[]): [string, string][] {
+function headerPairs(rawHeaders: string[]): [string, string][] {
   return rawHeaders.flatMap((name, index) =>
     index % 2 === 0 ? [[name, rawHeaders[index + 1] ?? ""] as [string, string]] : [],
   );
 }
 
-/** A connection to the first relay that takes it. */
-async function firstOf(ports: number[]): Promise<Socket | null> {
+/** Connects to the first relay that accepts. @returns null if none does */
+async function connectToFirst(ports: number[]): Promise<Socket | null> {
   for (const port of ports) {
-    const relay = await reach(port);
+    const relay = await connectTo(port);
     if (relay !== null) return relay;
   }
   return null;
 }
 
-function reach(port: number): Promise<Socket | null> {
+function connectTo(port: number): Promise<Socket | null> {
   return new Promise((resolve) => {
     const socket = connect({ port, host: "127.0.0.1", noDelay: true });
     const fail = (): void => {

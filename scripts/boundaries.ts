@@ -1,12 +1,15 @@
 /**
- * Who may import whom, and what the pure packages may not touch. The table is the house's plan; the
- * linter holds the same directions file by file, this looks at the whole.
+ * Import boundaries: which workspace may import which, and which globals the pure packages must not
+ * use. The linter checks the same directions per file; this module also detects cycles.
  */
 
 /** Source files by path from the project's root, such as `packages/maze/src/grid.ts`. */
 export type Sources = ReadonlyMap<string, string>;
 
-/** What each workspace may import besides its own files. A name with a colon allows all that begins so. */
+/**
+ * What each workspace may import besides its own files. A name that ends in a colon or a slash
+ * allows every import with that prefix.
+ */
 const allowed: Record<string, readonly string[]> = {
   "packages/geometry": [],
   "packages/protocol": ["zod"],
@@ -102,21 +105,21 @@ const allowed: Record<string, readonly string[]> = {
   examples: ["@corridor/client", "node:"],
 };
 
-/** The one file that may know the engine, and the types of the engine's parts that it imports. */
+/** The only file that may import the physics engine, and the type declarations for it. */
 const ENGINE = "packages/simulation/src/physics/physics-world.ts";
 const ENGINE_TYPES = "packages/simulation/src/physics/matter-parts.d.ts";
 
 /**
- * Not the same bits in every engine, or not the same at all from one run to the next. The packages
- * are given time, randomness and sockets.
+ * Functions whose results differ between JavaScript engines or from one run to the next. Callers
+ * pass time, randomness and sockets to the packages.
  */
-const impure =
+const impurePattern =
   /\bMath\.(?:sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|hypot|exp|expm1|log|log1p|log2|log10|pow|cbrt|random)\b|\*\*|\bnew Date\b|\bDate\.now\b|\bperformance\b|\bprocess\./;
 
 const importPattern =
   /(?:^|\n)\s*(?:import|export)\s[^;'"]*?from\s*"([^"]+)"|(?:^|\n)\s*import\s*"([^"]+)"|\bimport\(\s*"([^"]+)"/g;
 
-/** Everything that breaks the plan, one sentence each; empty when the house is straight. */
+/** @returns every violation of the boundaries, one sentence each */
 export function violations(sources: Sources): string[] {
   const found: string[] = [];
   const graph = new Map<string, string[]>();
@@ -124,7 +127,7 @@ export function violations(sources: Sources): string[] {
     const workspace = workspaceOf(path);
     const rules = allowed[workspace];
     if (rules === undefined) {
-      found.push(`${path} is in no workspace of the plan`);
+      found.push(`${path} is in a workspace that scripts/boundaries.ts does not list`);
       continue;
     }
     const targets: string[] = [];
@@ -132,18 +135,20 @@ export function violations(sources: Sources): string[] {
       if (name.startsWith(".")) {
         const target = resolve(path, name);
         targets.push(target);
-        if (workspaceOf(target) !== workspace) found.push(`${path} reaches into ${target}`);
+        if (workspaceOf(target) !== workspace) {
+          found.push(`${path} reaches into ${target}: import the package by its name`);
+        }
       } else if (!isAllowed(name, rules)) {
-        found.push(`${path} imports ${name}, which ${workspace} may not`);
+        found.push(`${path} imports ${name}, which ${workspace} must not import`);
       } else if (isEngine(name) && path !== ENGINE && path !== ENGINE_TYPES) {
-        found.push(`${path} imports matter-js, which only ${ENGINE} may`);
+        found.push(`${path} imports matter-js, which only ${ENGINE} may import`);
       }
     }
     graph.set(path, targets);
-    // The client works with networks, not with ticks: no bits depend on it.
+    // The client handles networks, not ticks: no simulation result depends on it.
     if (path.startsWith("packages/") && workspace !== "packages/client") {
-      const match = impure.exec(withoutComments(source));
-      if (match !== null) found.push(`${path} uses ${match[0]}, which a package may not`);
+      const match = impurePattern.exec(withoutComments(source));
+      if (match !== null) found.push(`${path} uses ${match[0]}, which a package must not use`);
     }
   }
   for (const cycle of cyclesOf(graph)) found.push(`cycle: ${cycle.join(" → ")}`);
@@ -165,7 +170,7 @@ function isAllowed(name: string, rules: readonly string[]): boolean {
   );
 }
 
-/** `react-dom/client` belongs to `react-dom`; our own packages have the entries that they name. */
+/** `react-dom/client` belongs to `react-dom`; Corridor's packages list each entry point. */
 function isEntryOf(name: string, rule: string): boolean {
   return !rule.startsWith("@corridor/") && name.startsWith(`${rule}/`);
 }
@@ -189,20 +194,20 @@ function resolve(from: string, relative: string): string {
   return parts.join("/");
 }
 
-/** One cycle for each way back that a depth-first walk meets; type imports count too. */
+/** One cycle for each back edge of a depth-first search; type imports count too. */
 function cyclesOf(graph: ReadonlyMap<string, readonly string[]>): string[][] {
   const cycles: string[][] = [];
   const done = new Set<string>();
-  const walk = (path: string, trail: string[]): void => {
+  const visit = (path: string, trail: string[]): void => {
     const at = trail.indexOf(path);
     if (at >= 0) {
       cycles.push([...trail.slice(at), path]);
       return;
     }
     if (done.has(path)) return;
-    for (const target of graph.get(path) ?? []) walk(target, [...trail, path]);
+    for (const target of graph.get(path) ?? []) visit(target, [...trail, path]);
     done.add(path);
   };
-  for (const path of graph.keys()) walk(path, []);
+  for (const path of graph.keys()) visit(path, []);
   return cycles;
 }

@@ -1,6 +1,4 @@
-/**
- * Finds the Chromium that tests drive, or installs one where that can be done without asking.
- */
+/** Finds the Chromium that the tests drive, or installs it if no confirmation is needed. */
 import { existsSync } from "node:fs";
 import { chromium } from "playwright";
 import { inPath, run, tryInstall } from "./programs.ts";
@@ -17,7 +15,7 @@ const macPaths = [
   "/Applications/Chromium.app/Contents/MacOS/Chromium",
 ];
 
-/** Flags for every start: no sandbox only for root, whom Chromium refuses otherwise. */
+/** Command-line flags for every start. Chromium refuses to run as root with its sandbox on. */
 export const chromiumArguments: readonly string[] = [
   ...(process.getuid?.() === 0 ? ["--no-sandbox"] : []),
   "--disable-gpu",
@@ -27,11 +25,11 @@ export const chromiumArguments: readonly string[] = [
   "--disable-sync",
 ];
 
-/** The path of a Chromium or Chrome; null when there is none. `CHROMIUM_PATH` comes first. */
+/** @returns the path of Chromium or Chrome, or null. `CHROMIUM_PATH` takes precedence. */
 export function findChromium(): string | null {
-  const wanted = process.env["CHROMIUM_PATH"];
+  const configured = process.env["CHROMIUM_PATH"];
   const candidates = [
-    ...(wanted === undefined ? [] : [wanted]),
+    ...(configured === undefined ? [] : [configured]),
     chromium.executablePath(),
     ...systemNames.flatMap(inPath),
     ...macPaths,
@@ -39,7 +37,10 @@ export function findChromium(): string | null {
   return candidates.find((path) => path !== "" && existsSync(path)) ?? null;
 }
 
-/** Installs Chromium where the machine allows it; says what to run where it does not. */
+/**
+ * Finds Chromium, or installs it if the machine allows that.
+ * @throws Error with installation instructions
+ */
 export function requireChromium(): string {
   const found = findChromium() ?? (install() ? findChromium() : null);
   if (found !== null) return found;

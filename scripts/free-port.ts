@@ -1,7 +1,7 @@
-/** A port for a server that cannot choose one itself. */
+/** Finds a free port for a server that cannot select one itself. */
 import { createServer, type AddressInfo } from "node:net";
 
-/** A port of this machine that nobody listened on a moment ago. */
+/** @returns a loopback port that was free when checked; another process may take it later */
 export async function freePort(): Promise<number> {
   const server = createServer();
   await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));

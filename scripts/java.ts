@@ -1,7 +1,7 @@
-/** Java for the example in Java: installed where that can be done without asking, else left out. */
+/** Java, for the tests of the Java example. */
 import { inPath, tryInstall } from "./programs.ts";
 
-/** A machine without Java skips its tests, and says so. */
-export function offerJava(): void {
+/** Installs Java if it is missing. Without Java, its tests are skipped and counted as skipped. */
+export function tryInstallJava(): void {
   if (inPath("java").length === 0) tryInstall("openjdk-17-jdk-headless");
 }

@@ -1,4 +1,4 @@
-/** A Python tool that cannot be had is told apart from one that is broken: only the first may be skipped. */
+/** Tests that skip may do so only if a Python tool cannot be installed, not if it is broken. */
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -6,7 +6,7 @@ import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { run } from "./programs.ts";
 import { NotInstallableError, requireEnvironment } from "./python.ts";
 
-/** Makes the file of a package that has nothing in it but its name. */
+/** Python script that writes the wheel of an empty package named pip. */
 const WHEEL = `
 import sys, zipfile
 with zipfile.ZipFile(sys.argv[1] + "/pip-99-py3-none-any.whl", "w") as wheel:
@@ -21,8 +21,8 @@ function scratchFolder(): string {
   return folder;
 }
 
-/** Asks for a package that there is nowhere. @returns the error */
-function refusal(environment: Record<string, string>): unknown {
+/** Requires a package that does not exist. @returns the error */
+function installError(environment: Record<string, string>): unknown {
   for (const [name, value] of Object.entries(environment)) vi.stubEnv(name, value);
   onTestFinished(() => void vi.unstubAllEnvs());
   const name = "test-of-a-missing-package";
@@ -39,17 +39,21 @@ function refusal(environment: Record<string, string>): unknown {
 }
 
 describe("a Python tool", () => {
-  it("cannot be installed where no package index answers", () => {
-    const nobody = "http://127.0.0.1:9/simple";
-    const error = refusal({ PIP_INDEX_URL: nobody, PIP_EXTRA_INDEX_URL: "", PIP_RETRIES: "0" });
+  it("is not installable when no package index is reachable", () => {
+    const unreachable = "http://127.0.0.1:9/simple";
+    const error = installError({
+      PIP_INDEX_URL: unreachable,
+      PIP_EXTRA_INDEX_URL: "",
+      PIP_RETRIES: "0",
+    });
     expect(error).toBeInstanceOf(NotInstallableError);
     expect(error).toMatchObject({ message: expect.stringContaining("PIP_INDEX_URL") as string });
   });
 
-  it("is broken where an index answers and does not have what is asked for", () => {
+  it("is broken when a reachable index lacks a required package", () => {
     const index = scratchFolder();
     expect(run("python3", ["-c", WHEEL, index])).toBe(true);
-    const error = refusal({ PIP_NO_INDEX: "1", PIP_FIND_LINKS: index });
+    const error = installError({ PIP_NO_INDEX: "1", PIP_FIND_LINKS: index });
     expect(error).toBeInstanceOf(Error);
     expect(error).not.toBeInstanceOf(NotInstallableError);
     expect(error).toMatchObject({ message: expect.stringContaining("requirements.txt") as string });

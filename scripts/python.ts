@@ -1,4 +1,4 @@
-/** Finds Python, and makes environments of their own for what tests need of it. */
+/** Finds Python, and creates virtual environments for the Python packages that the tests need. */
 import { spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -9,18 +9,18 @@ const ROOT = join(import.meta.dirname, "..");
 const PACKAGE = join(ROOT, "packages/client-python");
 const REQUIREMENTS = join(PACKAGE, "tests/requirements.txt");
 const ENVIRONMENTS = join(ROOT, "node_modules/.cache");
-/** holds the requirements that an environment was made for */
-const MARK = "made-for.txt";
+/** File in each environment that stores the requirements it was created for. */
+const STAMP = "created-for.txt";
 
-/** This machine cannot have a Python tool: it lacks Python or venv, or no package index answers. */
+/** A Python tool cannot be installed: Python or venv is missing, or no package index is reachable. */
 export class NotInstallableError extends Error {
   override readonly name = "NotInstallableError";
 }
 
 /** The command that runs the tests of the Python package. */
-export const pythonTests: readonly string[] = [programOf("python"), "-m", "pytest", PACKAGE];
+export const pythonTests: readonly string[] = [pythonOf("python"), "-m", "pytest", PACKAGE];
 
-/** @throws Error that says what to install, where there is no Python and none can be installed */
+/** @throws Error with installation instructions, if Python is missing and cannot be installed */
 export function requirePython(): void {
   if (inPath("python3").length === 0) tryInstall("python3", "python3-venv");
   if (inPath("python3").length === 0) {
@@ -28,66 +28,76 @@ export function requirePython(): void {
   }
 }
 
-/** Has an environment with pytest and mypy. @throws Error as `requireEnvironment` does */
+/** Provides an environment with pytest and mypy. @throws Error as `requireEnvironment` does */
 export function requirePythonTools(): void {
   requirePython();
   requireEnvironment("python", REQUIREMENTS);
 }
 
 /**
- * Has an environment, made anew when the wanted versions or Python have changed.
- * @param requirements the file that names what is in it
- * @param minor the oldest version of Python 3 that can run it
- * @returns the path of its Python
- * @throws NotInstallableError that says what is missing and how to get it
- * @throws Error where pip has all that it needs, and fails
+ * Provides a virtual environment. Recreates it when the requirements or the Python version change.
+ * @param name the environment's folder in node_modules/.cache
+ * @param requirements path of the pip requirements file
+ * @param minMinor the oldest minor version of Python 3 that the requirements support
+ * @returns the path of the environment's Python
+ * @throws NotInstallableError with what is missing and how to install it
+ * @throws Error if the package index is reachable and pip fails
  */
-export function requireEnvironment(name: string, requirements: string, minor = 9): string {
+export function requireEnvironment(name: string, requirements: string, minMinor = 9): string {
   const folder = join(ENVIRONMENTS, name);
-  const python = programOf(name);
-  const mark = join(folder, MARK);
-  const wanted = `${readFileSync(requirements, "utf8")}\n${pythonVersion()}`;
-  if (existsSync(mark) && readFileSync(mark, "utf8") === wanted) return python;
-  if (Number(/^Python 3\.(\d+)/.exec(pythonVersion())?.[1] ?? 0) < minor) {
-    throw new NotInstallableError(`The tests need Python 3.${minor} or newer (${name}).`);
+  const python = pythonOf(name);
+  const stamp = join(folder, STAMP);
+  const expected = `${readFileSync(requirements, "utf8")}\n${pythonVersion()}`;
+  if (existsSync(stamp) && readFileSync(stamp, "utf8") === expected) return python;
+  if (Number(/^Python 3\.(\d+)/.exec(pythonVersion())?.[1] ?? 0) < minMinor) {
+    throw new NotInstallableError(`The tests need Python 3.${minMinor} or newer (${name}).`);
   }
   rmSync(folder, { recursive: true, force: true });
-  if (!makeEnvironment(folder) && !(tryInstall("python3-venv") && makeEnvironment(folder))) {
+  if (!createEnvironment(folder) && !(tryInstall("python3-venv") && createEnvironment(folder))) {
     if (hasVenv())
-      throw new Error("Python could not make an environment for the tests (see above).");
+      throw new Error("Python could not create an environment for the tests (see above).");
     throw new NotInstallableError(
-      "Python cannot make an environment for the tests: install its module venv (on Debian and Ubuntu: apt-get install python3-venv).",
+      "Python cannot create an environment for the tests: install its module venv (on Debian and Ubuntu: apt-get install python3-venv).",
     );
   }
   if (!pip(python, "install", "--requirement", requirements)) {
     if (hasIndex(python)) {
-      throw new Error(`pip could not install what ${requirements} names (see above).`);
+      throw new Error(`pip could not install the packages in ${requirements} (see above).`);
     }
     throw new NotInstallableError(
-      "pip could not install what the tests need (see above): it needs PyPI, or an index of your own (PIP_INDEX_URL).",
+      "pip could not reach a package index (see above). The tests need PyPI, or your own index (set PIP_INDEX_URL).",
     );
   }
-  writeFileSync(mark, wanted);
+  writeFileSync(stamp, expected);
   return python;
 }
 
-function pip(python: string, ...words: string[]): boolean {
-  return run(python, ["-m", "pip", "--quiet", "--disable-pip-version-check", ...words]);
+function pip(python: string, ...args: string[]): boolean {
+  return run(python, ["-m", "pip", "--quiet", "--disable-pip-version-check", ...args]);
 }
 
-/** Whether a package index answers: every one has pip itself. */
+/** Whether a package index is reachable, tested by downloading pip, which every index has. */
 function hasIndex(python: string): boolean {
   const folder = mkdtempSync(join(tmpdir(), "corridor-pip-"));
-  const isThere = pip(python, "download", "--retries", "1", "--no-deps", "--dest", folder, "pip");
+  const isAvailable = pip(
+    python,
+    "download",
+    "--retries",
+    "1",
+    "--no-deps",
+    "--dest",
+    folder,
+    "pip",
+  );
   rmSync(folder, { recursive: true });
-  return isThere;
+  return isAvailable;
 }
 
 function hasVenv(): boolean {
   return run("python3", ["-c", "import ensurepip, venv"]);
 }
 
-function programOf(name: string): string {
+function pythonOf(name: string): string {
   const own = process.platform === "win32" ? "Scripts/python.exe" : "bin/python";
   return join(ENVIRONMENTS, name, own);
 }
@@ -96,15 +106,15 @@ function pythonVersion(): string {
   return spawnSync("python3", ["--version"], { encoding: "utf8" }).stdout;
 }
 
-function makeEnvironment(folder: string): boolean {
+function createEnvironment(folder: string): boolean {
   return run("python3", ["-m", "venv", "--clear", folder]);
 }
 
 if (import.meta.main) {
   try {
     requirePythonTools();
-    const [command = "", ...words] = [...pythonTests, ...process.argv.slice(2)];
-    process.exitCode = run(command, words) ? 0 : 1;
+    const [command = "", ...args] = [...pythonTests, ...process.argv.slice(2)];
+    process.exitCode = run(command, args) ? 0 : 1;
   } catch (error) {
     process.stderr.write(`${error instanceof Error ? error.message : String(error)}\n`);
     process.exitCode = 1;

@@ -1,6 +1,6 @@
 /**
- * Finds the Redis or Valkey that tests and `npm run start:cluster` start, or installs one where that can
- * be done without asking; and starts one that keeps what it is given.
+ * Finds the Redis or Valkey server for tests and `npm run start:cluster`, or installs it if no
+ * confirmation is needed. Starts it with persistence.
  */
 import { spawn } from "node:child_process";
 import { existsSync } from "node:fs";
@@ -8,7 +8,7 @@ import { freePort } from "./free-port.ts";
 import { inPath, tryInstall } from "./programs.ts";
 
 const START_MS = 10_000;
-const HOW_TO_GET_IT =
+const NOT_FOUND =
   "Redis is needed. Install it (Debian, Ubuntu: `apt-get install redis-server`; macOS: `brew install redis`), or set REDIS_SERVER_PATH to a redis-server or valkey-server.";
 
 export interface RedisServer {
@@ -16,51 +16,55 @@ export interface RedisServer {
   url: string;
   port: number;
   pid: number;
-  /** when it has ended, however that came about */
+  /** Resolves when the process has ended for any reason. */
   ended: Promise<void>;
-  /** Ends it. What it was given stays in its folder. */
+  /** Stops the server. Its data stay in its folder. */
   stop(signal?: "SIGTERM" | "SIGKILL"): Promise<void>;
 }
 
-/** The path of a server; null when there is none. `REDIS_SERVER_PATH` comes first. */
+/** @returns the path of a server, or null. `REDIS_SERVER_PATH` takes precedence. */
 export function findRedis(): string | null {
-  const wanted = process.env["REDIS_SERVER_PATH"] ?? "";
-  const candidates = [wanted, ...["redis-server", "valkey-server"].flatMap(inPath)];
+  const configured = process.env["REDIS_SERVER_PATH"] ?? "";
+  const candidates = [configured, ...["redis-server", "valkey-server"].flatMap(inPath)];
   return candidates.find((path) => path !== "" && existsSync(path)) ?? null;
 }
 
-/** Installs a server where the machine allows it; says how to get it where it does not. */
+/**
+ * Finds a server, or installs one if the machine allows that.
+ * @throws Error with installation instructions
+ */
 export function requireRedis(): string {
   const found = findRedis() ?? (tryInstall("redis-server") ? findRedis() : null);
-  if (found === null) throw new Error(HOW_TO_GET_IT);
+  if (found === null) throw new Error(NOT_FOUND);
   return found;
 }
 
 /**
- * Starts a server on this machine alone.
- * @param folder for its files; the same folder brings back the same data
+ * Starts a server that listens on the loopback interface only.
+ * @param folder folder of its append-only file; the same folder restores the same data
+ * @throws Error if the server ends, or does not accept connections within 10 s
  */
 export async function startRedis(
   folder: string,
   { port = 0, settings = [] }: { port?: number; settings?: string[] } = {},
 ): Promise<RedisServer> {
   const path = findRedis();
-  if (path === null) throw new Error(HOW_TO_GET_IT);
-  const chosen = port === 0 ? await freePort() : port;
-  const words = ["--port", String(chosen), "--bind", "127.0.0.1", "--dir", folder];
-  const durable = ["--appendonly", "yes", "--appendfsync", "everysec", "--save", ""];
-  const child = spawn(path, [...words, ...durable, ...settings], {
+  if (path === null) throw new Error(NOT_FOUND);
+  const actualPort = port === 0 ? await freePort() : port;
+  const network = ["--port", String(actualPort), "--bind", "127.0.0.1", "--dir", folder];
+  const persistence = ["--appendonly", "yes", "--appendfsync", "everysec", "--save", ""];
+  const child = spawn(path, [...network, ...persistence, ...settings], {
     stdio: ["ignore", "pipe", "pipe"],
   });
-  const end = new Promise<void>((resolve) => child.once("close", () => resolve()));
+  const ended = new Promise<void>((resolve) => child.once("close", () => resolve()));
   await new Promise<void>((resolve, reject) => {
-    let said = "";
-    const timer = setTimeout(() => reject(new Error(`Redis did not start: ${said}`)), START_MS);
+    let output = "";
+    const timer = setTimeout(() => reject(new Error(`Redis did not start: ${output}`)), START_MS);
     child.once("error", reject);
-    child.once("close", () => reject(new Error(`Redis ended: ${said}`)));
+    child.once("close", () => reject(new Error(`Redis ended: ${output}`)));
     child.stdout.on("data", (data: Buffer) => {
-      said += data.toString();
-      if (!said.includes("eady to accept connections")) return;
+      output += data.toString();
+      if (!output.includes("eady to accept connections")) return;
       clearTimeout(timer);
       child.stdout.removeAllListeners("data").resume();
       resolve();
@@ -68,13 +72,13 @@ export async function startRedis(
     child.stderr.resume();
   });
   return {
-    url: `redis://127.0.0.1:${chosen}`,
-    port: chosen,
+    url: `redis://127.0.0.1:${actualPort}`,
+    port: actualPort,
     pid: child.pid ?? 0,
-    ended: end,
+    ended,
     stop: async (signal = "SIGTERM") => {
       child.kill(signal);
-      await end;
+      await ended;
     },
   };
 }

@@ -10,7 +10,7 @@ import { findRedis } from "./redis-server.ts";
 const SCRIPT = join(import.meta.dirname, "start-cluster.ts");
 
 describe.skipIf(findRedis() === null)("npm run start:cluster", () => {
-  it("says where everything is, serves behind the balancer, and ends all that it started", async () => {
+  it("prints all addresses, serves through the balancer, and ends every process it started", async () => {
     const folder = mkdtempSync(join(tmpdir(), "corridor-"));
     const cluster = spawn(process.execPath, [SCRIPT], {
       env: { PATH: process.env["PATH"] ?? "", PORT: "0", DATA_DIR: folder },
@@ -32,7 +32,7 @@ describe.skipIf(findRedis() === null)("npm run start:cluster", () => {
     const relays = [...text.matchAll(/^Relay.*kill -9 (\d+)/gm)].map(([, pid]) => Number(pid));
     expect(relays).toHaveLength(2);
 
-    // A Redis that ends comes back with the same data, and the relays with it.
+    // A killed Redis restarts with the same data, and the relays reconnect to it.
     const robot = await fetch(`${origin}/api/v1/robots`, { method: "POST" });
     const { id, ownerKey } = registrationSchema.parse(await robot.json());
     const before = text.length;

@@ -1,6 +1,7 @@
 /**
- * `npm run start:cluster`: Redis, two relays and a balancer on this machine, to see what a cluster does.
- * Ends all of it on Ctrl+C. A relay or Redis that ends before is started again in a moment, so that it can be killed.
+ * `npm run start:cluster`: starts Redis, two relays and a balancer on this machine, for trying out a
+ * cluster. A relay or Redis that ends is restarted after 5 s, so users can kill it to test failover.
+ * Ctrl+C stops all of them.
  */
 import { spawn, type ChildProcess } from "node:child_process";
 import { mkdirSync } from "node:fs";
@@ -16,30 +17,30 @@ const port = Number(process.env["PORT"] ?? 8080);
 const folder = join(process.env["DATA_DIR"] ?? "data", "cluster");
 const relays = new Map<string, ChildProcess>();
 const ports = new Map<string, number>();
-let isEnding = false;
+let isStopping = false;
 
 requireRedis();
 mkdirSync(folder, { recursive: true });
 let redis = await startRedis(folder);
 const balancer = await startBalancer([], port);
-console.log(`Redis       ${redis.url}, its files in ${folder}`);
-watchRedis();
-process.on("SIGINT", () => void end());
-process.on("SIGTERM", () => void end());
+console.log(`Redis       ${redis.url}, data in ${folder}`);
+restartRedisOnExit();
+process.on("SIGINT", () => void stopCluster());
+process.on("SIGTERM", () => void stopCluster());
 for (const name of ["A", "B"]) startRelay(name);
 
-/** Restarts a Redis that has ended, on the same port and with the same files: the relays reconnect to it. */
-function watchRedis(): void {
-  console.log(`Redis       to be killed by: kill -9 ${redis.pid}`);
+/** Restarts Redis when it ends, with the same port and data, so that the relays reconnect. */
+function restartRedisOnExit(): void {
+  console.log(`Redis       to kill it: kill -9 ${redis.pid}`);
   void redis.ended.then(() => {
-    if (isEnding) return;
-    console.log(`Redis has ended and is started again in ${RESTART_MS / 1000} s`);
+    if (isStopping) return;
+    console.log(`Redis has ended and restarts in ${RESTART_MS / 1000} s`);
     setTimeout(() => void restartRedis(), RESTART_MS);
   });
 }
 
 async function restartRedis(): Promise<void> {
-  if (isEnding) return;
+  if (isStopping) return;
   try {
     redis = await startRedis(folder, { port: redis.port });
   } catch (error) {
@@ -47,7 +48,7 @@ async function restartRedis(): Promise<void> {
     setTimeout(() => void restartRedis(), RESTART_MS);
     return;
   }
-  watchRedis();
+  restartRedisOnExit();
 }
 
 function startRelay(name: string): void {
@@ -55,7 +56,7 @@ function startRelay(name: string): void {
   const relay = spawn(process.execPath, [MAIN], {
     env: { ...process.env, ...settings },
     stdio: ["ignore", "pipe", "inherit"],
-    // Ctrl+C in the terminal is for this script alone: it ends them in order.
+    // Ctrl+C in the terminal must reach this script only: it stops the processes in order.
     detached: true,
   });
   relays.set(name, relay);
@@ -63,37 +64,35 @@ function startRelay(name: string): void {
     const ready = READY.exec(data.toString());
     if (ready === null) return void process.stdout.write(data);
     ports.set(name, Number(ready[1]));
-    console.log(
-      `Relay ${name}     http://127.0.0.1:${ready[1]}, to be killed by: kill -9 ${relay.pid}`,
-    );
-    changed();
+    console.log(`Relay ${name}     http://127.0.0.1:${ready[1]}, to kill it: kill -9 ${relay.pid}`);
+    updateTargets();
   });
   relay.once("close", () => {
     ports.delete(name);
-    changed();
-    if (isEnding) return;
-    console.log(`Relay ${name} has ended and is started again in ${RESTART_MS / 1000} s`);
-    setTimeout(() => isEnding || startRelay(name), RESTART_MS);
+    updateTargets();
+    if (isStopping) return;
+    console.log(`Relay ${name} has ended and restarts in ${RESTART_MS / 1000} s`);
+    setTimeout(() => isStopping || startRelay(name), RESTART_MS);
   });
 }
 
-function changed(): void {
+function updateTargets(): void {
   const wasReady = balancer.targets.length === 2;
   balancer.targets = [...ports.values()];
   if (balancer.targets.length < 2 || wasReady) return;
   console.log(`Corridor is ready: http://localhost:${balancer.port}`);
 }
 
-async function end(): Promise<void> {
-  if (isEnding) return;
-  isEnding = true;
+async function stopCluster(): Promise<void> {
+  if (isStopping) return;
+  isStopping = true;
   await balancer.close();
-  await Promise.all([...relays.values()].map(endRelay));
+  await Promise.all([...relays.values()].map(stopRelay));
   await redis.stop();
   process.exit(0);
 }
 
-function endRelay(relay: ChildProcess): Promise<void> {
+function stopRelay(relay: ChildProcess): Promise<void> {
   if (relay.exitCode !== null || relay.signalCode !== null) return Promise.resolve();
   return new Promise((resolve) => {
     relay.once("close", () => resolve());
