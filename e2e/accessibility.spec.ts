@@ -1,10 +1,12 @@
-/** Everyone can use it: no barrier that axe knows, by keyboard alone, under a finger, on any screen. */
+/**
+ * Everyone can use it: no barrier that axe knows, by keyboard alone, under a finger, on any screen.
+ */
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
-import { expectNoBarriers } from "./support/axe.ts";
-import { stickingOut, tooSmallToTouch } from "./support/layout.ts";
-import { openMore } from "./support/remote-panel.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
+import { openMoreSection } from "./support/remote-panel.ts";
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
@@ -12,52 +14,52 @@ test("meets no barrier in the program, while it runs and when it bumps", async (
   corridor,
   page,
 }) => {
-  await expectNoBarriers(page, "first visit");
+  await expectNoAxeViolations(page, "first visit");
   await corridor.program.button("Add line").click();
   await corridor.program.number(1).fill("x");
   await corridor.program.condition(3).selectOption("left > right +");
-  await expectNoBarriers(page, "a wrong number and a comparison");
+  await expectNoAxeViolations(page, "a wrong number and a comparison");
   await corridor.program.number(1).fill("300");
   await corridor.program.number(2).fill("10");
   await corridor.speed.selectOption("16×");
   await corridor.run.click();
-  await expect(corridor.story).toContainText("Bump");
-  await expectNoBarriers(page, "running into a block");
+  await expect(corridor.runNote).toContainText("Bump");
+  await expectNoAxeViolations(page, "running into a block");
 });
 
 test("meets no barrier in Me and in Remote, waiting and off", async ({ corridor, page }) => {
-  await corridor.letDrive("Me");
-  await expectNoBarriers(page, "Me");
-  await corridor.letDrive("Remote");
-  await expect(corridor.connection).toHaveText("Waiting for a script");
-  await expectNoBarriers(page, "Remote, waiting");
-  await openMore(page);
-  await expectNoBarriers(page, "Remote, more");
+  await corridor.selectDriver("Me");
+  await expectNoAxeViolations(page, "Me");
+  await corridor.selectDriver("Remote");
+  await expect(corridor.connectionStatus).toHaveText("Waiting for a script");
+  await expectNoAxeViolations(page, "Remote, waiting");
+  await openMoreSection(page);
+  await expectNoAxeViolations(page, "Remote, more");
   await page.getByRole("button", { name: "Disconnect" }).click();
-  await expect(corridor.connection).toHaveText("Off");
-  await expectNoBarriers(page, "Remote, off");
+  await expect(corridor.connectionStatus).toHaveText("Off");
+  await expectNoAxeViolations(page, "Remote, off");
 });
 
 test("meets no barrier in the dialogs", async ({ corridor, page }) => {
   await corridor.share.click();
-  await expectNoBarriers(page, "share");
+  await expectNoAxeViolations(page, "share");
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: "Keyboard shortcuts" }).click();
-  await expectNoBarriers(page, "shortcuts");
+  await expectNoAxeViolations(page, "shortcuts");
   await page.keyboard.press("Escape");
   await corridor.maze.button("Clear maze").click();
-  await expectNoBarriers(page, "clear");
+  await expectNoAxeViolations(page, "clear");
   await page.keyboard.press("Escape");
   await corridor.maze.button("Resize").click();
   await corridor.dialog("Resize the maze").getByRole("textbox", { name: "Rows" }).fill("0");
-  await expectNoBarriers(page, "resize");
+  await expectNoAxeViolations(page, "resize");
 });
 
 test("meets no barrier in the menus", async ({ corridor, page }) => {
   for (const menu of ["View", "Show an algorithm", "Theme"]) {
     await page.getByRole("button", { name: menu, exact: true }).click();
     await expect(corridor.dialog(menu)).toBeVisible();
-    await expectNoBarriers(page, menu);
+    await expectNoAxeViolations(page, menu);
     await page.keyboard.press("Escape");
     await expect(corridor.dialog(menu)).toBeHidden();
   }
@@ -66,15 +68,15 @@ test("meets no barrier in the menus", async ({ corridor, page }) => {
 test("meets no barrier among mazes and messages", async ({ corridor, page }) => {
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   await expect(corridor.dialog("Presets")).toBeVisible();
-  await expectNoBarriers(page, "presets");
+  await expectNoAxeViolations(page, "presets");
   await page.keyboard.press("Escape");
   await corridor.mazeMenu.click();
   await expect(corridor.dialog("Maze menu")).toBeVisible();
-  await expectNoBarriers(page, "maze menu");
+  await expectNoAxeViolations(page, "maze menu");
   await page.keyboard.press("Escape");
   await page.evaluate(() => (location.hash = "1cut"));
   await expect(corridor.message("A part of this link is missing.")).toBeVisible();
-  await expectNoBarriers(page, "message");
+  await expectNoAxeViolations(page, "message");
 });
 
 test("meets no barrier in the past, at a bump, at the goal, with advice and a description", async ({
@@ -83,25 +85,25 @@ test("meets no barrier in the past, at a bump, at the goal, with advice and a de
 }) => {
   test.slow();
   await corridor.program.action(2).selectOption("delayed left 90");
-  await expect(corridor.spoken).toContainText("Advice for line 2");
-  await expectNoBarriers(page, "advice");
+  await expect(corridor.announcement).toContainText("Advice for line 2");
+  await expectNoAxeViolations(page, "advice");
   await corridor.speed.selectOption("4×");
   await corridor.run.click();
   await expect(page.getByRole("region", { name: "Bump: look at line 2" })).toBeVisible();
-  await expectNoBarriers(page, "bump card");
+  await expectNoAxeViolations(page, "bump card");
   await corridor.timeline.slider.focus();
   await page.keyboard.press("ArrowLeft");
-  await expect(corridor.timeline.inThePast).toBeVisible();
+  await expect(corridor.timeline.pastLabel).toBeVisible();
   await page.keyboard.press("i");
   await expect(corridor.message(/^At \d/)).toBeVisible();
-  await expectNoBarriers(page, "in the past, described");
+  await expectNoAxeViolations(page, "in the past, described");
   await corridor.timeline.backToNow.click();
   await corridor.program.action(2).selectOption("left 90");
   await corridor.reset.click();
   await corridor.speed.selectOption("max");
   await corridor.run.click();
   await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
-  await expectNoBarriers(page, "solved card");
+  await expectNoAxeViolations(page, "solved card");
 });
 
 test("meets no barrier in a mission, while measuring, among random mazes and pictures", async ({
@@ -111,27 +113,27 @@ test("meets no barrier in a mission, while measuring, among random mazes and pic
   test.slow();
   const lessons = new LessonsPanel(page);
   await lessons.openPath();
-  await expectNoBarriers(page, "lessons");
+  await expectNoAxeViolations(page, "lessons");
   await page.keyboard.press("Escape");
   await lessons.openMission(8);
   await lessons.button("Show a hint").click();
-  await expectNoBarriers(page, "mission");
+  await expectNoAxeViolations(page, "mission");
   await lessons.button("Back to my maze").click();
   await corridor.maze.tool("Measure").check();
-  await (await corridor.maze.goTo({ column: 2, row: 6 })).press("Enter");
-  await (await corridor.maze.goTo({ column: 5, row: 4 })).press("Enter");
-  await expect(corridor.spoken).toContainText("squares");
-  await expectNoBarriers(page, "measuring");
+  await (await corridor.maze.moveCursorTo({ column: 2, row: 6 })).press("Enter");
+  await (await corridor.maze.moveCursorTo({ column: 5, row: 4 })).press("Enter");
+  await expect(corridor.announcement).toContainText("squares");
+  await expectNoAxeViolations(page, "measuring");
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   await corridor.dialog("Presets").getByRole("radio", { name: "Rooms" }).click();
-  await expectNoBarriers(page, "random maze");
+  await expectNoAxeViolations(page, "random maze");
   await page.keyboard.press("Escape");
   await corridor.mazeMenu.click();
   await corridor
     .dialog("Maze menu")
     .getByRole("button", { name: /picture/i })
     .click();
-  await expectNoBarriers(page, "picture");
+  await expectNoAxeViolations(page, "picture");
 });
 
 test("meets no barrier on a phone, in each tab and menu", async ({ openWindow }) => {
@@ -140,12 +142,12 @@ test("meets no barrier on a phone, in each tab and menu", async ({ openWindow })
   const { page } = corridor;
   for (const name of ["Program", "Drive", "Presets"]) {
     await page.getByRole("tab", { name }).click();
-    await expectNoBarriers(page, `phone, ${name}`);
+    await expectNoAxeViolations(page, `phone, ${name}`);
   }
   await page.getByRole("button", { name: "More", exact: true }).click();
-  await expectNoBarriers(page, "phone, More");
+  await expectNoAxeViolations(page, "phone, More");
   await corridor.dialog("More").getByRole("button", { name: "Remote" }).click();
-  await expectNoBarriers(page, "phone, Remote");
+  await expectNoAxeViolations(page, "phone, Remote");
 });
 
 for (const [width, height] of [
@@ -158,19 +160,19 @@ for (const [width, height] of [
     const corridor = await openWindow({ viewport: { width, height } });
     await corridor.open();
     const { page } = corridor;
-    expect(await stickingOut(page), "first visit").toEqual([]);
+    expect(await horizontalOverflow(page), "first visit").toEqual([]);
     if (width < 600) {
       for (const name of ["Drive", "Presets", "Program"]) {
         await page.getByRole("tab", { name }).click();
-        expect(await stickingOut(page), name).toEqual([]);
+        expect(await horizontalOverflow(page), name).toEqual([]);
       }
     } else {
-      await corridor.letDrive("Remote");
-      await expect(corridor.connection).toHaveText("Waiting for a script");
-      expect(await stickingOut(page), "Remote").toEqual([]);
-      await openMore(page);
-      expect(await stickingOut(page), "Remote, more").toEqual([]);
-      await corridor.letDrive("Program");
+      await corridor.selectDriver("Remote");
+      await expect(corridor.connectionStatus).toHaveText("Waiting for a script");
+      expect(await horizontalOverflow(page), "Remote").toEqual([]);
+      await openMoreSection(page);
+      expect(await horizontalOverflow(page), "Remote, more").toEqual([]);
+      await corridor.selectDriver("Program");
     }
     await corridor.program.condition(1).selectOption("left > right +");
     await corridor.program.number(1).fill("-99999.75");
@@ -179,13 +181,13 @@ for (const [width, height] of [
     await corridor.speed.selectOption("max");
     await corridor.run.click();
     await expect(corridor.bumps).not.toHaveText("0 bumps");
-    expect(await stickingOut(page), "long words").toEqual([]);
+    expect(await horizontalOverflow(page), "long words").toEqual([]);
     await corridor.share.click();
     await expect(corridor.dialog("Share this maze")).toBeVisible();
-    expect(await stickingOut(page), "share").toEqual([]);
+    expect(await horizontalOverflow(page), "share").toEqual([]);
     await page.keyboard.press("Escape");
     await corridor.mazeMenu.click();
-    expect(await stickingOut(page), "maze menu").toEqual([]);
+    expect(await horizontalOverflow(page), "maze menu").toEqual([]);
   });
 }
 
@@ -198,24 +200,24 @@ for (const [width, height] of [
     await corridor.open();
     const { page } = corridor;
     expect(await page.evaluate(() => matchMedia("(pointer: coarse)").matches)).toBe(true);
-    expect(await tooSmallToTouch(page), "first visit").toEqual([]);
+    expect(await smallTouchTargets(page), "first visit").toEqual([]);
     if (width < 600) {
       for (const name of ["Drive", "Presets"]) {
         await page.getByRole("tab", { name }).tap();
-        expect(await tooSmallToTouch(page), name).toEqual([]);
+        expect(await smallTouchTargets(page), name).toEqual([]);
       }
     } else {
       await corridor.driver("Remote").tap();
-      await expect(corridor.connection).toHaveText("Waiting for a script");
-      expect(await tooSmallToTouch(page), "Remote").toEqual([]);
-      await openMore(page);
-      expect(await tooSmallToTouch(page), "Remote, more").toEqual([]);
+      await expect(corridor.connectionStatus).toHaveText("Waiting for a script");
+      expect(await smallTouchTargets(page), "Remote").toEqual([]);
+      await openMoreSection(page);
+      expect(await smallTouchTargets(page), "Remote, more").toEqual([]);
     }
     await corridor.mazeMenu.tap();
-    expect(await tooSmallToTouch(page), "maze menu").toEqual([]);
+    expect(await smallTouchTargets(page), "maze menu").toEqual([]);
     await page.keyboard.press("Escape");
     await corridor.share.tap();
-    expect(await tooSmallToTouch(page), "share").toEqual([]);
+    expect(await smallTouchTargets(page), "share").toEqual([]);
   });
 }
 
@@ -235,9 +237,9 @@ test("taps a square, holds a drive key and moves a line on a phone", async ({ op
   await expect(page.getByText("The program is driving.")).toBeVisible();
   const letGo = await holdFinger(corridor.driveKey("left"));
   await expect(page.getByText("You are driving.")).toBeVisible();
-  await expect(corridor.robotPlace).toHaveText(/facing (up|left|down)/);
+  await expect(corridor.robotPose).toHaveText(/facing (up|left|down)/);
   await letGo();
-  await corridor.robotStands();
+  await corridor.waitForRobotToStop();
 });
 
 test("asks for less motion and gets none but the robot's", async ({ corridor, page }) => {
@@ -254,7 +256,7 @@ test("asks for less motion and gets none but the robot's", async ({ corridor, pa
   await page.keyboard.press("Escape");
   await corridor.speed.selectOption("max");
   await corridor.run.click();
-  await expect(corridor.story).toContainText("Goal reached");
+  await expect(corridor.runNote).toContainText("Goal reached");
 });
 
 test("goes through everything with Tab in the order of the screen", async ({ corridor, page }) => {
@@ -309,11 +311,11 @@ test("opens the list of keys with ?, switches single keys off, and they stay off
   await expect(dialog).toBeHidden();
   await corridor.reload();
   await page.keyboard.press("?");
-  await corridor.letDrive("Me");
+  await corridor.selectDriver("Me");
   await page.keyboard.press("w");
-  await corridor.robotStands();
+  await corridor.waitForRobotToStop();
   await expect(dialog).toBeHidden();
-  await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
+  await expect(corridor.robotPose).toHaveText("Robot at 50, 650, facing right");
 });
 
 /** Lays a finger on an element, as only the browser's own protocol can. @returns lifts it */
@@ -353,7 +355,7 @@ test("never touches the mouse: chooses a maze, builds a program, runs it, hears 
   page,
 }) => {
   const { keyboard } = page;
-  const liveRegion = await corridor.spoken.elementHandle();
+  const liveRegion = await corridor.announcement.elementHandle();
   await tabTo(page, page.getByRole("button", { name: "Presets", exact: true }));
   await keyboard.press("Enter");
   await tabTo(page, corridor.dialog("Presets").getByRole("button", { name: /^Comb/ }));
@@ -372,8 +374,8 @@ test("never touches the mouse: chooses a maze, builds a program, runs it, hears 
   await tabTo(page, corridor.speed);
   await keyboard.type("max");
   await keyboard.press("Control+Enter");
-  await expect(corridor.story).toContainText("Goal reached after 13.3 s (tick 802)");
-  await expect(corridor.spoken).toContainText("Goal reached after 13.3 s (tick 802)");
+  await expect(corridor.runNote).toContainText("Goal reached after 13.3 s (tick 802)");
+  await expect(corridor.announcement).toContainText("Goal reached after 13.3 s (tick 802)");
   // The region was there before its words, or nobody would have heard them.
   expect(await liveRegion?.textContent()).toContain("Goal reached");
 });

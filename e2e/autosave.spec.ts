@@ -1,4 +1,6 @@
-/** Work stays on the device: over a reload, in two tabs, and honestly not at all where it cannot. */
+/**
+ * Work stays on the device: over a reload, in two tabs, and honestly not at all where it cannot.
+ */
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
 
@@ -84,7 +86,7 @@ test("is told when the device keeps nothing, and works on", async ({ openWindow 
   await reader.maze.click(square);
   await reader.speed.selectOption("max");
   await reader.run.click();
-  await expect(reader.story).toContainText("Goal reached");
+  await expect(reader.runNote).toContainText("Goal reached");
 });
 
 test("is told when the storage is full, and saved again once there is room", async ({

@@ -7,7 +7,7 @@ import { inPath } from "../scripts/programs.ts";
 import { Dice } from "../apps/relay/src/testing/faults/dice.ts";
 import { FaultProxy } from "./faults/net/fault-proxy.ts";
 import { expect, test } from "./fixtures.ts";
-import { exampleOf, runScript, type ExampleLanguage } from "./support/script.ts";
+import { exampleCommand, runScript, type ExampleLanguage } from "./support/script.ts";
 
 const maze = generateTree({ columns: 9, rows: 9, seed: 3, name: "Tree" });
 const cells = `${countOpenCells(maze)}`;
@@ -36,7 +36,7 @@ async function follow(
   const cuts = setInterval(() => (cut += isBad ? network.cut() : 0), CUT_EVERY_MS);
   if (isBad) Object.assign(network, { delay: DELAY_MS, isSlicing: true });
   const { code, output } = await runScript([
-    ...exampleOf(language),
+    ...exampleCommand(language),
     address,
     "--until-cells",
     cells,

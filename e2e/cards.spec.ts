@@ -1,10 +1,12 @@
-/** What the page says when something has happened: the bump card, the solved card, going in circles. */
+/**
+ * What the page says when something has happened: the bump card, the solved card, going in circles.
+ */
 import { encodeLink } from "@corridor/link";
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
-import { atRest } from "./support/at-rest.ts";
-import { expectNoBarriers } from "./support/axe.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
 
 /** Line 2 turns too late: it drives on towards the wall that it has just seen. */
 async function bump(corridor: CorridorPage): Promise<Locator> {
@@ -122,7 +124,7 @@ test("sees what the solution took, and goes on to the next maze", async ({ corri
   const card = corridor.page.getByRole("region", { name: "Solved!" });
   await expect(card).toContainText("Your 2 lines take the robot from start to goal.");
   await expect(card.getByRole("definition")).toHaveText(["39.6 s", "2", "0"]);
-  await expectNoBarriers(corridor.page, "solved card");
+  await expectNoAxeViolations(corridor.page, "solved card");
   const onward = card.getByRole("button", { name: /^Next maze: / });
   const name = ((await onward.textContent()) ?? "").replace("Next maze: ", "");
   await onward.click();
@@ -133,7 +135,7 @@ test("sees what the solution took, and goes on to the next maze", async ({ corri
 test("is told that the robot goes in circles, and no line is blamed where two would have to change", async ({
   corridor,
 }) => {
-  await corridor.program.empty();
+  await corridor.program.deleteAllLines();
   await corridor.program.addLine("front <", "50", "turn 180");
   await corridor.speed.selectOption("max");
   await corridor.run.click();
@@ -144,7 +146,7 @@ test("is told that the robot goes in circles, and no line is blamed where two wo
 });
 
 test("is told that the robot only pushes against a wall", async ({ corridor }) => {
-  await corridor.program.empty();
+  await corridor.program.deleteAllLines();
   await corridor.run.click();
   const card = corridor.page.getByRole("region", { name: "Bump", exact: true });
   await expect(card).toContainText("A line for this place is missing.");
@@ -154,7 +156,10 @@ test("is told that the robot only pushes against a wall", async ({ corridor }) =
   await expect(corridor.message(/^The robot pushes against a wall/)).toBeVisible();
 });
 
-/** Messages that lie over a card, a control of the run or what leads back to now, with what they cover. */
+/**
+ * Messages that lie over a card, a control of the run or what leads back to now, with what they
+ * cover.
+ */
 function covered(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const texts = [...document.querySelectorAll("section[aria-label=Messages] button")];
@@ -184,14 +189,17 @@ const behind = {
   south: { dx: 0, dy: -1 },
 };
 
-/** What of the card and the messages lies over the robot, its trail's end, a button of the run or a tab. */
+/**
+ * What of the card and the messages lies over the robot, its trail's end, a button of the run or a
+ * tab.
+ */
 async function covering(
   corridor: CorridorPage,
   { start }: (typeof bumps)[number],
 ): Promise<string[]> {
   const { page } = corridor;
   const [, x = "0", y = "0"] =
-    /^Robot at (\d+), (\d+)/.exec((await corridor.robotPlace.textContent()) ?? "") ?? [];
+    /^Robot at (\d+), (\d+)/.exec((await corridor.robotPose.textContent()) ?? "") ?? [];
   const grid = await corridor.maze.grid.boundingBox();
   if (grid === null) throw new Error("the maze is not on the screen");
   const scale = grid.width / (room.columns * 100);
@@ -250,7 +258,10 @@ const screens = [
 
 const room = { columns: 11, rows: 9 };
 
-/** A bump in the middle of the maze, in two corners and in the middle of two edges: straight ahead from a start. */
+/**
+ * A bump in the middle of the maze, in two corners and in the middle of two edges: straight ahead
+ * from a start.
+ */
 const bumps = [
   { start: { column: 2, row: 4, heading: "east" }, block: { column: 6, row: 4 } },
   { start: { column: 5, row: 3, heading: "south" }, block: null },
@@ -296,7 +307,7 @@ for (const viewport of screens) {
       await page.evaluate(() => navigator.clipboard.writeText("hello"));
       await page.keyboard.press("ControlOrMeta+V");
       await expect(corridor.message(/^The text you pasted/).first()).toBeVisible();
-      await atRest(page);
+      await waitForAnimations(page);
       expect(await covering(corridor, bump), JSON.stringify(bump)).toEqual([]);
       await expect(card.getByRole("heading")).toBeInViewport({ ratio: 1 });
       await corridor.reset.click();
@@ -326,13 +337,13 @@ for (const [width, height] of [
     await page.keyboard.press("i");
     await page.evaluate(() => (location.hash = "broken"));
     await expect(corridor.messages.getByRole("button", { name: "Dismiss" })).toHaveCount(2);
-    await atRest(page);
+    await waitForAnimations(page);
     expect(await covered(page), "beside the card").toEqual([]);
     await card.getByRole("button", { name: "Close" }).click();
     await corridor.timeline.slider.press("Home");
-    await expect(corridor.timeline.inThePast).toBeVisible();
+    await expect(corridor.timeline.pastLabel).toBeVisible();
     await page.keyboard.press("i");
-    await atRest(page);
+    await waitForAnimations(page);
     expect(await covered(page), "in the past").toEqual([]);
   });
 }

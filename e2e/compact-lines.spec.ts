@@ -1,13 +1,19 @@
-/** The lines of a running program: how many are in sight with their truths, and that none of them moves. */
+/**
+ * The lines of a running program: how many are in sight with their truths, and that none of them
+ * moves.
+ */
 import { encodeLink } from "@corridor/link";
 import { mazePresets } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { phone } from "./support/phone.ts";
-import { Words } from "./support/words.ts";
+import { Texts } from "./support/texts.ts";
 
-/** The first line turns late, the second on the spot, "otherwise" drives: all kinds of notes come by, and no advice. */
+/**
+ * The first line turns late, the second on the spot, "otherwise" drives: all kinds of notes come
+ * by, and no advice.
+ */
 const rules: ProgramDocument["rules"] = [
   { when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" },
   { when: { sensor: "front", is: "<", than: 50 }, do: "left 90" },
@@ -34,7 +40,9 @@ function addressOf(count: number, lang: string): string {
   return `/?lang=${lang}#${link.text}`;
 }
 
-/** Where each line stands, and how many of them are in sight with their truths, without scrolling. */
+/**
+ * Where each line stands, and how many of them are in sight with their truths, without scrolling.
+ */
 async function linesOn(page: Page) {
   return page.evaluate(() => {
     const boxOf = (element: Element) => element.getBoundingClientRect();
@@ -68,7 +76,7 @@ for (const lang of ["en", "de"]) {
     }) => {
       const device = isPhone ? phone : {};
       const { page } = await openWindow({ ...device, viewport: { width, height } });
-      const words = Words.of(lang);
+      const words = Texts.load(lang);
       await page.goto(addressOf(count, lang));
       const button = (path: string) =>
         page.getByRole("button", { name: words.t(path), exact: true });
@@ -119,6 +127,6 @@ test("no line moves when it bumps, and the readings keep to one row while a long
   await expect(page.getByRole("listitem", { name: /^Line 2, bumped/ })).toBeVisible();
   expect((await linesOn(page)).places).toEqual(before.places);
   // Keys have their room again when a hand drives.
-  await corridor.letDrive("Me");
+  await corridor.selectDriver("Me");
   await expect(page.getByRole("group", { name: "Hold to drive" })).toBeInViewport({ ratio: 1 });
 });

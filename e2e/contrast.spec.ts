@@ -2,12 +2,12 @@
 import { AxeBuilder } from "@axe-core/playwright";
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
-import { StagePicture } from "./pages/stage-picture.ts";
-import { atRest } from "./support/at-rest.ts";
+import { StageScreenshot } from "./pages/stage-screenshot.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
 
 /** Texts below 7:1, as axe measures them where they stand. */
 async function faint(page: Page): Promise<string[]> {
-  await atRest(page);
+  await waitForAnimations(page);
   const axe = new AxeBuilder({ page }).withRules("color-contrast-enhanced");
   const { violations } = await axe.analyze();
   return violations.flatMap(({ nodes }) => nodes.map(({ target }) => target.join(" ")));
@@ -88,9 +88,9 @@ test("sees the maze on dark ground where the forced colours are dark", async ({
   page,
 }) => {
   await corridor.maze.grid.waitFor();
-  const stage = new StagePicture(page);
+  const stage = new StageScreenshot(page);
   await page.emulateMedia({ forcedColors: "active", colorScheme: "light" });
-  const light = await stage.taken();
+  const light = await stage.capture();
   await page.emulateMedia({ forcedColors: "active", colorScheme: "dark" });
-  await stage.expectOther(light);
+  await stage.expectDifferent(light);
 });

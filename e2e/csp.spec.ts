@@ -32,8 +32,8 @@ test("asks no other host for anything", async ({ corridor, page, relay }) => {
   const hosts = new Set<string>();
   page.on("request", (request) => hosts.add(new URL(request.url()).host));
   await corridor.reload();
-  await corridor.letDrive("Remote");
-  await expect(corridor.connection).toHaveText("Waiting for a script");
+  await corridor.selectDriver("Remote");
+  await expect(corridor.connectionStatus).toHaveText("Waiting for a script");
   await corridor.share.click();
   await expect(corridor.dialog("Share this maze")).toBeVisible();
   expect([...hosts]).toEqual([new URL(relay).host]);
@@ -63,7 +63,8 @@ test("runs no script that was smuggled into the page", async ({ browser }) => {
     button.click();
     attempt(() => (button.innerHTML = '<img src="x" onerror="window.marks.markup = true">'));
     if (button.childElementCount > 0) marks.markup = true;
-    // The tools that run this line may evaluate texts; the page itself, in a task of its own, may not.
+    // The tools that run this line may evaluate texts; the page itself, in a task of its own, may
+    // not.
     await new Promise((resolve) => setTimeout(resolve));
     try {
       // oxlint-disable-next-line no-new-func, typescript/no-implied-eval -- its refusal is the test

@@ -1,6 +1,6 @@
 /**
- * The same maze and inputs give the same bits in Node, in the page's worker in Chromium and Firefox,
- * and on the command line.
+ * The same maze and inputs give the same bits in Node, in the page's worker in Chromium and
+ * Firefox, and on the command line.
  */
 import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";

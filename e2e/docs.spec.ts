@@ -1,4 +1,7 @@
-/** /docs as somebody reads it who has nothing else, and tries a call. The watch hears every complaint of the policy. */
+/**
+ * /docs as somebody reads it who has nothing else, and tries a call. The watch hears every
+ * complaint of the policy.
+ */
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, test } from "./fixtures.ts";
 
@@ -55,7 +58,8 @@ test("every page can be read by everybody, in both themes and on the smallest ph
   test.setTimeout(360_000);
   await page.setViewportSize({ width: 320, height: 640 });
   const paths = new Set(["/docs", "/problems/too-late"]);
-  // A set gives what is added on the way, too: the pages of a section are in the navigation of that section.
+  // A set gives what is added on the way, too: the pages of a section are in the navigation of that
+  // section.
   for (const path of paths) {
     for (const colorScheme of ["light", "dark"] as const) {
       await page.emulateMedia({ colorScheme });

@@ -7,13 +7,13 @@ const start = "Robot at 50, 650, facing right";
 /** An empty maze: the far wall is 10 s away. */
 async function takeTheWheel(corridor: CorridorPage): Promise<void> {
   await corridor.choosePreset("Empty");
-  await corridor.letDrive("Me");
+  await corridor.selectDriver("Me");
 }
 
 /** Expects that the robot has moved, and that nothing but the driver can have stopped it. */
 async function expectStopped(corridor: CorridorPage): Promise<void> {
-  await corridor.robotStands();
-  await expect(corridor.robotPlace).not.toHaveText(start);
+  await corridor.waitForRobotToStop();
+  await expect(corridor.robotPose).not.toHaveText(start);
   await expect(corridor.bumps).toHaveText("0 bumps");
   await expect(corridor.sensor("front")).not.toHaveText("25");
 }
@@ -27,7 +27,7 @@ for (const { key, moves } of [
   test(`holds ${key} to drive and lets go to stop`, async ({ corridor, page }) => {
     await takeTheWheel(corridor);
     await page.keyboard.down(key);
-    await expect(corridor.robotPlace).toHaveText(moves);
+    await expect(corridor.robotPose).toHaveText(moves);
     await page.keyboard.up(key);
     await expectStopped(corridor);
   });
@@ -53,19 +53,19 @@ test("holds the buttons on the screen", async ({ corridor, page }) => {
   await corridor.driveKey("forward").hover();
   await page.mouse.down();
   await expect(corridor.driveKey("forward")).toHaveAttribute("aria-pressed", "true");
-  await expect(corridor.robotPlace).not.toHaveText(start);
+  await expect(corridor.robotPose).not.toHaveText(start);
   await page.mouse.up();
   await expect(corridor.driveKey("forward")).toHaveAttribute("aria-pressed", "false");
   await expectStopped(corridor);
 
   // The button that has the focus is held with Space.
-  const place = await corridor.robotPlace.textContent();
+  const place = await corridor.robotPose.textContent();
   await corridor.driveKey("left").focus();
   await page.keyboard.down("Space");
-  await expect(corridor.robotPlace).toHaveText(/facing up/);
+  await expect(corridor.robotPose).toHaveText(/facing up/);
   await page.keyboard.up("Space");
-  await corridor.robotStands();
-  expect(await corridor.robotPlace.textContent()).not.toBe(place);
+  await corridor.waitForRobotToStop();
+  expect(await corridor.robotPose.textContent()).not.toBe(place);
 });
 
 test("takes over from the program by holding a button", async ({ corridor, page }) => {
@@ -76,7 +76,7 @@ test("takes over from the program by holding a button", async ({ corridor, page 
   await corridor.driveKey("left").hover();
   await page.mouse.down();
   await expect(corridor.driver("Me")).toBeChecked();
-  await expect(corridor.robotPlace).toHaveText(/facing up/);
+  await expect(corridor.robotPose).toHaveText(/facing up/);
   await page.mouse.up();
   await expectStopped(corridor);
   await expect(corridor.run).toBeVisible();
@@ -85,7 +85,7 @@ test("takes over from the program by holding a button", async ({ corridor, page 
 test("stops when the window loses the focus while a key is held", async ({ corridor, page }) => {
   await takeTheWheel(corridor);
   await page.keyboard.down("w");
-  await expect(corridor.robotPlace).not.toHaveText(start);
+  await expect(corridor.robotPose).not.toHaveText(start);
   // Playwright keeps every window focused; this is what the browser tells a page that loses it.
   await page.evaluate(() => window.dispatchEvent(new Event("blur")));
   await expectStopped(corridor);
@@ -96,12 +96,12 @@ test("stops with Space and with Escape", async ({ corridor, page }) => {
   for (const key of ["Space", "Escape"]) {
     await takeTheWheel(corridor);
     await page.keyboard.down("w");
-    await expect(corridor.robotPlace).not.toHaveText(start);
+    await expect(corridor.robotPose).not.toHaveText(start);
     await page.keyboard.press(key);
     await page.keyboard.up("w");
     await expectStopped(corridor);
     await corridor.reset.click();
-    await expect(corridor.robotPlace).toHaveText(start);
+    await expect(corridor.robotPose).toHaveText(start);
   }
 });
 
@@ -110,18 +110,18 @@ test("types into a field and walks in the maze without driving", async ({ corrid
   await corridor.program.name.focus();
   await page.keyboard.press("End");
   await page.keyboard.down("w");
-  await corridor.robotStands();
+  await corridor.waitForRobotToStop();
   await page.keyboard.up("w");
   await expect(corridor.program.name).toHaveValue("w");
-  await corridor.maze.goTo({ column: 3, row: 3 });
+  await corridor.maze.moveCursorTo({ column: 3, row: 3 });
   await page.keyboard.down("w");
-  await corridor.robotStands();
+  await corridor.waitForRobotToStop();
   await page.keyboard.up("w");
   await corridor.speed.focus();
   await page.keyboard.down("ArrowUp");
-  await corridor.robotStands();
+  await corridor.waitForRobotToStop();
   await page.keyboard.up("ArrowUp");
-  await expect(corridor.robotPlace).toHaveText(start);
+  await expect(corridor.robotPose).toHaveText(start);
   await expect(corridor.clock).toHaveText("Time 0:00.0");
 });
 
@@ -131,14 +131,14 @@ for (const key of ["w", "ArrowUp"]) {
     page,
   }) => {
     const told = corridor.messages.getByText("You drive now. Press Run to let the program drive");
-    const before = await corridor.robotPlace.textContent();
+    const before = await corridor.robotPose.textContent();
     await page.keyboard.press(key, { delay: 120 });
     await expect(corridor.driver("Me")).toBeChecked();
-    await expect(corridor.robotPlace).not.toHaveText(before ?? "");
+    await expect(corridor.robotPose).not.toHaveText(before ?? "");
     await expect(told).toHaveCount(1);
     await corridor.messages.getByRole("button", { name: "Dismiss" }).click();
     await page.keyboard.press(key, { delay: 120 });
-    await corridor.robotStands();
+    await corridor.waitForRobotToStop();
     await expect(told).toHaveCount(0);
   });
 }
@@ -151,7 +151,7 @@ test("takes over from a running program, and the key that is still down does not
   await corridor.run.click();
   await page.keyboard.down("a");
   await expect(corridor.driver("Me")).toBeChecked();
-  await expect(corridor.robotPlace).toHaveText(/facing up/);
+  await expect(corridor.robotPose).toHaveText(/facing up/);
   await corridor.run.click();
   await expect(corridor.driver("Program")).toBeChecked();
   // The keyboard repeats a key that is held.
@@ -168,15 +168,15 @@ test("drives into a wall and is told so", async ({ corridor, page }) => {
   await takeTheWheel(corridor);
   await page.keyboard.down("w");
   // After 615 ticks of 5/3 cm it touches the wall, in the next it pushes.
-  await expect(corridor.story).toHaveText(
+  await expect(corridor.runNote).toHaveText(
     /^Bump: you drove into a block at 10\.2 s \(tick 616\), in row 7, column 11\.$/,
   );
   await expect(corridor.bumps).toHaveText("1 bump");
   await expect(corridor.sensor("front")).toHaveText("25");
-  await expect(corridor.robotPlace).toHaveText("Robot at 1075, 650, facing right");
+  await expect(corridor.robotPose).toHaveText("Robot at 1075, 650, facing right");
   await page.keyboard.up("w");
   await page.keyboard.down("s");
-  await expect(corridor.robotPlace).not.toHaveText("Robot at 1075, 650, facing right");
+  await expect(corridor.robotPose).not.toHaveText("Robot at 1075, 650, facing right");
   await page.keyboard.up("s");
 });
 
@@ -184,7 +184,7 @@ test("lets a program bump and is told which line caused it", async ({ corridor }
   await corridor.program.loadAlgorithm("Back and forth");
   await corridor.program.number(1).fill("10");
   await corridor.run.click();
-  await expect(corridor.story).toHaveText(
+  await expect(corridor.runNote).toHaveText(
     /^Bump: the program drove into a block at 2\.2 s \(tick 13\d\), in row 7, column 3\.$/,
   );
   // “otherwise” drove, because line 1 was not true in time.
@@ -196,7 +196,7 @@ test("lets a program bump and is told which line caused it", async ({ corridor }
   await corridor.program.action(1).selectOption("forward");
   await corridor.reset.click();
   await corridor.run.click();
-  await expect(corridor.story).toHaveText(/^Bump: the program drove into a block/);
+  await expect(corridor.runNote).toHaveText(/^Bump: the program drove into a block/);
   // No line is blamed where one is missing, but the line that decided is named.
   await expect(corridor.page.getByRole("region", { name: "Bump", exact: true })).toContainText(
     "line 1 chose “forward”. A line for this place is missing.",
@@ -216,7 +216,7 @@ test("only the reading of what was touched is red", async ({ corridor, page }) =
   await page.keyboard.up("s");
 
   await page.keyboard.down("d");
-  await expect(corridor.robotPlace).toHaveText(/facing down and right$/);
+  await expect(corridor.robotPose).toHaveText(/facing down and right$/);
   await page.keyboard.up("d");
   await page.keyboard.down("w");
   await expect(corridor.bumps).toHaveText("2 bumps");

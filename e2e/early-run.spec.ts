@@ -1,6 +1,6 @@
 /**
- * Before the page's own script: index.html draws an empty house, and on a first visit its Run drives the
- * robot already. The page that moves in takes over what there is.
+ * Before the page's own script: index.html draws an empty house, and on a first visit its Run
+ * drives the robot already. The page that moves in takes over what there is.
  */
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
@@ -26,7 +26,10 @@ function toldTick(page: Page): Promise<number> {
   });
 }
 
-/** A reader sees what was painted: before that the styles may not have come, by which one of two places is hidden. */
+/**
+ * A reader sees what was painted: before that the styles may not have come, by which one of two
+ * places is hidden.
+ */
 async function isPainted(page: Page): Promise<void> {
   await page.waitForFunction(() => performance.getEntriesByType("paint").length > 0);
   await page.evaluate(() => document.fonts.ready);
@@ -54,14 +57,14 @@ test("presses Run before the page's own script has come, and the run goes on in 
   await expect(corridor.pause).toBeVisible();
   await expect.poll(() => toldTick(page)).toBeGreaterThan(30);
   letCome();
-  await corridor.isReady();
+  await corridor.waitUntilReady();
   await expect(corridor.pause).toBeVisible();
   // 30 ticks of 5/3 cm: it was not put back.
   expect(await corridor.robotX()).toBeGreaterThan(90);
   await corridor.pause.click();
   await corridor.timeline.slider.focus();
   await page.keyboard.press("Home");
-  await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
+  await expect(corridor.robotPose).toHaveText("Robot at 50, 650, facing right");
   await expect(corridor.clock).toHaveText("Time 0:00.0");
   await corridor.timeline.backToNow.click();
   await expect.poll(() => corridor.robotX()).toBeGreaterThan(90);
@@ -90,7 +93,7 @@ test("has each file of the page fetched once, with the robot's first tick", asyn
   const corridor = new CorridorPage(page);
   await page.goto("/", { waitUntil: "commit" });
   await corridor.run.click();
-  await corridor.isReady();
+  await corridor.waitUntilReady();
   const scripts = asked.filter((path) => /\/assets\/(?:index|react)-[\w-]+\.js$/.test(path));
   expect(scripts.map((path) => path.replace(/-[\w-]+\.js$/, "")).toSorted()).toEqual([
     "/assets/index",
@@ -107,7 +110,7 @@ test("pauses and goes on before the page's own script has come", async ({ page }
   await expect(corridor.run).toBeVisible();
   const tick = await toldTick(page);
   letCome();
-  await corridor.isReady();
+  await corridor.waitUntilReady();
   await expect(corridor.run).toBeVisible();
   await expect.poll(() => corridor.robotX()).toBe(Math.round(50 + (tick * 5) / 3));
 });
@@ -124,7 +127,7 @@ test("presses it with the keyboard, and stays on the button when the page moves 
   await page.keyboard.press("Enter");
   await expect(corridor.pause).toBeFocused();
   letCome();
-  await corridor.isReady();
+  await corridor.waitUntilReady();
   await expect(corridor.pause).toBeFocused();
   await page.keyboard.press("Space");
   await expect(corridor.run).toBeFocused();
@@ -148,10 +151,10 @@ test("comes back to a work of its own: Run waits for it", async ({ corridor, pag
   const letCome = await holdScript(page);
   await page.reload({ waitUntil: "commit" });
   await expect(page.locator("#wordmark")).toBeAttached();
-  await corridor.frames(10);
+  await corridor.waitForFrames(10);
   await expect(corridor.run).toBeHidden();
   letCome();
-  await corridor.isReady();
+  await corridor.waitUntilReady();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
   await corridor.run.click();
   await expect(corridor.pause).toBeVisible();
@@ -164,10 +167,10 @@ test("opens a link: Run waits for what it brings", async ({ corridor, page, open
   const letCome = await holdScript(other.page);
   await other.page.goto(link, { waitUntil: "commit" });
   await expect(other.page.locator("#wordmark")).toBeAttached();
-  await other.frames(10);
+  await other.waitForFrames(10);
   await expect(other.run).toBeHidden();
   letCome();
-  await other.isReady();
+  await other.waitUntilReady();
   await expect(other.mazeMenu).toHaveAccessibleName("Comb, Maze menu");
   await expect(other.page).toHaveURL("/");
   await expect(page).toHaveURL(link);
@@ -196,7 +199,7 @@ test("sees the invitation all the time from the first paint on, in one place, wh
     look();
   }, text);
   letCome();
-  await new CorridorPage(page).isReady();
+  await new CorridorPage(page).waitUntilReady();
   await expect(page.locator("#root [data-word]")).toHaveCount(0);
   const places = await page.evaluate(() => [...(Reflect.get(window, "placesSeen") as Set<string>)]);
   expect(places).toEqual([await box(page.getByText(text ?? "", { exact: true }))]);
@@ -205,15 +208,15 @@ test("sees the invitation all the time from the first paint on, in one place, wh
 test("is not invited again before the page's own script has come", async ({ page }) => {
   const corridor = new CorridorPage(page);
   await page.goto("/");
-  await corridor.isReady();
+  await corridor.waitUntilReady();
   await page.getByRole("button", { name: "Not now" }).click();
   const letCome = await holdScript(page);
   await page.goto("/", { waitUntil: "commit" });
   await expect(page.locator("#wordmark")).toBeAttached();
-  await corridor.frames(10);
+  await corridor.waitForFrames(10);
   await expect(page.getByText("New here?").filter({ visible: true })).toHaveCount(0);
   letCome();
-  await corridor.isReady();
+  await corridor.waitUntilReady();
   await expect(page.getByText("New here?")).toHaveCount(0);
 });
 

@@ -5,7 +5,7 @@ import { programPresets } from "@corridor/program";
 import type { Download, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
-import { expectNoBarriers } from "./support/axe.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
 
 const spiral = mazePresets.find(({ id }) => id === "spiral")?.maze;
 const leftWall = programPresets.find(({ id }) => id === "left-wall")?.program;
@@ -69,7 +69,7 @@ async function choose(corridor: CorridorPage, files: readonly TextFile[]): Promi
 
 test("opens a maze by dropping its file", async ({ corridor, page }) => {
   await corridor.maze.click({ column: 2, row: 6 });
-  await corridor.program.makeOwn();
+  await corridor.program.nameAsOwn();
   const drag = await dragOver(page, [spiralFile]);
   await expect(page.getByText("Drop a maze, a program or a run to open it")).toBeVisible();
   await drag.drop();
@@ -112,14 +112,14 @@ test("pastes a text maze", async ({ corridor, page }) => {
   await paste(page, "#######\r\n#>....#\r\n#####G#\r\n#######");
   await expect(corridor.message("“Clipboard” is open. Your program is empty")).toBeVisible();
   await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "7");
-  await expect(corridor.robotPlace).toHaveText("Robot at 150, 150, facing right");
+  await expect(corridor.robotPose).toHaveText("Robot at 150, 150, facing right");
   await corridor.maze.expectSquare({ column: 5, row: 2 }, "open, goal");
 });
 
 test("pastes a micromouse maze and a program as JSON", async ({ corridor, page }) => {
   await corridor.run.focus();
   await paste(page, "o---o---o\n|     G |\no   o---o\n| S |   |\no---o---o\n");
-  await expect(corridor.robotPlace).toHaveText("Robot at 150, 350, facing up");
+  await expect(corridor.robotPose).toHaveText("Robot at 150, 350, facing up");
   await paste(page, leftWallFile.text);
   await expect(corridor.program.name).toHaveValue("Left wall");
   await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "5");
@@ -163,7 +163,7 @@ test("is told what is wrong with a broken file and keeps the work", async ({ cor
   await expect(third).toContainText('Found: "if right > 60 then right 90"');
   await expect(third).toContainText("Expected: a program as Corridor saves it");
   await expect(second).toContainText('line 2, column 3Found: "?"Expected: # for a block');
-  await expectNoBarriers(page, "broken files");
+  await expectNoAxeViolations(page, "broken files");
   await page.keyboard.press("Escape");
   await expect(dialog).toBeHidden();
   await expect(corridor.program.name).toHaveValue("Example: right wall");
@@ -231,7 +231,7 @@ test("saves the program, and the maze as text", async ({ corridor }) => {
 test("saves a run and opens it again by dropping it", async ({ corridor, page, openWindow }) => {
   await corridor.speed.selectOption("max");
   await corridor.run.click();
-  await expect(corridor.story).toContainText("tick 2380");
+  await expect(corridor.runNote).toContainText("tick 2380");
   const download = await save(corridor, "Save run");
   expect(download.suggestedFilename()).toBe("long-way-round.run.json");
   const text = await readFile(await download.path(), "utf8");
@@ -253,7 +253,7 @@ test("saves a run and opens it again by dropping it", async ({ corridor, page, o
 test("saves a picture", async ({ corridor, page }) => {
   await corridor.speed.selectOption("max");
   await corridor.run.click();
-  await expect(corridor.story).toContainText("Goal reached");
+  await expect(corridor.runNote).toContainText("Goal reached");
   const light = await page.evaluate(() =>
     getComputedStyle(document.documentElement).getPropertyValue("--live-soft").trim(),
   );
@@ -267,7 +267,7 @@ test("saves a picture", async ({ corridor, page }) => {
   };
   let dialog = await openDialog();
   await expect(dialog.getByRole("img", { name: "Picture of “Long way round”" })).toBeVisible();
-  await expectNoBarriers(page, "picture");
+  await expectNoAxeViolations(page, "picture");
   const asPng = page.waitForEvent("download");
   await dialog.getByRole("button", { name: "Save as PNG" }).click();
   const png = await asPng;

@@ -1,9 +1,11 @@
-/** Scripts drive the robot in a page whose network lets no WebSocket through and keeps answers back. */
+/**
+ * Scripts drive the robot in a page whose network lets no WebSocket through and keeps answers back.
+ */
 import { encodeLink } from "@corridor/link";
 import { countOpenCells, generateTree } from "@corridor/maze";
 import { expect, test } from "./fixtures.ts";
-import { FrontDoor } from "./support/front-door.ts";
-import { exampleOf, runScript } from "./support/script.ts";
+import { RelayProxy } from "./support/relay-proxy.ts";
+import { exampleCommand, runScript } from "./support/script.ts";
 
 test("the right-wall follower drives a page that only plain HTTPS reaches", async ({
   browser,
@@ -13,7 +15,7 @@ test("the right-wall follower drives a page that only plain HTTPS reaches", asyn
   const maze = generateTree({ columns: 7, rows: 7, seed: 3, name: "Tree" });
   const link = encodeLink({ maze });
   if (!link.ok) throw new Error(link.code);
-  const door = await FrontDoor.open(relay);
+  const door = await RelayProxy.start(relay);
   // Not a watched window: the browser complains of the WebSocket that does not open.
   const context = await browser.newContext({ permissions: ["clipboard-read", "clipboard-write"] });
   const page = await context.newPage();
@@ -27,7 +29,7 @@ test("the right-wall follower drives a page that only plain HTTPS reaches", asyn
   expect(address).toContain(door.url);
   const cells = `${countOpenCells(maze)}`;
   const { code, output } = await runScript([
-    ...exampleOf("Python"),
+    ...exampleCommand("Python"),
     address,
     "--until-cells",
     cells,
@@ -36,5 +38,5 @@ test("the right-wall follower drives a page that only plain HTTPS reaches", asyn
   expect(code).toBe(0);
   expect(lines.some((path) => path.endsWith("/line/messages"))).toBe(true);
   await context.close();
-  await door.shut();
+  await door.close();
 });

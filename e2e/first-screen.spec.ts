@@ -1,6 +1,6 @@
 /**
- * What a first visit loads until the robot drives its first tick, as the relay sends it. The budget is
- * the product's promise to slow networks; what a reader may want later comes later.
+ * What a first visit loads until the robot drives its first tick, as the relay sends it. The budget
+ * is the product's promise to slow networks; what a reader may want later comes later.
  */
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
@@ -43,8 +43,8 @@ async function firstScreen(page: Page, relay: string): Promise<Loaded[]> {
 }
 
 /**
- * Leaves in `firstFiles` what was loaded at the first tick, with which the lines are marked as begun: what
- * comes after that, in the background, is not part of the first screen.
+ * Leaves in `firstFiles` what was loaded at the first tick, with which the lines are marked as
+ * begun: what comes after that, in the background, is not part of the first screen.
  */
 async function noteFilesUntilFirstTick(page: Page): Promise<void> {
   await page.addInitScript(() => {
@@ -109,7 +109,7 @@ test("sees the house in its colours and places before the page's script has come
   await expect(page.locator("header")).toHaveCSS("display", "flex");
   const before = await places();
   letGo();
-  await new CorridorPage(page).isReady();
+  await new CorridorPage(page).waitUntilReady();
   expect(before).toEqual(await places());
   expect(before.dot).toBe("rgb(239, 106, 26)");
 });

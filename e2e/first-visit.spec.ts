@@ -10,9 +10,9 @@ test("finds a robot in a maze, with a program that drives it", async ({ corridor
   await expect(corridor.driver("Program")).toBeChecked();
   await expect(corridor.program.name).toHaveValue("Example: right wall");
   await expect(corridor.program.lines).toHaveCount(2);
-  await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
+  await expect(corridor.robotPose).toHaveText("Robot at 50, 650, facing right");
   await expect(corridor.clock).toHaveText("Time 0:00.0");
-  await expect(corridor.story).toHaveText("Run starts the program. Step takes one decision.");
+  await expect(corridor.runNote).toHaveText("Run starts the program. Step takes one decision.");
   await corridor.maze.expectSquare(
     { column: 0, row: 6 },
     "open, start, facing right, robot here, facing right",
@@ -23,7 +23,7 @@ test("finds a robot in a maze, with a program that drives it", async ({ corridor
 test("runs it at 16 times the speed and is told that the goal is reached", async ({ corridor }) => {
   await corridor.speed.selectOption("16×");
   await corridor.run.click();
-  await expect(corridor.story).toHaveText(solved);
+  await expect(corridor.runNote).toHaveText(solved);
   await expect(corridor.run).toBeVisible();
   await expect(corridor.clock).toHaveText("Time 0:39.6");
   await expect(corridor.bumps).toHaveText("0 bumps");
@@ -32,28 +32,28 @@ test("runs it at 16 times the speed and is told that the goal is reached", async
 test("runs it as fast as the machine can, twice, with the very same end", async ({ corridor }) => {
   await corridor.speed.selectOption("max");
   await corridor.run.click();
-  await expect(corridor.story).toHaveText(solved);
+  await expect(corridor.runNote).toHaveText(solved);
   // The place is told a few times a second, and may come after the story.
-  await corridor.robotStands();
-  const place = await corridor.robotPlace.textContent();
+  await corridor.waitForRobotToStop();
+  const place = await corridor.robotPose.textContent();
   await corridor.reset.click();
   await expect(corridor.clock).toHaveText("Time 0:00.0");
-  await expect(corridor.story).not.toContainText("Goal");
+  await expect(corridor.runNote).not.toContainText("Goal");
   await corridor.run.click();
-  await expect(corridor.story).toHaveText(solved);
-  await expect(corridor.robotPlace).toHaveText(place ?? "");
+  await expect(corridor.runNote).toHaveText(solved);
+  await expect(corridor.robotPose).toHaveText(place ?? "");
 });
 
 test("pauses, and goes on from the same place", async ({ corridor }) => {
   await corridor.run.click();
-  await expect(corridor.robotPlace).not.toHaveText("Robot at 50, 650, facing right");
+  await expect(corridor.robotPose).not.toHaveText("Robot at 50, 650, facing right");
   await corridor.pause.click();
   await expect(corridor.run).toBeVisible();
-  await corridor.robotStands();
+  await corridor.waitForRobotToStop();
   await expect(corridor.bumps).toHaveText("0 bumps");
   await corridor.speed.selectOption("max");
   await corridor.run.click();
-  await expect(corridor.story).toHaveText(solved);
+  await expect(corridor.runNote).toHaveText(solved);
 });
 
 test("goes by ticks and decisions with Step, and puts the robot back with Reset", async ({
@@ -62,12 +62,12 @@ test("goes by ticks and decisions with Step, and puts the robot back with Reset"
   // 100 cm/s are 5/3 cm a tick: 51.67, 53.33, 55, then 60 after six ticks, a tenth of a second.
   for (const x of [52, 53, 55]) {
     await corridor.step.click({ modifiers: ["Shift"] });
-    await expect(corridor.robotPlace).toHaveText(`Robot at ${x}, 650, facing right`);
+    await expect(corridor.robotPose).toHaveText(`Robot at ${x}, 650, facing right`);
   }
   // A long press is the same for a finger.
   for (const x of [57, 58, 60]) {
     await corridor.step.click({ delay: 600 });
-    await expect(corridor.robotPlace).toHaveText(`Robot at ${x}, 650, facing right`);
+    await expect(corridor.robotPose).toHaveText(`Robot at ${x}, 650, facing right`);
   }
   await expect(corridor.clock).toHaveText("Time 0:00.1");
   // The next change of decision: the first wall ahead.
@@ -76,7 +76,7 @@ test("goes by ticks and decisions with Step, and puts the robot back with Reset"
   await expect(corridor.run).toBeVisible();
   await corridor.maze.click({ column: 5, row: 6 });
   await corridor.reset.click();
-  await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
+  await expect(corridor.robotPose).toHaveText("Robot at 50, 650, facing right");
   await expect(corridor.clock).toHaveText("Time 0:00.0");
   await expect(corridor.program.lines).toHaveCount(2);
   await corridor.maze.expectSquare({ column: 5, row: 6 }, "block");
@@ -86,7 +86,7 @@ test("takes a whole turn with one Step", async ({ corridor }) => {
   await corridor.program.condition(1).selectOption("front >");
   await corridor.program.action(1).selectOption("turn 180");
   await corridor.step.click();
-  await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing left");
+  await expect(corridor.robotPose).toHaveText("Robot at 50, 650, facing left");
   // 180 degrees at 150 degrees a second.
   await expect(corridor.clock).toHaveText("Time 0:01.2");
   await expect(corridor.run).toBeVisible();
@@ -196,7 +196,7 @@ const presets = [
 ];
 
 test("chooses every maze of the menu and solves those that have a goal", async ({ corridor }) => {
-  await corridor.program.makeOwn();
+  await corridor.program.nameAsOwn();
   await corridor.speed.selectOption("max");
   for (const { title, end } of presets) {
     await corridor.choosePreset(title);
@@ -205,7 +205,7 @@ test("chooses every maze of the menu and solves those that have a goal", async (
     await corridor.dismissMessages();
     if (end === null) continue;
     await corridor.run.click();
-    await expect(corridor.story).toContainText(end);
+    await expect(corridor.runNote).toContainText(end);
   }
 });
 

@@ -1,4 +1,7 @@
-/** What a mission fixes looks fixed: the tools of its maze, and the drive keys where no hand may drive. */
+/**
+ * What a mission fixes looks fixed: the tools of its maze, and the drive keys where no hand may
+ * drive.
+ */
 import type { BrowserContextOptions, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";

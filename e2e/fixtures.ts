@@ -1,28 +1,28 @@
 /**
- * What every journey starts with: the real relay that serves the built page, browser windows that
- * fail the test when the page reports an error, and the page as its user sees it.
+ * Fixtures of every test: the real relay that serves the built page, browser windows that fail the
+ * test when a page reports an error, and the page object of the main window.
  */
 import { test as base, type BrowserContext, type BrowserContextOptions } from "playwright/test";
 import { CorridorPage } from "./pages/corridor-page.ts";
-import { PageWatch } from "./support/page-watch.ts";
+import { PageErrors } from "./support/page-errors.ts";
 import { RelayProcess } from "./support/relay-process.ts";
 
 interface TestFixtures {
-  watch: PageWatch;
-  /** the page, opened by a reader who has never been here */
+  pageErrors: PageErrors;
+  /** the start page, opened by a first-time visitor */
   corridor: CorridorPage;
-  /** opens a window of another reader, or of the same one on another device */
+  /** opens a window in a new context: another user, or another device of the same user */
   openWindow: (options?: BrowserContextOptions) => Promise<CorridorPage>;
 }
 
 interface WorkerFixtures {
-  /** address of the relay, without a slash at its end */
+  /** address of the relay, without a trailing slash */
   relay: string;
 }
 
 export const test = base.extend<TestFixtures, WorkerFixtures>({
   relay: [
-    // oxlint-disable-next-line no-empty-pattern -- Playwright reads the names of what is needed here
+    // oxlint-disable-next-line no-empty-pattern -- Playwright reads the fixture names from this pattern
     async ({}, use) => {
       const relay = await RelayProcess.start();
       await use(relay.url);
@@ -33,14 +33,14 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
   baseURL: async ({ relay }, use) => {
     await use(relay);
   },
-  // oxlint-disable-next-line no-empty-pattern -- Playwright reads the names of what is needed here
-  watch: async ({}, use) => {
-    const watch = new PageWatch();
-    await use(watch);
-    base.expect(watch.complaints, "errors that the page reported").toEqual([]);
+  // oxlint-disable-next-line no-empty-pattern -- Playwright reads the fixture names from this pattern
+  pageErrors: async ({}, use) => {
+    const pageErrors = new PageErrors();
+    await use(pageErrors);
+    base.expect(pageErrors.messages, "errors that the page reported").toEqual([]);
   },
-  context: async ({ context, watch }, use) => {
-    await watch.watch(context);
+  context: async ({ context, pageErrors }, use) => {
+    await pageErrors.observe(context);
     await use(context);
   },
   corridor: async ({ page }, use) => {
@@ -48,12 +48,12 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
     await corridor.open();
     await use(corridor);
   },
-  openWindow: async ({ browser, watch }, use) => {
+  openWindow: async ({ browser, pageErrors }, use) => {
     const contexts: BrowserContext[] = [];
     await use(async (options) => {
       const context = await browser.newContext(options);
       contexts.push(context);
-      await watch.watch(context);
+      await pageErrors.observe(context);
       return new CorridorPage(await context.newPage());
     });
     for (const context of contexts) await context.close();

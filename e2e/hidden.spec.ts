@@ -1,4 +1,6 @@
-/** A hidden page keeps driving: Playwright keeps pages visible, so this drives Chromium by itself. */
+/**
+ * A hidden page keeps driving: Playwright keeps pages visible, so this drives Chromium by itself.
+ */
 import { expect, test } from "./fixtures.ts";
 import { RawChromium } from "./support/devtools.ts";
 
@@ -10,9 +12,9 @@ test("a remotely driven robot keeps moving while its page is hidden", async ({ r
   const browser = await RawChromium.start();
   try {
     const page = await browser.open(`${relay}/`);
-    await page.until(`document.querySelector('input[value="remote"]') !== null`);
+    await page.waitFor(`document.querySelector('input[value="remote"]') !== null`);
     await page.evaluate(`document.querySelector('input[value="remote"]').click()`);
-    const text = await page.until(`sessionStorage.getItem("corridor.remote")`);
+    const text = await page.waitFor(`sessionStorage.getItem("corridor.remote")`);
     const { id, driverKey } = JSON.parse(String(text));
     const robot = `${relay}/api/v1/robots/${id}`;
     const headers = { authorization: `Bearer ${driverKey}`, "content-type": "application/json" };
@@ -26,7 +28,7 @@ test("a remotely driven robot keeps moving while its page is hidden", async ({ r
       ).json();
 
     await browser.open("about:blank");
-    await page.until(`document.visibilityState === "hidden"`);
+    await page.waitFor(`document.visibilityState === "hidden"`);
     const hiddenAt = performance.now();
     const before = await ask("/sensors?wait=10");
     // Back and forth, so that there is room for as long as it takes.
@@ -59,31 +61,31 @@ test("a page that was hidden while the robot drove shows where it is, as soon as
   try {
     const page = await browser.open(`${relay}/`);
     const place = `[...document.querySelectorAll("span")].find((each) => /^Robot at/.test(each.textContent))?.textContent`;
-    await page.until(place);
-    await page.until("document.querySelector('canvas') !== null");
+    await page.waitFor(place);
+    await page.waitFor("document.querySelector('canvas') !== null");
     await page.evaluate(
       `[...document.querySelectorAll("button")].find((each) => each.textContent.trim() === "Run").click()`,
     );
     await browser.open("about:blank");
-    await page.until(`document.visibilityState === "hidden"`);
+    await page.waitFor(`document.visibilityState === "hidden"`);
     const from = await page.evaluate(place);
-    await page.until(`${place} !== ${JSON.stringify(from)}`);
+    await page.waitFor(`${place} !== ${JSON.stringify(from)}`);
     await page.evaluate(
       `[...document.querySelectorAll("button")].find((each) => each.textContent.trim() === "Pause").click()`,
     );
-    await page.show();
-    await page.until(`document.visibilityState === "visible"`);
+    await page.bringToFront();
+    await page.waitFor(`document.visibilityState === "visible"`);
     await page.evaluate("new Promise((done) => setTimeout(done, 500))");
     const box = await page.evaluate(
       "(({ x, y, width, height }) => ({ x, y, width, height }))(document.querySelector('canvas').getBoundingClientRect())",
     );
-    const shown = await page.picture(box);
+    const shown = await page.screenshot(box);
     // What a page that was never away paints of the same moment: every layer anew.
     await page.evaluate(`document.documentElement.dataset.theme = "dark"`);
     await page.evaluate("new Promise((done) => setTimeout(done, 300))");
     await page.evaluate(`document.documentElement.dataset.theme = "light"`);
     await page.evaluate("new Promise((done) => setTimeout(done, 500))");
-    expect((await page.picture(box)) === shown).toBe(true);
+    expect((await page.screenshot(box)) === shown).toBe(true);
   } finally {
     await browser.close();
   }

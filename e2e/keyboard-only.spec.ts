@@ -1,14 +1,14 @@
 /** The whole loop without a mouse: every step is a key, and the focus is never lost. */
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
-import { Keys } from "./support/keys.ts";
+import { KeyboardUser } from "./support/keyboard-user.ts";
 
 test("builds, programs, runs, bumps, mends, goes back in time, solves and shares by keys alone", async ({
   corridor,
   page,
 }) => {
   test.slow();
-  const keys = new Keys(page);
+  const keys = new KeyboardUser(page);
   const { maze, program, timeline } = corridor;
 
   // A maze: an empty one, a row of blocks, another start, another goal.
@@ -18,7 +18,7 @@ test("builds, programs, runs, bumps, mends, goes back in time, solves and shares
   await expect(corridor.dialog("Presets")).toBeHidden();
   await keys.expectFocus();
 
-  await keys.goTo(maze.cursor);
+  await keys.tabTo(maze.cursor);
   await keys.key("Control+Home");
   await expect(maze.cursor).toHaveAccessibleName(/^row 1, column 1/);
   await keys.key("ArrowDown", "ArrowDown");
@@ -27,17 +27,17 @@ test("builds, programs, runs, bumps, mends, goes back in time, solves and shares
   await keys.key("ArrowLeft");
   await expect(maze.cursor).toHaveAccessibleName("row 3, column 4, block");
 
-  await keys.goTo(page.getByRole("group", { name: "Tool" }).getByRole("radio", { checked: true }));
+  await keys.tabTo(page.getByRole("group", { name: "Tool" }).getByRole("radio", { checked: true }));
   await keys.key("ArrowRight");
   await expect(maze.tool("Start")).toBeChecked();
-  await keys.goTo(maze.cursor);
+  await keys.tabTo(maze.cursor);
   await keys.key("Control+Home", "ArrowDown", "Enter");
   await expect(maze.cursor).toHaveAccessibleName(/^row 2, column 1, open, start, facing right/);
 
-  await keys.goTo(page.getByRole("group", { name: "Tool" }).getByRole("radio", { checked: true }));
+  await keys.tabTo(page.getByRole("group", { name: "Tool" }).getByRole("radio", { checked: true }));
   await keys.key("ArrowRight");
   await expect(maze.tool("Goal")).toBeChecked();
-  await keys.goTo(maze.cursor);
+  await keys.tabTo(maze.cursor);
   await keys.key("End", "PageUp", "Enter");
   await expect(maze.cursor).toHaveAccessibleName(/goal$/);
 
@@ -54,19 +54,19 @@ test("builds, programs, runs, bumps, mends, goes back in time, solves and shares
   // It bumps; the card says why and mends it.
   const card = corridor.bumpCard(1);
   await expect(card).toBeVisible({ timeout: 30_000 });
-  await keys.goTo(card.getByRole("button", { name: /^Change/ }).first());
+  await keys.tabTo(card.getByRole("button", { name: /^Change/ }).first());
   await expect(card).toContainText("It drives on first and needs 75 cm");
   await keys.key("Enter");
   await expect(card).toBeHidden();
   await expect(program.action(1)).toHaveValue("left 90");
 
   // Back on the timeline to before the bump, and on from there.
-  await keys.goTo(timeline.slider);
+  await keys.tabTo(timeline.slider);
   await keys.key("ArrowLeft");
-  await expect(timeline.inThePast).toBeVisible();
+  await expect(timeline.pastLabel).toBeVisible();
   await expect(corridor.bumps).toHaveText("0 bumps");
   await keys.press(timeline.runFromHere);
-  await expect(timeline.inThePast).toBeHidden();
+  await expect(timeline.pastLabel).toBeHidden();
   const solved = page.getByRole("region", { name: "Solved!" });
   await expect(solved).toBeVisible({ timeout: 30_000 });
   await keys.expectFocus();
@@ -86,7 +86,7 @@ test("builds, programs, runs, bumps, mends, goes back in time, solves and shares
 
 test("opens a mission and solves it by keys alone", async ({ corridor, page }) => {
   test.slow();
-  const keys = new Keys(page);
+  const keys = new KeyboardUser(page);
   const lessons = new LessonsPanel(page);
   await keys.press(page.getByRole("banner").getByRole("button", { name: "Lessons" }));
   await keys.press(lessons.path.getByRole("button", { name: /^3\. / }));
@@ -109,35 +109,35 @@ test("opens a mission and solves it by keys alone", async ({ corridor, page }) =
 
 test("keeps the focus where something goes or is switched off", async ({ corridor, page }) => {
   test.slow();
-  const keys = new Keys(page);
+  const keys = new KeyboardUser(page);
   const { timeline } = corridor;
   // The invitation that is sent away.
   await keys.press(page.getByRole("button", { name: "Not now" }));
-  await keys.expectFocusSeen();
+  await keys.expectFocusVisible();
   // Undo, after which there is nothing left to undo.
-  await keys.goTo(corridor.maze.cursor);
+  await keys.tabTo(corridor.maze.cursor);
   await keys.key("ArrowRight", "Space");
   await keys.press(corridor.maze.button("Undo"));
   await expect(corridor.maze.button("Undo")).toBeDisabled();
-  await keys.expectFocusSeen();
+  await keys.expectFocusVisible();
   // A message that is dismissed.
-  await keys.goTo(corridor.program.line(2));
+  await keys.tabTo(corridor.program.line(2));
   await keys.key("Delete");
   await keys.press(corridor.messages.getByRole("button", { name: "Dismiss" }));
-  await keys.expectFocusSeen();
+  await keys.expectFocusVisible();
   // Back to now, which goes with the past.
   await keys.press(corridor.step);
   await expect(corridor.run).toBeVisible();
-  await keys.press(timeline.oneBack);
+  await keys.press(timeline.previousDecision);
   await keys.press(timeline.backToNow);
   await expect(timeline.backToNow).toBeHidden();
-  await keys.expectFocusSeen();
+  await keys.expectFocusVisible();
   await expect(corridor.transport.locator(":focus")).toHaveCount(1);
 });
 
 test("stays in a dialog with Tab, and comes back to its button", async ({ corridor, page }) => {
   test.slow();
-  const keys = new Keys(page);
+  const keys = new KeyboardUser(page);
   for (const [button, title] of [
     [corridor.share, "Share this maze"],
     [page.getByRole("button", { name: "Keyboard shortcuts" }), "Keyboard shortcuts"],
@@ -167,7 +167,7 @@ test("closes what is open with Escape, and stops the robot with it otherwise", a
   corridor,
   page,
 }) => {
-  const keys = new Keys(page);
+  const keys = new KeyboardUser(page);
   await keys.press(corridor.run);
   await expect(corridor.pause).toBeVisible();
   await keys.key("Shift+?");

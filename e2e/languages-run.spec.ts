@@ -1,13 +1,14 @@
 /**
- * Every language has room in what comes while someone works: a mission with its hints, the cards of a bump
- * and of a solved maze, the past, the tape measure and the dialogs of files. And in a language that runs
- * right-to-left, what is a comparison, an address or a number still reads as one.
+ * Every language has room in what comes while someone works: a mission with its hints, the cards of
+ * a bump and of a solved maze, the past, the tape measure and the dialogs of files. And in a
+ * language that runs right-to-left, what is a comparison, an address or a number still reads as
+ * one.
  */
 import type { Locator } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
-import { atRest } from "./support/at-rest.ts";
-import { unreadable } from "./support/layout.ts";
-import { languageTags, Words } from "./support/words.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
+import { unreadableTexts } from "./support/layout.ts";
+import { languageTags, Texts } from "./support/texts.ts";
 
 const sizes = [
   { width: 320, height: 640 },
@@ -27,11 +28,11 @@ for (const tag of languageTags()) {
         serviceWorkers: "block",
         reducedMotion: "reduce",
       });
-      const words = Words.of(tag);
+      const words = Texts.load(tag);
       const faults: string[] = [];
       const look = async (state: string, root = "body"): Promise<void> => {
-        await atRest(page);
-        faults.push(...(await unreadable(page, root)).map((fault) => `${state}: ${fault}`));
+        await waitForAnimations(page);
+        faults.push(...(await unreadableTexts(page, root)).map((fault) => `${state}: ${fault}`));
       };
       const button = (path: string, values = {}): Locator =>
         page.getByRole("button", { name: words.t(path, values), exact: true });
@@ -114,7 +115,7 @@ for (const { tag, dir } of [
     openWindow,
   }) => {
     const { page } = await openWindow();
-    const words = Words.of(tag);
+    const words = Texts.load(tag);
     await page.goto(`/?lang=${tag}`);
     const [left, right] = ["left", "right"].map((side) => words.t(`program.sensor.${side}`));
     const condition = page.getByRole("combobox", {

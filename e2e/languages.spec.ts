@@ -1,13 +1,20 @@
-/** Every language has room: nothing is cut off or runs over, on the smallest phone and on a desktop. */
+/**
+ * Every language has room: nothing is cut off or runs over, on the smallest phone and on a desktop.
+ */
 import { expect, test } from "./fixtures.ts";
-import { atRest } from "./support/at-rest.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
-import { unreadable } from "./support/layout.ts";
-import { languageTags, Words } from "./support/words.ts";
+import { unreadableTexts } from "./support/layout.ts";
+import { languageTags, Texts } from "./support/texts.ts";
 
 const languages = [
-  { name: "a language 40 % longer than English", tag: "de", words: Words.longest(), isMade: true },
-  ...languageTags().map((tag) => ({ name: tag, tag, words: Words.of(tag), isMade: false })),
+  {
+    name: "a language 40 % longer than English",
+    tag: "de",
+    words: Texts.pseudolocale(),
+    isMade: true,
+  },
+  ...languageTags().map((tag) => ({ name: tag, tag, words: Texts.load(tag), isMade: false })),
 ];
 
 const sizes = [
@@ -38,8 +45,8 @@ for (const { name, tag, words, isMade } of languages) {
       await expect(page.getByRole("grid")).toBeVisible();
       const faults: string[] = [];
       const look = async (state: string): Promise<void> => {
-        await atRest(page);
-        faults.push(...(await unreadable(page)).map((fault) => `${state}: ${fault}`));
+        await waitForAnimations(page);
+        faults.push(...(await unreadableTexts(page)).map((fault) => `${state}: ${fault}`));
       };
       const floating = page.locator("dialog[open], :popover-open");
       const button = (path: string, values = {}) =>
@@ -92,8 +99,8 @@ for (const { name, tag, words, isMade } of languages) {
   }
 }
 
-const german = Words.of("de");
-const english = Words.of("en");
+const german = Texts.load("de");
+const english = Texts.load("en");
 
 test("follows the address into German, keeps it in a shared link, and goes to English without a reload", async ({
   openWindow,
@@ -181,7 +188,7 @@ for (const { fault, html } of [
 ]) {
   test(`notices what cannot be read: ${fault}`, async ({ page }) => {
     await page.setContent(`<meta charset="utf-8" /><p>fine</p>${html}`);
-    expect(await unreadable(page)).toEqual([expect.stringContaining(fault)]);
+    expect(await unreadableTexts(page)).toEqual([expect.stringContaining(fault)]);
   });
 }
 
@@ -194,7 +201,7 @@ test("finds the page mirrored in Arabic, and the maze and the robot's sides as t
   await arabic.page.goto("/?lang=ar");
   await expect(arabic.page.getByRole("grid")).toBeVisible();
   await expect(arabic.page.locator("html")).toHaveAttribute("dir", "rtl");
-  await expect(arabic.page).toHaveTitle(Words.of("ar").t("language.pageTitle"));
+  await expect(arabic.page).toHaveTitle(Texts.load("ar").t("language.pageTitle"));
 
   const middle = async ({ page }: CorridorPage, selector: string): Promise<number> => {
     const box = await page.locator(selector).first().boundingBox();

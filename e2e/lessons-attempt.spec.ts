@@ -1,7 +1,7 @@
 /** An attempt at a mission: what may be changed, when it is met, and what is said until then. */
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
-import { atRest } from "./support/at-rest.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
 
 test("is told what failed, with the number, while the robot drives", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
@@ -62,10 +62,10 @@ test("is offered no Run in a mission for the hand, and drives with a key after R
   await expect(corridor.run).toBeDisabled();
   await corridor.reset.click();
   await expect(corridor.clock).toHaveText("Time 0:00.0");
-  const start = await corridor.robotPlace.textContent();
+  const start = await corridor.robotPose.textContent();
   await page.keyboard.press("w", { delay: 120 });
   await expect(corridor.driver("Me")).toBeChecked();
-  await expect(corridor.robotPlace).not.toHaveText(start ?? "");
+  await expect(corridor.robotPose).not.toHaveText(start ?? "");
 });
 
 test("is told that a mission for the program leaves nothing to the hand", async ({
@@ -74,10 +74,10 @@ test("is told that a mission for the program leaves nothing to the hand", async 
 }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(3);
-  const start = await corridor.robotPlace.textContent();
+  const start = await corridor.robotPose.textContent();
   await page.keyboard.press("w", { delay: 120 });
   await expect(corridor.messages).toContainText("You cannot drive by hand in this mission.");
-  await expect(corridor.robotPlace).toHaveText(start ?? "");
+  await expect(corridor.robotPose).toHaveText(start ?? "");
   await expect(corridor.driver("Program")).toBeChecked();
 });
 
@@ -88,8 +88,8 @@ test("sees the robot beside the card of a mission at 1024 x 768", async ({ openW
   const lessons = new LessonsPanel(page);
   const card = page.getByRole("region", { name: "Solved!" });
   const overlap = async (): Promise<number> => {
-    await atRest(page);
-    const place = (await corridor.robotPlace.textContent()) ?? "";
+    await waitForAnimations(page);
+    const place = (await corridor.robotPose.textContent()) ?? "";
     const [x = 0, y = 0] = place.match(/\d+/g)?.map(Number) ?? [];
     const robot = await corridor.maze.robotBox(x, y);
     const box = await card.boundingBox();
@@ -211,8 +211,8 @@ test("hears nothing of a mission that is no longer open", async ({ corridor, pag
   await lessons.button(/^Check in (all|both)/).click();
   await expect(lessons.outcome).not.toBeEmpty();
   const told = (await lessons.outcome.textContent()) ?? "";
-  await expect(corridor.spoken).toHaveText(told);
+  await expect(corridor.announcement).toHaveText(told);
   await lessons.button("Back to my maze").click();
   await expect(lessons.card).toBeHidden();
-  await expect(corridor.spoken).not.toContainText(told);
+  await expect(corridor.announcement).not.toContainText(told);
 });

@@ -1,8 +1,11 @@
-/** What a student reads after the typical wrong answer to a mission: what went wrong, where, what to try. */
+/**
+ * What a student reads after the typical wrong answer to a mission: what went wrong, where, what to
+ * try.
+ */
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
-import { atRest } from "./support/at-rest.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
 
 interface WrongAnswer {
   mission: number;
@@ -155,9 +158,9 @@ for (const { mission, make, goal } of [
     await corridor.run.click();
     const card = page.getByRole("region", { name: /^Bump: / });
     await expect(card).toBeVisible();
-    await atRest(page);
+    await waitForAnimations(page);
     const shown = await card.evaluate((element) => element.getBoundingClientRect().toJSON());
-    const place = (await corridor.robotPlace.textContent()) ?? "";
+    const place = (await corridor.robotPose.textContent()) ?? "";
     const [x = 0, y = 0] = (place.match(/\d+/g) ?? []).map(Number);
     for (const box of [await maze.squareBox(goal), await maze.robotBox(x, y)]) {
       const isApart =

@@ -1,4 +1,6 @@
-/** What is kept of the lessons: what is done, in every tab, and the own maze that waits meanwhile. */
+/**
+ * What is kept of the lessons: what is done, in every tab, and the own maze that waits meanwhile.
+ */
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
@@ -37,7 +39,7 @@ test("comes back to a mission of the hand and drives on by the keyboard", async 
   await other.mazeMenu.click();
   await other.page.getByRole("button", { name: /^New empty maze/ }).click();
   await expect(other.driver("Me")).toBeChecked();
-  await other.letDrive("Program");
+  await other.selectDriver("Program");
   await other.mazeMenu.click();
   await other.page
     .getByRole("button", { name: /How far is the wall/ })

@@ -1,15 +1,16 @@
 /** A new student, who reads nothing but what stands on the stage and in the panel. */
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
-import { expectNoBarriers } from "./support/axe.ts";
-import { stickingOut } from "./support/layout.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { horizontalOverflow } from "./support/layout.ts";
 
 test("a new student solves the first mission within a minute of the first visit", async ({
   corridor,
   page,
 }) => {
   const lessons = new LessonsPanel(page);
-  // Two actions: one press on what is offered, and one key held. The robot needs 4 s of simulated time.
+  // Two actions: one press on what is offered, and one key held. The robot needs 4 s of simulated
+  // time.
   await lessons.invitation.getByRole("button", { name: "Start with mission 1" }).click();
   await lessons.expectMission(1);
   await expect(corridor.driver("Me")).toBeChecked();
@@ -33,7 +34,7 @@ test("rests where the mission is solved while the key is held, and drives on by 
   await expect(lessons.outcome).toHaveText(/^Challenge solved after/);
   // As a keyboard repeats what is held.
   await page.keyboard.down("w");
-  await corridor.robotStands();
+  await corridor.waitForRobotToStop();
   const goal = await corridor.robotX();
   expect(Math.abs(goal - 525)).toBeLessThanOrEqual(2);
   await page.keyboard.up("w");
@@ -116,13 +117,13 @@ test("meets no barrier in the path, in a mission and in its verdict", async ({
 }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openPath();
-  await expectNoBarriers(page, "path of missions");
+  await expectNoAxeViolations(page, "path of missions");
   await page.keyboard.press("Escape");
   await lessons.openMission(12);
   await lessons.button("Show a hint").click();
   await lessons.button("Check in all 3 mazes").click();
   await expect(lessons.card).toContainText("Works in 1 of 3 mazes.");
-  await expectNoBarriers(page, "a mission that does not pass yet");
+  await expectNoAxeViolations(page, "a mission that does not pass yet");
   await corridor.dismissMessages();
 });
 
@@ -131,15 +132,15 @@ test("finds nothing beyond the edges in a mission at 320 x 700", async ({ openWi
   await corridor.open();
   const { page } = corridor;
   const lessons = new LessonsPanel(page);
-  expect(await stickingOut(page), "invitation").toEqual([]);
+  expect(await horizontalOverflow(page), "invitation").toEqual([]);
   await page.getByRole("banner").getByRole("button", { name: "More" }).click();
   await page.getByRole("dialog", { name: "More" }).getByRole("button", { name: "Lessons" }).click();
   await expect(lessons.path).toBeVisible();
-  expect(await stickingOut(page), "path").toEqual([]);
+  expect(await horizontalOverflow(page), "path").toEqual([]);
   await lessons.path.getByRole("button", { name: /^12\. / }).click();
   await lessons.button("Check in all 3 mazes").click();
   await expect(lessons.card).toContainText("Works in 1 of 3 mazes.");
-  expect(await stickingOut(page), "mission").toEqual([]);
+  expect(await horizontalOverflow(page), "mission").toEqual([]);
   await page.getByRole("tab", { name: "Drive" }).click();
-  expect(await stickingOut(page), "slim").toEqual([]);
+  expect(await horizontalOverflow(page), "slim").toEqual([]);
 });

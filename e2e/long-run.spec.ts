@@ -1,4 +1,6 @@
-/** The link of a run that takes half a minute to open leaves the page alive, and can be declined. */
+/**
+ * The link of a run that takes half a minute to open leaves the page alive, and can be declined.
+ */
 import { expect, test } from "./fixtures.ts";
 
 /** A run of a day, in as many characters as it takes. */
@@ -23,12 +25,12 @@ test("opens the link of a run of a day, drives meanwhile, and declines it", asyn
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
 });
 
-test("keeps the page where the simulator does not come", async ({ openWindow, watch }) => {
+test("keeps the page where the simulator does not come", async ({ openWindow, pageErrors }) => {
   const corridor = await openWindow();
   await corridor.page.route(/simulator\.worker/, (route) => route.abort());
   await corridor.page.goto(day);
   await expect(corridor.run).toBeVisible();
   await expect(corridor.page.getByRole("alert").first()).toContainText("simulator");
-  // The browser tells of the file that is missing.
-  watch.complaints.splice(0);
+  // The browser logs an error for the missing file.
+  pageErrors.messages.splice(0);
 });

@@ -45,7 +45,7 @@ test("is told why the squares of the robot and the start cannot be filled", asyn
   const { maze } = corridor;
   await corridor.speed.selectOption("max");
   await corridor.run.click();
-  await expect(corridor.story).toContainText("Goal reached");
+  await expect(corridor.runNote).toContainText("Goal reached");
   await maze.click({ column: 10, row: 0 });
   await expect(
     corridor.message("The robot is on this square. Drive it away or press Reset first."),
@@ -61,10 +61,10 @@ test("moves the start, turns it, and sets and takes away goals", async ({ corrid
   await maze.tool("Start").check();
   await maze.click({ column: 2, row: 6 });
   await corridor.reset.click();
-  await expect(corridor.robotPlace).toHaveText("Robot at 250, 650, facing right");
+  await expect(corridor.robotPose).toHaveText("Robot at 250, 650, facing right");
   await maze.click({ column: 2, row: 6 });
   await corridor.reset.click();
-  await expect(corridor.robotPlace).toHaveText("Robot at 250, 650, facing down");
+  await expect(corridor.robotPose).toHaveText("Robot at 250, 650, facing down");
   await maze.expectSquare(
     { column: 2, row: 6 },
     "open, start, facing down, robot here, facing down",
@@ -95,7 +95,7 @@ test("clears the maze once it has said yes, and can take that back", async ({ co
   await expect(maze.button("Clear maze")).toBeFocused();
   await maze.expectSquare(filled, "open");
   await maze.expectSquare({ column: 10, row: 0 }, "open, goal");
-  await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
+  await expect(corridor.robotPose).toHaveText("Robot at 50, 650, facing right");
   await maze.button("Undo").click();
   await maze.expectSquare(filled, "block");
 });

@@ -50,7 +50,7 @@ test("reloads in the middle of a run, and finds the edits that were made while i
   corridor,
 }) => {
   await corridor.run.click();
-  await expect(corridor.robotPlace).not.toHaveText("Robot at 50, 650, facing right");
+  await expect(corridor.robotPose).not.toHaveText("Robot at 50, 650, facing right");
   await corridor.maze.click({ column: 10, row: 6 });
   await corridor.program.number(1).fill("75");
   await expect(corridor.pause).toBeVisible();

@@ -2,7 +2,7 @@
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
-import { FrontDoor, NEWER_MARK } from "./support/front-door.ts";
+import { RelayProxy, NEWER_BUILD } from "./support/relay-proxy.ts";
 import { RelayProcess } from "./support/relay-process.ts";
 
 test.use({ serviceWorkers: "allow" });
@@ -34,16 +34,16 @@ test("visits once, loses the network, and drives, programs, builds and shares al
 
   await corridor.speed.selectOption("max");
   await corridor.run.click();
-  await expect(corridor.story).toContainText("Goal reached after 39.6 s");
+  await expect(corridor.runNote).toContainText("Goal reached after 39.6 s");
 
-  await corridor.letDrive("Me");
+  await corridor.selectDriver("Me");
   await corridor.reset.click();
-  await expect(corridor.robotPlace).toHaveText(/^Robot at 50, 650/);
+  await expect(corridor.robotPose).toHaveText(/^Robot at 50, 650/);
   await page.keyboard.down("w");
   await expect.poll(() => corridor.robotX()).toBeGreaterThan(100);
   await page.keyboard.up("w");
 
-  await corridor.letDrive("Program");
+  await corridor.selectDriver("Program");
   await corridor.program.number(1).fill("75");
   await corridor.choosePreset("Spiral");
   await corridor.dismissMessages();
@@ -65,7 +65,7 @@ test("visits once, loses the network, and drives, programs, builds and shares al
   await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
   await expect(corridor.program.number(1)).toHaveValue("75");
 
-  await corridor.letDrive("Remote");
+  await corridor.selectDriver("Remote");
   await expect(page.getByRole("region", { name: "Remote" })).toContainText(OFFLINE);
   await context.close();
 });
@@ -77,12 +77,12 @@ test("goes on with Remote by itself when the network is back", async ({ browser,
   await corridor.open();
   await isKept(page);
   await context.setOffline(true);
-  await corridor.letDrive("Remote");
+  await corridor.selectDriver("Remote");
   const remote = page.getByRole("region", { name: "Remote" });
   await expect(remote).toContainText(OFFLINE);
   await context.setOffline(false);
   await expect(remote).not.toContainText(OFFLINE);
-  await expect(corridor.connection).toHaveText("Waiting for a script");
+  await expect(corridor.connectionStatus).toHaveText("Waiting for a script");
   await context.close();
 });
 
@@ -90,14 +90,14 @@ test("is offered a newer version, keeps the unsaved edit and the run, and takes 
   browser,
   relay,
 }) => {
-  const door = await FrontDoor.open(relay);
+  const door = await RelayProxy.start(relay);
   const context = await browser.newContext({ baseURL: door.url, serviceWorkers: "allow" });
   const page = await context.newPage();
   const corridor = new CorridorPage(page);
   await corridor.open();
   await isKept(page);
   await corridor.run.click();
-  door.showNewerBuild();
+  door.serveNewerBuild();
   await page.evaluate(async () => (await navigator.serviceWorker.ready).update());
   const offer = corridor.message("A new version of Corridor is ready.");
   await expect(offer).toBeVisible();
@@ -115,16 +115,16 @@ test("is offered a newer version, keeps the unsaved edit and the run, and takes 
     page.waitForEvent("load"),
     corridor.messages.getByRole("button", { name: "Reload" }).click(),
   ]);
-  await corridor.isReady();
-  await expect(page.locator("html")).toHaveAttribute("data-build", NEWER_MARK);
+  await corridor.waitUntilReady();
+  await expect(page.locator("html")).toHaveAttribute("data-build", NEWER_BUILD);
   await expect(corridor.program.name).toHaveValue("Edited a moment ago");
   await expect(offer).toBeHidden();
   await context.close();
-  await door.shut();
+  await door.close();
 });
 
 test("goes on in one tab while another takes the newer version", async ({ browser, relay }) => {
-  const door = await FrontDoor.open(relay);
+  const door = await RelayProxy.start(relay);
   const context = await browser.newContext({ baseURL: door.url, serviceWorkers: "allow" });
   const one = new CorridorPage(await context.newPage());
   await one.open();
@@ -132,18 +132,18 @@ test("goes on in one tab while another takes the newer version", async ({ browse
   const two = new CorridorPage(await context.newPage());
   await two.open();
   await two.run.click();
-  door.showNewerBuild();
+  door.serveNewerBuild();
   await one.page.evaluate(async () => (await navigator.serviceWorker.ready).update());
   // Two takes part in updates once it has had the time to start its own end of them.
   await expect(two.message("A new version of Corridor is ready.")).toBeVisible();
   await one.messages.getByRole("button", { name: "Reload" }).click();
-  await expect(one.page.locator("html")).toHaveAttribute("data-build", NEWER_MARK);
+  await expect(one.page.locator("html")).toHaveAttribute("data-build", NEWER_BUILD);
   await expect(two.message("A new version of Corridor is ready.")).toBeVisible();
   await expect(two.page.locator("html")).not.toHaveAttribute("data-build");
   await two.share.click();
   await expect(two.dialog("Share this maze")).toBeVisible();
   await context.close();
-  await door.shut();
+  await door.close();
 });
 
 test("leaves the relay's own addresses to the relay", async ({ browser, relay }) => {

@@ -1,6 +1,6 @@
 /**
- * Wrong answers to each mission with a program: wherever the page says why the run failed, it says the same
- * line, the same time and the same sentence.
+ * Wrong answers to each mission with a program: wherever the page says why the run failed, it says
+ * the same line, the same time and the same sentence.
  */
 import { encodeLink } from "@corridor/link";
 import type { ProgramDocument } from "@corridor/program";
@@ -198,7 +198,7 @@ test("a script that collides or reaches the goal gets the cards of a program", a
   await expect(solved).toContainText("Your script takes the robot from start to goal.");
   // The goal was reached before the whole way was driven; waiting counts apart.
   await expect(solved).toContainText(/driving time1\.\d s.*waiting time\d+\.\d s/);
-  await expect(corridor.driving).toHaveText("Time 0:02.0 driving");
+  await expect(corridor.drivingTime).toHaveText("Time 0:02.0 driving");
   await api(address, "/commands", { action: "move", distance: 5000 });
   await api(address, "/commands/2?wait=20");
   const bump = page.getByRole("region", { name: "Bump" });
@@ -219,7 +219,7 @@ for (const speed of ["1×", "16×"]) {
   }) => {
     const { program } = corridor;
     await corridor.choosePreset("Empty");
-    await program.empty();
+    await program.deleteAllLines();
     await program.addLine("front >", "60", "forward");
     await program.addLine("front <", "61", "turn 180");
     await corridor.speed.selectOption(speed);
@@ -255,7 +255,10 @@ function corridorOfFive(): string {
   return link.text;
 }
 
-/** Looks at each frame of two seconds. @returns frames that differ, and those in which line and panel do */
+/**
+ * Looks at each frame of two seconds. @returns frames that differ, and those in which line and
+ * panel do
+ */
 async function readFrames([line, panel]: readonly [Node | null, Node | null]) {
   const apart: string[] = [];
   let [frames, last] = [0, ""];
@@ -337,7 +340,7 @@ async function expectOneVerdict(corridor: CorridorPage, lessons: LessonsPanel): 
 }
 
 async function storyOf(corridor: CorridorPage): Promise<string> {
-  return (await corridor.story.textContent()) ?? "";
+  return (await corridor.runNote.textContent()) ?? "";
 }
 
 function programOf({ otherwise, lines }: Answer): Pick<ProgramDocument, "default" | "rules"> {
@@ -354,7 +357,9 @@ function ruleOf(line: string): ProgramDocument["rules"][number] {
   return { when, do: action } as ProgramDocument["rules"][number];
 }
 
-/** Puts an answer in the place of the attempt, as if it had been written here; seen after a reload. */
+/**
+ * Puts an answer in the place of the attempt, as if it had been written here; seen after a reload.
+ */
 async function answerWith(page: Page, mission: string, answer: Answer): Promise<void> {
   const attempt = JSON.stringify({ mission, program: programOf(answer) });
   await page.evaluate((text) => sessionStorage.setItem("attempt", text), attempt);

@@ -1,4 +1,7 @@
-/** Before the page stands: what cannot be loaded is told, and no other work shows than the one asked for. */
+/**
+ * Before the page stands: what cannot be loaded is told, and no other work shows than the one asked
+ * for.
+ */
 import { encodeLink } from "@corridor/link";
 import { generateTree } from "@corridor/maze";
 import type { Page } from "playwright/test";
@@ -55,7 +58,9 @@ test("visits in Arabic for the first time, and the house stands the right way ro
   expect(await places()).toEqual(before);
 });
 
-/** Makes a work of one's own, and notes from then on whether its name is ever on a page that opens. */
+/**
+ * Makes a work of one's own, and notes from then on whether its name is ever on a page that opens.
+ */
 async function makeOwnWork(corridor: CorridorPage): Promise<void> {
   await corridor.choosePreset("Comb");
   await corridor.program.name.fill("Mine alone");

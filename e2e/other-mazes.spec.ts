@@ -1,8 +1,8 @@
 /** "Try it in other mazes": does the program work elsewhere, and where does it fail? */
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
-import { expectNoBarriers } from "./support/axe.ts";
-import { stickingOut, tooSmallToTouch } from "./support/layout.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
 
 const title = "Try it in other mazes";
 
@@ -118,7 +118,7 @@ test("has no barriers, in either theme", async ({ corridor, page }) => {
   await program.number(2).fill("20");
   const dialog = await tryOthers(corridor);
   await expect(dialog.getByText(/^Works in \d+ of 100 mazes\.$/).first()).toBeVisible();
-  await expectNoBarriers(page, "other mazes");
+  await expectNoAxeViolations(page, "other mazes");
 });
 
 for (const width of [390, 320]) {
@@ -132,7 +132,7 @@ for (const width of [390, 320]) {
     await phone.page.getByRole("tab", { name: "Program" }).tap();
     const dialog = await tryOthers(phone);
     await expect(dialog.getByText("Works in 100 of 100 mazes.").first()).toBeVisible();
-    expect(await stickingOut(phone.page)).toEqual([]);
-    expect(await tooSmallToTouch(phone.page)).toEqual([]);
+    expect(await horizontalOverflow(phone.page)).toEqual([]);
+    expect(await smallTouchTargets(phone.page)).toEqual([]);
   });
 }

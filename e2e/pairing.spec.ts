@@ -4,11 +4,11 @@ import type { Page } from "playwright/test";
 import { fileURLToPath } from "node:url";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
-import { expectNoBarriers } from "./support/axe.ts";
-import { atRest } from "./support/at-rest.ts";
-import { boxOf, phone, smallest, tab } from "./support/phone.ts";
-import { commandRow, openMore } from "./support/remote-panel.ts";
-import { exampleOf, runScript } from "./support/script.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
+import { boxOf, phone, smallestPhone, tab } from "./support/phone.ts";
+import { commandRow, openMoreSection } from "./support/remote-panel.ts";
+import { exampleCommand, runScript } from "./support/script.ts";
 
 const library = fileURLToPath(new URL("../packages/client-python/src/", import.meta.url));
 
@@ -17,7 +17,7 @@ const waits = "Waiting for 'Yes, let it drive' on the robot's page.\n";
 
 /** A student's script: it has the page's address and what stands on the screen. */
 function runPaired(origin: string, code: string): ReturnType<typeof runScript> {
-  const [python = ""] = exampleOf("Python");
+  const [python = ""] = exampleCommand("Python");
   const script = `
 import sys
 sys.path.insert(0, ${JSON.stringify(library)})
@@ -36,7 +36,7 @@ const codeText = /^[BCDFGHJKLMNPQRSTVWXZ]{4} [BCDFGHJKLMNPQRSTVWXZ]{4}$/;
 async function showCode(page: Page): Promise<string> {
   await page.goto("/");
   await page.getByRole("radio", { name: "Remote" }).click();
-  await openMore(page);
+  await openMoreSection(page);
   await page.getByRole("button", { name: "Show a code to type" }).click();
   const code = page.getByText(codeText);
   await expect(code).toBeVisible();
@@ -48,10 +48,10 @@ const question = "Right wall (Python script) wants to drive this robot.";
 
 test("a script that types the code drives once the page says yes", async ({ page }) => {
   const code = await showCode(page);
-  await expectNoBarriers(page, "a pairing code is shown");
+  await expectNoAxeViolations(page, "a pairing code is shown");
   const running = runPaired(new URL(page.url()).origin, code.toLowerCase());
   await expect(page.getByRole("status").filter({ hasText: question })).toBeVisible();
-  await expectNoBarriers(page, "a script asks to drive");
+  await expectNoAxeViolations(page, "a script asks to drive");
   for (const name of ["Yes, let it drive", "No"]) {
     const box = await page.getByRole("button", { name, exact: true }).boundingBox();
     expect(box?.height).toBeGreaterThanOrEqual(44);
@@ -74,7 +74,7 @@ test("a script that types the code drives once the page says yes", async ({ page
     /Key of the address above.*made .*never used/,
     /Right wall.*Key to drive.*made this minute.*Revoke/,
   ]);
-  await expectNoBarriers(page, "keys are listed");
+  await expectNoAxeViolations(page, "keys are listed");
   await keys.getByRole("button", { name: "Revoke" }).click();
   await expect(keys.getByRole("status")).toHaveText("The key was revoked.");
   await expect(keys.getByRole("listitem")).toHaveText([/Key of the address above/]);
@@ -96,7 +96,7 @@ test("a paired script goes on when the address gets a new key", async ({ page })
   await page.getByRole("button", { name: "New key" }).click();
   const dialog = page.getByRole("dialog");
   await expect(dialog).toContainText("Scripts that use a code have their own keys");
-  await expectNoBarriers(page, "a new key is asked for");
+  await expectNoAxeViolations(page, "a new key is asked for");
   await dialog.getByRole("button", { name: "New key" }).click();
   await expect(page.getByText("The new key is ready. Copy the address again.")).toBeVisible();
   const authorised = { ...headers, authorization: `Bearer ${key}` };
@@ -149,13 +149,13 @@ test.describe("asks its owner wherever they are on the page:", () => {
   test("another driver is chosen", async ({ page }) => {
     const corridor = new CorridorPage(page);
     const code = await showCode(page);
-    await corridor.letDrive("Program");
+    await corridor.selectDriver("Program");
     await expect(page.getByRole("button", { name: "Cancel code" })).toBeHidden();
     await corridor.speed.focus();
     const running = runPaired(new URL(page.url()).origin, code);
     await expect(corridor.messages.getByRole("status").filter({ hasText: question })).toBeVisible();
     await expect(corridor.speed).toBeFocused();
-    await expectNoBarriers(page, "a script asks while the program drives");
+    await expectNoAxeViolations(page, "a script asks while the program drives");
     await expectLargeEnough(page);
     await page.getByRole("button", yes).focus();
     await page.keyboard.press("Enter");
@@ -175,7 +175,7 @@ test.describe("asks its owner wherever they are on the page:", () => {
     const dialog = page.getByRole("dialog", { name: "Share" });
     const running = runPaired(new URL(page.url()).origin, code);
     await expect(dialog.getByRole("status").filter({ hasText: question })).toBeVisible();
-    await expectNoBarriers(page, "a script asks while a dialog is open");
+    await expectNoAxeViolations(page, "a script asks while a dialog is open");
     await expectLargeEnough(page);
     await dialog.getByRole("button", no).click();
     await expect(dialog.getByText(question)).toHaveCount(0);
@@ -207,7 +207,7 @@ test.describe("on a phone", () => {
     await page.getByRole("button", { name: "Remote" }).tap();
     const dialog = page.getByRole("dialog", { name: "Remote" });
     await dialog.getByRole("radio", { name: "Remote" }).check({ force: true });
-    await openMore(dialog);
+    await openMoreSection(dialog);
     await dialog.getByRole("button", { name: "Show a code to type" }).tap();
     const code = await dialog.getByText(codeText).textContent();
     await dialog.getByRole("button", { name: "Close" }).tap();
@@ -216,7 +216,7 @@ test.describe("on a phone", () => {
     const running = runPaired(new URL(page.url()).origin, code ?? "");
     const messages = page.getByRole("region", { name: "Messages" });
     await expect(messages.getByText(question)).toBeVisible();
-    await expectNoBarriers(page, "a script asks on a phone");
+    await expectNoAxeViolations(page, "a script asks on a phone");
     await messages.getByRole("button", { name: "Yes, let it drive" }).tap();
     await expect(messages.getByText(question)).toHaveCount(0);
     const { code: exit, output } = await running;
@@ -246,9 +246,9 @@ test.describe("a question on a phone leaves in reach what stops the robot:", () 
 
   for (const { size, look, pause } of [
     { size: phone, look: "/", pause: "Pause" },
-    { size: smallest, look: "/", pause: "Pause" },
-    { size: smallest, look: "/?lang=de", pause: "Pause" },
-    { size: smallest, look: "/?lang=ar", pause: "إيقاف مؤقّت" },
+    { size: smallestPhone, look: "/", pause: "Pause" },
+    { size: smallestPhone, look: "/?lang=de", pause: "Pause" },
+    { size: smallestPhone, look: "/?lang=ar", pause: "إيقاف مؤقّت" },
   ]) {
     const { width, height } = size.viewport;
     test(`${width} x ${height}, ${look}`, async ({ page }) => {
@@ -263,7 +263,7 @@ test.describe("a question on a phone leaves in reach what stops the robot:", () 
       const bar = page.getByRole("banner");
       for (const at of [1, 0]) {
         await page.getByRole("tab").nth(at).tap();
-        await atRest(page);
+        await waitForAnimations(page);
         const asked = await boxOf(messages);
         const [above, below] = [await boxOf(bar), await boxOf(sheet)];
         expect(asked.x).toBeGreaterThanOrEqual(0);
@@ -281,7 +281,7 @@ test.describe("a question on a phone leaves in reach what stops the robot:", () 
         const scrolled = await page.evaluate(() => document.documentElement.scrollWidth);
         expect(scrolled).toBeLessThanOrEqual(width);
       }
-      if (size === phone) await expectNoBarriers(page, "a script asks while a phone drives");
+      if (size === phone) await expectNoAxeViolations(page, "a script asks while a phone drives");
       await answers.last().tap();
       await expect(answers).toHaveCount(0);
     });

@@ -1,10 +1,12 @@
-/** Drives on a phone with a thumb: the stage goes along, and the missions of the hand are done so. */
+/**
+ * Drives on a phone with a thumb: the stage goes along, and the missions of the hand are done so.
+ */
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
-import { atRest } from "./support/at-rest.ts";
-import { Fingers, middleOf } from "./support/fingers.ts";
-import { unreadable } from "./support/layout.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
+import { TouchInput, centreOf } from "./support/touch-input.ts";
+import { unreadableTexts } from "./support/layout.ts";
 import { boxOf, phone, tab } from "./support/phone.ts";
 
 /** Pixels per cm while the stage goes with the robot. */
@@ -31,17 +33,17 @@ test("drives on a phone and sees the robot followed with a small map", async ({ 
   await expect(corridor.transport).toBeHidden();
   await expect(smallMap(page)).toBeVisible();
   // The sheet grows for the keys, and the map goes with it.
-  await atRest(page);
+  await waitForAnimations(page);
   const columns = Number(await corridor.maze.grid.getAttribute("aria-colcount"));
   expect((await boxOf(corridor.maze.grid)).width).toBeCloseTo(columns * 100 * SCALE, 0);
   const before = { maze: await boxOf(corridor.maze.grid), dot: await robotOnMap(page) };
 
-  const fingers = await Fingers.of(page);
-  await fingers.down(await middleOf(corridor.driveKey("forward")));
+  const fingers = await TouchInput.of(page);
+  await fingers.down(await centreOf(corridor.driveKey("forward")));
   await expect(page.getByText("You are driving.")).toBeVisible();
   await expect.poll(async () => (await boxOf(corridor.maze.grid)).x).toBeLessThan(before.maze.x);
   await fingers.lift();
-  await corridor.robotStands();
+  await corridor.waitForRobotToStop();
 
   // The stage has gone so far that the robot is in its middle.
   const maze = await boxOf(corridor.maze.grid);
@@ -54,7 +56,7 @@ test("drives on a phone and sees the robot followed with a small map", async ({ 
 /** The robot's place on the small map, from its corner. */
 async function robotOnMap(page: Page) {
   const map = await boxOf(smallMap(page));
-  const { x, y } = await middleOf(smallMap(page).locator("svg").last());
+  const { x, y } = await centreOf(smallMap(page).locator("svg").last());
   return { x: x - map.x, y: y - map.y };
 }
 
@@ -68,19 +70,20 @@ test("does the missions of the hand with a thumb, and every button is there whol
   const runProgram = page.getByRole("button", { name: "Run program" });
   await page.getByRole("button", { name: "Start with mission 1" }).tap();
   await expect(corridor.driveKey("forward")).toBeVisible();
-  await atRest(page);
+  await waitForAnimations(page);
   await expect(runProgram).toBeInViewport({ ratio: 1 });
-  expect(await unreadable(page), "mission 1").toEqual([]);
+  expect(await unreadableTexts(page), "mission 1").toEqual([]);
   // There is no keyboard whose keys could be held.
   await expect(page.getByRole("region", { name: "Mission" })).toHaveText(
     "Hold the forward key until the robot stands on the green goal.",
   );
-  const fingers = await Fingers.of(page);
-  await fingers.down(await middleOf(corridor.driveKey("forward")));
+  const fingers = await TouchInput.of(page);
+  await fingers.down(await centreOf(corridor.driveKey("forward")));
   await expect(page.getByRole("note")).toHaveText(/^Challenge solved after/);
-  // The thumb is still down: the robot rests where it is whole on the goal, and no button looks held.
+  // The thumb is still down: the robot rests where it is whole on the goal, and no button looks
+  // held.
   await expect(corridor.driveKey("forward")).toHaveAttribute("aria-pressed", "false");
-  await corridor.robotStands();
+  await corridor.waitForRobotToStop();
   expect(Math.abs((await corridor.robotX()) - 525)).toBeLessThanOrEqual(2);
   await fingers.lift();
   await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
@@ -128,7 +131,7 @@ test("reads the number below the robot beside the small map on a low stage", asy
   const { page } = corridor;
   await page.getByRole("button", { name: "Start with mission 1" }).tap();
   await expect(smallMap(page)).toBeVisible();
-  await atRest(page);
+  await waitForAnimations(page);
   const grid = await boxOf(corridor.maze.grid);
   const map = await boxOf(smallMap(page));
   // The robot stands in the second square; beside the wall below it is the reading.
@@ -163,12 +166,12 @@ test("hands over to the program and back without leaving the keys", async ({ ope
   await expect.poll(() => corridor.robotX()).toBeGreaterThan(80);
   await page.getByRole("button", { name: "Pause" }).tap();
   await expect(page.getByRole("button", { name: "Run program" })).toBeVisible();
-  const fingers = await Fingers.of(page);
-  await fingers.down(await middleOf(corridor.driveKey("left")));
+  const fingers = await TouchInput.of(page);
+  await fingers.down(await centreOf(corridor.driveKey("left")));
   await expect(page.getByText("You are driving.")).toBeVisible();
   // The system takes the finger away: the robot must not drive on.
-  await fingers.takeAway();
-  await corridor.robotStands();
+  await fingers.cancel();
+  await corridor.waitForRobotToStop();
   await expect(corridor.driveKey("left")).toHaveAttribute("aria-pressed", "false");
 });
 

@@ -1,8 +1,8 @@
 /** Writes a program on a phone, fixes it where it bumped, and goes back in its run. */
 import { expect, test } from "./fixtures.ts";
-import { Fingers } from "./support/fingers.ts";
-import { stickingOut } from "./support/layout.ts";
-import { boxOf, phone, smallest, tab } from "./support/phone.ts";
+import { TouchInput } from "./support/touch-input.ts";
+import { horizontalOverflow } from "./support/layout.ts";
+import { boxOf, phone, smallestPhone, tab } from "./support/phone.ts";
 
 test("writes a program on a phone", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
@@ -23,7 +23,7 @@ test("writes a program on a phone", async ({ openWindow }) => {
   await corridor.speed.selectOption("4×");
   await corridor.run.tap();
   await expect(program.line(1)).toHaveAttribute("aria-current", "step");
-  await expect(corridor.robotPlace).toHaveText(/facing left/);
+  await expect(corridor.robotPose).toHaveText(/facing left/);
   await expect(corridor.bumps).toHaveText("0 bumps");
 });
 
@@ -43,7 +43,7 @@ test("moves and deletes a line behind its one button", async ({ openWindow }) =>
   await expect(program.lines).toHaveCount(2);
 });
 
-for (const device of [phone, smallest]) {
+for (const device of [phone, smallestPhone]) {
   const { width, height } = device.viewport;
   test(`reads the bump card and takes the fix at ${width} x ${height}`, async ({ openWindow }) => {
     const corridor = await openWindow(device);
@@ -65,7 +65,7 @@ for (const device of [phone, smallest]) {
     await expect(card.getByRole("button", { name: "Close" })).toBeInViewport({ ratio: 1 });
     const fix = card.getByRole("button", { name: "Change to left 90" });
     await expect(fix).toBeInViewport({ ratio: 1 });
-    expect(await stickingOut(page)).toEqual([]);
+    expect(await horizontalOverflow(page)).toEqual([]);
     await fix.tap();
     await expect(card).toBeHidden();
     await expect(program.action(2)).toHaveValue("left 90");
@@ -80,18 +80,18 @@ test("scrubs on a phone", async ({ openWindow }) => {
   await corridor.run.tap();
   await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
   await page.getByRole("region", { name: "Solved!" }).getByRole("button", { name: "Close" }).tap();
-  const end = await corridor.robotPlace.textContent();
-  const fingers = await Fingers.of(page);
-  await fingers.drag(await timeline.placeAt(0.9), await timeline.placeAt(0.3));
-  await expect(timeline.inThePast).toBeVisible();
-  await expect(corridor.robotPlace).not.toHaveText(end ?? "");
-  // The keys take the room of the transport only as long as nothing leads back. Right after a drag the
-  // browser takes a tap for its end.
+  const end = await corridor.robotPose.textContent();
+  const fingers = await TouchInput.of(page);
+  await fingers.drag(await timeline.pointAt(0.9), await timeline.pointAt(0.3));
+  await expect(timeline.pastLabel).toBeVisible();
+  await expect(corridor.robotPose).not.toHaveText(end ?? "");
+  // The keys take the room of the transport only as long as nothing leads back. Right after a drag
+  // the browser takes a tap for its end.
   await expect(async () => {
     await tab(page, "Drive").tap();
     await expect(tab(page, "Drive")).toHaveAttribute("aria-selected", "true", { timeout: 1000 });
   }).toPass();
   await timeline.backToNow.tap();
   await expect(corridor.transport).toBeHidden();
-  await expect(corridor.robotPlace).toHaveText(end ?? "");
+  await expect(corridor.robotPose).toHaveText(end ?? "");
 });

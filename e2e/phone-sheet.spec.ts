@@ -1,24 +1,27 @@
-/** A phone's sheet and what stands over the maze: how far it opens, its presets, messages, blocks painted. */
+/**
+ * A phone's sheet and what stands over the maze: how far it opens, its presets, messages, blocks
+ * painted.
+ */
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
-import { StagePicture } from "./pages/stage-picture.ts";
-import { atRest } from "./support/at-rest.ts";
-import { Fingers, middleOf } from "./support/fingers.ts";
-import { boxOf, phone, smallest, tab } from "./support/phone.ts";
+import { StageScreenshot } from "./pages/stage-screenshot.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
+import { TouchInput, centreOf } from "./support/touch-input.ts";
+import { boxOf, phone, smallestPhone, tab } from "./support/phone.ts";
 
-for (const device of [phone, smallest]) {
+for (const device of [phone, smallestPhone]) {
   const { width, height } = device.viewport;
   test(`drags the sheet open and closed at ${width} x ${height}`, async ({ openWindow }) => {
     const corridor = await openWindow(device);
     await corridor.open();
     const { page } = corridor;
     const bar = page.getByRole("button", { name: /^Panel is / });
-    const fingers = await Fingers.of(page);
+    const fingers = await TouchInput.of(page);
     const pull = async (by: number) => {
-      const from = await middleOf(bar);
+      const from = await centreOf(bar);
       await fingers.drag(from, { x: from.x, y: from.y + by });
       // The sheet moves to its place before the next finger can find what lies on it.
-      await corridor.frames(30);
+      await corridor.waitForFrames(30);
     };
     // Half open, the maze is wholly in sight.
     const maze = await boxOf(corridor.maze.grid);
@@ -52,7 +55,7 @@ test("finds nothing below the screen in any tab", async ({ openWindow }) => {
   const { page } = corridor;
   for (const name of ["Presets", "Drive", "Program"] as const) {
     await tab(page, name).tap();
-    await atRest(page);
+    await waitForAnimations(page);
     // What is out of sight in the sheet scrolls there, never the page under the finger.
     const below = await page.evaluate(() => document.documentElement.scrollHeight - innerHeight);
     expect(below, name).toBe(0);
@@ -70,7 +73,7 @@ for (const device of [phone, { ...phone, viewport: { width: 320, height: 640 } }
     await page.getByRole("button", { name: "Move or delete line 2" }).tap();
     await corridor.dialog("Move or delete line 2").getByRole("button", { name: "Delete" }).tap();
     await expect(corridor.message("Line 2 deleted.")).toBeVisible();
-    await atRest(page);
+    await waitForAnimations(page);
     const box = await boxOf(corridor.message("Line 2 deleted.").locator(".."));
     const tools = page.getByRole("group", { name: "Tool" });
     expect(box.y + box.height).toBeLessThanOrEqual((await boxOf(tools)).y);
@@ -88,7 +91,7 @@ test("is told a long sentence without losing the maze from sight", async ({ open
   await page.keyboard.press("i");
   const message = corridor.messages.getByRole("button", { name: "Dismiss" });
   await expect(message).toBeVisible();
-  await atRest(page);
+  await waitForAnimations(page);
   const box = await boxOf(message.locator(".."));
   expect(box.y + box.height).toBeLessThanOrEqual((await boxOf(corridor.maze.grid)).y);
 });
@@ -120,7 +123,7 @@ test("paints blocks with one finger, and nothing with two", async ({ openWindow 
     x: box.x + (column + 0.5) * side,
     y: box.y + (row + 0.5) * side,
   });
-  const fingers = await Fingers.of(page);
+  const fingers = await TouchInput.of(page);
   await fingers.drag(at(6, 1), at(8, 1));
   for (const column of [6, 7, 8]) await maze.expectSquare({ column, row: 1 }, "block");
   await fingers.down(at(0, 0), at(2, 0));
@@ -136,14 +139,15 @@ test("sees the flag of mission 3 beside the reading of the beam that ends at it"
   await corridor.open();
   const { page } = corridor;
   await new LessonsPanel(page).openMissionOnPhone(3);
-  const stage = new StagePicture(page);
-  await stage.taken();
-  // Left of the flag, above the beam and at the top of the goal's square: all of it is the goal's green.
+  const stage = new StageScreenshot(page);
+  await stage.capture();
+  // Left of the flag, above the beam and at the top of the goal's square: all of it is the goal's
+  // green.
   const size = { width: 14, height: 8 };
   const nearBeam = { x: 112, y: 132, ...size };
   const onTop = { x: 112, y: 110, ...size };
-  expect(await stage.pixelsUnlike(nearBeam, onTop)).toBe(0);
-  expect(await stage.pixelsUnlike({ ...nearBeam, y: 30 }, onTop), "a block").toBeGreaterThan(0);
+  expect(await stage.differingPixels(nearBeam, onTop)).toBe(0);
+  expect(await stage.differingPixels({ ...nearBeam, y: 30 }, onTop), "a block").toBeGreaterThan(0);
 });
 
 test("keeps what is open when a phone is turned", async ({ openWindow }) => {
@@ -204,7 +208,7 @@ test("leaves the maze its room above a card at 320 x 640", async ({ openWindow }
   await corridor.speed.selectOption("16");
   await corridor.run.click();
   await expect(corridor.bumpCard(2)).toBeVisible();
-  await atRest(corridor.page);
+  await waitForAnimations(corridor.page);
   const maze = await boxOf(corridor.maze.grid);
   expect(maze.height).toBeGreaterThan(75);
   expect(maze.y + maze.height).toBeLessThanOrEqual((await boxOf(corridor.transport)).y);

@@ -1,7 +1,15 @@
-/** Every size of phone and tablet: all of it is within reach of a finger, and read without zooming in. */
+/**
+ * Every size of phone and tablet: all of it is within reach of a finger, and read without zooming
+ * in.
+ */
 import { expect, test } from "./fixtures.ts";
-import { stickingOut, tooSmallToTouch, unreadable, zoomedInto } from "./support/layout.ts";
-import { phone, smallest, tab } from "./support/phone.ts";
+import {
+  horizontalOverflow,
+  smallTouchTargets,
+  unreadableTexts,
+  fieldsThatZoom,
+} from "./support/layout.ts";
+import { phone, smallestPhone, tab } from "./support/phone.ts";
 
 const sizes = [
   [320, 568],
@@ -22,11 +30,11 @@ for (const [width, height] of sizes) {
     await corridor.open();
     const { page } = corridor;
     const expectInOrder = async (what: string) => {
-      expect(await stickingOut(page), what).toEqual([]);
-      expect(await tooSmallToTouch(page), what).toEqual([]);
-      expect(await zoomedInto(page), what).toEqual([]);
+      expect(await horizontalOverflow(page), what).toEqual([]);
+      expect(await smallTouchTargets(page), what).toEqual([]);
+      expect(await fieldsThatZoom(page), what).toEqual([]);
       // Between the two the page scrolls under its foot.
-      if (width < 600 || height < 600) expect(await unreadable(page), what).toEqual([]);
+      if (width < 600 || height < 600) expect(await unreadableTexts(page), what).toEqual([]);
     };
     await expectInOrder("first visit");
     await corridor.step.tap();
@@ -41,13 +49,13 @@ for (const [width, height] of sizes) {
 }
 
 test("touches every field without the phone zooming in", async ({ openWindow }) => {
-  const corridor = await openWindow(smallest);
+  const corridor = await openWindow(smallestPhone);
   await corridor.open();
   const { page } = corridor;
   const expectCalm = async (what: string) => {
     await expect(page.locator("input, select, textarea").first()).toBeAttached();
-    expect(await zoomedInto(page), what).toEqual([]);
-    expect(await stickingOut(page), what).toEqual([]);
+    expect(await fieldsThatZoom(page), what).toEqual([]);
+    expect(await horizontalOverflow(page), what).toEqual([]);
   };
   await expectCalm("program");
   await tab(page, "Presets").tap();

@@ -10,7 +10,7 @@ export default defineConfig({
   workers: 2,
   timeout: 60_000,
   expect: { timeout: 15_000 },
-  // A machine that is busy with others may swallow a tap; the summary names every test that needed this.
+  // A busy machine can lose a tap. The summary names every test that passed only on a retry.
   retries: 1,
   forbidOnly: process.env["CI"] !== undefined,
   reporter: report === undefined ? "list" : [["list"], ["json", { outputFile: report }]],
@@ -20,9 +20,9 @@ export default defineConfig({
     actionTimeout: 15_000,
     viewport: { width: 1440, height: 900 },
     permissions: ["clipboard-read", "clipboard-write"],
-    // Journeys go to the relay itself; offline.spec.ts is about the service worker.
+    // Tests load pages from the relay directly. Only offline.spec.ts covers the service worker.
     serviceWorkers: "block",
-    // A trace takes a third of the time of a test; `--trace on` makes one where it is needed.
+    // Tracing takes a third of a test's time. Turn it on with `--trace on`.
     screenshot: "only-on-failure",
     launchOptions: { executablePath: requireChromium(), args: [...chromiumArguments] },
   },

@@ -1,8 +1,8 @@
 /** The presets: ready-made mazes with their solved marks, random mazes, algorithms. */
 import { generateMaze } from "@corridor/maze";
 import { expect, test } from "./fixtures.ts";
-import { expectNoBarriers } from "./support/axe.ts";
-import { stickingOut, tooSmallToTouch } from "./support/layout.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
 
 test("draws a random maze with rooms and the size slider", async ({ corridor, page }) => {
   await page.getByRole("button", { name: "Presets", exact: true }).click();
@@ -65,11 +65,11 @@ test("solves a ready-made maze and finds it marked, after a reload too", async (
   corridor,
   page,
 }) => {
-  await corridor.program.makeOwn();
+  await corridor.program.nameAsOwn();
   await corridor.choosePreset("First steps");
   await corridor.speed.selectOption("max");
   await corridor.run.click();
-  await expect(corridor.story).toContainText("Goal reached");
+  await expect(corridor.runNote).toContainText("Goal reached");
   await corridor.reload();
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   const presets = corridor.dialog("Presets");
@@ -97,7 +97,7 @@ test("is asked before an algorithm replaces lines of its own", async ({ corridor
   await program.loadAlgorithm("Farthest distance");
   const menu = page.getByRole("dialog", { name: "Show an algorithm" });
   await expect(menu.getByRole("alert")).toHaveText("“Farthest distance” would replace your line.");
-  await expectNoBarriers(page, "the question");
+  await expectNoAxeViolations(page, "the question");
   await menu.getByRole("button", { name: "Keep my lines" }).click();
   await menu.getByRole("button", { name: /^Farthest distance/ }).click();
   await expect(program.number(1)).toHaveValue("40");
@@ -110,7 +110,7 @@ test("is asked before an algorithm replaces lines of its own", async ({ corridor
 test("has no barriers in the presets, in either theme", async ({ corridor, page }) => {
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   await expect(corridor.dialog("Presets").getByText("Random maze")).toBeVisible();
-  await expectNoBarriers(page, "presets");
+  await expectNoAxeViolations(page, "presets");
 });
 
 for (const width of [390, 320]) {
@@ -126,8 +126,8 @@ for (const width of [390, 320]) {
     await phone.page.getByRole("tab", { name: "Presets" }).tap();
     await phone.page.getByRole("radio", { name: "Rooms" }).tap();
     await phone.page.getByRole("textbox", { name: "Seed" }).fill("5");
-    expect(await stickingOut(phone.page)).toEqual([]);
-    expect(await tooSmallToTouch(phone.page)).toEqual([]);
+    expect(await horizontalOverflow(phone.page)).toEqual([]);
+    expect(await smallTouchTargets(phone.page)).toEqual([]);
     await phone.page.getByRole("button", { name: "Use this maze" }).tap();
     await expect(phone.mazeMenu).toHaveAccessibleName("Rooms 21, seed 5, Maze menu");
   });

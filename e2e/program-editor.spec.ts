@@ -1,4 +1,6 @@
-/** A program is built from dropdowns, with the mouse and by keyboard alone, and read while it runs. */
+/**
+ * A program is built from dropdowns, with the mouse and by keyboard alone, and read while it runs.
+ */
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
 
@@ -8,7 +10,7 @@ test("builds the right-wall program from nothing with the mouse, runs it, reache
   corridor,
 }) => {
   const { program } = corridor;
-  await program.empty();
+  await program.deleteAllLines();
   await expect(program.lines).toHaveCount(0);
   await program.button("Add line").click();
   await expect(program.line(1)).toHaveAccessibleName(
@@ -25,7 +27,7 @@ test("builds the right-wall program from nothing with the mouse, runs it, reache
   );
   await corridor.speed.selectOption("max");
   await corridor.run.click();
-  await expect(corridor.story).toHaveText(goal);
+  await expect(corridor.runNote).toHaveText(goal);
 });
 
 test("builds the same by keyboard alone", async ({ corridor, page }) => {
@@ -66,7 +68,7 @@ test("builds the same by keyboard alone", async ({ corridor, page }) => {
   await corridor.speed.focus();
   await keyboard.type("max");
   await keyboard.press("Control+Enter");
-  await expect(corridor.story).toHaveText(goal);
+  await expect(corridor.runNote).toHaveText(goal);
 });
 
 /** The value of a choice in the condition menu of the first line. */
@@ -139,8 +141,8 @@ test("sees each line's truth with its numbers, and which line decides", async ({
     "Line 1, running: if right is more than 40, delayed right 90. Right is 50, true.",
   );
   await expect(program.line(1)).toHaveAttribute("aria-current", "step");
-  await expect(program.notRead).toHaveText("not read this time");
-  await expect(program.notRead).toBeVisible();
+  await expect(program.runningLineNote).toHaveText("not read this time");
+  await expect(program.runningLineNote).toBeVisible();
   await expect(program.line(2)).not.toHaveAttribute("aria-current");
   await expect(corridor.sensor("front")).toHaveText("250");
   await expect(corridor.sensor("right")).toHaveText("50");
@@ -223,16 +225,16 @@ test("loads each ready-made algorithm, and takes the last one back", async ({ co
   await expect(program.name).toHaveValue("Farthest distance");
   await corridor.speed.selectOption("max");
   await corridor.run.click();
-  await expect(corridor.story).toContainText("Goal reached after 38.5 s (tick 2310)");
+  await expect(corridor.runNote).toContainText("Goal reached after 38.5 s (tick 2310)");
 });
 
 test("edits a line while the robot runs, and the robot obeys it at once", async ({ corridor }) => {
   const { program } = corridor;
   await corridor.choosePreset("Empty");
-  await program.empty();
+  await program.deleteAllLines();
   await program.otherwise.selectOption("left 90");
   await corridor.run.click();
-  await expect(corridor.robotPlace).toHaveText(/facing up/);
+  await expect(corridor.robotPose).toHaveText(/facing up/);
   await program.otherwise.selectOption("forward");
-  await expect(corridor.robotPlace).not.toHaveText(/^Robot at 50, 650/);
+  await expect(corridor.robotPose).not.toHaveText(/^Robot at 50, 650/);
 });

@@ -3,7 +3,7 @@ import { readFile } from "node:fs/promises";
 import { expect, test } from "./fixtures.ts";
 import { MazeGrid } from "./pages/maze-grid.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
-import { expectNoBarriers } from "./support/axe.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
 
 test("checks a program in all ready-made mazes as it changes, and stores the best result", async ({
   openWindow,
@@ -21,7 +21,7 @@ test("checks a program in all ready-made mazes as it changes, and stores the bes
   await lessons.openPath();
   const project = lessons.path.getByRole("button", { name: /^One program, all mazes/ });
   await expect(project).toContainText("Your best: 7 of 7 mazes");
-  await expectNoBarriers(page, "open projects");
+  await expectNoAxeViolations(page, "open projects");
 });
 
 test("lets a maze of one's own win against the right-wall program", async ({ openWindow }) => {
@@ -33,7 +33,7 @@ test("lets a maze of one's own win against the right-wall program", async ({ ope
   // The goal that the program reaches solves nothing here.
   await corridor.speed.selectOption("16×");
   await corridor.run.click();
-  await corridor.robotStands();
+  await corridor.waitForRobotToStop();
   await expect(page.getByRole("region", { name: "Solved!" })).toBeHidden();
   const maze = new MazeGrid(page);
   await corridor.reset.click();
@@ -77,7 +77,7 @@ test("shows a picture to save once all missions are done", async ({ corridor, pa
   await expect(finish.getByRole("img")).toHaveAccessibleName(
     /^All 14 missions done, .+ 20\d\d\. Lines written: 28 · Driving time: 2:20/,
   );
-  await expectNoBarriers(page, "the finish");
+  await expectNoAxeViolations(page, "the finish");
   const saving = page.waitForEvent("download");
   await finish.getByRole("button", { name: "Save as SVG" }).click();
   const file = await (await saving).path();

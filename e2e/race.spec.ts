@@ -3,9 +3,11 @@ import { mazePresets } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
 import { Recording, type RunDocument } from "@corridor/recording";
 import { expect, test } from "./fixtures.ts";
-import { expectNoBarriers } from "./support/axe.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
 
-/** The link of a run in which a ready-made algorithm drives through a ready-made maze to its goal. */
+/**
+ * The link of a run in which a ready-made algorithm drives through a ready-made maze to its goal.
+ */
 function runLink(mazeId: string): { link: string; run: RunDocument } {
   const preset = mazePresets.find(({ id }) => id === mazeId);
   const program = programPresets.find(({ id }) => id === "right-wall")?.program;
@@ -25,7 +27,7 @@ test("races a friend's run of a link on one clock, and compares time, bumps and 
   const { page } = corridor;
   const { link } = runLink("tree");
   await corridor.open(link);
-  await expect(corridor.timeline.inThePast).toBeVisible();
+  await expect(corridor.timeline.pastLabel).toBeVisible();
   await page.getByRole("button", { name: "Race this run" }).click();
   await expect(corridor.message(/^Ghost A is ready\./)).toBeVisible();
   await expect(corridor.clock).toHaveText("Time 0:00.0");
@@ -58,7 +60,7 @@ test("races a friend's run of a link on one clock, and compares time, bumps and 
   ]);
   expect(times[0]).not.toBe(times[1]);
 
-  await expectNoBarriers(page, "the table of a race");
+  await expectNoAxeViolations(page, "the table of a race");
 
   // A run of another maze is refused in words.
   const other = runLink("spiral");

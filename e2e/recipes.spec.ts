@@ -26,7 +26,9 @@ const programs: Record<string, { command: string[]; file: string }> = {
   "HTTP with curl": { command: ["sh"], file: "recipe.sh" },
 };
 
-/** Turned a little, and off the middle of its square, as a first script leaves the robot at a wall. */
+/**
+ * Turned a little, and off the middle of its square, as a first script leaves the robot at a wall.
+ */
 async function bump(_page: Page, address: string): Promise<void> {
   const commands = [
     { action: "turn", degrees: 3 },

@@ -1,4 +1,7 @@
-/** Motion that is not asked for: the robot's recoil and hop, cards that slide in, anything that moves by itself. */
+/**
+ * Motion that is not asked for: the robot's recoil and hop, cards that slide in, anything that
+ * moves by itself.
+ */
 import { expect, test } from "./fixtures.ts";
 
 test("sees a bump and the goal stand still, and can go step by step", async ({
@@ -15,7 +18,7 @@ test("sees a bump and the goal stand still, and can go step by step", async ({
   const { grid } = corridor.maze;
   const first = await grid.screenshot({ animations: "allow" });
   for (let frame = 0; frame < 4; frame++) {
-    await corridor.frames(3);
+    await corridor.waitForFrames(3);
     expect((await grid.screenshot({ animations: "allow" })).equals(first)).toBe(true);
   }
   const lasting = await page.evaluate(() =>
@@ -31,6 +34,6 @@ test("sees a bump and the goal stand still, and can go step by step", async ({
   await expect(corridor.clock).toHaveText("Time 0:00.0");
   await corridor.step.click();
   await corridor.step.click();
-  await expect(corridor.robotPlace).not.toHaveText("Robot at 50, 650, facing right");
+  await expect(corridor.robotPose).not.toHaveText("Robot at 50, 650, facing right");
   await expect(corridor.run).toBeVisible();
 });

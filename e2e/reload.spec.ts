@@ -8,16 +8,16 @@ test("reload in mid-run keeps the run: place, time and bumps, and it goes on to 
   await corridor.run.click();
   await expect(corridor.clock).toHaveText(/Time 0:1\d\.\d/);
   await corridor.pause.click();
-  await corridor.robotStands();
+  await corridor.waitForRobotToStop();
   const time = (await corridor.clock.textContent()) ?? "";
-  const place = (await corridor.robotPlace.textContent()) ?? "";
+  const place = (await corridor.robotPose.textContent()) ?? "";
   await corridor.reload();
   await expect(corridor.clock).toHaveText(time);
-  await expect(corridor.robotPlace).toHaveText(place);
+  await expect(corridor.robotPose).toHaveText(place);
   await expect(corridor.run).toBeVisible();
   await corridor.speed.selectOption("max");
   await corridor.run.click();
-  await expect(corridor.story).toHaveText(
+  await expect(corridor.runNote).toHaveText(
     "Goal reached after 39.6 s (tick 2380), in row 1, column 11, by “otherwise”.",
   );
 });
@@ -30,5 +30,5 @@ test("reload while the robot drives comes back paused, not before where it was",
   await corridor.reload();
   await expect(corridor.run).toBeVisible();
   await expect(corridor.clock).toHaveText(/Time 0:0[2-9]\.\d/);
-  await corridor.robotStands();
+  await corridor.waitForRobotToStop();
 });

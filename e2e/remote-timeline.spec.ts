@@ -20,28 +20,28 @@ test("numbers the commands of a script, with their results; selecting one shows 
   await expect(timeline.command("1")).toHaveAttribute("data-result", "done");
 
   await timeline.pressCommand("2");
-  await expect(timeline.inThePast).toBeVisible();
-  await timeline.expectMoment(/command 2: drive 0\.2 -0\.2 4000 ms, completed$/);
+  await expect(timeline.pastLabel).toBeVisible();
+  await timeline.expectValueText(/command 2: drive 0\.2 -0\.2 4000 ms, completed$/);
   await timeline.slider.press("ArrowRight");
-  await timeline.expectMoment(/command 3: move 5000, collided$/);
+  await timeline.expectValueText(/command 3: move 5000, collided$/);
   await timeline.slider.press("ArrowLeft");
   await timeline.slider.press("ArrowLeft");
-  await timeline.expectMoment(/command 1: drive 0\.2 -0\.2 4000 ms, completed$/);
+  await timeline.expectValueText(/command 1: drive 0\.2 -0\.2 4000 ms, completed$/);
 });
 
 test("the clock of a script counts driving, and waiting apart", async ({ corridor, page }) => {
   await corridor.open();
   await setSpeed(page, "4");
   const address = await copyAddress(page);
-  await expect(corridor.driving).toHaveText("Time 0:00.0 driving");
-  await expect(corridor.waiting).not.toHaveText(/^0:00/);
+  await expect(corridor.drivingTime).toHaveText("Time 0:00.0 driving");
+  await expect(corridor.waitingTime).not.toHaveText(/^0:00/);
   await api(address, "/commands", { action: "right 90" });
   await api(address, "/commands/1?wait=20");
-  await expect(corridor.driving).toHaveText(/^Time 0:00\.[1-9]/);
-  const driven = (await corridor.driving.textContent()) ?? "";
-  const waited = (await corridor.waiting.textContent()) ?? "";
-  await expect(corridor.waiting).not.toHaveText(waited);
-  await expect(corridor.driving).toHaveText(driven);
+  await expect(corridor.drivingTime).toHaveText(/^Time 0:00\.[1-9]/);
+  const driven = (await corridor.drivingTime.textContent()) ?? "";
+  const waited = (await corridor.waitingTime.textContent()) ?? "";
+  await expect(corridor.waitingTime).not.toHaveText(waited);
+  await expect(corridor.drivingTime).toHaveText(driven);
 });
 
 test("the card of a script's bump tells the seconds that the clock counts as driving", async ({
@@ -50,10 +50,10 @@ test("the card of a script's bump tells the seconds that the clock counts as dri
 }) => {
   await corridor.open();
   const address = await copyAddress(page);
-  await expect(corridor.waiting).not.toHaveText(/^0:0[01]/);
+  await expect(corridor.waitingTime).not.toHaveText(/^0:0[01]/);
   await api(address, "/commands", { action: "move", distance: 5000 });
   const card = page.getByRole("region", { name: "Bump" });
   await expect(card).toContainText(/Bump at \d/);
   const seconds = /Bump at (\d+\.\d) s/.exec((await card.textContent()) ?? "")?.[1];
-  await expect(corridor.driving).toHaveText(`Time 0:0${seconds} driving`);
+  await expect(corridor.drivingTime).toHaveText(`Time 0:0${seconds} driving`);
 });

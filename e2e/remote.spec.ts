@@ -6,10 +6,10 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
-import { expectNoBarriers } from "./support/axe.ts";
-import { commandRow, openMore } from "./support/remote-panel.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { commandRow, openMoreSection } from "./support/remote-panel.ts";
 import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
-import { exampleOf, runScript } from "./support/script.ts";
+import { exampleCommand, runScript } from "./support/script.ts";
 
 const tree = generateTree({ columns: 11, rows: 11, seed: 3, name: "Tree" });
 const openCells = countOpenCells(tree);
@@ -33,7 +33,12 @@ for (const language of ["Python", "JavaScript"] as const) {
     const address = await copyAddress(page);
     await expect(connection(page)).toHaveText("Waiting for a script");
 
-    const running = runScript([...exampleOf(language), address, "--until-cells", `${openCells}`]);
+    const running = runScript([
+      ...exampleCommand(language),
+      address,
+      "--until-cells",
+      `${openCells}`,
+    ]);
     await expect(connection(page)).toHaveText("Connected");
     await expect(page.getByRole("cell", { name: "completed" }).first()).toBeVisible();
     const { code, output } = await running;
@@ -66,7 +71,7 @@ test("the first script runs as it is copied, with the file beside it that the pa
   const folder = await mkdtemp(join(tmpdir(), "corridor-first-script-"));
   await library.saveAs(join(folder, "corridor.py"));
   await writeFile(join(folder, "script.py"), copied);
-  const [python = ""] = exampleOf("Python");
+  const [python = ""] = exampleCommand("Python");
   const { code, output } = await runScript([python, join(folder, "script.py")]);
   await rm(folder, { recursive: true });
   expect([code, Number(output.trim()) > 0]).toEqual([0, true]);
@@ -107,11 +112,11 @@ test("shows the address, the script and the last commands without scrolling at 1
   await expect(numbers.first()).toBeInViewport({ ratio: 0.9 });
   await expect(numbers.last()).toBeInViewport({ ratio: 0.9 });
   await expect(page.getByRole("button", { name: "Show key" })).toHaveCount(0);
-  await openMore(page);
+  await openMoreSection(page);
   await expect(page.getByRole("button", { name: "Show key" })).toBeVisible();
   const log = page.getByRole("region", { name: "All commands" });
   await expect(log.getByRole("cell", { name: /^\d+$/ })).toHaveCount(10);
-  await expectNoBarriers(page, "all of Remote");
+  await expectNoAxeViolations(page, "all of Remote");
 });
 
 test("the panel lists every command with its state, newest first", async ({ page }) => {
@@ -203,7 +208,7 @@ test("a new key cuts off who has the old one, and the page goes on with the new 
   const panel = page.getByRole("region", { name: "Remote" }).locator("..");
   await expect(panel).toContainText(/Ends in 23 h \d+ min\./);
   const waiting = api(address, "/sensors?after=999999999&wait=25");
-  await openMore(page);
+  await openMoreSection(page);
   await page.getByRole("button", { name: "New key" }).click();
   await page.getByRole("dialog").getByRole("button", { name: "Keep the old key" }).click();
   expect((await api(address, "/sensors")).status).toBe(200);
@@ -224,7 +229,7 @@ test("a new key cuts off who has the old one, and the page goes on with the new 
 test("an address to watch reads the robot and cannot drive it", async ({ page }) => {
   await page.goto("/");
   await copyAddress(page);
-  await openMore(page);
+  await openMoreSection(page);
   await page.getByRole("button", { name: "Make a watch address" }).click();
   await expect(page.getByRole("button", { name: "Copy address to watch" })).toBeFocused();
   await page.keyboard.press("Enter");
@@ -257,7 +262,7 @@ test("scripts are listed by name, and one is sent away while the others go on", 
   const as = (name: string, path: string, body?: unknown) => api(address, path, body, name);
   await as("Anna", "/commands", { action: "move", distance: 200 });
   await as("Ben", "/commands?after=0");
-  await openMore(page);
+  await openMoreSection(page);
   const scripts = page.getByRole("region", { name: "Scripts" }).getByRole("listitem");
   await expect(scripts).toHaveText([/Anna.*last: move.*running/, /Ben.*only reads/]);
   const anna = scripts.filter({ hasText: "Anna" });
@@ -271,10 +276,10 @@ test("scripts are listed by name, and one is sent away while the others go on", 
     expect.stringContaining("has blocked this script"),
   ]);
   expect((await as("Ben", "/commands", { action: "left 90" })).status).toBe(202);
-  await expectNoBarriers(page, "scripts by name");
+  await expectNoAxeViolations(page, "scripts by name");
   // Still blocked after a reload of the page.
   await page.reload();
-  await openMore(page);
+  await openMoreSection(page);
   await anna.getByRole("button", { name: "Unblock" }).click();
   await expect(anna.getByRole("button", { name: "Block", exact: true })).toBeVisible();
   expect((await as("Anna", "/commands", { action: "left 90" })).status).toBe(202);
@@ -327,11 +332,11 @@ test("paused scripts drive no more until they are let, over a reload as well", a
   await api(address, "/commands", { action: "move", distance: 200 });
   const row = commandRow(page, /move 200/);
   await expect(row).toContainText("running");
-  await openMore(page);
+  await openMoreSection(page);
   const scripts = page.getByRole("region", { name: "Scripts" });
   await scripts.getByRole("button", { name: "Pause scripts" }).click();
   await expect(scripts.getByRole("status").first()).toContainText("Paused");
-  await expectNoBarriers(page, "scripts are paused");
+  await expectNoAxeViolations(page, "scripts are paused");
   await expect(row).toContainText("Remote driving was paused.");
   const refused = await api(address, "/commands", { action: "left 90" });
   expect([refused.status, (await refused.json()).detail]).toEqual([
@@ -345,7 +350,7 @@ test("paused scripts drive no more until they are let, over a reload as well", a
   await setSpeed(page, "16");
   await page.getByRole("button", { name: "Let scripts drive" }).click();
   await expect(page.getByText(/^Paused: scripts can read/)).toHaveCount(0);
-  await openMore(page);
+  await openMoreSection(page);
   await expect(scripts.getByRole("button", { name: "Pause scripts" })).toBeVisible();
   const sent = await (await api(address, "/commands", { action: "left 90" })).json();
   const record = await (await api(address, `/commands/${sent.seq}?wait=20`)).json();
@@ -372,7 +377,7 @@ for (const [width, height] of [
     await page.setViewportSize({ width, height });
     await page.goto("/");
     await copyAddress(page);
-    await openMore(page);
+    await openMoreSection(page);
     // As a reader comes there with Tab.
     await page
       .getByRole("group", { name: "Language of the script" })

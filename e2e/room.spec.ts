@@ -1,8 +1,11 @@
-/** What is wanted has its room: nothing lies over it, nothing pushes it out of its row, nothing moves it. */
+/**
+ * What is wanted has its room: nothing lies over it, nothing pushes it out of its row, nothing
+ * moves it.
+ */
 import type { Locator } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
-import { Words } from "./support/words.ts";
+import { Texts } from "./support/texts.ts";
 
 async function boxOf(part: Locator): Promise<DOMRect> {
   return part.evaluate((element) => {
@@ -22,7 +25,7 @@ for (const [width, height] of [
       openWindow,
     }) => {
       const { page } = await openWindow({ viewport: { width, height } });
-      const words = Words.of(lang);
+      const words = Texts.load(lang);
       const button = (path: string): Locator =>
         page.getByRole("button", { name: words.t(path), exact: true });
       await page.goto(`/?lang=${lang}`);
@@ -117,11 +120,11 @@ for (const [width, height] of [
     const before = await place();
     const { x = 0, y = 0 } = (await corridor.step.boundingBox()) ?? {};
     await page.mouse.click(x + 4, y + 12);
-    await expect(corridor.timeline.oneBack).toBeVisible();
+    await expect(corridor.timeline.previousDecision).toBeVisible();
     await page.mouse.move(0, 0);
     expect(await place()).toEqual(before);
     await corridor.run.click();
-    await expect(corridor.timeline.oneBack).toBeHidden();
+    await expect(corridor.timeline.previousDecision).toBeHidden();
     expect(await place()).toEqual(before);
   });
 }
@@ -159,7 +162,7 @@ for (const lang of ["en", "de", "ar"]) {
         hasTouch: true,
         isMobile: true,
       });
-      const words = Words.of(lang);
+      const words = Texts.load(lang);
       await page.goto(`/?lang=${lang}`);
       const button = (path: string): Locator =>
         page.getByRole("button", { name: words.t(path), exact: true });

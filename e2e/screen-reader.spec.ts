@@ -1,11 +1,11 @@
 /**
- * The whole loop by what a screen reader is given: roles, names, values, descriptions and the messages of
- * the live region. Nothing is looked at.
+ * The whole loop by what a screen reader is given: roles, names, values, descriptions and the
+ * messages of the live region. Nothing is looked at.
  */
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
-import { Keys } from "./support/keys.ts";
+import { KeyboardUser } from "./support/keyboard-user.ts";
 
 /** Notes every message of the page's one voice, from now on. */
 async function listen(page: Page): Promise<() => Promise<{ text: string; at: number }[]>> {
@@ -92,11 +92,11 @@ test("hears the lines as they drive, in order, at most one message a second, and
   await corridor.speed.selectOption("0.25×");
   const heard = await listen(page);
   await page.keyboard.press("Control+Enter");
-  await expect(corridor.spoken).toHaveText("Line 1: delayed right 90. Right is 248.3 cm.", {
+  await expect(corridor.announcement).toHaveText("Line 1: delayed right 90. Right is 248.3 cm.", {
     timeout: 90_000,
   });
   await page.keyboard.press("Control+Enter");
-  await expect(corridor.spoken).toHaveText(/^Paused at \d+\.\d s\.$/);
+  await expect(corridor.announcement).toHaveText(/^Paused at \d+\.\d s\.$/);
   const said = await heard();
   expect(said.map(({ text }) => text).slice(0, 4)).toEqual([
     // What says it comes with the first run: the robot may have gone some way.
@@ -110,52 +110,54 @@ test("hears the lines as they drive, in order, at most one message a second, and
   // A timer may ring a little early by the page's own clock.
   expect(Math.min(...gaps)).toBeGreaterThan(900);
   // Nothing changes: nothing is said.
-  await corridor.frames(90);
+  await corridor.waitForFrames(90);
   expect(await heard()).toHaveLength(said.length);
 });
 
 test("builds, programs, bumps, mends, goes back and solves by ear", async ({ corridor, page }) => {
   test.slow();
   const heard = await listen(page);
-  const keys = new Keys(page);
+  const keys = new KeyboardUser(page);
   const { maze, program, timeline } = corridor;
   // A block is put and taken away again.
-  await maze.goTo({ column: 2, row: 6 });
+  await maze.moveCursorTo({ column: 2, row: 6 });
   await keys.key("Space");
-  await expect(corridor.spoken).toHaveText("row 7, column 3, block");
+  await expect(corridor.announcement).toHaveText("row 7, column 3, block");
   await keys.key("Space");
-  await expect(corridor.spoken).toHaveText("row 7, column 3, open");
+  await expect(corridor.announcement).toHaveText("row 7, column 3, open");
 
   // The line that is chosen wrong is told with its reason, and says so by its own name.
   await keys.choose(program.action(2), "delayed left 90");
-  await expect(corridor.spoken).toHaveText(/^Advice for line 2: front < 50 leaves too little room/);
+  await expect(corridor.announcement).toHaveText(
+    /^Advice for line 2: front < 50 leaves too little room/,
+  );
   await expect(program.line(2)).toHaveAccessibleName(
     /^Line 2: if front is less than 50, delayed left 90\. Front is 250, false.* Advice: /,
   );
 
   await keys.press(corridor.run);
-  await expect(corridor.spoken).toHaveText(
+  await expect(corridor.announcement).toHaveText(
     /^Bump: look at line 2\. Bump at \d+\.\d s\. Line 2 chose “delayed left 90” at \d+\.\d s with (4\d|50) cm in front\. It drives on first and needs 75 cm\. The bump card offers \d fix(es)?\.$/,
     { timeout: 30_000 },
   );
   await expect(program.line(2)).toHaveAccessibleName(/^Line 2, bumped: /);
   const card = corridor.bumpCard(2);
   await keys.press(card.getByRole("button", { name: "Change to left 90" }));
-  await expect(corridor.spoken).toHaveText(/^Fixed\./);
+  await expect(corridor.announcement).toHaveText(/^Fixed\./);
 
   // The slider says its moments itself; the voice only that it is the past.
-  await keys.goTo(timeline.slider);
+  await keys.tabTo(timeline.slider);
   await keys.key("Home");
   await expect(timeline.slider).toHaveAttribute("aria-valuetext", /^0\.0 s/);
-  await expect(corridor.spoken).toHaveText("You see an earlier moment of the run.");
+  await expect(corridor.announcement).toHaveText("You see an earlier moment of the run.");
   await keys.press(timeline.backToNow);
-  await expect(corridor.spoken).toHaveText(/^Back to now, \d+\.\d s\.$/);
+  await expect(corridor.announcement).toHaveText(/^Back to now, \d+\.\d s\.$/);
 
   await keys.press(corridor.reset);
-  await expect(corridor.spoken).toHaveText("The robot is back at its start.");
+  await expect(corridor.announcement).toHaveText("The robot is back at its start.");
   await keys.choose(corridor.speed, "max");
   await keys.key("Control+Enter");
-  await expect(corridor.spoken).toHaveText(
+  await expect(corridor.announcement).toHaveText(
     "Goal reached after 39.6 s (tick 2380), in row 1, column 11, by “otherwise”.",
   );
   await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
@@ -177,7 +179,7 @@ test("asks where the robot is, and is told once, in words that can be read too",
   const description =
     "At 0.0 s the robot is in row 7, column 1, facing right. Front is 250 cm, right 50 cm, back 50 cm, left 50 cm. No line is true, so “otherwise” decides: forward.";
   await page.keyboard.press("i");
-  await expect(corridor.spoken).toHaveText(description);
+  await expect(corridor.announcement).toHaveText(description);
   await expect(corridor.message(description)).toBeVisible();
   await corridor.maze.cursor.focus();
   await page.keyboard.press("i");
@@ -212,11 +214,11 @@ test("switches the spoken run off, still hears answers, and finds it off after a
   await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
   expect(await heard()).toEqual([]);
   await page.keyboard.press("i");
-  await expect(corridor.spoken).toHaveText(/^At 39\.6 s the robot is in row 1, column 11/);
+  await expect(corridor.announcement).toHaveText(/^At 39\.6 s the robot is in row 1, column 11/);
 });
 
 test("does a mission by ear: its task, its hint, its outcome", async ({ corridor, page }) => {
-  const keys = new Keys(page);
+  const keys = new KeyboardUser(page);
   const lessons = new LessonsPanel(page);
   await keys.press(page.getByRole("banner").getByRole("button", { name: "Lessons" }));
   await expect(lessons.path.getByRole("button", { name: /^\d+\. / })).toHaveCount(14);
@@ -228,7 +230,7 @@ test("does a mission by ear: its task, its hint, its outcome", async ({ corridor
   await keys.choose(corridor.program.action(1), "turn 180");
   await keys.choose(corridor.speed, "16×");
   await keys.key("Control+Enter");
-  await expect(corridor.spoken).toHaveText("Challenge solved. Lines used: 1 of 1");
+  await expect(corridor.announcement).toHaveText("Challenge solved. Lines used: 1 of 1");
   const texts = (await heard()).map(({ text }) => text);
   expect(texts.filter((text) => text.startsWith("Challenge solved"))).toHaveLength(1);
 });

@@ -1,4 +1,6 @@
-/** A maze travels in a link: from a teacher's page into a student's, without touching their work. */
+/**
+ * A maze travels in a link: from a teacher's page into a student's, without touching their work.
+ */
 import { encodeLink } from "@corridor/link";
 import { brokenDocuments } from "@corridor/link/testing";
 import { generateTree } from "@corridor/maze";
@@ -95,7 +97,7 @@ test("puts the program into the link when asked to", async ({ corridor, openWind
   await expect(reader.program.lines).toHaveCount(3);
   await reader.speed.selectOption("max");
   await reader.run.click();
-  await expect(reader.story).toContainText("tick 2310");
+  await expect(reader.runNote).toContainText("tick 2310");
 });
 
 test("opens a link, keeps the own work, and goes back to it", async ({ corridor, openWindow }) => {

@@ -5,9 +5,9 @@ import { join } from "node:path";
 import type { Page } from "playwright/test";
 import { inPath } from "../scripts/programs.ts";
 import { expect, test } from "./fixtures.ts";
-import { openMore } from "./support/remote-panel.ts";
+import { openMoreSection } from "./support/remote-panel.ts";
 import { copyAddress, setSpeed } from "./support/remote-robot.ts";
-import { exampleOf, runScript } from "./support/script.ts";
+import { exampleCommand, runScript } from "./support/script.ts";
 
 interface Script {
   name: string;
@@ -15,9 +15,9 @@ interface Script {
   text: string;
 }
 
-const [python = ""] = exampleOf("Python");
-const [node = ""] = exampleOf("JavaScript");
-const [java = ""] = exampleOf("Java");
+const [python = ""] = exampleCommand("Python");
+const [node = ""] = exampleCommand("JavaScript");
+const [java = ""] = exampleCommand("Java");
 
 /** All that the page, /docs and the README offer; saved where the program wants a file. */
 async function firstScripts(page: Page, address: string, folder: string): Promise<Script[]> {
@@ -38,7 +38,7 @@ async function firstScripts(page: Page, address: string, folder: string): Promis
     return copied("Script in another language");
   };
   const starter = await copied("Python");
-  await openMore(page);
+  await openMoreSection(page);
   const { origin } = new URL(address);
   await saved("corridor.py", await (await fetch(`${origin}/corridor.py`)).text());
   const readme = await readFile(new URL("../README.md", import.meta.url), "utf8");

@@ -1,12 +1,18 @@
-/** A maze that is larger than the stage leaves nothing behind: the next one is drawn where it is edited. */
+/**
+ * A maze that is larger than the stage leaves nothing behind: the next one is drawn where it is
+ * edited.
+ */
 import type { Locator } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
-import { StagePicture } from "./pages/stage-picture.ts";
+import { StageScreenshot } from "./pages/stage-screenshot.ts";
 import { phone, tab } from "./support/phone.ts";
 
-/** Its goal is in the corner opposite the start, so the stage is scrolled when a robot has reached it. */
+/**
+ * Its goal is in the corner opposite the start, so the stage is scrolled when a robot has reached
+ * it.
+ */
 const GOAL_FAR_AWAY = "358";
 
 /** Where the presets are: behind a button of the bar, or in a tab of a phone. */
@@ -34,7 +40,10 @@ async function chooseLarge(corridor: CorridorPage, isPhone: boolean): Promise<vo
   await corridor.dismissMessages();
 }
 
-/** Turns the wheel over the stage: again, where the stage had not been laid out for the new maze yet. */
+/**
+ * Turns the wheel over the stage: again, where the stage had not been laid out for the new maze
+ * yet.
+ */
 async function scrollToTheEnd({ page, maze }: CorridorPage): Promise<void> {
   const before = await maze.grid.boundingBox();
   await page.locator("canvas").first().hover({ force: true });
@@ -52,21 +61,21 @@ for (const isPhone of [false, true]) {
     const corridor = await openWindow(isPhone ? phone : {});
     await corridor.open();
     await chooseSmall(corridor, isPhone);
-    const picture = new StagePicture(corridor.page);
-    const fresh = await picture.taken();
+    const picture = new StageScreenshot(corridor.page);
+    const fresh = await picture.capture();
 
     await chooseLarge(corridor, isPhone);
     await scrollToTheEnd(corridor);
     await chooseSmall(corridor, isPhone);
     await picture.expectSame(fresh);
-    await expect(corridor.robotPlace).toHaveText(/^Robot at /);
+    await expect(corridor.robotPose).toHaveText(/^Robot at /);
 
     // A press edits the square that is drawn there.
     const square = { column: 4, row: 1 };
     if (isPhone) await tab(corridor.page, "Program").tap();
-    const before = await picture.taken();
+    const before = await picture.capture();
     await corridor.maze.click(square);
-    await picture.expectOther(before);
+    await picture.expectDifferent(before);
     await corridor.maze.expectSquare(square, "block");
   });
 }

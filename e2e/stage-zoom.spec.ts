@@ -1,6 +1,6 @@
 /** The maze larger and smaller, by button, key, wheel and two fingers. */
 import { expect, test } from "./fixtures.ts";
-import { Fingers } from "./support/fingers.ts";
+import { TouchInput } from "./support/touch-input.ts";
 import { boxOf, phone } from "./support/phone.ts";
 
 test("zooms by buttons, keys and the wheel, and fits the maze again", async ({
@@ -43,7 +43,7 @@ test("leaves the keys alone where single keys are switched off, and lists them",
   await page.keyboard.press("Escape");
   const before = (await boxOf(corridor.maze.grid)).width;
   await page.keyboard.press("+");
-  await corridor.frames(12);
+  await corridor.waitForFrames(12);
   expect((await boxOf(corridor.maze.grid)).width).toBe(before);
 });
 
@@ -53,7 +53,7 @@ test("zooms with two fingers on a phone, and edits nothing", async ({ openWindow
   const { grid } = corridor.maze;
   const { x, y, width, height } = await boxOf(grid);
   const [middleX, middleY] = [x + width / 2, y + height / 2];
-  const fingers = await Fingers.of(corridor.page);
+  const fingers = await TouchInput.of(corridor.page);
   const at = (apart: number) =>
     [
       { x: middleX - apart, y: middleY },

@@ -1,6 +1,9 @@
-/** What the reader sees and measures on the stage. The picture is compared with itself, never with a file. */
+/**
+ * What the reader sees and measures on the stage. The picture is compared with itself, never with a
+ * file.
+ */
 import { expect, test } from "./fixtures.ts";
-import { StagePicture } from "./pages/stage-picture.ts";
+import { StageScreenshot } from "./pages/stage-screenshot.ts";
 
 const text = (shown: { textContent: () => Promise<string | null> }) => shown.textContent();
 
@@ -9,20 +12,20 @@ test.describe("measuring", () => {
     corridor,
   }) => {
     const { maze } = corridor;
-    const picture = new StagePicture(corridor.page);
+    const picture = new StageScreenshot(corridor.page);
     await maze.tool("Measure").click();
-    const before = await picture.taken();
+    const before = await picture.capture();
     await maze.drag([
       { column: 0, row: 4 },
       { column: 2, row: 4 },
       { column: 3, row: 4 },
     ]);
-    await expect(maze.news).toHaveText("300 cm, 3 squares.");
-    await picture.expectOther(before);
+    await expect(maze.announcement).toHaveText("300 cm, 3 squares.");
+    await picture.expectDifferent(before);
     await maze.expectSquare({ column: 2, row: 4 }, "open");
     await expect(maze.button("Undo")).toBeDisabled();
     await corridor.page.keyboard.press("Escape");
-    await expect(maze.news).not.toContainText("squares");
+    await expect(maze.announcement).not.toContainText("squares");
   });
 
   test("the keyboard sets one square, walks to another and hears how far it is", async ({
@@ -30,12 +33,12 @@ test.describe("measuring", () => {
   }) => {
     const { maze, page } = corridor;
     await maze.tool("Measure").click();
-    await maze.goTo({ column: 1, row: 6 });
+    await maze.moveCursorTo({ column: 1, row: 6 });
     await page.keyboard.press("Enter");
-    await expect(maze.news).toContainText("Measuring from row 7, column 2");
-    await maze.goTo({ column: 4, row: 2 });
+    await expect(maze.announcement).toContainText("Measuring from row 7, column 2");
+    await maze.moveCursorTo({ column: 4, row: 2 });
     await page.keyboard.press("Space");
-    await expect(maze.news).toHaveText("500 cm, 5 squares. 300 cm across, 400 cm up.");
+    await expect(maze.announcement).toHaveText("500 cm, 5 squares. 300 cm across, 400 cm up.");
     await expect(maze.button("Undo")).toBeDisabled();
   });
 });
@@ -51,42 +54,47 @@ test("the button for the full screen leads there and back", async ({ corridor })
 });
 
 test("a delayed turn shows its way ahead of the robot", async ({ corridor }) => {
-  const picture = new StagePicture(corridor.page);
+  const picture = new StageScreenshot(corridor.page);
   await corridor.run.click();
-  await expect(corridor.robotPlace).toHaveText(/facing up/);
+  await expect(corridor.robotPose).toHaveText(/facing up/);
   await corridor.speed.selectOption("0.25×");
   const running = corridor.page.locator("li[aria-current=step]");
   await expect(running).toContainText(/turns in \d+ cm/);
   await corridor.pause.click();
   await expect(corridor.run).toBeVisible();
   const left = Number(/turns in (\d+)/.exec((await text(running)) ?? "")?.[1]);
-  const place = /Robot at (\d+), (\d+), facing up/.exec((await text(corridor.robotPlace)) ?? "");
+  const place = /Robot at (\d+), (\d+), facing up/.exec((await text(corridor.robotPose)) ?? "");
   const x = Number(place?.[1]);
   const y = Number(place?.[2]) - left;
   // Out of the junction, to the right of the turning point, where nothing else is drawn.
   const way = { x: x + 30, y: y - 8, width: 60, height: 16 };
-  const dashes = await picture.pixelsUnlike(way, { x: x + 30, y: y - 30, width: 60, height: 16 });
+  const dashes = await picture.differingPixels(way, {
+    x: x + 30,
+    y: y - 30,
+    width: 60,
+    height: 16,
+  });
   expect(left).toBeGreaterThan(0);
   expect(dashes).toBeGreaterThan(20);
 });
 
 test.describe("the stage is drawn again", () => {
   test("in the colours of another theme", async ({ corridor }) => {
-    const picture = new StagePicture(corridor.page);
-    const light = await picture.taken();
+    const picture = new StageScreenshot(corridor.page);
+    const light = await picture.capture();
     await corridor.page.emulateMedia({ colorScheme: "dark" });
-    await picture.expectOther(light);
-    const dark = await picture.taken();
+    await picture.expectDifferent(light);
+    const dark = await picture.capture();
     await corridor.page.emulateMedia({ colorScheme: "light" });
-    await picture.expectOther(dark);
+    await picture.expectDifferent(dark);
     await picture.expectSame(light);
   });
 
   test("where the browser cannot hand canvases to a worker", async ({ page, corridor }) => {
-    const inWorker = await new StagePicture(page).taken();
+    const inWorker = await new StageScreenshot(page).capture();
     await page.addInitScript(() => Reflect.deleteProperty(window, "OffscreenCanvas"));
     await corridor.reload();
-    await new StagePicture(page).expectSame(inWorker);
+    await new StageScreenshot(page).expectSame(inWorker);
     const canDraw = () =>
       page
         .locator("canvas")
@@ -95,6 +103,6 @@ test.describe("the stage is drawn again", () => {
     expect(await canDraw()).toBe(true);
     await corridor.run.click();
     await expect.poll(() => corridor.robotX()).toBeGreaterThan(80);
-    await new StagePicture(page).expectOther(inWorker);
+    await new StageScreenshot(page).expectDifferent(inWorker);
   });
 });

@@ -1,10 +1,16 @@
-/** A run can be gone back in: to any moment, decision by decision, on from there, by link and by file. */
+/**
+ * A run can be gone back in: to any moment, decision by decision, on from there, by link and by
+ * file.
+ */
 import { readFile } from "node:fs/promises";
 import { readRun } from "@corridor/recording";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
 
-/** A program that turns too late: "otherwise" drives into the wall after about two seconds, and goes on. */
+/**
+ * A program that turns too late: "otherwise" drives into the wall after about two seconds, and goes
+ * on.
+ */
 async function bump(corridor: CorridorPage): Promise<void> {
   await corridor.program.loadAlgorithm("Back and forth");
   await corridor.program.number(1).fill("10");
@@ -33,17 +39,17 @@ test("scrubs back to the bump and sees the robot, sensors, truths and line of th
   const { timeline, program } = corridor;
   await bump(corridor);
   await timeline.mark("bump").click();
-  await expect(timeline.inThePast).toBeVisible();
+  await expect(timeline.pastLabel).toBeVisible();
   await expect(
     corridor.page.getByRole("group", { name: "You see an earlier moment of this run." }),
   ).toContainText("Back to now");
   await expect(corridor.clock).toHaveText("Time 0:02.2");
-  await expect(corridor.robotPlace).toHaveText("Robot at 275, 650, facing right");
+  await expect(corridor.robotPose).toHaveText("Robot at 275, 650, facing right");
   await expect(corridor.sensor("front")).toHaveText("25");
   await expect(corridor.bumps).toHaveText("1 bump");
   await expect(program.line(1)).toHaveAccessibleName(/Front is 25, false\./);
   await expect(program.region.locator("[aria-current=step]")).toContainText("otherwise");
-  await timeline.expectMoment(/^2\.2 s, “otherwise” drives, bump$/);
+  await timeline.expectValueText(/^2\.2 s, “otherwise” drives, bump$/);
   // Before it there was room.
   await timeline.drag(0.07, 0.04);
   await expect(corridor.bumps).toHaveText("0 bumps");
@@ -57,7 +63,7 @@ test("reads no half of a word beside the way back to now", async ({ openWindow }
   await expect(scale).toBeVisible();
   await turnSomeTimes(corridor);
   await corridor.timeline.slider.press("Home");
-  await expect(corridor.timeline.inThePast).toBeVisible();
+  await expect(corridor.timeline.pastLabel).toBeVisible();
   await expect(scale).toBeHidden();
   await corridor.page.getByRole("button", { name: "Back to now" }).click();
   await expect(scale).toBeVisible();
@@ -75,7 +81,7 @@ test("lays an earlier moment out by the maze that it had", async ({ corridor }) 
   await corridor.run.click();
   await corridor.pause.click();
   await timeline.drag(0.3, 0.1);
-  await expect(timeline.inThePast).toBeVisible();
+  await expect(timeline.pastLabel).toBeVisible();
   await expect(maze.grid).toHaveAttribute("aria-colcount", String(columns));
   await timeline.backToNow.click();
   await expect(maze.grid).toHaveAttribute("aria-colcount", String(columns + 30));
@@ -89,22 +95,22 @@ test("steps back one decision by keyboard", async ({ corridor, page }) => {
   await expect
     .poll(async () => {
       await page.keyboard.press("ArrowLeft");
-      await corridor.frames(3);
+      await corridor.waitForFrames(3);
       return timeline.slider.getAttribute("aria-valuetext");
     })
     .toMatch(/^\d+\.\d s, line 1 drives, delayed right 90$|, line 2 drives, left 90$/);
-  await expect(timeline.inThePast).toBeVisible();
+  await expect(timeline.pastLabel).toBeVisible();
   const decision = await timeline.slider.getAttribute("aria-valuetext");
   await page.keyboard.press("ArrowLeft");
-  await timeline.expectMoment(/“otherwise” drives$/);
+  await timeline.expectValueText(/“otherwise” drives$/);
   await page.keyboard.press("ArrowRight");
   await expect(timeline.slider).toHaveAttribute("aria-valuetext", decision ?? "");
   await page.keyboard.press("Home");
   await expect(corridor.clock).toHaveText("Time 0:00.0");
-  await expect(corridor.robotPlace).toHaveText("Robot at 50, 650, facing right");
+  await expect(corridor.robotPose).toHaveText("Robot at 50, 650, facing right");
   await page.keyboard.press("End");
   await expect(corridor.clock).toHaveText(now ?? "");
-  await expect(timeline.inThePast).toBeHidden();
+  await expect(timeline.pastLabel).toBeHidden();
 });
 
 test("steps back and on with the buttons", async ({ corridor }) => {
@@ -112,18 +118,18 @@ test("steps back and on with the buttons", async ({ corridor }) => {
   await turnSomeTimes(corridor);
   const back = async (): Promise<string> => {
     const shown = (await corridor.clock.textContent()) ?? "";
-    await timeline.oneBack.click();
+    await timeline.previousDecision.click();
     await expect(corridor.clock).not.toHaveText(shown);
     return (await corridor.clock.textContent()) ?? "";
   };
   // The run may have stopped so soon after its newest decision that both show the same time.
-  await timeline.oneBack.click();
-  await expect(timeline.inThePast).toBeVisible();
+  await timeline.previousDecision.click();
+  await expect(timeline.pastLabel).toBeVisible();
   const decision = await back();
   await back();
   await corridor.step.click();
   await expect(corridor.clock).toHaveText(decision);
-  await expect(timeline.inThePast).toBeVisible();
+  await expect(timeline.pastLabel).toBeVisible();
 });
 
 test("runs from here with a mended line", async ({ corridor }) => {
@@ -144,16 +150,16 @@ test("runs from here with a mended line", async ({ corridor }) => {
 test("back to now", async ({ corridor }) => {
   const { timeline } = corridor;
   await turnSomeTimes(corridor);
-  const place = await corridor.robotPlace.textContent();
+  const place = await corridor.robotPose.textContent();
   const now = await corridor.clock.textContent();
   await timeline.drag(0.2, 0.1);
-  await expect(timeline.inThePast).toBeVisible();
+  await expect(timeline.pastLabel).toBeVisible();
   await expect(timeline.runFromHere).toBeVisible();
-  await expect(corridor.robotPlace).not.toHaveText(place ?? "");
+  await expect(corridor.robotPose).not.toHaveText(place ?? "");
   await timeline.backToNow.click();
-  await expect(timeline.inThePast).toBeHidden();
+  await expect(timeline.pastLabel).toBeHidden();
   await expect(corridor.clock).toHaveText(now ?? "");
-  await expect(corridor.robotPlace).toHaveText(place ?? "");
+  await expect(corridor.robotPose).toHaveText(place ?? "");
   await expect(corridor.run).toBeVisible();
 });
 
@@ -167,15 +173,15 @@ test("watches the run again, and drives on by hand from the middle of it", async
   await timeline.drag(0.1, 0.02);
   await timeline.watch.click();
   await expect(corridor.clock).toHaveText(now ?? "");
-  await expect(timeline.inThePast).toBeHidden();
+  await expect(timeline.pastLabel).toBeHidden();
   await timeline.drag(0.1, 0.04);
   await expect(corridor.bumps).toHaveText("0 bumps");
   await corridor.driveKey("left").hover();
   await page.mouse.down();
   await expect(corridor.driver("Me")).toBeChecked();
-  await expect(corridor.robotPlace).toHaveText(/facing up/);
+  await expect(corridor.robotPose).toHaveText(/facing up/);
   await page.mouse.up();
-  await expect(timeline.inThePast).toBeHidden();
+  await expect(timeline.pastLabel).toBeHidden();
   await expect(corridor.bumps).toHaveText("0 bumps");
 });
 
@@ -188,17 +194,17 @@ test("goes back with a finger on a phone", async ({ openWindow }) => {
   await turnSomeTimes(phone);
   const box = await timeline.slider.boundingBox();
   expect(box?.height).toBeGreaterThanOrEqual(44);
-  const { x, y } = await timeline.placeAt(0.1);
+  const { x, y } = await timeline.pointAt(0.1);
   await phone.page.touchscreen.tap(x, y);
-  await expect(timeline.inThePast).toBeVisible();
+  await expect(timeline.pastLabel).toBeVisible();
   await timeline.backToNow.tap();
-  await expect(timeline.inThePast).toBeHidden();
+  await expect(timeline.pastLabel).toBeHidden();
 });
 
 test("shares a run by link and another reader watches it", async ({ corridor, openWindow }) => {
   await turnSomeTimes(corridor);
   const now = (await corridor.clock.textContent()) ?? "";
-  const place = (await corridor.robotPlace.textContent()) ?? "";
+  const place = (await corridor.robotPose.textContent()) ?? "";
   await corridor.share.click();
   await corridor
     .dialog("Share this maze")
@@ -212,13 +218,13 @@ test("shares a run by link and another reader watches it", async ({ corridor, op
   const reader = await openWindow();
   await reader.open(link);
   await expect(reader.message(/^This is a recorded run/)).toBeVisible();
-  await expect(reader.timeline.inThePast).toBeVisible();
+  await expect(reader.timeline.pastLabel).toBeVisible();
   await expect(reader.clock).toHaveText("Time 0:00.0");
   await reader.speed.selectOption("8×");
   await reader.timeline.watch.click();
-  await expect(reader.timeline.inThePast).toBeHidden();
+  await expect(reader.timeline.pastLabel).toBeHidden();
   await expect(reader.clock).toHaveText(now);
-  await expect(reader.robotPlace).toHaveText(place);
+  await expect(reader.robotPose).toHaveText(place);
   await expect(reader.program.name).toHaveValue("Example: right wall");
 });
 

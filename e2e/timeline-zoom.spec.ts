@@ -34,7 +34,7 @@ test("zooms by buttons, keys and the wheel, and scrolls", async ({ corridor, pag
   await timeline.slider.press("-");
   await expect(timeline.axis.first()).toHaveText("0 s");
 
-  const { x, y } = await timeline.placeAt(0.3);
+  const { x, y } = await timeline.pointAt(0.3);
   await page.mouse.move(x, y);
   await page.keyboard.down("Control");
   await page.mouse.wheel(0, -100);
@@ -59,7 +59,7 @@ test("a phone zooms with two fingers, and the whole run comes back", async ({ op
   const before = await timeline.mark("turn").first().boundingBox();
   const last = await timeline.mark("turn").nth(1).boundingBox();
   const apart = (last?.x ?? 0) - (before?.x ?? 0);
-  const { x, y } = await timeline.placeAt(0.1);
+  const { x, y } = await timeline.pointAt(0.1);
   await timeline.slider.evaluate(
     (slider, at) => {
       const bar = slider.parentElement;

@@ -1,10 +1,13 @@
-/** A friend's phone, a teacher's projector: who opens a watch link sees the robot of another page, and drives nothing. */
+/**
+ * A friend's phone, a teacher's projector: who opens a watch link sees the robot of another page,
+ * and drives nothing.
+ */
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
-import { expectNoBarriers } from "./support/axe.ts";
-import { FrontDoor } from "./support/front-door.ts";
-import { openMore } from "./support/remote-panel.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { RelayProxy } from "./support/relay-proxy.ts";
+import { openMoreSection } from "./support/remote-panel.ts";
 
 interface Addresses {
   drive: string;
@@ -18,7 +21,7 @@ async function takeAddresses({ page }: CorridorPage): Promise<Addresses> {
   await page.getByRole("button", { name: "Copy address with key" }).click();
   await expect.poll(copied).toContain("#drv_");
   const drive = await copied();
-  await openMore(page);
+  await openMoreSection(page);
   await page.getByRole("button", { name: "Make a watch address" }).click();
   await page.getByRole("button", { name: "Copy address to watch" }).click();
   await expect.poll(copied).toContain("#wch_");
@@ -57,7 +60,7 @@ async function expectSamePlace(owner: CorridorPage, onlooker: Page): Promise<voi
   await expect
     .poll(async () => {
       const here = await seen(onlooker).place.textContent();
-      const there = await owner.robotPlace.textContent();
+      const there = await owner.robotPose.textContent();
       return here === there ? "the same" : `${here}, but ${there}`;
     })
     .toBe("the same");
@@ -86,7 +89,7 @@ test("shows the robot where it is, whoever drives it, and its maze as it changes
   // The hand: the picture moves with it.
   const stage = page.getByRole("main");
   const before = await stage.screenshot();
-  await corridor.letDrive("Me");
+  await corridor.selectDriver("Me");
   await expect(news).toContainText("A person drives the robot.");
   await corridor.page.keyboard.down("s");
   await expect.poll(() => corridor.robotX()).toBeLessThan(190);
@@ -149,7 +152,7 @@ test("is told when the robot's page leaves and when it comes back", async ({
   await expect(place).toBeVisible();
   await corridor.page.goto("about:blank");
   await expect(news).toContainText("The robot’s page is closed or offline.");
-  await expectNoBarriers(page, "an onlooker whose robot is gone");
+  await expectNoAxeViolations(page, "an onlooker whose robot is gone");
   await corridor.page.goBack();
   await expect(news).toContainText("The robot waits for a script.", { timeout: 15_000 });
 });
@@ -168,7 +171,7 @@ test("is told at once when the link was taken back, and can open the new one in 
   const end = page.getByRole("alert");
   await expect(end).toContainText("This watch link has ended");
   await expect(seen(page).banner).toHaveCount(0);
-  await expectNoBarriers(page, "a watch link that has ended");
+  await expectNoAxeViolations(page, "a watch link that has ended");
   await page.goto(address);
   await expect(seen(page).place).toBeVisible();
 });
@@ -184,7 +187,7 @@ test("says what a script's address is for, hides its key and starts no robot", a
   await expect(says).toContainText("This address is for a script");
   expect(page.url()).not.toContain("drv_");
   expect(page.workers()).toHaveLength(0);
-  await expectNoBarriers(page, "a script's address in a browser");
+  await expectNoAxeViolations(page, "a script's address in a browser");
   await page.getByRole("link", { name: "How to write a script" }).click();
   await expect(page).toHaveURL(/\/docs/);
 });
@@ -212,7 +215,7 @@ for (const { name, end, says } of [
 
 test("shows the robot where no WebSocket passes", async ({ corridor, browser, relay }) => {
   const { drive, watch } = await takeAddresses(corridor);
-  const door = await FrontDoor.open(relay);
+  const door = await RelayProxy.start(relay);
   // Not a watched window: the browser complains of the WebSocket that does not open.
   const context = await browser.newContext();
   const page = await context.newPage();
@@ -225,7 +228,7 @@ test("shows the robot where no WebSocket passes", async ({ corridor, browser, re
   await expectSamePlace(corridor, page);
   expect(lines.some((path) => path.endsWith("/line/messages"))).toBe(true);
   await context.close();
-  await door.shut();
+  await door.close();
 });
 
 test("has room and no barriers on a small phone, in every language", async ({
@@ -236,7 +239,7 @@ test("has room and no barriers on a small phone, in every language", async ({
   const { page } = await openWindow({ viewport: { width: 320, height: 640 } });
   await page.goto(watch);
   await expect(seen(page).place).toBeVisible();
-  await expectNoBarriers(page, "an onlooker on a small phone");
+  await expectNoAxeViolations(page, "an onlooker on a small phone");
   for (const language of ["en", "ar", "de", "es", "fr", "ja", "pt", "zh-Hans"]) {
     for (const address of [watch, drive]) {
       await page.goto("about:blank");

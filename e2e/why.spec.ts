@@ -1,4 +1,7 @@
-/** The lines say why: what is true though it was not read, how far a manoeuvre is, what bumped, what to mend. */
+/**
+ * The lines say why: what is true though it was not read, how far a manoeuvre is, what bumped, what
+ * to mend.
+ */
 import type { Locator } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 
@@ -19,14 +22,14 @@ async function shareInSight(line: Locator): Promise<number> {
 
 test("sees that line 2 is true but was not read", async ({ corridor }) => {
   const { program } = corridor;
-  await program.empty();
+  await program.deleteAllLines();
   await program.addLine("right <", "60", "forward");
   await program.addLine("front >", "50", "turn 180");
   await program.addLine("left >", "60", "left 90");
   await expect(program.line(1)).toHaveAttribute("aria-current", "step");
   await expect(program.line(1)).toContainText("50 < 60");
-  await expect(program.notRead).toHaveText("not read this time");
-  await expect(program.notRead).toBeVisible();
+  await expect(program.runningLineNote).toHaveText("not read this time");
+  await expect(program.runningLineNote).toBeVisible();
   await expect(program.line(2)).toContainText("250 > 50");
   await expect(program.line(2)).toHaveAccessibleName(
     "Line 2: if front is more than 50, turn 180. Front is 250, true, not read this time.",
@@ -39,7 +42,7 @@ test("sees a delayed turn count down: the way, the turn and the way out", async 
   const { program } = corridor;
   await corridor.choosePreset("Empty");
   await corridor.speed.selectOption("0.25");
-  await program.empty();
+  await program.deleteAllLines();
   await program.addLine("front >", "100", "delayed left 90");
   await corridor.run.click();
   const note = (words: RegExp) => program.line(1).getByText(words);
@@ -64,7 +67,7 @@ test("sees a delayed turn count down: the way, the turn and the way out", async 
 
 test("sees the tick of a line stay in its place while its number changes", async ({ corridor }) => {
   const { program } = corridor;
-  await program.empty();
+  await program.deleteAllLines();
   await program.addLine("front >", "50", "forward");
   await corridor.run.click();
   const seen = await program.line(1).evaluate(
@@ -122,7 +125,7 @@ test("finds every line in its place, and no words at rest, while one after the o
 
 test("sees how far the turn of otherwise is", async ({ corridor }) => {
   const { program } = corridor;
-  await program.empty();
+  await program.deleteAllLines();
   await program.otherwise.selectOption("left 90");
   await corridor.speed.selectOption("0.25");
   await corridor.run.click();
@@ -132,7 +135,7 @@ test("sees how far the turn of otherwise is", async ({ corridor }) => {
 
 test("sees which line bumped, and how far it came", async ({ corridor }) => {
   const { program } = corridor;
-  await program.empty();
+  await program.deleteAllLines();
   await program.addLine("front <", "50", "delayed left 90");
   await corridor.speed.selectOption("0.25");
   await corridor.run.click();
@@ -144,7 +147,7 @@ test("takes the advice on a line that can never decide, and takes it back", asyn
   corridor,
 }) => {
   const { program } = corridor;
-  await program.empty();
+  await program.deleteAllLines();
   await program.addLine("front >", "50", "forward");
   await program.addLine("front >", "100", "delayed left 90");
   const advice = program.line(2).getByText(/^Never decides: /);
@@ -152,7 +155,7 @@ test("takes the advice on a line that can never decide, and takes it back", asyn
   await expect(program.line(2)).toHaveAccessibleName(
     /Advice: Never decides: whenever front > 100, line 1 decides first\.$/,
   );
-  await expect(corridor.spoken).toHaveText(/^Advice for line 2: Never decides: /);
+  await expect(corridor.announcement).toHaveText(/^Advice for line 2: Never decides: /);
   await program.line(2).getByRole("button", { name: "Delete line 2" }).last().click();
   await expect(program.lines).toHaveCount(1);
   await program.button("Undo").click();
@@ -211,7 +214,7 @@ const mends = [
 for (const { what, condition, number, action, reason, mend, after } of mends) {
   test(`is advised on ${what}, and mends it by one press`, async ({ corridor }) => {
     const { program } = corridor;
-    await program.empty();
+    await program.deleteAllLines();
     await program.addLine(condition, number, action);
     await expect(program.line(1).getByText(reason)).toBeVisible();
     await program.button(mend).click();
@@ -225,12 +228,12 @@ test("runs a program in spite of its advice, hides the advice, and it stays away
   corridor,
 }) => {
   const { program } = corridor;
-  await program.empty();
+  await program.deleteAllLines();
   await program.addLine("right >", "60", "right 90");
   const advice = program.line(1).getByText(/becomes true at the edge of an opening/);
   await expect(advice).toBeVisible();
   await corridor.run.click();
-  await expect(corridor.robotPlace).not.toHaveText(/^Robot at 50, 650/);
+  await expect(corridor.robotPose).not.toHaveText(/^Robot at 50, 650/);
   await expect(advice).toBeVisible();
   await corridor.pause.click();
   await program.button("Hide this advice").click();
@@ -253,7 +256,7 @@ test("reaches otherwise and Add line below a long program, and sees the line tha
 }) => {
   const { program } = corridor;
   await page.setViewportSize({ width: 1024, height: 768 });
-  await program.empty();
+  await program.deleteAllLines();
   for (let line = 1; line <= 9; line++) await program.button("Add line").click();
   await program.addLine("front >", "50", "forward");
   await expect(program.otherwise).toBeInViewport({ ratio: 1 });
@@ -273,7 +276,7 @@ test("reaches otherwise and Add line below a long program, and sees the line tha
 test("scrolls away from the line that runs, and is left alone", async ({ corridor, page }) => {
   const { program } = corridor;
   await page.setViewportSize({ width: 1024, height: 768 });
-  await program.empty();
+  await program.deleteAllLines();
   for (let line = 1; line <= 8; line++) await program.button("Add line").click();
   await program.addLine("front <", "60", "turn 180");
   await program.otherwise.selectOption("forward");
@@ -287,7 +290,7 @@ test("scrolls away from the line that runs, and is left alone", async ({ corrido
   await page.mouse.wheel(0, -2000);
   await expect.poll(() => shareInSight(program.line(1))).toBe(1);
   await expect(program.line(9)).toHaveAttribute("aria-current", "step");
-  await corridor.frames(60);
+  await corridor.waitForFrames(60);
   expect(await shareInSight(program.line(1))).toBe(1);
 });
 

@@ -1,10 +1,16 @@
-/** Large letters, a page zoomed to 400 %, and the system's own colours: everything is there and can be used. */
+/**
+ * Large letters, a page zoomed to 400 %, and the system's own colours: everything is there and can
+ * be used.
+ */
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
-import { atRest } from "./support/at-rest.ts";
-import { stickingOut, unreadable } from "./support/layout.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
+import { horizontalOverflow, unreadableTexts } from "./support/layout.ts";
 
-/** As a reader does in the browser's settings: its letters, and all that is measured in them, are twice as large. */
+/**
+ * As a reader does in the browser's settings: its letters, and all that is measured in them, are
+ * twice as large.
+ */
 async function doubleLetters(page: Page): Promise<void> {
   const browser = await page.context().newCDPSession(page);
   await browser.send("Page.enable");
@@ -24,8 +30,8 @@ for (const { width, height, isPhone } of [
     await corridor.open();
     const faults: string[] = [];
     const look = async (state: string): Promise<void> => {
-      await atRest(page);
-      const found = [...(await stickingOut(page)), ...(await unreadable(page))];
+      await waitForAnimations(page);
+      const found = [...(await horizontalOverflow(page)), ...(await unreadableTexts(page))];
       faults.push(...found.map((fault) => `${state}: ${fault}`));
     };
     const opened = async (state: string, open: () => Promise<void>): Promise<void> => {
@@ -45,7 +51,7 @@ for (const { width, height, isPhone } of [
     await corridor.pause.click();
     await look("after a run");
     await corridor.timeline.slider.press("Home");
-    await expect(corridor.timeline.inThePast).toBeVisible();
+    await expect(corridor.timeline.pastLabel).toBeVisible();
     await look("past");
     await corridor.timeline.backToNow.click();
     if (isPhone) {
@@ -77,7 +83,7 @@ test("reads everything where a style of the reader's own doubles the letters", a
   await corridor.open();
   const { page } = corridor;
   await page.evaluate(() => document.documentElement.style.setProperty("font-size", "200%"));
-  expect(await stickingOut(page)).toEqual([]);
+  expect(await horizontalOverflow(page)).toEqual([]);
   await corridor.run.scrollIntoViewIfNeeded();
   await expect(corridor.run).toBeInViewport();
   await corridor.program.line(1).scrollIntoViewIfNeeded();
@@ -88,7 +94,7 @@ test("works at 400 %: a window of 1280 x 1024 has 320 x 256 px then", async ({ o
   const corridor = await openWindow({ viewport: { width: 320, height: 256 } });
   await corridor.open();
   const { page } = corridor;
-  expect(await stickingOut(page), "first visit").toEqual([]);
+  expect(await horizontalOverflow(page), "first visit").toEqual([]);
   for (const control of [
     corridor.maze.grid,
     corridor.run,

@@ -1,4 +1,7 @@
-/** One clock for all processes of this machine: when a command was sent here and begun there can be compared. */
+/**
+ * One clock for all processes of this machine: when a command was sent here and begun there can be
+ * compared.
+ */
 
 /** ms by a clock that is never set back, the same in every process */
 export function machineNow(): number {

@@ -1,8 +1,9 @@
 /**
- * `npm run test:faults`: breaks the real service in every way that it promises to stand, row by row,
- * with real processes and sockets. Prints a line for each goal; exit code 1 when one is missed.
+ * `npm run test:faults`: breaks the real service in every way that it promises to stand, row by
+ * row, with real processes and sockets. Prints a line for each goal; exit code 1 when one is
+ * missed.
  *
- *     npm run test:faults -- [--long] [--seed N] [--report FILE] [WORD ...]
+ * npm run test:faults -- [--long] [--seed N] [--report FILE] [WORD ...]
  *
  * Words choose rows by their titles.
  */
@@ -86,7 +87,10 @@ async function judge(row: Row): Promise<Judged> {
   }
 }
 
-/** Of the whole machine in the last minute: more than it has processors means that others were at work, too. */
+/**
+ * Of the whole machine in the last minute: more than it has processors means that others were at
+ * work, too.
+ */
 function loadOf(): number {
   return loadavg()[0] ?? NaN;
 }

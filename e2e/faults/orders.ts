@@ -6,8 +6,8 @@ import type { Dice } from "../../apps/relay/src/testing/faults/dice.ts";
 const TTLS = [400, 400, 2_000, 10_000];
 
 /**
- * One that is done within a tenth of a second, so that the next need not wait for it; to and fro. No
- * velocity follows on another one, for of two that wait the newer takes the place of the older.
+ * One that is done within a tenth of a second, so that the next need not wait for it; to and fro.
+ * No velocity follows on another one, for of two that wait the newer takes the place of the older.
  */
 export function shortOrder(n: number): Order {
   const isBack = n % 2 === 1;

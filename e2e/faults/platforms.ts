@@ -1,4 +1,7 @@
-/** What clients take from this machine, with the doors that a row leaves open and an ear on what is said. */
+/**
+ * What clients take from this machine, with the doors that a row leaves open and an ear on what is
+ * said.
+ */
 import { fetchedMessagesSchema, readJson, type SocketEvents } from "@corridor/protocol";
 import { globalPlatform, type Platform } from "../../packages/client/src/platform.ts";
 import type { Doors } from "./robots/page-messages.ts";

@@ -1,4 +1,7 @@
-/** What a run of the rows found, as a table in Markdown: what was done, what must hold, what was measured. */
+/**
+ * What a run of the rows found, as a table in Markdown: what was done, what must hold, what was
+ * measured.
+ */
 import { digits, isMet, type Goal } from "../../benches/core/goals.ts";
 
 export interface Judged {

@@ -1,4 +1,7 @@
-/** A row of `npm run test:faults`: breaks something of the real service, and judges what became of it. */
+/**
+ * A row of `npm run test:faults`: breaks something of the real service, and judges what became of
+ * it.
+ */
 import type { Goal } from "../../benches/core/goals.ts";
 
 export interface Terms {

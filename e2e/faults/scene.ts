@@ -1,4 +1,7 @@
-/** What most rows begin with: robots at a relay, each with a page, and a process of pages that may go. */
+/**
+ * What most rows begin with: robots at a relay, each with a page, and a process of pages that may
+ * go.
+ */
 import { registerRobot } from "../../packages/client/src/register-robot.ts";
 import {
   faultKinds,

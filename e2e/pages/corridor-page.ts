@@ -1,11 +1,11 @@
 /**
- * The page as its user finds it: by role and name. Squares are counted from 0 and lines from 1, as
- * in documents and on the badges.
+ * Page object of the simulator. Locates elements by role and name. Squares are counted from 0 and
+ * lines from 1, as in documents and on the line badges.
  */
 import { expect, type Locator, type Page } from "playwright/test";
 import { MazeGrid } from "./maze-grid.ts";
 import { ProgramPanel } from "./program-panel.ts";
-import { TimelineStrip } from "./timeline-strip.ts";
+import { TimelinePanel } from "./timeline-panel.ts";
 
 export type Driver = "Me" | "Program" | "Remote";
 
@@ -14,7 +14,7 @@ export class CorridorPage {
   readonly maze: MazeGrid;
   readonly program: ProgramPanel;
   readonly transport: Locator;
-  readonly timeline: TimelineStrip;
+  readonly timeline: TimelinePanel;
   readonly messages: Locator;
 
   constructor(page: Page) {
@@ -22,27 +22,27 @@ export class CorridorPage {
     this.maze = new MazeGrid(page);
     this.program = new ProgramPanel(page);
     this.transport = page.getByRole("region", { name: "Run" });
-    this.timeline = new TimelineStrip(page, this.transport);
+    this.timeline = new TimelinePanel(page, this.transport);
     this.messages = page.getByRole("region", { name: "Messages" });
   }
 
-  /** Opens an address of the page and waits until the robot is there. */
+  /** Opens an address of the page and waits until the robot is displayed. */
   async open(address = "/"): Promise<void> {
     await this.page.goto(address);
-    await this.isReady();
+    await this.waitUntilReady();
   }
 
   async reload(): Promise<void> {
     await this.page.reload();
-    await this.isReady();
+    await this.waitUntilReady();
   }
 
-  async isReady(): Promise<void> {
-    await expect(this.robotPlace).toBeVisible();
+  async waitUntilReady(): Promise<void> {
+    await expect(this.robotPose).toBeVisible();
     await expect(this.maze.grid).toBeVisible();
   }
 
-  // What the reader presses.
+  // Controls.
 
   get run(): Locator {
     return this.transport.getByRole("button", { name: "Run", exact: true });
@@ -77,13 +77,13 @@ export class CorridorPage {
     return this.page.getByRole("group", { name: "Who drives?" }).getByRole("radio", { name });
   }
 
-  /** Hands the robot over, with the mouse. The choice is taken once the simulator agrees. */
-  async letDrive(name: Driver): Promise<void> {
+  /** Selects the driver with the mouse, and waits until the simulator accepts the choice. */
+  async selectDriver(name: Driver): Promise<void> {
     await this.driver(name).click();
     await expect(this.driver(name)).toBeChecked();
   }
 
-  /** A key on the screen: forward, left, stop, right or reverse. */
+  /** An on-screen drive key: forward, left, stop, right or reverse. */
   driveKey(name: string): Locator {
     return this.page
       .getByRole("group", { name: "Hold to drive" })
@@ -94,7 +94,7 @@ export class CorridorPage {
     return this.page.getByRole("dialog", { name });
   }
 
-  /** Chooses a maze of the menu by its title. */
+  /** Selects a preset maze by its title. */
   async choosePreset(title: string): Promise<void> {
     await this.page.getByRole("button", { name: "Presets", exact: true }).click();
     await this.dialog("Presets")
@@ -103,16 +103,16 @@ export class CorridorPage {
     await expect(this.mazeMenu).toHaveAccessibleName(`${title}, Maze menu`);
   }
 
-  // What the reader sees.
+  // Displayed state.
 
   /** "Robot at 50, 650, facing right" */
-  get robotPlace(): Locator {
+  get robotPose(): Locator {
     return this.page.getByText(/^Robot at /);
   }
 
-  /** The robot's place along the maze, in cm. */
+  /** The robot's x coordinate in cm. */
   async robotX(): Promise<number> {
-    return Number(/^Robot at (-?\d+)/.exec((await this.robotPlace.textContent()) ?? "")?.[1]);
+    return Number(/^Robot at (-?\d+)/.exec((await this.robotPose.textContent()) ?? "")?.[1]);
   }
 
   /** Simulated time, "Time 0:39.6". */
@@ -120,13 +120,13 @@ export class CorridorPage {
     return this.transport.getByText(/^Time \d+:\d\d\.\d$/);
   }
 
-  /** What a script drove, "Time 0:12.3 driving". */
-  get driving(): Locator {
+  /** Driving time of a script, "Time 0:12.3 driving". */
+  get drivingTime(): Locator {
     return this.transport.getByText(/^Time \d+:\d\d\.\d driving$/);
   }
 
-  /** How long a script let the robot wait, "0:40.1 waiting". */
-  get waiting(): Locator {
+  /** Waiting time of a script, "0:40.1 waiting". */
+  get waitingTime(): Locator {
     return this.transport.getByText(/^\d+:\d\d\.\d waiting$/);
   }
 
@@ -134,18 +134,18 @@ export class CorridorPage {
     return this.transport.getByText(/^\d+ bumps?$/);
   }
 
-  /** The goal or the newest bump in words, to be read when one comes to it. */
-  get story(): Locator {
+  /** The note that describes the goal or the newest bump. */
+  get runNote(): Locator {
     return this.transport.getByRole("note");
   }
 
-  /** What those who listen are told: the one live region for all that is no error. */
-  get spoken(): Locator {
+  /** The live region for all announcements except errors. */
+  get announcement(): Locator {
     return this.page.locator("#spoken");
   }
 
-  /** What a screen reader is told of the connection to scripts. */
-  get connection(): Locator {
+  /** The status of the connection to scripts, announced to screen readers. */
+  get connectionStatus(): Locator {
     return this.page.getByRole("region", { name: "Remote" }).getByRole("status");
   }
 
@@ -166,22 +166,22 @@ export class CorridorPage {
     return this.messages.getByText(text);
   }
 
-  /** Dismisses all messages, so that none covers what is pressed next. */
+  /** Dismisses all messages, so that none covers the next click target. */
   async dismissMessages(): Promise<void> {
     const dismiss = this.messages.getByRole("button", { name: "Dismiss" });
-    // All at once: a message may leave by itself while the one before it is being clicked.
+    // Clicks all in one call: a message may disappear by itself between two clicks.
     await dismiss.evaluateAll((buttons: HTMLElement[]) => {
       for (const button of buttons) button.click();
     });
     await expect(dismiss).toHaveCount(0);
   }
 
-  /** Whether the device has the newest edit. */
+  /** Whether the newest edit is stored on the device. */
   get saveState(): Locator {
     return this.page.getByText(/^(Saved on this device|Saving|Not saved)$/).first();
   }
 
-  /** The link of the share dialog as it stands now; the dialog is closed again. */
+  /** The link of the share dialog for the current state. Closes the dialog. */
   async shareLink({ withProgram }: { withProgram: boolean }): Promise<string> {
     await this.share.click();
     const dialog = this.dialog("Share this maze");
@@ -192,21 +192,21 @@ export class CorridorPage {
     return link;
   }
 
-  /** Waits until the robot has stood still for a dozen frames. */
-  async robotStands(): Promise<void> {
+  /** Waits until the robot has not moved for 12 frames. */
+  async waitForRobotToStop(): Promise<void> {
     await expect
       .poll(async () => {
-        const before = await this.robotPlace.textContent();
-        await this.frames(12);
-        return (await this.robotPlace.textContent()) === before;
+        const before = await this.robotPose.textContent();
+        await this.waitForFrames(12);
+        return (await this.robotPose.textContent()) === before;
       })
       .toBe(true);
   }
 
-  /** Lets the page draw a number of frames. */
-  async frames(count: number): Promise<void> {
-    await this.page.evaluate(async (frames) => {
-      for (let frame = 0; frame < frames; frame++) {
+  /** Waits for a number of animation frames. */
+  async waitForFrames(count: number): Promise<void> {
+    await this.page.evaluate(async (waitForFrames) => {
+      for (let frame = 0; frame < waitForFrames; frame++) {
         await new Promise((resolve) => requestAnimationFrame(resolve));
       }
     }, count);

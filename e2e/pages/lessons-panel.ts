@@ -1,4 +1,4 @@
-/** The lessons as their reader finds them: the path, the mission card and the line above the maze. */
+/** Page object of the lessons: the lesson path, the mission card and the line above the maze. */
 import { expect, type Locator, type Page } from "playwright/test";
 
 export class LessonsPanel {
@@ -6,7 +6,7 @@ export class LessonsPanel {
   readonly invitation: Locator;
   readonly card: Locator;
   readonly path: Locator;
-  /** what the card says of the attempt */
+  /** the card's note on the attempt */
   readonly outcome: Locator;
 
   constructor(page: Page) {
@@ -17,7 +17,7 @@ export class LessonsPanel {
     this.outcome = this.card.getByRole("note");
   }
 
-  /** Opens a mission from the path by its number, and waits until it is there. */
+  /** Opens a mission from the lesson path by its number, and waits until it is displayed. */
   async openMission(number: number): Promise<void> {
     await this.openPath();
     await this.path.getByRole("button", { name: new RegExp(`^${number}\\. `) }).click();
@@ -29,7 +29,7 @@ export class LessonsPanel {
     await expect(this.path).toBeVisible();
   }
 
-  /** The path stands behind "More" on a phone, and the mission's number on its card alone. */
+  /** On a phone, the path is in the "More" dialog, and only the card shows the mission's number. */
   async openMissionOnPhone(number: number): Promise<void> {
     await this.#page.getByRole("banner").getByRole("button", { name: "More" }).click();
     const more = this.#page.getByRole("dialog", { name: "More" });

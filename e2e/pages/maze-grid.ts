@@ -1,4 +1,4 @@
-/** The maze on the stage: its squares by pointer, and by the keyboard's cursor. */
+/** Page object of the maze on the stage, for pointer, touch and the keyboard cursor. */
 import { expect, type Locator, type Page } from "playwright/test";
 
 /** A square of the maze, counted from 0. */
@@ -16,7 +16,7 @@ export class MazeGrid {
     this.grid = page.getByRole("grid", { name: "Maze" });
   }
 
-  /** One of the edits of the strip above the maze: Undo, Redo, Clear maze, Resize. */
+  /** A button of the strip above the maze: Undo, Redo, Clear maze, Resize. */
   button(name: string): Locator {
     return this.#page
       .getByRole("region", { name: "Maze" })
@@ -27,36 +27,36 @@ export class MazeGrid {
     return this.#page.getByRole("group", { name: "Tool" }).getByRole("radio", { name });
   }
 
-  /** What a screen reader is told after a press on a square: what it is now, or what a tape measures. */
-  get news(): Locator {
+  /** The announcement after a press on a square: its new state, or the measured distances. */
+  get announcement(): Locator {
     return this.#page.locator("#spoken");
   }
 
-  /** Clicks the middle of a square. */
+  /** Clicks the centre of a square. */
   async click(square: Square): Promise<void> {
-    await this.grid.click({ position: await this.#middleOf(square) });
+    await this.grid.click({ position: await this.#centreOf(square) });
   }
 
-  /** Taps the middle of a square with a finger. */
+  /** Taps the centre of a square. */
   async tap(square: Square): Promise<void> {
-    await this.#isStill();
-    await this.grid.tap({ position: await this.#middleOf(square) });
+    await this.#waitForFinalSize();
+    await this.grid.tap({ position: await this.#centreOf(square) });
   }
 
-  /** Presses on the first square, moves over all others, and lets go on the last. */
+  /** Presses on the first square, moves over all others, and releases on the last. */
   async drag(squares: readonly Square[]): Promise<void> {
     const box = await this.grid.boundingBox();
     if (box === null) throw new Error("the maze is not on the screen");
     for (const [at, square] of squares.entries()) {
-      const { x, y } = await this.#middleOf(square);
+      const { x, y } = await this.#centreOf(square);
       await this.#page.mouse.move(box.x + x, box.y + y);
       if (at === 0) await this.#page.mouse.down();
     }
     await this.#page.mouse.up();
   }
 
-  /** Walks the keyboard's cursor to a square. @returns the square, focused */
-  async goTo({ column, row }: Square): Promise<Locator> {
+  /** Moves the keyboard cursor to a square. @returns the focused square */
+  async moveCursorTo({ column, row }: Square): Promise<Locator> {
     await this.cursor.focus();
     const from = await this.cursor.evaluate((cell) => ({
       column: Number(cell.ariaColIndex) - 1,
@@ -69,23 +69,23 @@ export class MazeGrid {
     return this.cursor;
   }
 
-  /** Where the keyboard's cursor is; the one square that Tab reaches. */
+  /** The square with the keyboard cursor, which is the only square in the Tab order. */
   get cursor(): Locator {
     return this.grid.locator('[tabindex="0"]');
   }
 
-  /** Expects that a square is called so: "block", or "open, goal". */
+  /** Expects the name of a square, such as "block" or "open, goal". */
   async expectSquare(square: Square, words: string): Promise<void> {
     const name = `row ${square.row + 1}, column ${square.column + 1}, ${words}`;
-    await expect(await this.goTo(square)).toHaveAccessibleName(name);
+    await expect(await this.moveCursorTo(square)).toHaveAccessibleName(name);
   }
 
-  /** Presses a key so many times; not at all where the number is negative. */
+  /** Presses a key `times` times, or not at all if `times` is negative. */
   async #press(key: string, times: number): Promise<void> {
     for (let press = 0; press < times; press++) await this.#page.keyboard.press(key);
   }
 
-  /** Where the robot at a place in cm is drawn on the screen, 50 cm wide. */
+  /** The screen rectangle of the robot, 50 cm wide, at a position in cm. */
   async robotBox(x: number, y: number): Promise<{ x: number; y: number; side: number }> {
     const box = await this.grid.boundingBox();
     if (box === null) throw new Error("the maze is not on the screen");
@@ -93,14 +93,16 @@ export class MazeGrid {
     return { x: box.x + (x - 25) * scale, y: box.y + (y - 25) * scale, side: 50 * scale };
   }
 
-  /** Where a square is drawn on the screen. */
+  /** The screen rectangle of a square. */
   async squareBox({ column, row }: Square): Promise<{ x: number; y: number; side: number }> {
     const { x, y, side } = await this.robotBox(100 * column + 50, 100 * row + 50);
     return { x: x - side / 2, y: y - side / 2, side: 2 * side };
   }
 
-  /** Waits until the maze has its size: on a phone another tab moves the sheet below it. */
-  async #isStill(): Promise<void> {
+  /**
+   * Waits until the maze has its final size: on a phone, switching tabs moves the sheet below it.
+   */
+  async #waitForFinalSize(): Promise<void> {
     let before = "";
     await expect
       .poll(async () => {
@@ -112,7 +114,7 @@ export class MazeGrid {
       .toBe(true);
   }
 
-  async #middleOf({ column, row }: Square): Promise<{ x: number; y: number }> {
+  async #centreOf({ column, row }: Square): Promise<{ x: number; y: number }> {
     const box = await this.grid.boundingBox();
     if (box === null) throw new Error("the maze is not on the screen");
     const columns = Number(await this.grid.getAttribute("aria-colcount"));

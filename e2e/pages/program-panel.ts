@@ -1,4 +1,4 @@
-/** The dropdown editor: lines are counted from 1, as on their badges. */
+/** Page object of the dropdown editor. Lines are counted from 1, as on their badges. */
 import type { Locator, Page } from "playwright/test";
 
 export class ProgramPanel {
@@ -10,18 +10,18 @@ export class ProgramPanel {
     this.region = page.getByRole("region", { name: "Program" });
   }
 
-  /** All lines from the top, without "otherwise". */
+  /** All lines from the top, excluding "otherwise". */
   get lines(): Locator {
     return this.region.getByRole("listitem");
   }
 
-  /** One line; its name is its sentence and its truth. */
+  /** One line. Its accessible name is its sentence and its truth value. */
   line(number: number): Locator {
     return this.lines.nth(number - 1);
   }
 
-  /** What is said below the running line. */
-  get notRead(): Locator {
+  /** The note below the running line. */
+  get runningLineNote(): Locator {
     return this.region.locator("[data-said]");
   }
 
@@ -45,12 +45,12 @@ export class ProgramPanel {
     return this.region.getByRole("textbox", { name: "Name of the program" });
   }
 
-  /** One of the buttons: Add line, Undo, Redo, "Move line 2 up", "Delete line 1". */
+  /** A button of the panel: Add line, Undo, Redo, "Move line 2 up", "Delete line 1". */
   button(name: string): Locator {
     return this.region.getByRole("button", { name, exact: true });
   }
 
-  /** Adds a line and fills it by its menus, with the mouse where a menu takes one. */
+  /** Adds a line and selects its values. */
   async addLine(condition: string, number: string, action: string): Promise<void> {
     const line = (await this.lines.count()) + 1;
     await this.button("Add line").click();
@@ -60,14 +60,14 @@ export class ProgramPanel {
   }
 
   /** Deletes every line. */
-  async empty(): Promise<void> {
+  async deleteAllLines(): Promise<void> {
     for (let left = await this.lines.count(); left > 0; left--) {
       await this.button("Delete line 1").click();
     }
   }
 
-  /** Gives the program a name, so that it is the reader's own and stays with any maze. */
-  async makeOwn(): Promise<void> {
+  /** Names the program, so that it becomes the user's own and stays when the maze changes. */
+  async nameAsOwn(): Promise<void> {
     await this.name.fill("Mine");
     await this.name.press("Enter");
   }

@@ -1,18 +1,20 @@
-/** The reference of the TypeScript library is what its doc comments say, and they say everything. */
+/**
+ * REFERENCE.md of the TypeScript library matches its doc comments, and the comments are complete.
+ */
 import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
 import { groups, libraryReference, REFERENCE } from "./library-reference.ts";
 
-const made = libraryReference();
+const reference = libraryReference();
 
-it("is what the doc comments say: if not, run `npm run reference` and commit REFERENCE.md", () => {
-  expect(readFileSync(REFERENCE, "utf8")).toBe(made.text);
+it("matches the doc comments: if not, run `npm run reference` and commit REFERENCE.md", () => {
+  expect(readFileSync(REFERENCE, "utf8")).toBe(reference.text);
 });
 
-it("has everything that the library exports", () => {
-  expect(Object.values(groups).flat().sort()).toEqual(made.names.sort());
+it("lists every name that the library exports", () => {
+  expect(Object.values(groups).flat().sort()).toEqual(reference.names.sort());
 });
 
-it("has words for each method, property, parameter, result and error", () => {
-  expect(made.undocumented).toEqual([]);
+it("documents each method, property, parameter, result and error", () => {
+  expect(reference.undocumented).toEqual([]);
 });

@@ -1,6 +1,6 @@
 /**
- * Makes packages/client/REFERENCE.md from the doc comments of the TypeScript library: `npm run reference` writes it.
- * It stands in this workspace because this one has the compiler with an interface for programs.
+ * Generates packages/client/REFERENCE.md from the doc comments of the TypeScript library (`npm run
+ * reference`). This workspace has the TypeScript version with a compiler API.
  */
 import { writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -11,7 +11,7 @@ const ENTRY = fileURLToPath(new URL("src/index.ts", CLIENT));
 
 export const REFERENCE = fileURLToPath(new URL("REFERENCE.md", CLIENT));
 
-/** The exported names in the order in which a reader needs them. */
+/** The exported names by group, in reading order. */
 export const groups: Readonly<Record<string, readonly string[]>> = {
   "The robot": ["RobotClient", "RobotClientOptions", "CommandWish", "DriveWish"],
   "What a robot reports": [
@@ -32,15 +32,15 @@ const INTRODUCTION = `# Reference of the TypeScript library
 errors, made from the doc comments, which an editor shows as well. [The TypeScript library](README.md) shows how to use them.
 `;
 
-interface Made {
+interface LibraryReference {
   text: string;
   /** every exported name */
   names: string[];
-  /** what has no words: names, members and parameters */
+  /** names, members and parameters without a doc comment */
   undocumented: string[];
 }
 
-export function libraryReference(): Made {
+export function libraryReference(): LibraryReference {
   const program = ts.createProgram([ENTRY], {
     target: ts.ScriptTarget.ES2024,
     module: ts.ModuleKind.NodeNext,
@@ -64,12 +64,12 @@ export function libraryReference(): Made {
   );
   const undocumented: string[] = [];
   const link = (name: string) => `[\`${name}\`](#${name.toLowerCase()})`;
-  const linked = (type: string) => (symbols.has(type) ? link(type) : `\`${inCell(type)}\``);
+  const linked = (type: string) => (symbols.has(type) ? link(type) : `\`${escapeCell(type)}\``);
 
-  function wordsOf(symbol: ts.Symbol, name: string): string {
-    const words = ts.displayPartsToString(symbol.getDocumentationComment(checker)).trim();
-    if (words === "") undocumented.push(name);
-    return words;
+  function docOf(symbol: ts.Symbol, name: string): string {
+    const doc = ts.displayPartsToString(symbol.getDocumentationComment(checker)).trim();
+    if (doc === "") undocumented.push(name);
+    return doc;
   }
 
   function tagsOf(symbol: ts.Symbol, tag: string): string[] {
@@ -81,20 +81,20 @@ export function libraryReference(): Made {
 
   function typeOf(symbol: ts.Symbol): string {
     const declaration = symbol.valueDeclaration ?? symbol.declarations?.[0];
-    const written =
+    const declared =
       declaration !== undefined &&
       (ts.isPropertySignature(declaration) || ts.isPropertyDeclaration(declaration)) &&
       declaration.type?.getText();
-    if (written !== undefined && written !== false) return oneLine(written);
+    if (declared !== undefined && declared !== false) return oneLine(declared);
     const type = checker.getTypeOfSymbol(symbol);
-    // The whole union of commands would be longer than the page.
+    // The full union of commands is too long for a table cell.
     if (symbol.name === "command" && !type.isUnion()) return "object";
     const text = checker.typeToString(type, undefined, ts.TypeFormatFlags.NoTruncation);
-    return nameOfShape(isChoice(type) ? inOrder(text.split(" | ")) : text);
+    return withTypeNames(isLiteralUnion(type) ? sorted(text.split(" | ")) : text);
   }
 
-  /** The exported name of a type that is written out. */
-  function nameOfShape(text: string): string {
+  /** Replaces inline object types by the exported names of the same shape. */
+  function withTypeNames(text: string): string {
     for (const [name, symbol] of symbols) {
       const shape = checker.typeToString(
         checker.getDeclaredTypeOfSymbol(symbol),
@@ -110,9 +110,9 @@ export function libraryReference(): Made {
     if (properties.length === 0) return "";
     const rows = properties.map((property) => {
       const isOptional = (property.flags & ts.SymbolFlags.Optional) !== 0;
-      const words = wordsOf(property, `${owner}.${property.name}`);
+      const doc = docOf(property, `${owner}.${property.name}`);
       const name = `\`${property.name}${isOptional ? "?" : ""}\``;
-      return `| ${name} | ${linked(typeOf(property))} | ${oneLine(words)} |`;
+      return `| ${name} | ${linked(typeOf(property))} | ${oneLine(doc)} |`;
     });
     return `| Property | Type | Meaning |\n| --- | --- | --- |\n${rows.join("\n")}\n`;
   }
@@ -124,13 +124,13 @@ export function libraryReference(): Made {
     const isStatic = declaration.modifiers?.some(
       ({ kind }) => kind === ts.SyntaxKind.StaticKeyword,
     );
-    const words = wordsOf(symbol, name);
+    const doc = docOf(symbol, name);
     const parameters = declaration.parameters.map((parameter) => oneLine(parameter.getText()));
     const result = oneLine(declaration.type?.getText() ?? "");
     const call = `${isStatic ? owner : "robot"}.${symbol.name}`;
     const short = `${call}(${parameters.join(", ")}): ${result}`;
     const long = `${call}(\n${parameters.map((each) => `  ${each},\n`).join("")}): ${result}`;
-    const described = new Map(
+    const paramDocs = new Map(
       tagsOf(symbol, "param").map((text) => {
         const space = text.indexOf(" ");
         return [text.slice(0, space), text.slice(space + 1)];
@@ -138,7 +138,7 @@ export function libraryReference(): Made {
     );
     const lines = declaration.parameters.map((parameter) => {
       const own = parameter.name.getText();
-      const text = described.get(own);
+      const text = paramDocs.get(own);
       if (text === undefined) undocumented.push(`${name}: ${own}`);
       return `- \`${own}\`: ${text}`;
     });
@@ -148,24 +148,24 @@ export function libraryReference(): Made {
     lines.push(...tagsOf(symbol, "throws").map((text) => `- Throws ${withLink(text)}`));
     const signature = `\`\`\`ts\n${short.length > 80 ? long : short}\n\`\`\`\n`;
     const list = lines.length === 0 ? "" : `\n${lines.join("\n")}\n`;
-    return `#### \`${name}\`\n\n${words}\n\n${signature}${list}`;
+    return `#### \`${name}\`\n\n${doc}\n\n${signature}${list}`;
   }
 
-  /** `ClientError bad-address, ...`: the class as a link, then codes. */
+  /** Renders a @throws text such as `ClientError bad-address, ...` with the class as a link. */
   function withLink(text: string): string {
     const [name = "", ...codes] = text.split(" ");
     return `${symbols.has(name) ? link(name) : name}: ${codes.join(" ")}`;
   }
 
-  /** The members of a union that is written with a comment above each. */
+  /** A table of a union's members, each with the comment above it. */
   function members(name: string, node: ts.UnionTypeNode): string {
     const text = node.getSourceFile().text;
     let end = node.getFullStart();
     const rows = node.types.map((member) => {
-      const [, words = ""] = /\/\*\*([^]*?)\*\//.exec(text.slice(end, member.getStart())) ?? [];
+      const [, doc = ""] = /\/\*\*([^]*?)\*\//.exec(text.slice(end, member.getStart())) ?? [];
       end = member.getEnd();
-      if (words === "") undocumented.push(`${name}: ${member.getText()}`);
-      return `| \`${inCell(oneLine(member.getText()))}\` | ${oneLine(words)} |`;
+      if (doc === "") undocumented.push(`${name}: ${member.getText()}`);
+      return `| \`${escapeCell(oneLine(member.getText()))}\` | ${oneLine(doc)} |`;
     });
     return `| Value | Meaning |\n| --- | --- |\n${rows.join("\n")}\n`;
   }
@@ -173,7 +173,7 @@ export function libraryReference(): Made {
   function section(name: string): string {
     const symbol = symbols.get(name);
     if (symbol === undefined) throw new Error(`${name} is not exported`);
-    const head = `### \`${name}\`\n\n${wordsOf(symbol, name)}\n`;
+    const head = `### \`${name}\`\n\n${docOf(symbol, name)}\n`;
     const alias = symbol.declarations?.find(ts.isTypeAliasDeclaration);
     if (alias !== undefined && ts.isUnionTypeNode(alias.type)) {
       return `${head}\n${members(name, alias.type)}`;
@@ -191,7 +191,7 @@ export function libraryReference(): Made {
     return [head, table(name, properties), ...texts].filter((part) => part !== "").join("\n");
   }
 
-  /** Neither private (`#name`) nor of the language's own `Error`. */
+  /** Excludes private (`#name`) members and those of the built-in `Error`. */
   function isOwn(symbol: ts.Symbol): boolean {
     const file = symbol.declarations?.[0]?.getSourceFile().fileName ?? "";
     const name = symbol.valueDeclaration && ts.getNameOfDeclaration(symbol.valueDeclaration);
@@ -209,15 +209,15 @@ export function libraryReference(): Made {
   return { text, names: [...symbols.keys()], undocumented };
 }
 
-/** Words and null: the order of the compiler depends on what it has read before. */
-function isChoice(type: ts.Type): boolean {
+/** A union of literals and null. Its printed order depends on the compiler's earlier work. */
+function isLiteralUnion(type: ts.Type): boolean {
   return (
     type.isUnion() &&
     type.types.every((each) => each.isLiteral() || (each.flags & ts.TypeFlags.Null) !== 0)
   );
 }
 
-function inOrder(members: readonly string[]): string {
+function sorted(members: readonly string[]): string {
   const isNull = (member: string) => (member === "null" ? 1 : 0);
   return members.toSorted((a, b) => isNull(a) - isNull(b) || (a < b ? -1 : 1)).join(" | ");
 }
@@ -226,8 +226,8 @@ function oneLine(text: string): string {
   return text.replaceAll(/\s+/g, " ").trim();
 }
 
-/** A `|` in a table would end its cell. */
-function inCell(text: string): string {
+/** Escapes `|`, which would end a table cell. */
+function escapeCell(text: string): string {
   return text.replaceAll("|", "\\|");
 }
 

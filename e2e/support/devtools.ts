@@ -1,6 +1,6 @@
 /**
- * Chromium by its own DevTools protocol. Playwright keeps every page visible and switches throttling
- * off, so a hidden page can only be tested without it.
+ * Chromium driven over the DevTools protocol. Playwright keeps every page visible and turns
+ * throttling off, so tests of hidden pages cannot use Playwright.
  */
 import { spawn, type ChildProcess } from "node:child_process";
 import { once } from "node:events";
@@ -10,14 +10,14 @@ import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { chromiumArguments, requireChromium } from "../../scripts/chromium.ts";
 
-type Answer = Record<string, unknown>;
+type ProtocolMessage = Record<string, unknown>;
 
 export class RawChromium {
   readonly #process: ChildProcess;
   readonly #folder: string;
   readonly #socket: WebSocket;
-  readonly #waiting = new Map<number, (answer: Answer) => void>();
-  /** by session: who waits until its page has crashed */
+  readonly #waiting = new Map<number, (answer: ProtocolMessage) => void>();
+  /** by session: resolves when the page of the session has crashed */
   readonly #crashing = new Map<string, () => void>();
   #lastId = 0;
 
@@ -26,7 +26,7 @@ export class RawChromium {
     this.#folder = folder;
     this.#socket = socket;
     socket.onmessage = ({ data }: MessageEvent<string>) => {
-      const answer: Answer & { id?: number; sessionId?: string } = JSON.parse(data);
+      const answer: ProtocolMessage & { id?: number; sessionId?: string } = JSON.parse(data);
       if (answer["method"] === "Inspector.targetCrashed") {
         this.#crashing.get(answer.sessionId ?? "")?.();
       }
@@ -52,7 +52,7 @@ export class RawChromium {
     for await (const line of createInterface({ input: browser.stderr })) {
       const address = /DevTools listening on (ws:\S+)/.exec(line)?.[1];
       if (address === undefined) continue;
-      // What it goes on to say must not fill the pipe.
+      // Later output must not fill the pipe.
       browser.stderr.resume();
       const socket = new WebSocket(address);
       await once(socket, "open");
@@ -61,7 +61,7 @@ export class RawChromium {
     throw new Error("Chromium ended before its DevTools were ready");
   }
 
-  /** Opens a page in front of all others, which are hidden from then on. */
+  /** Opens a page in the foreground. All other pages become hidden. */
   async open(url: string): Promise<RawPage> {
     const { targetId } = await this.send("Target.createTarget", { url });
     const { sessionId } = await this.send("Target.attachToTarget", { targetId, flatten: true });
@@ -69,25 +69,25 @@ export class RawChromium {
     return new RawPage(this, String(sessionId), String(targetId));
   }
 
-  /** Calls a method of the protocol. @returns its result */
-  send(method: string, params: Answer, sessionId?: string): Promise<Answer> {
+  /** Calls a protocol method. @returns its result */
+  send(method: string, params: ProtocolMessage, sessionId?: string): Promise<ProtocolMessage> {
     const id = ++this.#lastId;
     this.#socket.send(
       JSON.stringify({ id, method, params, ...(sessionId === undefined ? {} : { sessionId }) }),
     );
     return new Promise((resolve, reject) => {
       this.#waiting.set(id, ({ result, error }) => {
-        if (error === undefined) resolve(result as Answer);
+        if (error === undefined) resolve(result as ProtocolMessage);
         else reject(new Error(`${method}: ${JSON.stringify(error)}`));
       });
     });
   }
 
-  /** Crashes the page of a session. @returns once it has */
+  /** Crashes the page of a session. Resolves when the page has crashed. */
   async crash(sessionId: string): Promise<void> {
     await this.send("Inspector.enable", {}, sessionId);
     const crashed = new Promise<void>((resolve) => this.#crashing.set(sessionId, resolve));
-    // It does not answer any more.
+    // A crashed page never answers.
     void this.send("Page.crash", {}, sessionId).catch(() => undefined);
     await crashed;
     this.#crashing.delete(sessionId);
@@ -113,41 +113,43 @@ export class RawPage {
     this.#target = target;
   }
 
-  /** Puts it in front of all others again. */
-  async show(): Promise<void> {
+  /** Brings the page to the foreground. */
+  async bringToFront(): Promise<void> {
     await this.#browser.send("Target.activateTarget", { targetId: this.#target });
   }
 
-  /** Loads it anew, also after a crash. */
+  /** Reloads the page, also after a crash. */
   async reload(): Promise<void> {
     await this.#browser.send("Page.reload", {}, this.#session);
   }
 
-  /** Ends its process without a word, as the system does when memory is short. */
+  /** Ends the page's process without notice, as the system does when memory is low. */
   async crash(): Promise<void> {
     await this.#browser.crash(this.#session);
   }
 
-  /** Runs a script in each document that it loads from now on, before all others. */
-  async runFirst(source: string): Promise<void> {
+  /** Runs a script in each document that the page loads from now on, before all other scripts. */
+  async addInitScript(source: string): Promise<void> {
     await this.#browser.send("Page.enable", {}, this.#session);
     await this.#browser.send("Page.addScriptToEvaluateOnNewDocument", { source }, this.#session);
   }
 
-  /** Freezes it as a browser does with a tab that was hidden for long, or thaws it. */
+  /** Freezes the page as a browser does with a long-hidden tab, or resumes it. */
   async setFrozen(isFrozen: boolean): Promise<void> {
     const state = isFrozen ? "frozen" : "active";
     await this.#browser.send("Page.setWebLifecycleState", { state }, this.#session);
   }
 
-  /** What a part of it shows, in CSS pixels, as a PNG file in base64. It must be in front. */
-  async picture(part: unknown): Promise<string> {
-    const clip = { ...(part as Answer), scale: 1 };
+  /**
+   * A screenshot of a region in CSS pixels, as a base64 PNG. The page must be in the foreground.
+   */
+  async screenshot(part: unknown): Promise<string> {
+    const clip = { ...(part as ProtocolMessage), scale: 1 };
     const { data } = await this.#browser.send("Page.captureScreenshot", { clip }, this.#session);
     return String(data);
   }
 
-  /** Runs an expression in the page, and waits for it. @returns its value as JSON has it */
+  /** Evaluates an expression in the page and awaits it. @returns the value as JSON */
   async evaluate(expression: string): Promise<unknown> {
     const { result, exceptionDetails } = await this.#browser.send(
       "Runtime.evaluate",
@@ -158,18 +160,18 @@ export class RawPage {
     return (result as { value?: unknown }).value;
   }
 
-  /** Waits until an expression gives something that is not null, undefined or false. */
-  async until(expression: string): Promise<unknown> {
-    let complaint = "";
+  /** Waits until an expression evaluates to something other than null, undefined or false. */
+  async waitFor(expression: string): Promise<unknown> {
+    let lastError = "";
     for (const end = Date.now() + 20_000; Date.now() < end;) {
-      // A page that is just being opened cannot be asked yet.
+      // A page that is still opening cannot evaluate yet.
       const value = await this.evaluate(expression).catch((error: unknown) => {
-        complaint = `; ${String(error)}`;
+        lastError = `; ${String(error)}`;
         return null;
       });
       if (value !== null && value !== undefined && value !== false) return value;
       await new Promise((resolve) => setTimeout(resolve, 100));
     }
-    throw new Error(`never came true: ${expression}${complaint}`);
+    throw new Error(`timed out waiting for: ${expression}${lastError}`);
   }
 }

@@ -1,6 +1,6 @@
 /**
- * A page that runs the product's simulator worker on given inputs and posts the digest back. Any
- * browser that can open an address can take part; it needs no driver.
+ * A server whose page runs the product's simulator worker on given inputs and posts the digests
+ * back. Any browser that can open an address can run it, without a driver.
  */
 import { readFileSync, readdirSync, statSync } from "node:fs";
 import { createServer, type Server } from "node:http";
@@ -8,7 +8,7 @@ import type { AddressInfo } from "node:net";
 
 const assets = new URL("../../apps/web/dist/assets/", import.meta.url);
 
-/** What the worker is asked: messages of type "digest". */
+/** A message of type "digest" for the worker. */
 export type DigestMessage = Record<string, unknown>;
 
 const page = `<!doctype html><meta charset="utf-8"><title>Digest</title>
@@ -18,20 +18,20 @@ const script = `
 const messages = await (await fetch("/messages")).json();
 const worker = new Worker("/assets/" + messages.worker, { type: "module" });
 const digests = [];
-const askNext = () => worker.postMessage(messages.list[digests.length]);
+const postNext = () => worker.postMessage(messages.list[digests.length]);
 worker.onmessage = ({ data }) => {
   if (data.type === "digest") digests.push(data.digest);
   else if (data.type === "fault") digests.push("fault: " + data.reason);
   else return;
-  if (digests.length < messages.list.length) askNext();
+  if (digests.length < messages.list.length) postNext();
   else fetch("/digests", { method: "POST", body: JSON.stringify(digests) });
 };
-askNext();
+postNext();
 `;
 
 export class DigestServer {
   readonly #server: Server;
-  /** the digests in the order of the messages, once a browser has run them */
+  /** the digests in the order of the messages, resolved once a browser has posted them */
   readonly digests: Promise<string[]>;
 
   private constructor(server: Server, digests: Promise<string[]>) {
@@ -41,9 +41,9 @@ export class DigestServer {
 
   static async start(list: DigestMessage[]): Promise<DigestServer> {
     const scripts = readdirSync(assets).filter((name) => name.endsWith(".js"));
-    // The worker and the parts of it that come when they are asked for.
+    // The worker and its lazy-loaded chunks.
     const files = new Set(scripts.map((name) => `/assets/${name}`));
-    // The build before this one leaves its parts there, too.
+    // The folder may still contain the chunks of an earlier build.
     const modified = (name: string): number => statSync(new URL(name, assets)).mtimeMs;
     const worker = scripts
       .filter((name) => name.startsWith("simulator.worker-"))

@@ -1,8 +1,8 @@
-/** Measures the page as it lies on the screen: what sticks out sideways, what is too small for a finger. */
+/** Layout checks of the page: horizontal overflow, touch target sizes and readable texts. */
 import type { Page } from "playwright/test";
 
-/** Controls that reach over the left or right edge, and the page itself if it scrolls sideways. */
-export async function stickingOut(page: Page): Promise<string[]> {
+/** Controls beyond the left or right edge, and the page itself if it scrolls horizontally. */
+export async function horizontalOverflow(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const { clientWidth, scrollWidth } = document.documentElement;
     const controls = [...document.querySelectorAll("button, select, input, textarea, label")];
@@ -16,13 +16,13 @@ export async function stickingOut(page: Page): Promise<string[]> {
   });
 }
 
-/** Buttons, menus, fields and choices that are smaller than a finger needs, with their size. */
-export async function tooSmallToTouch(page: Page): Promise<string[]> {
+/** Controls smaller than a touch target of 44 px, with their sizes. */
+export async function smallTouchTargets(page: Page): Promise<string[]> {
   return page.evaluate(() => {
-    const least = 44 - 0.5;
+    const minimum = 44 - 0.5;
     const controls = [...document.querySelectorAll("button, select, input, textarea, a[href]")];
     return controls.flatMap((control) => {
-      // A radio is pressed by the label around it, a checkbox by the whole of its row.
+      // A radio is pressed through its label, a checkbox through its whole row.
       const target = control.matches("[type=radio]")
         ? (control.closest("label") ?? control)
         : control.matches("[type=checkbox]")
@@ -30,15 +30,18 @@ export async function tooSmallToTouch(page: Page): Promise<string[]> {
           : control;
       if (!target.checkVisibility()) return [];
       const { width, height } = target.getBoundingClientRect();
-      if (width >= least && height >= least) return [];
+      if (width >= minimum && height >= minimum) return [];
       const name = control.getAttribute("aria-label") ?? target.textContent;
       return [`${name}: ${width.toFixed(0)} x ${height.toFixed(0)}`];
     });
   });
 }
 
-/** Fields whose letters are so small that an iPhone zooms into the page when one is touched, in px. */
-export async function zoomedInto(page: Page): Promise<string[]> {
+/**
+ * Fields with a font below 16 px, with their sizes: an iPhone zooms into the page when one is
+ * focused.
+ */
+export async function fieldsThatZoom(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const fields = [...document.querySelectorAll("input, select, textarea")].filter(
       (field) =>
@@ -53,11 +56,11 @@ export async function zoomedInto(page: Page): Promise<string[]> {
 }
 
 /**
- * Texts that cannot be read: cut off by what holds them, wider than their button or menu, off the
- * screen, or printed over one another. Asked of the topmost dialog or menu, else of the whole page.
- * @param within selector of a part that lies over the page, to ask of it alone
+ * Texts that cannot be read: clipped by a container, wider than their control, off the screen, or
+ * overlapping. Checks the topmost dialog or menu, or else the whole page.
+ * @param within selector of a part that covers the page, to check it alone
  */
-export async function unreadable(page: Page, within = "body"): Promise<string[]> {
+export async function unreadableTexts(page: Page, within = "body"): Promise<string[]> {
   return page.evaluate((selector) => {
     interface Box {
       left: number;
@@ -90,71 +93,77 @@ export async function unreadable(page: Page, within = "body"): Promise<string[]>
       range.selectNodeContents(node);
       const control = holder.closest("button, label, [role=tab], [role=menuitemradio], kbd");
       for (const rect of range.getClientRects()) {
-        let shown: Box = { left: rect.left, right: rect.right, top: rect.top, bottom: rect.bottom };
-        let isScrolledAway = false;
+        let visible: Box = {
+          left: rect.left,
+          right: rect.right,
+          top: rect.top,
+          bottom: rect.bottom,
+        };
+        let isScrolledOut = false;
         for (let at: Element | null = holder; at !== null && at !== root; at = at.parentElement) {
           const style = getComputedStyle(at);
           if (style.overflowX === "visible") continue;
           const edge = at.getBoundingClientRect();
-          // An ellipsis stands where readers name things: the whole name is where it is edited.
+          // Names get an ellipsis; the full name is visible where it is edited.
           if (style.textOverflow === "ellipsis") continue;
-          const isCut = shown.left < edge.left - slack || shown.right > edge.right + slack;
-          if (isCut && !isScrolledAway) faults.add(`cut off: ${text}`);
+          const isCut = visible.left < edge.left - slack || visible.right > edge.right + slack;
+          if (isCut && !isScrolledOut) faults.add(`cut off: ${text}`);
           const isScroller = style.overflowY === "auto" || style.overflowY === "scroll";
           if (isScroller) {
-            shown = {
-              ...shown,
-              top: Math.max(shown.top, edge.top),
-              bottom: Math.min(shown.bottom, edge.bottom),
+            visible = {
+              ...visible,
+              top: Math.max(visible.top, edge.top),
+              bottom: Math.min(visible.bottom, edge.bottom),
             };
-            if (shown.bottom - shown.top < 2) isScrolledAway = true;
+            if (visible.bottom - visible.top < 2) isScrolledOut = true;
           } else if (style.overflowY !== "visible") {
-            // A font reserves more height than its letters take.
-            const air = Math.max(4, rect.height / 5);
-            const isLow = shown.bottom > edge.bottom + air || shown.top < edge.top - air;
-            if (isLow && !isScrolledAway) faults.add(`cut off below: ${text}`);
+            // A font reserves more height than its letters use.
+            const tolerance = Math.max(4, rect.height / 5);
+            const isLow =
+              visible.bottom > edge.bottom + tolerance || visible.top < edge.top - tolerance;
+            if (isLow && !isScrolledOut) faults.add(`cut off below: ${text}`);
           }
         }
-        if (isScrolledAway) continue;
-        if (shown.left < -slack || shown.right > clientWidth + slack) {
+        if (isScrolledOut) continue;
+        if (visible.left < -slack || visible.right > clientWidth + slack) {
           faults.add(`off the screen: ${text}`);
         }
         if (control !== null) {
           const edge = control.getBoundingClientRect();
-          if (shown.left < edge.left - slack || shown.right > edge.right + slack) {
+          if (visible.left < edge.left - slack || visible.right > edge.right + slack) {
             faults.add(`wider than its control: ${text}`);
           }
-          if (shown.top < edge.top - 4 || shown.bottom > edge.bottom + 4) {
-            faults.add(`higher than its control: ${text}`);
+          if (visible.top < edge.top - 4 || visible.bottom > edge.bottom + 4) {
+            faults.add(`taller than its control: ${text}`);
           }
         }
-        seen.push({ box: shown, text, control });
+        seen.push({ box: visible, text, control });
       }
     }
 
-    // What a select shows is no text of the page: it is measured with the same letters.
+    // The text of a select is no text node, so measure it with the same font.
     const pen = document.createElement("canvas").getContext("2d");
     for (const select of root.querySelectorAll("select")) {
       if (pen === null || isHidden(select)) continue;
       const style = getComputedStyle(select);
       pen.font = style.font;
       const text = select.selectedOptions[0]?.textContent ?? "";
-      const room =
+      const available =
         select.clientWidth -
         Number.parseFloat(style.paddingInlineStart) -
         Number.parseFloat(style.paddingInlineEnd);
       const width = pen.measureText(text).width;
-      if (width > room + 2)
-        faults.add(`cut off in a menu, ${(width - room).toFixed(0)} px: ${text}`);
+      if (width > available + 2)
+        faults.add(`cut off in a menu, ${(width - available).toFixed(0)} px: ${text}`);
     }
 
-    const isOver = (one: Box, other: Box): boolean =>
+    const overlaps = (one: Box, other: Box): boolean =>
       Math.min(one.right, other.right) - Math.max(one.left, other.left) > 3 &&
       Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top) > 5;
     for (const [at, one] of seen.entries()) {
       for (const other of seen.slice(at + 1)) {
-        if (one.text !== other.text && isOver(one.box, other.box)) {
-          faults.add(`printed over one another: ${one.text} | ${other.text}`);
+        if (one.text !== other.text && overlaps(one.box, other.box)) {
+          faults.add(`overlapping: ${one.text} | ${other.text}`);
         }
       }
     }

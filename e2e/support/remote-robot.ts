@@ -1,7 +1,7 @@
-/** The robot of a page as a script has it: its address, and the calls to it. */
+/** The robot of a page as scripts use it: its address and API calls. */
 import { expect, type Page } from "playwright/test";
 
-/** Lets Remote drive and takes the robot's address as the user does: from the clipboard. */
+/** Selects Remote as the driver and copies the robot's address through the clipboard. */
 export async function copyAddress(page: Page): Promise<string> {
   await page.getByRole("radio", { name: "Remote" }).click();
   await page.getByRole("button", { name: "Copy address with key" }).click();

@@ -1,4 +1,4 @@
-/** Remote scripts as their authors start them: processes of their own. */
+/** Runs remote scripts as separate processes. */
 import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { fileURLToPath } from "node:url";
@@ -8,8 +8,8 @@ const examples = fileURLToPath(new URL("../../examples/", import.meta.url));
 
 export type ExampleLanguage = "Python" | "JavaScript" | "Java";
 
-/** The example of a language, as the command that runs it. */
-export function exampleOf(language: ExampleLanguage): string[] {
+/** The command that runs the example of a language. */
+export function exampleCommand(language: ExampleLanguage): string[] {
   return {
     Python: [inPath("python3")[0] ?? "python3", `${examples}python/right_wall.py`],
     JavaScript: [process.execPath, `${examples}javascript/right-wall.ts`],
@@ -17,12 +17,12 @@ export function exampleOf(language: ExampleLanguage): string[] {
   }[language];
 }
 
-/** Runs a command to its end. @returns its exit code and all that it printed */
+/** Runs a command until it exits. @returns its exit code and all its output */
 export async function runScript(
-  [command = "", ...words]: string[],
+  [command = "", ...args]: string[],
   input = "",
 ): Promise<{ code: unknown; output: string }> {
-  const script = spawn(command, words, { stdio: ["pipe", "pipe", "pipe"] });
+  const script = spawn(command, args, { stdio: ["pipe", "pipe", "pipe"] });
   let output = "";
   script.stdout.on("data", (chunk) => (output += chunk));
   script.stderr.on("data", (chunk) => (output += chunk));

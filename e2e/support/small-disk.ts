@@ -1,4 +1,4 @@
-/** A disk of a few MiB, in memory, that can be filled. */
+/** An in-memory disk of a few MiB that tests can fill up. */
 import { spawnSync } from "node:child_process";
 import { mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -14,27 +14,27 @@ export class SmallDisk {
     this.#bytes = bytes;
   }
 
-  /** @returns null where this machine lets nobody but root have one, or has no such thing */
+  /** @returns null where mounting a tmpfs needs root or is not supported */
   static mount(folder: string, mebibytes: number): SmallDisk | null {
     if (process.platform !== "linux" || process.getuid?.() !== 0) return null;
     mkdirSync(folder, { recursive: true });
-    const words = ["-t", "tmpfs", "-o", `size=${mebibytes}m`, "tmpfs", folder];
-    const { status } = spawnSync("mount", words, { stdio: "ignore" });
+    const args = ["-t", "tmpfs", "-o", `size=${mebibytes}m`, "tmpfs", folder];
+    const { status } = spawnSync("mount", args, { stdio: "ignore" });
     return status === 0 ? new SmallDisk(folder, mebibytes * 1024 * 1024) : null;
   }
 
-  /** Leaves no room at all. */
+  /** Fills the disk completely. */
   fill(): void {
     for (let size = this.#bytes; size >= 512; size /= 2) {
       try {
         writeFileSync(this.#filler, Buffer.alloc(size), { flag: "a" });
       } catch {
-        // Not so much; perhaps half of it.
+        // Does not fit; try half the size.
       }
     }
   }
 
-  makeRoom(): void {
+  freeSpace(): void {
     rmSync(this.#filler, { force: true });
   }
 

@@ -1,6 +1,6 @@
 /**
- * A net that breaks: TCP connections to a relay that can be cut, held up, cut into small pieces and left
- * half open. What is said on them passes through byte by byte; chance is by a seed.
+ * A net that breaks: TCP connections to a relay that can be cut, held up, cut into small pieces and
+ * left half open. What is said on them passes through byte by byte; chance is by a seed.
  */
 import { connect, createServer, type AddressInfo, type Server, type Socket } from "node:net";
 import type { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";

@@ -1,6 +1,6 @@
 /**
- * A process of pages: each is a robot. It ends with the process that started it, or by `kill -9`, which
- * is how a tab goes that is closed or reloaded in the midst of whatever it does.
+ * A process of pages: each is a robot. It ends with the process that started it, or by `kill -9`,
+ * which is how a tab goes that is closed or reloaded in the midst of whatever it does.
  */
 import type { FromPages, ToPages } from "./page-messages.ts";
 import { RobotPage } from "./robot-page.ts";

@@ -1,4 +1,6 @@
-/** A robot in a real tab of Chromium, and its script of plain requests that waits for each ending. */
+/**
+ * A robot in a real tab of Chromium, and its script of plain requests that waits for each ending.
+ */
 import { commandRecordSchema, hasEnded, type CommandRecord, type Order } from "@corridor/protocol";
 import { randomUUID } from "node:crypto";
 import type { RawChromium, RawPage } from "../../support/devtools.ts";
@@ -31,11 +33,11 @@ export class RealRobot {
     before: string | null = null,
   ): Promise<RealRobot> {
     const page = await browser.open("about:blank");
-    if (before !== null) await page.runFirst(before);
+    if (before !== null) await page.addInitScript(before);
     await page.evaluate(`location.href = ${JSON.stringify(`${origin}/`)}`);
-    await page.until(`document.querySelector('input[value="remote"]') !== null`);
+    await page.waitFor(`document.querySelector('input[value="remote"]') !== null`);
     await page.evaluate(`document.querySelector('input[value="remote"]').click()`);
-    const text = await page.until(`sessionStorage.getItem("corridor.remote")`);
+    const text = await page.waitFor(`sessionStorage.getItem("corridor.remote")`);
     return new RealRobot(page, origin, JSON.parse(String(text)));
   }
 
@@ -43,7 +45,7 @@ export class RealRobot {
   async setSpeed(speed: string): Promise<void> {
     const select = `[...document.querySelectorAll("select")].find((each) =>
       [...each.options].some(({ value }) => value === "16"))`;
-    await this.page.until(`(() => {
+    await this.page.waitFor(`(() => {
       const select = ${select};
       if (select === undefined) return false;
       select.value = ${JSON.stringify(speed)};

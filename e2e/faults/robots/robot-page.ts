@@ -1,4 +1,7 @@
-/** A page that is the robot, as its worker is: run, driver, host and link, on real timers and sockets. */
+/**
+ * A page that is the robot, as its worker is: run, driver, host and link, on real timers and
+ * sockets.
+ */
 import { decodeFrame, relayToPageSchema } from "@corridor/protocol";
 import { RemoteDriver } from "../../../apps/web/src/drivers/remote-driver.ts";
 import { firstMaze, firstProgram } from "../../../apps/web/src/worker/first-work.ts";
@@ -79,7 +82,10 @@ export class RobotPage {
     this.#host.close();
   }
 
-  /** When the relay, by the clock of the same machine, has given it the robot, and until when each command holds. */
+  /**
+   * When the relay, by the clock of the same machine, has given it the robot, and until when each
+   * command holds.
+   */
   #hears(text: string): void {
     const read = decodeFrame(relayToPageSchema, text);
     if (!read.ok) return;

@@ -1,4 +1,7 @@
-/** Twenty robots, ten commands a second each, on a net without faults: nothing is lost, and all is quick. */
+/**
+ * Twenty robots, ten commands a second each, on a net without faults: nothing is lost, and all is
+ * quick.
+ */
 import { RelayProcess } from "../../support/relay-process.ts";
 import { everyFor, sleep, until } from "../clock.ts";
 import { percentile } from "../percentile.ts";

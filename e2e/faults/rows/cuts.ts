@@ -96,14 +96,17 @@ function scriptLine(script: Script | undefined, proxy: FaultProxy | undefined): 
   return { proxy, isPage: false, isResumed: (since) => proxy.answeredAt > since };
 }
 
-/** Breaks a line until enough were broken. @returns ms from each time the net was back to the answer */
+/**
+ * Breaks a line until enough were broken. @returns ms from each time the net was back to the answer
+ */
 async function breakAgain(line: Line, toDo: { cuts: number }, dice: Dice): Promise<number[]> {
   const { proxy, isPage } = line;
   const resumed: number[] = [];
   while (toDo.cuts > 0) {
     await sleep(dice.between(50, 700));
     proxy.isSlicing = dice.isLucky(0.3);
-    // What a script without our library sends has no time: a command that is held up on its way starts late.
+    // What a script without our library sends has no time: a command that is held up on its way
+    // starts late.
     proxy.delay = dice.isLucky(0.3) ? { least: 0, most: isPage ? 40 : 15 } : { least: 0, most: 0 };
     if (isPage && dice.isLucky(0.1)) proxy.hold(dice.between(100, 1_500));
     const cut = breakOnce(proxy, dice);

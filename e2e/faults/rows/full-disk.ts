@@ -43,7 +43,7 @@ export const fullDisk: Row = {
     await sleep(3_000);
     disk.fill();
     const full = await whileFull(relay, first);
-    disk.makeRoom();
+    disk.freeSpace();
     const roomAt = machineNow();
     const recoveredMs = await untilTaken(relay, first, roomAt);
     await sleep(3_000);
@@ -119,7 +119,9 @@ async function untilTaken(relay: RelayProcess, robot: Robot, since: number): Pro
   return Infinity;
 }
 
-/** A command without a key of its own: whether it is taken is all that is asked. @returns the status */
+/**
+ * A command without a key of its own: whether it is taken is all that is asked. @returns the status
+ */
 async function post(relay: RelayProcess, robot: Robot): Promise<number> {
   const { id, driverKey } = robot.registration;
   const answer = await fetch(`${relay.url}/api/v1/robots/${id}/commands`, {

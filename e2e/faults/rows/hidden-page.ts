@@ -1,4 +1,7 @@
-/** A page that is hidden drives on as if it were seen; one that is frozen is known to be, and runs nothing old. */
+/**
+ * A page that is hidden drives on as if it were seen; one that is frozen is known to be, and runs
+ * nothing old.
+ */
 import { commandRecordSchema, type CommandRecord } from "@corridor/protocol";
 import { RawChromium } from "../../support/devtools.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
@@ -22,15 +25,15 @@ export const hiddenPage: Row = {
     const browser = await RawChromium.start();
     terms.after(() => browser.close());
     const page = await browser.open(`${relay.url}/`);
-    await page.until(`document.querySelector('input[value="remote"]') !== null`);
+    await page.waitFor(`document.querySelector('input[value="remote"]') !== null`);
     await page.evaluate(`document.querySelector('input[value="remote"]').click()`);
-    const text = await page.until(`sessionStorage.getItem("corridor.remote")`);
+    const text = await page.waitFor(`sessionStorage.getItem("corridor.remote")`);
     const { id, driverKey } = JSON.parse(String(text));
     const script = await LineScript.connect(relay.url, id, driverKey);
     terms.after(() => script.close());
 
     await browser.open("about:blank");
-    await page.until(`document.visibilityState === "hidden"`);
+    await page.waitFor(`document.visibilityState === "hidden"`);
     const starts: number[] = [];
     for (const end = machineNow() + HIDDEN_MS; machineNow() < end;) {
       const record = await script.run({ action: starts.length % 2 === 0 ? "left 90" : "right 90" });

@@ -1,4 +1,7 @@
-/** Links made to harm who opens them, in a real browser: each is opened or told off, and nothing of it runs. */
+/**
+ * Links made to harm who opens them, in a real browser: each is opened or told off, and nothing of
+ * it runs.
+ */
 import { encodeLink } from "@corridor/link";
 import { brokenDocuments } from "@corridor/link/testing";
 import { generateTree } from "@corridor/maze";
@@ -113,7 +116,9 @@ function hostileLink(dice: Dice, n: number): string {
   return kinds[n % kinds.length]?.() ?? "1";
 }
 
-/** A link whose length and check are right, whatever stands in it: made by hand, not by Corridor. */
+/**
+ * A link whose length and check are right, whatever stands in it: made by hand, not by Corridor.
+ */
 function forge(body: readonly number[]): string {
   const length = body.length % 64;
   return `1${textOf([length, ...checkOf(1, [length, ...body]), ...body])}`;

@@ -1,4 +1,7 @@
-/** Two thousand frames that no client should send: the relay lives, and who drives beside them notices nothing. */
+/**
+ * Two thousand frames that no client should send: the relay lives, and who drives beside them
+ * notices nothing.
+ */
 import { badCommands } from "../../../apps/relay/src/testing/bad-commands.ts";
 import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
 import { RelayProcess } from "../../support/relay-process.ts";

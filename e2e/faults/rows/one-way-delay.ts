@@ -1,6 +1,7 @@
 /**
- * The net of a script delays what it sends, or what it is sent: from the first byte on, and later on a net that was
- * quick. Nothing starts late, nothing that started is told as expired, and on a quick net nothing expires.
+ * The net of a script delays what it sends, or what it is sent: from the first byte on, and later
+ * on a net that was quick. Nothing starts late, nothing that started is told as expired, and on a
+ * quick net nothing expires.
  */
 import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
 import { RelayProcess } from "../../support/relay-process.ts";

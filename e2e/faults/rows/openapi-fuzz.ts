@@ -1,4 +1,7 @@
-/** Requests that schemathesis makes up from `/openapi.json`, right and wrong ones: every answer is as described. */
+/**
+ * Requests that schemathesis makes up from `/openapi.json`, right and wrong ones: every answer is
+ * as described.
+ */
 import { spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { requireEnvironment, requirePython } from "../../../scripts/python.ts";
@@ -9,7 +12,10 @@ import { Scene } from "../scene.ts";
 const HERE = fileURLToPath(new URL("../openapi/", import.meta.url));
 const ROBOTS = 12;
 const CASES = { short: 10_000, long: 100_000 };
-/** of each call in a round, right and wrong ones; a round has some hundred cases more for every bound of a field */
+/**
+ * of each call in a round, right and wrong ones; a round has some hundred cases more for every
+ * bound of a field
+ */
 const EXAMPLES = 30;
 const ROUND_MS = 300_000;
 

@@ -38,7 +38,7 @@ export const relayKilled: Row = {
       const killedAt = machineNow();
       await relay.kill();
       const goneAt = machineNow();
-      await relay.startAgain();
+      await relay.restart();
       const answer = await fetch(`${relay.url}/readyz`);
       if (!answer.ok) throw new Error(`the relay came back with ${answer.status}`);
       relayMs.push(machineNow() - killedAt);

@@ -104,7 +104,10 @@ export const reloads: Row = {
   },
 };
 
-/** A tab is gone: what it had begun can only be cancelled. What it had told nobody, and not kept, went with it. */
+/**
+ * A tab is gone: what it had begun can only be cancelled. What it had told nobody, and not kept,
+ * went with it.
+ */
 function note(findings: Findings, robot: Robot, page: number): void {
   findings.reloads += 1;
   const { lastApplied } = robot.session;

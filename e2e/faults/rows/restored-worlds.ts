@@ -1,6 +1,6 @@
 /**
- * What scripts were told, and where the robot stands, never disagree: tabs are reloaded and crash at any moment, also
- * with their relay, and the poses of all endings are summed up.
+ * What scripts were told, and where the robot stands, never disagree: tabs are reloaded and crash
+ * at any moment, also with their relay, and the poses of all endings are summed up.
  */
 import type { CommandRecord, Order, Pose } from "@corridor/protocol";
 import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
@@ -117,7 +117,7 @@ async function disturbed(terms: Terms, speed: string, lane: number): Promise<Fin
       }
       await killed;
       // The service worker has the page's files, but a crash may come before it has all.
-      if (isWithRelay) await relay.startAgain();
+      if (isWithRelay) await relay.restart();
       await robot.page.reload();
       await robot.setSpeed(speed);
     }

@@ -1,4 +1,7 @@
-/** What it costs that an ending is sent only once its world is stored: beside a page that cannot store it. */
+/**
+ * What it costs that an ending is sent only once its world is stored: beside a page that cannot
+ * store it.
+ */
 import { RawChromium } from "../../support/devtools.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { machineNow } from "../clock.ts";

@@ -1,4 +1,7 @@
-/** Scripts that sleep while their robots move: they cost the relay little, and nobody else waits for them. */
+/**
+ * Scripts that sleep while their robots move: they cost the relay little, and nobody else waits for
+ * them.
+ */
 import { spawnSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import { RelayProcess } from "../../support/relay-process.ts";

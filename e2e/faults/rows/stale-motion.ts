@@ -1,4 +1,7 @@
-/** The net goes while a script publishes velocities: the robot stops, and old values do not move it again. */
+/**
+ * The net goes while a script publishes velocities: the robot stops, and old values do not move it
+ * again.
+ */
 import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { everyFor, machineNow, sleep, until } from "../clock.ts";

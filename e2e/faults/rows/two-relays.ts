@@ -66,7 +66,7 @@ export const twoRelays: Row = {
       await until(isBack, 60_000);
       backMs.push(machineNow() - killedAt);
       await sleep(EVERY_MS / 2 - (machineNow() - killedAt));
-      await killed.startAgain();
+      await killed.restart();
       balancer.targets = relays.map(({ port }) => port);
       await sleep(next - machineNow());
     }

@@ -2,7 +2,7 @@
 import { spawn, type ChildProcess } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { inPath } from "../../../scripts/programs.ts";
-import { exampleOf } from "../../support/script.ts";
+import { exampleCommand } from "../../support/script.ts";
 
 const library = fileURLToPath(new URL("../../../packages/client-python/src", import.meta.url));
 /** A command, and another one when it is told to. */
@@ -39,7 +39,7 @@ export class ExampleScript {
 
   /** It makes two moves along the wall to its right. */
   static java(address: string): ExampleScript {
-    return new ExampleScript([...exampleOf("Java"), address, "--moves", "2"]);
+    return new ExampleScript([...exampleCommand("Java"), address, "--moves", "2"]);
   }
 
   /** Has it send the next command. */

@@ -1,6 +1,7 @@
 /**
- * A script as robot libraries have it that know nothing of this service: it publishes without waiting for
- * answers, keeps what it cannot send while its line is down, and sends all of it once the line is back.
+ * A script as robot libraries have it that know nothing of this service: it publishes without
+ * waiting for answers, keeps what it cannot send while its line is down, and sends all of it once
+ * the line is back.
  */
 import {
   decodeFrame,

@@ -1,4 +1,7 @@
-/** A script on a bare WebSocket: no library, so that what it hears and when is the relay's doing alone. */
+/**
+ * A script on a bare WebSocket: no library, so that what it hears and when is the relay's doing
+ * alone.
+ */
 import {
   decodeFrame,
   hasEnded,

@@ -1,6 +1,6 @@
 /**
- * A script of plain HTTPS requests, as somebody writes it who has no library: one command after the other,
- * each posted again with its key and its age until it is answered.
+ * A script of plain HTTPS requests, as somebody writes it who has no library: one command after the
+ * other, each posted again with its key and its age until it is answered.
  */
 import { commandRecordSchema, readJson, TTL_MS, type Order } from "@corridor/protocol";
 import { randomUUID } from "node:crypto";

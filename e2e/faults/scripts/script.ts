@@ -1,4 +1,7 @@
-/** Whoever sends a robot commands, one after the other: by the client library, or by requests of its own. */
+/**
+ * Whoever sends a robot commands, one after the other: by the client library, or by requests of its
+ * own.
+ */
 import type { CommandRecord, Order } from "@corridor/protocol";
 import { machineNow } from "../clock.ts";
 import type { Robot } from "../robots/robot.ts";

@@ -1,4 +1,7 @@
-/** Scripts that use our libraries and tell of each command when it was wished for and what they were told of it. */
+/**
+ * Scripts that use our libraries and tell of each command when it was wished for and what they were
+ * told of it.
+ */
 import { spawn, type ChildProcess } from "node:child_process";
 import { createInterface } from "node:readline";
 import { fileURLToPath } from "node:url";
@@ -26,7 +29,10 @@ export interface TimedScript {
   close(): void;
 }
 
-/** A turn for each line that it is sent, and a line of JSON for each turn; its clock is that of `machineNow`. */
+/**
+ * A turn for each line that it is sent, and a line of JSON for each turn; its clock is that of
+ * `machineNow`.
+ */
 const PYTHON = `
 import json, sys, time
 from corridor import Robot, RobotError

@@ -1,16 +1,16 @@
-/** Waits for everything on the page that is on its way: colours, dialogs, notes. */
+/** Waits until all animations of the page have finished: colours, dialogs, notes. */
 import type { Page } from "playwright/test";
 
-export async function atRest(page: Page): Promise<void> {
+export async function waitForAnimations(page: Page): Promise<void> {
   await page.evaluate(async () => {
     await Promise.allSettled(
       document
         .getAnimations()
-        // One that follows a scroll bar has no end.
+        // A scroll-driven animation never finishes.
         .filter(({ timeline }) => timeline === document.timeline)
         .map((animation) => animation.finished),
     );
-    // What has just come, a font or a late part, is placed in the frame that shows it: between frames nobody looks.
+    // A font or a lazy-loaded part gets its layout in the next frame. Wait for two frames.
     for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
   });
 }

@@ -1,56 +1,59 @@
 /**
- * A reader who has no mouse: goes to controls with Tab as often as it takes, presses keys, and notices at
- * once when the focus is nowhere or cannot be seen.
+ * A user without a mouse: moves to controls with Tab and presses keys. Each step fails when the
+ * focus is lost or cannot be seen.
  */
 import { expect, type Locator, type Page } from "playwright/test";
 
-export class Keys {
+export class KeyboardUser {
   readonly #page: Page;
 
   constructor(page: Page) {
     this.#page = page;
   }
 
-  /** Goes to a control with Tab; from the end of the page Tab begins at its top again. */
-  async goTo(target: Locator, most = 120): Promise<void> {
+  /** Moves the focus to a control with Tab. From the end of the page, Tab continues at its top. */
+  async tabTo(target: Locator, maxPresses = 120): Promise<void> {
     await expect(target).toBeVisible();
-    const isThere = () => target.evaluate((element) => element === document.activeElement);
-    for (let stop = 0; stop < most; stop++) {
-      if (await isThere()) return this.expectFocusSeen();
+    const isFocused = () => target.evaluate((element) => element === document.activeElement);
+    for (let stop = 0; stop < maxPresses; stop++) {
+      if (await isFocused()) return this.expectFocusVisible();
       await this.#page.keyboard.press("Tab");
     }
-    expect(await isThere(), `reached with ${most} presses of Tab: ${target.toString()}`).toBe(true);
+    expect(
+      await isFocused(),
+      `reached with ${maxPresses} presses of Tab: ${target.toString()}`,
+    ).toBe(true);
   }
 
-  /** Goes to a control and presses a key on it. */
+  /** Moves the focus to a control and presses a key. */
   async press(target: Locator, key = "Enter"): Promise<void> {
-    await this.goTo(target);
+    await this.tabTo(target);
     await this.key(key);
   }
 
-  /** Presses a key wherever the focus is; afterwards it is still somewhere. */
+  /** Presses keys at the current focus, and expects that the focus is not lost. */
   async key(...keys: string[]): Promise<void> {
     for (const key of keys) await this.#page.keyboard.press(key);
     await this.expectFocus();
   }
 
-  /** Chooses an option of a menu by the letters that it begins with. */
+  /** Selects an option of a menu by typing the start of its label. */
   async choose(menu: Locator, label: string): Promise<void> {
-    await this.goTo(menu);
-    // What no key types is left out: the letters before it are enough.
+    await this.tabTo(menu);
+    // Stop before the first character that no key types: the letters before it are enough.
     await this.#page.keyboard.type(/^[\x20-\x7e]*/.exec(label)?.[0] ?? "");
     await expect(menu.locator("option:checked")).toHaveText(label);
     await this.expectFocus();
   }
 
-  /** Types into a field, in place of what stands there. */
+  /** Replaces the text of a field. */
   async type(field: Locator, text: string): Promise<void> {
-    await this.goTo(field);
+    await this.tabTo(field);
     await this.#page.keyboard.press("Control+a");
     await this.#page.keyboard.type(text);
   }
 
-  /** Expects that something has the focus: a page that lost it sends its reader back to its top. */
+  /** Expects that an element has the focus: a page that loses it sends the user back to its top. */
   async expectFocus(): Promise<void> {
     await expect
       .poll(() => this.#page.evaluate(() => document.activeElement?.tagName), {
@@ -59,22 +62,22 @@ export class Keys {
       .not.toBe("BODY");
   }
 
-  /** Expects that the focus can be seen: a ring that nothing cuts off or hides. */
-  async expectFocusSeen(): Promise<void> {
-    await expect.poll(() => this.#page.evaluate(faultOfFocus)).toBeNull();
+  /** Expects a focus ring that is visible, not clipped or covered. */
+  async expectFocusVisible(): Promise<void> {
+    await expect.poll(() => this.#page.evaluate(focusDefect)).toBeNull();
   }
 }
 
-/** Why the focus cannot be seen; null when it can. Runs in the page. */
-function faultOfFocus(): string | null {
+/** Why the focus is not visible, or null when it is. Runs in the page. */
+function focusDefect(): string | null {
   const focused = document.activeElement;
   if (!(focused instanceof HTMLElement)) return "nothing has the focus";
   const name = `${focused.tagName} ${focused.getAttribute("aria-label") ?? focused.textContent}`;
   const { width, height, left, top, right, bottom } = focused.getBoundingClientRect();
   if (width < 2 || height < 2) return `${name} has no size`;
-  const isOn = right > 0 && bottom > 0 && left < innerWidth && top < innerHeight;
-  if (!isOn) return `${name} is off the screen`;
-  // Some controls are drawn by what is around them.
+  const isOnScreen = right > 0 && bottom > 0 && left < innerWidth && top < innerHeight;
+  if (!isOnScreen) return `${name} is off the screen`;
+  // Some controls have their ring on an element around them.
   for (let at: Element | null = focused; at !== null; at = at.parentElement) {
     const { outlineStyle, outlineWidth } = getComputedStyle(at);
     if (outlineStyle !== "none" && Number.parseFloat(outlineWidth) >= 2) return null;

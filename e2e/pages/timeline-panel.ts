@@ -1,7 +1,7 @@
-/** The timeline of the run, as the pointer and the keyboard find it. */
+/** Page object of the timeline of a run, for pointer and keyboard. */
 import { expect, type Locator, type Page } from "playwright/test";
 
-export class TimelineStrip {
+export class TimelinePanel {
   readonly #page: Page;
   readonly #transport: Locator;
   readonly slider: Locator;
@@ -12,7 +12,7 @@ export class TimelineStrip {
     this.slider = transport.getByRole("slider", { name: "Timeline" });
   }
 
-  /** The mark of the shown moment; pictures only, since the slider says it. */
+  /** The mark of the displayed tick. It has no role, since the slider's value reports the tick. */
   get playhead(): Locator {
     return this.#transport.locator("[data-playhead]");
   }
@@ -29,16 +29,18 @@ export class TimelineStrip {
     return this.#transport.getByRole("button", { name: "Run from here" });
   }
 
-  get oneBack(): Locator {
+  get previousDecision(): Locator {
     return this.#transport.getByRole("button", { name: "One decision back" });
   }
 
-  /** What the clock says besides the time while the past is shown. */
-  get inThePast(): Locator {
+  /** The clock's label while an earlier tick is displayed. */
+  get pastLabel(): Locator {
     return this.#transport.getByText("in the past", { exact: true });
   }
 
-  /** The pictures of what happened, above the ribbon; they have no role, since the slider says it. */
+  /**
+   * Event icons above the ribbon. They have no role, since the slider's value reports the events.
+   */
   mark(kind: "bump" | "goal" | "turn" | "edit"): Locator {
     return this.#transport.locator(`[data-kind=${kind}]`);
   }
@@ -56,44 +58,44 @@ export class TimelineStrip {
     return this.#transport.getByRole("button", { name: "Whole run" });
   }
 
-  /** The bar that scrolls a part of the run. */
+  /** The scroll bar of a zoomed timeline. */
   get visiblePart(): Locator {
     return this.#transport.getByRole("region", { name: "Visible part of the run" });
   }
 
-  /** The numbered mark of a script's command, or of several: "3", "3–7". */
+  /** The numbered mark of a script's command, or of a range of commands: "3", "3–7". */
   command(label: string): Locator {
     return this.#transport.locator(`[data-command="${label}"]`);
   }
 
-  /** Presses on the number of a command. */
+  /** Clicks the number of a command. */
   async pressCommand(label: string): Promise<void> {
     const box = await this.command(label).locator("text").boundingBox();
     if (box === null) throw new Error(`command ${label} is not on the timeline`);
     await this.#page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   }
 
-  /** Presses at a share of the shown time, from 0 to 1, draws along to another and lets go. */
+  /** Drags from one fraction of the displayed time range to another. Fractions are from 0 to 1. */
   async drag(from: number, to: number): Promise<void> {
-    const { x, y } = await this.placeAt(from);
+    const { x, y } = await this.pointAt(from);
     await this.#page.mouse.move(x, y);
     await this.#page.mouse.down();
     for (const share of [0.25, 0.5, 0.75, 1]) {
-      const at = await this.placeAt(from + (to - from) * share);
+      const at = await this.pointAt(from + (to - from) * share);
       await this.#page.mouse.move(at.x, at.y);
     }
     await this.#page.mouse.up();
   }
 
-  /** A place on the ribbon, on the screen. */
-  async placeAt(share: number): Promise<{ x: number; y: number }> {
+  /** The screen coordinates of a fraction of the ribbon. */
+  async pointAt(share: number): Promise<{ x: number; y: number }> {
     const box = await this.slider.boundingBox();
     if (box === null) throw new Error("the timeline is not on the screen");
     return { x: box.x + 10 + (box.width - 20) * share, y: box.y + box.height * 0.6 };
   }
 
-  /** Expects what a screen reader says of the shown moment. */
-  async expectMoment(words: RegExp): Promise<void> {
+  /** Expects the slider's value text, which describes the displayed tick. */
+  async expectValueText(words: RegExp): Promise<void> {
     await expect(this.slider).toHaveAttribute("aria-valuetext", words);
   }
 }

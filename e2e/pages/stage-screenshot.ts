@@ -1,4 +1,4 @@
-/** What is painted on the stage, as the reader's screen shows it. Places are in centimetres of the maze. */
+/** Screenshots of the painted stage. Regions are in centimetres of the maze. */
 import { expect, type Page } from "playwright/test";
 
 interface Region {
@@ -8,18 +8,18 @@ interface Region {
   height: number;
 }
 
-/** How much of two pictures may differ and they are still the same: text may be smoothed otherwise. */
-const SAME_SHARE = 0.01;
+/** maximum share of pixels that may differ between equal screenshots: text smoothing can vary */
+const MAX_DIFFERENCE = 0.01;
 
-export class StagePicture {
+export class StageScreenshot {
   readonly #page: Page;
 
   constructor(page: Page) {
     this.#page = page;
   }
 
-  /** The whole maze as it is painted once it has come to rest. */
-  async taken(): Promise<Buffer> {
+  /** A screenshot of the whole maze, once it no longer changes. */
+  async capture(): Promise<Buffer> {
     let before = await this.#shoot();
     await expect
       .poll(async () => {
@@ -32,7 +32,7 @@ export class StagePicture {
     return before;
   }
 
-  async expectOther(picture: Buffer): Promise<void> {
+  async expectDifferent(picture: Buffer): Promise<void> {
     await expect
       .poll(async () => (await this.#compare(await this.#shoot(), picture)).share)
       .toBeGreaterThan(0);
@@ -41,15 +41,18 @@ export class StagePicture {
   async expectSame(picture: Buffer): Promise<void> {
     await expect
       .poll(async () => (await this.#compare(await this.#shoot(), picture)).share)
-      .toBeLessThan(SAME_SHARE);
+      .toBeLessThan(MAX_DIFFERENCE);
   }
 
-  /** How many pixels of one part of the maze differ from those of another part of the same size. */
-  async pixelsUnlike(part: Region, other: Region): Promise<number> {
+  /** Number of pixels that differ between two regions of the same size. */
+  async differingPixels(part: Region, other: Region): Promise<number> {
     return (await this.#compare(await this.#shoot(part), await this.#shoot(other))).pixels;
   }
 
-  /** Counts the pixels that differ clearly; the browser reads the pictures. Those of another size differ wholly. */
+  /**
+   * Counts pixels that differ clearly, decoding the images in the browser. Different sizes differ
+   * wholly.
+   */
   async #compare(a: Buffer, b: Buffer): Promise<{ pixels: number; share: number }> {
     return this.#page.evaluate(
       async (pictures) => {
@@ -64,7 +67,7 @@ export class StagePicture {
             return context?.getImageData(0, 0, image.width, image.height).data ?? null;
           }),
         );
-        if (!one || !two) throw new Error("the browser gave no canvas to compare on");
+        if (!one || !two) throw new Error("the browser provided no canvas to compare on");
         const all = one.length / 4;
         if (one.length !== two.length) return { pixels: all, share: 1 };
         let pixels = 0;

@@ -1,6 +1,6 @@
 /**
- * The words of the page in a language, as its catalogues have them, and a language that nobody speaks:
- * English with accents and 40 % more letters, which finds what has no room before a translator does.
+ * The texts of the page in one language, read from its catalogues, and a pseudolocale: English with
+ * accents and 40 % more letters, which finds texts that do not fit before a translator does.
  */
 import { readdirSync, readFileSync } from "node:fs";
 
@@ -10,10 +10,10 @@ interface Catalogue {
 
 const folder = new URL("../../apps/web/src/text/", import.meta.url);
 
-export class Words {
+export class Texts {
   readonly #catalogue: Catalogue;
 
-  /** what stands around a value: where text runs right-to-left, the page sets values apart */
+  /** characters around a value: right-to-left pages isolate values */
   readonly #isolate: readonly [string, string];
 
   private constructor(catalogue: Catalogue, isRightToLeft: boolean) {
@@ -21,36 +21,36 @@ export class Words {
     this.#isolate = isRightToLeft ? ["\u2068", "\u2069"] : ["", ""];
   }
 
-  /** A language of the page; what a draft lacks is in English, as on the page. */
-  static of(tag: string): Words {
+  /** The texts of a language. Like the page, it falls back to English for missing texts. */
+  static load(tag: string): Texts {
     const isRightToLeft = new Intl.Locale(tag).maximize().script === "Arab";
-    return new Words(merged(readCatalogue("en"), readCatalogue(tag)), isRightToLeft);
+    return new Texts(merged(readCatalogue("en"), readCatalogue(tag)), isRightToLeft);
   }
 
-  static longest(): Words {
-    return new Words(mapped(readCatalogue("en"), stretched), false);
+  static pseudolocale(): Texts {
+    return new Texts(mapped(readCatalogue("en"), pseudolocalize), false);
   }
 
-  /** The text of a path such as "shell.run.run", with the values of its placeholders. */
+  /** The text at a path such as "shell.run.run", with its placeholders filled. */
   t(path: string, values: Readonly<Record<string, string | number>> = {}): string {
     let at: string | Catalogue | undefined = this.#catalogue;
     for (const key of path.split(".")) at = typeof at === "object" ? at[key] : undefined;
     if (typeof at !== "string") throw new Error(`no text ${path}`);
-    const [begin, end] = this.#isolate;
+    const [open, close] = this.#isolate;
     return at.replaceAll(
       /\{\{(\w+)\}\}/g,
-      (_, name: string) => `${begin}${values[name] ?? ""}${end}`,
+      (_, name: string) => `${open}${values[name] ?? ""}${close}`,
     );
   }
 
-  /** A module that exports all words by the names of their files, as a language's chunk does. */
+  /** The source of a module that exports all texts by file name, as a language's chunk does. */
   asModule(): string {
-    const files = Object.entries(this.#catalogue).map(([name, words]) => [`./${name}.json`, words]);
+    const files = Object.entries(this.#catalogue).map(([name, texts]) => [`./${name}.json`, texts]);
     return `export const files = ${JSON.stringify(Object.fromEntries(files))};`;
   }
 }
 
-/** Languages that have a folder of words. */
+/** Tags of the languages that have a folder of texts. */
 export function languageTags(): string[] {
   return readdirSync(folder, { withFileTypes: true })
     .filter((entry) => entry.isDirectory() && entry.name !== "testing")
@@ -96,7 +96,7 @@ const accents: Readonly<Record<string, string>> = {
 };
 
 /** "Copy link" becomes "Cøpy lïñk łonġ". */
-function stretched(text: string): string {
+function pseudolocalize(text: string): string {
   const [first = "", ...rest] = text.split(/(?=\{\{)|(?<=\}\})/);
   const isPlaceholder = (part: string): boolean => part.startsWith("{{");
   const accented = [first, ...rest].map((part) =>
@@ -105,12 +105,12 @@ function stretched(text: string): string {
       : part.replaceAll(/[aeioun]/g, (letter) => accents[letter] ?? letter),
   );
   const letters = text.replaceAll(/\{\{\w+\}\}/g, "").length;
-  const more = "łonġ wörđs ænd "
+  const padding = "łonġ wörđs ænd "
     .repeat(20)
     .slice(0, Math.max(3, Math.ceil(letters * 0.4)))
     .trim();
-  // A short word grows as one word, as in German; a sentence grows by words.
+  // A short text grows as one word, as in German. A sentence grows by words.
   return (
-    accented.join("") + (letters > 12 ? " " : "") + more.replaceAll(letters > 12 ? "" : " ", "")
+    accented.join("") + (letters > 12 ? " " : "") + padding.replaceAll(letters > 12 ? "" : " ", "")
   );
 }
