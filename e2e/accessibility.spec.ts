@@ -1,5 +1,6 @@
 /**
- * Everyone can use it: no barrier that axe knows, by keyboard alone, under a finger, on any screen.
+ * The page is accessible: no axe violations, usable by keyboard alone and by touch, on any screen
+ * size.
  */
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
@@ -10,7 +11,7 @@ import { openMoreSection } from "./support/remote-panel.ts";
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
-test("meets no barrier in the program, while it runs and when it bumps", async ({
+test("has no axe violations in the program, while it runs and when it bumps", async ({
   corridor,
   page,
 }) => {
@@ -27,7 +28,7 @@ test("meets no barrier in the program, while it runs and when it bumps", async (
   await expectNoAxeViolations(page, "running into a block");
 });
 
-test("meets no barrier in Me and in Remote, waiting and off", async ({ corridor, page }) => {
+test("has no axe violations in Me and in Remote, waiting and off", async ({ corridor, page }) => {
   await corridor.selectDriver("Me");
   await expectNoAxeViolations(page, "Me");
   await corridor.selectDriver("Remote");
@@ -40,7 +41,7 @@ test("meets no barrier in Me and in Remote, waiting and off", async ({ corridor,
   await expectNoAxeViolations(page, "Remote, off");
 });
 
-test("meets no barrier in the dialogs", async ({ corridor, page }) => {
+test("has no axe violations in the dialogs", async ({ corridor, page }) => {
   await corridor.share.click();
   await expectNoAxeViolations(page, "share");
   await page.keyboard.press("Escape");
@@ -55,7 +56,7 @@ test("meets no barrier in the dialogs", async ({ corridor, page }) => {
   await expectNoAxeViolations(page, "resize");
 });
 
-test("meets no barrier in the menus", async ({ corridor, page }) => {
+test("has no axe violations in the menus", async ({ corridor, page }) => {
   for (const menu of ["View", "Show an algorithm", "Theme"]) {
     await page.getByRole("button", { name: menu, exact: true }).click();
     await expect(corridor.dialog(menu)).toBeVisible();
@@ -65,7 +66,10 @@ test("meets no barrier in the menus", async ({ corridor, page }) => {
   }
 });
 
-test("meets no barrier among mazes and messages", async ({ corridor, page }) => {
+test("has no axe violations in the presets, the maze menu and messages", async ({
+  corridor,
+  page,
+}) => {
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   await expect(corridor.dialog("Presets")).toBeVisible();
   await expectNoAxeViolations(page, "presets");
@@ -79,7 +83,7 @@ test("meets no barrier among mazes and messages", async ({ corridor, page }) => 
   await expectNoAxeViolations(page, "message");
 });
 
-test("meets no barrier in the past, at a bump, at the goal, with advice and a description", async ({
+test("has no axe violations in the past, at a bump, at the goal, with advice and a description", async ({
   corridor,
   page,
 }) => {
@@ -106,7 +110,7 @@ test("meets no barrier in the past, at a bump, at the goal, with advice and a de
   await expectNoAxeViolations(page, "solved card");
 });
 
-test("meets no barrier in a mission, while measuring, among random mazes and pictures", async ({
+test("has no axe violations in a mission, while measuring, among random mazes and pictures", async ({
   corridor,
   page,
 }) => {
@@ -136,7 +140,7 @@ test("meets no barrier in a mission, while measuring, among random mazes and pic
   await expectNoAxeViolations(page, "picture");
 });
 
-test("meets no barrier on a phone, in each tab and menu", async ({ openWindow }) => {
+test("has no axe violations on a phone, in each tab and menu", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
   await corridor.open();
   const { page } = corridor;
@@ -156,7 +160,7 @@ for (const [width, height] of [
   [390, 844],
   [320, 700],
 ] as const) {
-  test(`finds nothing beyond the edges at ${width} x ${height}`, async ({ openWindow }) => {
+  test(`has no horizontal overflow at ${width} x ${height}`, async ({ openWindow }) => {
     const corridor = await openWindow({ viewport: { width, height } });
     await corridor.open();
     const { page } = corridor;
@@ -181,7 +185,7 @@ for (const [width, height] of [
     await corridor.speed.selectOption("max");
     await corridor.run.click();
     await expect(corridor.bumps).not.toHaveText("0 bumps");
-    expect(await horizontalOverflow(page), "long words").toEqual([]);
+    expect(await horizontalOverflow(page), "long texts").toEqual([]);
     await corridor.share.click();
     await expect(corridor.dialog("Share this maze")).toBeVisible();
     expect(await horizontalOverflow(page), "share").toEqual([]);
@@ -195,7 +199,7 @@ for (const [width, height] of [
   [390, 844],
   [1024, 768],
 ] as const) {
-  test(`can press everything with a finger at ${width} x ${height}`, async ({ openWindow }) => {
+  test(`has touch targets of at least 44 px at ${width} x ${height}`, async ({ openWindow }) => {
     const corridor = await openWindow({ ...phone, viewport: { width, height } });
     await corridor.open();
     const { page } = corridor;
@@ -235,14 +239,14 @@ test("taps a square, holds a drive key and moves a line on a phone", async ({ op
   await page.getByRole("tab", { name: "Drive" }).tap();
   await expect(corridor.driveKey("forward")).toBeVisible();
   await expect(page.getByText("The program is driving.")).toBeVisible();
-  const letGo = await holdFinger(corridor.driveKey("left"));
+  const liftFinger = await holdFinger(corridor.driveKey("left"));
   await expect(page.getByText("You are driving.")).toBeVisible();
   await expect(corridor.robotPose).toHaveText(/facing (up|left|down)/);
-  await letGo();
+  await liftFinger();
   await corridor.waitForRobotToStop();
 });
 
-test("asks for less motion and gets none but the robot's", async ({ corridor, page }) => {
+test("animates only the robot when reduced motion is requested", async ({ corridor, page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   const longest = await page.evaluate(() => {
@@ -259,10 +263,10 @@ test("asks for less motion and gets none but the robot's", async ({ corridor, pa
   await expect(corridor.runNote).toContainText("Goal reached");
 });
 
-test("goes through everything with Tab in the order of the screen", async ({ corridor, page }) => {
+test("moves the Tab focus in the visual order of the page", async ({ corridor, page }) => {
   const order: string[] = [];
   await expect(corridor.run).toBeVisible();
-  // comes a moment after the maze
+  // The zoom buttons are displayed after the maze.
   await expect(page.getByRole("group", { name: "Zoom", exact: true })).toBeVisible();
   for (let stop = 0; stop < 80; stop++) {
     await page.keyboard.press("Tab");
@@ -299,7 +303,7 @@ test("goes through everything with Tab in the order of the screen", async ({ cor
   ]);
 });
 
-test("opens the list of keys with ?, switches single keys off, and they stay off", async ({
+test("opens the keyboard shortcuts with ?, turns single keys off, and keeps them off after a reload", async ({
   corridor,
   page,
 }) => {
@@ -318,10 +322,10 @@ test("opens the list of keys with ?, switches single keys off, and they stay off
   await expect(corridor.robotPose).toHaveText("Robot at 50, 650, facing right");
 });
 
-/** Lays a finger on an element, as only the browser's own protocol can. @returns lifts it */
+/** Touches an element through the DevTools protocol. @returns a function that lifts the finger */
 async function holdFinger(target: Locator): Promise<() => Promise<void>> {
   const box = await target.boundingBox();
-  if (box === null) throw new Error("nothing to lay a finger on");
+  if (box === null) throw new Error("the touch target is not on the screen");
   const browser = await target.page().context().newCDPSession(target.page());
   const touchPoints = [{ x: box.x + box.width / 2, y: box.y + box.height / 2 }];
   await browser.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints });
@@ -330,7 +334,7 @@ async function holdFinger(target: Locator): Promise<() => Promise<void>> {
   };
 }
 
-/** Presses Tab until something has the focus, as one does who has no mouse. */
+/** Presses Tab until the element has the focus. */
 async function tabTo(page: Page, target: Locator): Promise<void> {
   await expect(target).toBeVisible();
   for (let stop = 0; stop < 100; stop++) {
@@ -340,7 +344,7 @@ async function tabTo(page: Page, target: Locator): Promise<void> {
   await expect(target).toBeFocused();
 }
 
-/** Fills the line that was just added and has the focus in its condition. */
+/** Fills a new line whose condition has the focus. */
 async function typeLine(page: Page, condition: string, number: string, action: string) {
   await page.keyboard.type(condition);
   await page.keyboard.press("Tab");
@@ -350,7 +354,7 @@ async function typeLine(page: Page, condition: string, number: string, action: s
   await page.keyboard.type(action);
 }
 
-test("never touches the mouse: chooses a maze, builds a program, runs it, hears of the goal", async ({
+test("chooses a maze, builds a program, runs it and announces the goal by keyboard alone", async ({
   corridor,
   page,
 }) => {
@@ -376,6 +380,6 @@ test("never touches the mouse: chooses a maze, builds a program, runs it, hears 
   await keyboard.press("Control+Enter");
   await expect(corridor.runNote).toContainText("Goal reached after 13.3 s (tick 802)");
   await expect(corridor.announcement).toContainText("Goal reached after 13.3 s (tick 802)");
-  // The region was there before its words, or nobody would have heard them.
+  // Screen readers announce only changes of a region that existed before its text.
   expect(await liveRegion?.textContent()).toContain("Goal reached");
 });

@@ -1,12 +1,13 @@
 /**
- * Work stays on the device: over a reload, in two tabs, and honestly not at all where it cannot.
+ * Edits are stored on the device: across reloads and in two tabs. Where storage fails, the page
+ * reports it.
  */
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
 
 const square = { column: 2, row: 6 };
 
-test("edits maze and program, reloads, and finds everything as it was", async ({ corridor }) => {
+test("restores maze and program after a reload", async ({ corridor }) => {
   await corridor.maze.click(square);
   await corridor.maze.tool("Goal").check();
   await corridor.maze.click({ column: 0, row: 0 });
@@ -22,7 +23,7 @@ test("edits maze and program, reloads, and finds everything as it was", async ({
   await expect(corridor.saveState).toHaveText("Saved on this device");
 });
 
-test("renames the maze, begins a new one, and finds both in the menu", async ({
+test("renames the maze, creates a new one, and lists both in the menu", async ({
   corridor,
   page,
 }) => {
@@ -49,7 +50,7 @@ test("renames the maze, begins a new one, and finds both in the menu", async ({
   await expect(menu.getByRole("button", { name: "Open New maze", exact: true })).toBeVisible();
 });
 
-test("edits the same work in two tabs and loses neither", async ({ corridor, context }) => {
+test("edits the same maze in two tabs and loses neither edit", async ({ corridor, context }) => {
   await corridor.program.name.fill("In both tabs");
   await expect(corridor.saveState).toHaveText("Saved on this device");
   const second = new CorridorPage(await context.newPage());
@@ -66,10 +67,10 @@ test("edits the same work in two tabs and loses neither", async ({ corridor, con
   await expect(second.program.name).toHaveValue("Second tab");
 });
 
-test("is told when the device keeps nothing, and works on", async ({ openWindow }) => {
-  const reader = await openWindow();
-  // What a browser does whose user switched storage off.
-  await reader.page.addInitScript(() => {
+test("shows that the device stores nothing, and remains usable", async ({ openWindow }) => {
+  const corridor = await openWindow();
+  // Browsers behave like this when the user has turned storage off.
+  await corridor.page.addInitScript(() => {
     for (const name of ["localStorage", "sessionStorage"]) {
       Object.defineProperty(window, name, {
         get() {
@@ -78,28 +79,28 @@ test("is told when the device keeps nothing, and works on", async ({ openWindow 
       });
     }
   });
-  await reader.open();
-  await reader.maze.click(square);
-  await expect(reader.saveState).toHaveText("Not saved");
-  await expect(reader.message("Your work is not saved")).toBeVisible();
-  await reader.maze.expectSquare(square, "block");
-  await reader.maze.click(square);
-  await reader.speed.selectOption("max");
-  await reader.run.click();
-  await expect(reader.runNote).toContainText("Goal reached");
+  await corridor.open();
+  await corridor.maze.click(square);
+  await expect(corridor.saveState).toHaveText("Not saved");
+  await expect(corridor.message("Your work is not saved")).toBeVisible();
+  await corridor.maze.expectSquare(square, "block");
+  await corridor.maze.click(square);
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.runNote).toContainText("Goal reached");
 });
 
-test("is told when the storage is full, and saved again once there is room", async ({
+test("shows that the storage is full, and saves again once there is space", async ({
   corridor,
   page,
 }) => {
   await page.evaluate(() => {
-    // Fills what a browser gives to a site, down to the last characters.
+    // Fills the site's quota to the last characters.
     for (let size = 8_000_000; size >= 1; size = Math.floor(size / 2)) {
       try {
         for (let part = 0; ; part++) localStorage.setItem(`full-${size}-${part}`, "x".repeat(size));
       } catch {
-        // That much does not fit any more; half of it may.
+        // Does not fit any more; try half the size.
       }
     }
   });
@@ -114,10 +115,7 @@ test("is told when the storage is full, and saved again once there is room", asy
   await corridor.maze.expectSquare({ column: 3, row: 6 }, "open");
 });
 
-test("finds a saved work that was damaged put aside, and a maze to begin with", async ({
-  corridor,
-  page,
-}) => {
+test("sets a damaged saved maze aside and opens the first maze", async ({ corridor, page }) => {
   await corridor.maze.click(square);
   await expect(corridor.saveState).toHaveText("Saved on this device");
   await page.evaluate(() => {

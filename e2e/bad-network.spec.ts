@@ -1,4 +1,4 @@
-/** Scripts drive the robot in a page while the network between everybody is as bad as it gets. */
+/** Scripts drive the robot in a page over a network that delays, slices and cuts connections. */
 import { encodeLink } from "@corridor/link";
 import { countOpenCells, generateTree } from "@corridor/maze";
 import { commandRecordSchema } from "@corridor/protocol";
@@ -12,17 +12,20 @@ import { exampleCommand, runScript, type ExampleLanguage } from "./support/scrip
 const maze = generateTree({ columns: 9, rows: 9, seed: 3, name: "Tree" });
 const cells = `${countOpenCells(maze)}`;
 const DELAY_MS = { least: 0, most: 30 };
-/** Shorter than many an exchange takes in that weather, longer than coming back does. */
+/** shorter than many exchanges take under this delay, longer than a reconnection takes */
 const CUT_EVERY_MS = 450;
 
-/** Lets a follower drive a page through a proxy. @returns what it said, and what the robot did */
+/**
+ * Runs a wall follower that drives a page through a proxy. @returns its output and the robot's
+ * commands
+ */
 async function follow(
   browser: Browser,
   language: ExampleLanguage,
   network: FaultProxy,
   isBad: boolean,
 ) {
-  // Not a watched window: the browser complains of the connections that are cut.
+  // Not an openWindow fixture: the browser logs an error for each cut connection.
   const context = await browser.newContext({ permissions: ["clipboard-read", "clipboard-write"] });
   const page = await context.newPage();
   const link = encodeLink({ maze });
@@ -49,31 +52,31 @@ async function follow(
   const log = await (await fetch(`${robot}/commands`, { headers })).json();
   const { bumps } = await (await fetch(`${robot}/sensors`, { headers })).json();
   await context.close();
-  const way = commandRecordSchema
+  const commands = commandRecordSchema
     .array()
     .parse(log.commands)
     .map(({ action, state, pose }) => ({ action, state, pose }));
-  return { code, output, way, bumps, cut };
+  return { code, output, commands, bumps, cut };
 }
 
 for (const language of ["Python", "Java"] as const) {
-  test(`the ${language} follower takes no wrong step where the network cuts, delays and slices`, async ({
+  test(`the ${language} follower drives every step correctly while the network cuts, delays and slices`, async ({
     browser,
     relay,
   }) => {
     const isMissing = language === "Java" && inPath("java").length === 0;
     if (isMissing)
-      process.stderr.write("bad-network.spec.ts: skipped Java, there is no java here\n");
-    test.skip(isMissing, "there is no java here");
+      process.stderr.write("bad-network.spec.ts: skipped Java, java is not installed\n");
+    test.skip(isMissing, "java is not installed");
     test.setTimeout(240_000);
     const target = Number(new URL(relay).port);
     const network = await FaultProxy.start({ target: () => target, dice: new Dice(1) });
-    const calm = await follow(browser, language, network, false);
-    expect(calm).toMatchObject({ code: 0, bumps: 0, cut: 0 });
-    expect(calm.output).toContain(`${cells} cells visited`);
+    const baseline = await follow(browser, language, network, false);
+    expect(baseline).toMatchObject({ code: 0, bumps: 0, cut: 0 });
+    expect(baseline.output).toContain(`${cells} cells visited`);
     const bad = await follow(browser, language, network, true);
     expect(bad.cut).toBeGreaterThan(20);
-    expect(bad).toEqual({ ...calm, cut: bad.cut });
+    expect(bad).toEqual({ ...baseline, cut: bad.cut });
     await network.close();
   });
 }

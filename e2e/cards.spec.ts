@@ -1,5 +1,6 @@
 /**
- * What the page says when something has happened: the bump card, the solved card, going in circles.
+ * Cards and messages about a run: the bump card, the solved card, and the hint about driving in
+ * circles.
  */
 import { encodeLink } from "@corridor/link";
 import type { Locator, Page } from "playwright/test";
@@ -8,7 +9,7 @@ import type { CorridorPage } from "./pages/corridor-page.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 
-/** Line 2 turns too late: it drives on towards the wall that it has just seen. */
+/** Line 2 turns too late: it continues towards the wall that it detected. */
 async function bump(corridor: CorridorPage): Promise<Locator> {
   await corridor.program.action(2).selectOption("delayed left 90");
   await corridor.run.click();
@@ -17,12 +18,12 @@ async function bump(corridor: CorridorPage): Promise<Locator> {
   return card;
 }
 
-test("is told why line 2 bumped, takes the fix and gets past the place", async ({ corridor }) => {
+test("explains why line 2 bumped, applies the fix and passes the place", async ({ corridor }) => {
   const card = await bump(corridor);
   await expect(card).toContainText(
     /Line 2 chose “delayed left 90” at \d+\.\d s with (4\d|50) cm in front\. It drives on first and needs 75 cm\./,
   );
-  // Both from the robot's middle, as the sensors measure.
+  // Both distances are from the robot's centre, as the sensors measure.
   await expect(card.getByRole("definition")).toHaveText([/^75 cm$/, /^(4\d|50) cm$/]);
   await expect(corridor.run).toBeVisible();
 
@@ -38,7 +39,7 @@ test("is told why line 2 bumped, takes the fix and gets past the place", async (
   await expect(corridor.messages).not.toContainText("Fixed");
 });
 
-test("is told that a turn came too early, though another line met the wall", async ({
+test("reports that a turn came too early, though another line met the wall", async ({
   corridor,
 }) => {
   const link = encodeLink({
@@ -65,13 +66,13 @@ test("is told that a turn came too early, though another line met the wall", asy
   await expect(card).toContainText(
     /Line 1 chose “right 90” at \d+\.\d s, at the edge of the opening/,
   );
-  // The mark in the list names the same line.
+  // The mark in the list is on the same line.
   await expect(corridor.program.line(1)).toHaveAccessibleName(/^Line 1, bumped/);
   await card.getByRole("button", { name: "Change to delayed right 90" }).click();
   await expect(corridor.program.action(1)).toHaveValue("delayed right 90");
 });
 
-test("fixes it in another way: the card no longer offers what was meant for the old program", async ({
+test("withdraws the card's fix after an edit that the fix was not made for", async ({
   corridor,
 }) => {
   const card = await bump(corridor);
@@ -83,7 +84,7 @@ test("fixes it in another way: the card no longer offers what was meant for the 
   await expect(change).toBeVisible();
 });
 
-test("fixes a line by hand, and runs from the start by the card", async ({ corridor }) => {
+test("offers to run from the start after a line was fixed by hand", async ({ corridor }) => {
   const card = await bump(corridor);
   const again = card.getByRole("button", { name: "Run from the start" });
   await expect(again).toHaveCount(0);
@@ -94,7 +95,7 @@ test("fixes a line by hand, and runs from the start by the card", async ({ corri
   await expect(corridor.bumps).toHaveText("0 bumps");
 });
 
-test("watches the bump again, and finds its card where it happened", async ({ corridor }) => {
+test("replays the bump, and shows its card again where it happened", async ({ corridor }) => {
   const card = await bump(corridor);
   const clock = await corridor.clock.textContent();
   await card.getByRole("button", { name: "Watch again" }).click();
@@ -105,9 +106,7 @@ test("watches the bump again, and finds its card where it happened", async ({ co
   await expect(corridor.bumps).toHaveText("1 bump");
 });
 
-test("closes the card by keyboard and runs on without being stopped again", async ({
-  corridor,
-}) => {
+test("closes the card by keyboard and continues without stopping again", async ({ corridor }) => {
   const card = await bump(corridor);
   await card.getByRole("button", { name: "Close" }).focus();
   await corridor.page.keyboard.press("Escape");
@@ -118,21 +117,21 @@ test("closes the card by keyboard and runs on without being stopped again", asyn
   await expect(corridor.pause).toBeVisible();
 });
 
-test("sees what the solution took, and goes on to the next maze", async ({ corridor }) => {
+test("shows the figures of the solution, and opens the next maze", async ({ corridor }) => {
   await corridor.speed.selectOption("max");
   await corridor.run.click();
   const card = corridor.page.getByRole("region", { name: "Solved!" });
   await expect(card).toContainText("Your 2 lines take the robot from start to goal.");
   await expect(card.getByRole("definition")).toHaveText(["39.6 s", "2", "0"]);
   await expectNoAxeViolations(corridor.page, "solved card");
-  const onward = card.getByRole("button", { name: /^Next maze: / });
-  const name = ((await onward.textContent()) ?? "").replace("Next maze: ", "");
-  await onward.click();
+  const nextMaze = card.getByRole("button", { name: /^Next maze: / });
+  const name = ((await nextMaze.textContent()) ?? "").replace("Next maze: ", "");
+  await nextMaze.click();
   await expect(corridor.mazeMenu).toHaveAccessibleName(`${name}, Maze menu`);
   await expect(card).toBeHidden();
 });
 
-test("is told that the robot goes in circles, and no line is blamed where two would have to change", async ({
+test("reports that the robot drives in circles, and names no line where two must change", async ({
   corridor,
 }) => {
   await corridor.program.deleteAllLines();
@@ -145,7 +144,7 @@ test("is told that the robot goes in circles, and no line is blamed where two wo
   await expect(corridor.messages.getByRole("button", { name: /^Show line/ })).toHaveCount(0);
 });
 
-test("is told that the robot only pushes against a wall", async ({ corridor }) => {
+test("reports that the robot only pushes against a wall", async ({ corridor }) => {
   await corridor.program.deleteAllLines();
   await corridor.run.click();
   const card = corridor.page.getByRole("region", { name: "Bump", exact: true });
@@ -157,20 +156,20 @@ test("is told that the robot only pushes against a wall", async ({ corridor }) =
 });
 
 /**
- * Messages that lie over a card, a control of the run or what leads back to now, with what they
- * cover.
+ * Messages that cover a card, a control of the run or the controls that return to now, with what
+ * they cover.
  */
-function covered(page: Page): Promise<string[]> {
+function coveredByMessages(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const texts = [...document.querySelectorAll("section[aria-label=Messages] button")];
     const messages = new Set(texts.map((button) => button.parentElement));
-    const kept = document.querySelectorAll(
+    const uncovered = document.querySelectorAll(
       "[data-card], section[aria-label=Run] button, section[aria-label=Run] select",
     );
     return [...messages].flatMap((message) => {
       const one = message?.getBoundingClientRect();
       if (one === undefined) return [];
-      return [...kept].flatMap((each) => {
+      return [...uncovered].flatMap((each) => {
         if (!each.checkVisibility()) return [];
         const other = each.getBoundingClientRect();
         const isOver =
@@ -182,18 +181,15 @@ function covered(page: Page): Promise<string[]> {
   });
 }
 
-const behind = {
+const backward = {
   east: { dx: -1, dy: 0 },
   west: { dx: 1, dy: 0 },
   north: { dx: 0, dy: 1 },
   south: { dx: 0, dy: -1 },
 };
 
-/**
- * What of the card and the messages lies over the robot, its trail's end, a button of the run or a
- * tab.
- */
-async function covering(
+/** Cards and messages that cover the robot, the end of its trail, a button of the run or a tab. */
+async function coveredByCards(
   corridor: CorridorPage,
   { start }: (typeof bumps)[number],
 ): Promise<string[]> {
@@ -202,16 +198,16 @@ async function covering(
     /^Robot at (\d+), (\d+)/.exec((await corridor.robotPose.textContent()) ?? "") ?? [];
   const grid = await corridor.maze.grid.boundingBox();
   if (grid === null) throw new Error("the maze is not on the screen");
-  const scale = grid.width / (room.columns * 100);
-  // Its middle and 20 cm around.
+  const scale = grid.width / (mazeSize.columns * 100);
+  // Its centre and 20 cm around.
   const robot = {
     left: grid.x + (Number(x) - 20) * scale,
     top: grid.y + (Number(y) - 20) * scale,
     right: grid.x + (Number(x) + 20) * scale,
     bottom: grid.y + (Number(y) + 20) * scale,
   };
-  // The end of its trail: the last 100 cm that lead to its centre, for a robot that drove forward.
-  const { dx, dy } = behind[start.heading];
+  // The last 100 cm of its trail: the robot drove forward to its centre.
+  const { dx, dy } = backward[start.heading];
   const [endX, endY] = [Number(x) + 100 * dx, Number(y) + 100 * dy];
   const trail = {
     left: grid.x + (Math.min(Number(x), endX) - 5) * scale,
@@ -226,13 +222,13 @@ async function covering(
           "[data-card], section[aria-label=Messages] span:has(> button)",
         ),
       ];
-      const kept = [
+      const uncovered = [
         ...document.querySelectorAll("section[aria-label=Run] button, [role=tab]"),
       ].filter((each) => each.checkVisibility());
       const boxes = [
         { name: "robot", box: robotBox },
         { name: "trail's end", box: trailBox },
-        ...kept.map((each) => ({ name: each.textContent, box: each.getBoundingClientRect() })),
+        ...uncovered.map((each) => ({ name: each.textContent, box: each.getBoundingClientRect() })),
       ];
       return over.flatMap((each) => {
         const one = each.getBoundingClientRect();
@@ -256,12 +252,9 @@ const screens = [
   { width: 320, height: 640 },
 ];
 
-const room = { columns: 11, rows: 9 };
+const mazeSize = { columns: 11, rows: 9 };
 
-/**
- * A bump in the middle of the maze, in two corners and in the middle of two edges: straight ahead
- * from a start.
- */
+/** Bumps straight ahead of the start: in the middle of the maze, in corners and at edges. */
 const bumps = [
   { start: { column: 2, row: 4, heading: "east" }, block: { column: 6, row: 4 } },
   { start: { column: 5, row: 3, heading: "south" }, block: null },
@@ -271,8 +264,8 @@ const bumps = [
 ] as const;
 
 function linkTo({ start, block }: (typeof bumps)[number]): string {
-  const blocks = Array.from({ length: room.rows }, (_, row) =>
-    Array.from({ length: room.columns }, (__, column) =>
+  const blocks = Array.from({ length: mazeSize.rows }, (_, row) =>
+    Array.from({ length: mazeSize.columns }, (__, column) =>
       block?.column === column && block.row === row ? "#" : ".",
     ).join(""),
   );
@@ -290,7 +283,7 @@ function linkTo({ start, block }: (typeof bumps)[number]): string {
 }
 
 for (const viewport of screens) {
-  test(`sees the robot beside every card and message at ${viewport.width} x ${viewport.height}`, async ({
+  test(`covers neither the robot nor controls with cards and messages at ${viewport.width} x ${viewport.height}`, async ({
     openWindow,
   }) => {
     const corridor = await openWindow({ viewport });
@@ -308,7 +301,7 @@ for (const viewport of screens) {
       await page.keyboard.press("ControlOrMeta+V");
       await expect(corridor.message(/^The text you pasted/).first()).toBeVisible();
       await waitForAnimations(page);
-      expect(await covering(corridor, bump), JSON.stringify(bump)).toEqual([]);
+      expect(await coveredByCards(corridor, bump), JSON.stringify(bump)).toEqual([]);
       await expect(card.getByRole("heading")).toBeInViewport({ ratio: 1 });
       await corridor.reset.click();
       await corridor.dismissMessages();
@@ -323,7 +316,7 @@ for (const [width, height] of [
   [844, 390],
   [390, 844],
 ] as const) {
-  test(`is told two things beside a card at ${width} x ${height}, and sees card and transport whole`, async ({
+  test(`shows two messages beside a card at ${width} x ${height} and covers neither card nor transport`, async ({
     openWindow,
   }) => {
     const corridor = await openWindow({ viewport: { width, height } });
@@ -338,12 +331,12 @@ for (const [width, height] of [
     await page.evaluate(() => (location.hash = "broken"));
     await expect(corridor.messages.getByRole("button", { name: "Dismiss" })).toHaveCount(2);
     await waitForAnimations(page);
-    expect(await covered(page), "beside the card").toEqual([]);
+    expect(await coveredByMessages(page), "beside the card").toEqual([]);
     await card.getByRole("button", { name: "Close" }).click();
     await corridor.timeline.slider.press("Home");
     await expect(corridor.timeline.pastLabel).toBeVisible();
     await page.keyboard.press("i");
     await waitForAnimations(page);
-    expect(await covered(page), "in the past").toEqual([]);
+    expect(await coveredByMessages(page), "in the past").toEqual([]);
   });
 }

@@ -1,8 +1,8 @@
-/** /check as an administrator sees it: in full, and where the way lets little through. */
+/** The network check at /check, on an open network and where connections are blocked. */
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, test } from "./fixtures.ts";
 
-test("says that all passes where all does, in the reader's language", async ({ page }) => {
+test("reports in the browser's language that all connections pass", async ({ page }) => {
   await page.goto("/check?lang=de");
   await expect(page.getByRole("status")).toHaveText(/Alles kommt durch/, { timeout: 50_000 });
   await expect(page.getByRole("listitem")).toHaveCount(11);
@@ -12,15 +12,15 @@ test("says that all passes where all does, in the reader's language", async ({ p
   expect(copied).toContain("WebSocket: kommt durch");
 });
 
-test("says what is blocked and what to do", async ({ page }) => {
+test("reports what is blocked and how to fix it", async ({ page }) => {
   await page.routeWebSocket("**/check/socket", (socket) => socket.close());
-  // Not by the network: an answer that fails there is a complaint in the console.
+  // Rejected in the page: a request that fails on the network is an error in the console.
   await page.addInitScript(() => {
-    const fetched = window.fetch;
+    const originalFetch = window.fetch;
     window.fetch = (input, init) =>
       new Request(input).url.includes("/wait")
-        ? Promise.reject(new Error("cut"))
-        : fetched(input, init);
+        ? Promise.reject(new Error("blocked"))
+        : originalFetch(input, init);
   });
   await page.goto("/check");
   await expect(page.getByRole("status")).toHaveText(/goes round it by itself/, { timeout: 50_000 });

@@ -1,5 +1,5 @@
 /**
- * The lines of a running program: how many are in sight with their truths, and that none of them
+ * The lines of a running program: how many are visible with their truth values, and that none
  * moves.
  */
 import { encodeLink } from "@corridor/link";
@@ -11,8 +11,8 @@ import { phone } from "./support/phone.ts";
 import { Texts } from "./support/texts.ts";
 
 /**
- * The first line turns late, the second on the spot, "otherwise" drives: all kinds of notes come
- * by, and no advice.
+ * The first line turns with a delay, the second on the spot, and "otherwise" drives. All kinds of
+ * notes are displayed, and no advice.
  */
 const rules: ProgramDocument["rules"] = [
   { when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" },
@@ -25,7 +25,7 @@ const rules: ProgramDocument["rules"] = [
 
 function addressOf(count: number, lang: string): string {
   const maze = mazePresets.find(({ id }) => id === "long-way-round")?.maze;
-  if (maze === undefined) throw new Error("the maze is gone");
+  if (maze === undefined) throw new Error("the preset is missing");
   const link = encodeLink({
     maze,
     program: {
@@ -41,13 +41,14 @@ function addressOf(count: number, lang: string): string {
 }
 
 /**
- * Where each line stands, and how many of them are in sight with their truths, without scrolling.
+ * The position of each line, and the number of lines visible with their truth values without
+ * scrolling.
  */
 async function linesOn(page: Page) {
   return page.evaluate(() => {
     const boxOf = (element: Element) => element.getBoundingClientRect();
     const lines = [...document.querySelectorAll("[id^='program-line-']")];
-    const isInSight = (line: Element): boolean =>
+    const isVisible = (line: Element): boolean =>
       [line, line.querySelector("[data-is]")].every((part) => {
         if (part === null) return false;
         const box = boxOf(part);
@@ -59,8 +60,8 @@ async function linesOn(page: Page) {
         return true;
       });
     return {
-      places: lines.map((line) => [boxOf(line).top, boxOf(line).height]),
-      inSight: lines.filter(isInSight).length,
+      positions: lines.map((line) => [boxOf(line).top, boxOf(line).height]),
+      visible: lines.filter(isVisible).length,
     };
   });
 }
@@ -71,29 +72,29 @@ for (const lang of ["en", "de"]) {
     [1024, 768, 4, false],
     [390, 844, 3, true],
   ] as const) {
-    test(`reads ${count} lines of a running program at ${width} x ${height}, and none moves, in ${lang}`, async ({
+    test(`shows ${count} lines of a running program at ${width} x ${height}, and moves none, in ${lang}`, async ({
       openWindow,
     }) => {
       const device = isPhone ? phone : {};
       const { page } = await openWindow({ ...device, viewport: { width, height } });
-      const words = Texts.load(lang);
+      const texts = Texts.load(lang);
       await page.goto(addressOf(count, lang));
       const button = (path: string) =>
-        page.getByRole("button", { name: words.t(path), exact: true });
+        page.getByRole("button", { name: texts.t(path), exact: true });
       await expect(page.locator("[id^='program-line-'] [data-is='false']").first()).toBeVisible();
       await page.evaluate(() => document.fonts.ready);
       const before = await linesOn(page);
-      expect(before.places).toHaveLength(count);
-      expect(before.inSight).toBe(count);
+      expect(before.positions).toHaveLength(count);
+      expect(before.visible).toBe(count);
       await button("shell.run.run").click();
-      // Several lines drive, one after the other, and each shows its progress.
+      // Several lines drive one after the other, each with its progress.
       const seen = new Set<string>();
       await expect
         .poll(
           async () => {
-            const { places, inSight } = await linesOn(page);
-            expect(places).toEqual(before.places);
-            expect(inSight).toBe(count);
+            const { positions, visible } = await linesOn(page);
+            expect(positions).toEqual(before.positions);
+            expect(visible).toBe(count);
             const running = page.locator("[id^='program-line-'][aria-current]");
             for (const id of await running.evaluateAll((all) => all.map((each) => each.id))) {
               seen.add(id);
@@ -104,18 +105,18 @@ for (const lang of ["en", "de"]) {
         )
         .toBeGreaterThanOrEqual(2);
       await button("shell.run.pause").click();
-      expect((await linesOn(page)).places).toEqual(before.places);
+      expect((await linesOn(page)).positions).toEqual(before.positions);
     });
   }
 }
 
-test("no line moves when it bumps, and the readings keep to one row while a long program drives", async ({
+test("moves no line at a bump, and shows the readings in one row while a long program drives", async ({
   openWindow,
 }) => {
   const corridor = await openWindow({ viewport: { width: 1440, height: 900 } });
   const { page } = corridor;
   await page.goto(addressOf(6, "en"));
-  // A line that turns late in front of a wall runs out of room, and has advice before it does.
+  // A line that turns late in front of a wall runs out of space, and gets advice before the run.
   const action = page.getByRole("combobox", { name: "Line 2, action" });
   await action.selectOption("delayed left 90");
   await expect(page.getByRole("button", { name: "Change to left 90" })).toBeVisible();
@@ -125,8 +126,8 @@ test("no line moves when it bumps, and the readings keep to one row while a long
   await expect(page.getByLabel("Distances in cm")).toBeInViewport({ ratio: 1 });
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await expect(page.getByRole("listitem", { name: /^Line 2, bumped/ })).toBeVisible();
-  expect((await linesOn(page)).places).toEqual(before.places);
-  // Keys have their room again when a hand drives.
+  expect((await linesOn(page)).positions).toEqual(before.positions);
+  // The drive keys are displayed again when the user drives.
   await corridor.selectDriver("Me");
   await expect(page.getByRole("group", { name: "Hold to drive" })).toBeInViewport({ ratio: 1 });
 });

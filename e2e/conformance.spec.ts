@@ -1,4 +1,4 @@
-/** The robot in the page does all that scripts rely on, as the conformance kit asks any host. */
+/** The robot in the page passes the conformance kit, as any robot host must. */
 import { encodeLink } from "@corridor/link";
 import { join } from "node:path";
 import { expect, test } from "./fixtures.ts";
@@ -6,7 +6,7 @@ import { runScript } from "./support/script.ts";
 
 const KIT = join(import.meta.dirname, "../apps/conformance/src/main.ts");
 
-/** The pen of docs/conformance.md, with the goal in its far right corner. */
+/** the pen of docs/conformance.md, with the goal in its far right corner */
 const pen = encodeLink({
   maze: {
     format: "corridor/maze",

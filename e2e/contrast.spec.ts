@@ -1,12 +1,15 @@
-/** High contrast: asked for by the system or chosen here, in both themes, and in forced colours. */
+/**
+ * High contrast: requested by the system or selected on the page, in both themes, and forced
+ * colours.
+ */
 import { AxeBuilder } from "@axe-core/playwright";
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { StageScreenshot } from "./pages/stage-screenshot.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 
-/** Texts below 7:1, as axe measures them where they stand. */
-async function faint(page: Page): Promise<string[]> {
+/** Texts with a contrast below 7:1, as axe measures them. */
+async function lowContrastTexts(page: Page): Promise<string[]> {
   await waitForAnimations(page);
   const axe = new AxeBuilder({ page }).withRules("color-contrast-enhanced");
   const { violations } = await axe.analyze();
@@ -14,7 +17,7 @@ async function faint(page: Page): Promise<string[]> {
 }
 
 for (const colorScheme of ["light", "dark"] as const) {
-  test(`reads every text at 7:1 when the system asks for contrast, ${colorScheme}`, async ({
+  test(`shows every text at 7:1 when the system requests more contrast, ${colorScheme}`, async ({
     corridor,
     page,
   }) => {
@@ -22,14 +25,14 @@ for (const colorScheme of ["light", "dark"] as const) {
     await expect(page.locator("html")).toHaveAttribute("data-contrast", "more");
     await corridor.step.click();
     await expect(corridor.run).toBeVisible();
-    expect(await faint(page), "program").toEqual([]);
+    expect(await lowContrastTexts(page), "program").toEqual([]);
     await corridor.share.click();
     await expect(corridor.dialog("Share this maze")).toBeVisible();
-    expect(await faint(page), "share").toEqual([]);
+    expect(await lowContrastTexts(page), "share").toEqual([]);
   });
 }
 
-test("chooses high contrast, and finds it again after a reload", async ({ corridor, page }) => {
+test("stores the choice of high contrast across a reload", async ({ corridor, page }) => {
   const html = page.locator("html");
   await expect(html).toHaveAttribute("data-contrast", "normal");
   await page.getByRole("button", { name: "Theme", exact: true }).click();
@@ -39,25 +42,27 @@ test("chooses high contrast, and finds it again after a reload", async ({ corrid
   await expect(html).toHaveAttribute("data-contrast", "more");
 });
 
-test("sees the words of filled buttons and the chosen driver in forced colours", async ({
+test("shows the texts of filled buttons and the selected driver in forced colours", async ({
   corridor,
   page,
 }) => {
   await page.emulateMedia({ forcedColors: "active" });
-  const colours = (element: Element): { text: string; ground: string } => {
+  const colours = (element: Element): { text: string; background: string } => {
     const style = getComputedStyle(element);
-    return { text: style.color, ground: style.backgroundColor };
+    return { text: style.color, background: style.backgroundColor };
   };
   for (const button of [corridor.run, corridor.share]) {
-    const { text, ground } = await button.evaluate(colours);
-    expect(text).not.toBe(ground);
+    const { text, background } = await button.evaluate(colours);
+    expect(text).not.toBe(background);
   }
   const around = (driver: "Program" | "Remote") => corridor.driver(driver).locator("xpath=..");
   const [chosen, other] = [around("Program"), around("Remote")];
-  expect((await chosen.evaluate(colours)).ground).not.toBe((await other.evaluate(colours)).ground);
+  expect((await chosen.evaluate(colours)).background).not.toBe(
+    (await other.evaluate(colours)).background,
+  );
 });
 
-test("reads the number of the sensor that touches a wall in forced colours", async ({
+test("shows the number of the sensor that touches a wall in forced colours", async ({
   corridor,
   page,
 }) => {
@@ -68,22 +73,22 @@ test("reads the number of the sensor that touches a wall in forced colours", asy
   await expect(corridor.bumpCard(2)).toBeVisible();
   const reading = corridor.sensor("front");
   await expect(reading).toHaveText("25");
-  const [text, ground] = await reading.evaluate((element) => {
+  const [text, background] = await reading.evaluate((element) => {
     const { color, backgroundColor } = getComputedStyle(element);
     return [color, backgroundColor];
   });
-  expect(text).not.toBe(ground);
-  // Or the browser paints the number on a ground of its own, which has the number's colour here.
+  expect(text).not.toBe(background);
+  // Otherwise the browser paints its own background, which has the colour of the number.
   await expect(reading).toHaveCSS("forced-color-adjust", "none");
 });
 
-test("sees where a dialog ends in forced colours", async ({ corridor, page }) => {
+test("gives a dialog a border in forced colours", async ({ corridor, page }) => {
   await page.emulateMedia({ forcedColors: "active" });
   await corridor.share.click();
   await expect(corridor.dialog("Share this maze")).toHaveCSS("border-top-style", "solid");
 });
 
-test("sees the maze on dark ground where the forced colours are dark", async ({
+test("paints the maze on a dark background where the forced colours are dark", async ({
   corridor,
   page,
 }) => {

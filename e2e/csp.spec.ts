@@ -1,7 +1,7 @@
-/** The page runs nothing but its own files, and the browser is told to see to it. */
+/** The Content-Security-Policy: the page runs only its own files, and the browser enforces it. */
 import { expect, test } from "./fixtures.ts";
 
-test("gets a strict Content-Security-Policy with the page and each of its files", async ({
+test("sends a strict Content-Security-Policy with the page and each of its files", async ({
   page,
 }) => {
   const policies = new Map<string, string>();
@@ -28,7 +28,7 @@ test("gets a strict Content-Security-Policy with the page and each of its files"
   }
 });
 
-test("asks no other host for anything", async ({ corridor, page, relay }) => {
+test("sends requests to no other host", async ({ corridor, page, relay }) => {
   const hosts = new Set<string>();
   page.on("request", (request) => hosts.add(new URL(request.url()).host));
   await corridor.reload();
@@ -39,8 +39,8 @@ test("asks no other host for anything", async ({ corridor, page, relay }) => {
   expect([...hosts]).toEqual([new URL(relay).host]);
 });
 
-test("runs no script that was smuggled into the page", async ({ browser }) => {
-  // Not a watched window: these very violations are wanted.
+test("runs no script that is injected into the page", async ({ browser }) => {
+  // Not an openWindow fixture: this test expects violations.
   const context = await browser.newContext();
   const page = await context.newPage();
   await page.goto("/");
@@ -51,11 +51,11 @@ test("runs no script that was smuggled into the page", async ({ browser }) => {
     const script = document.createElement("script");
     script.append("window.marks.inline = true");
     const button = document.createElement("button");
-    const attempt = (smuggle: () => void): void => {
+    const attempt = (inject: () => void): void => {
       try {
-        smuggle();
+        inject();
       } catch {
-        // Refused, as it should be.
+        // Blocked, as expected.
       }
     };
     attempt(() => button.setAttribute("onclick", "window.marks.handler = true"));
@@ -63,14 +63,13 @@ test("runs no script that was smuggled into the page", async ({ browser }) => {
     button.click();
     attempt(() => (button.innerHTML = '<img src="x" onerror="window.marks.markup = true">'));
     if (button.childElementCount > 0) marks.markup = true;
-    // The tools that run this line may evaluate texts; the page itself, in a task of its own, may
-    // not.
+    // The evaluation that runs this line may itself use eval. A separate task of the page may not.
     await new Promise((resolve) => setTimeout(resolve));
     try {
       // oxlint-disable-next-line no-new-func, typescript/no-implied-eval -- its refusal is the test
       new Function("window.marks.evaluated = true")();
     } catch {
-      // Refused, as it should be.
+      // Blocked, as expected.
     }
     return marks;
   });
@@ -93,21 +92,21 @@ test("starts no worker but its own", async ({ browser, relay }) => {
       }
     };
     const bytes = URL.createObjectURL(new Blob(["1"], { type: "text/javascript" }));
-    const strangers = [
+    const foreign = [
       bytes,
       "data:text/javascript,1",
       "/api/v1/mazes/AAAAAAAAAAAA",
       `${origin}/assets/../api/v1/mazes/x.js`,
       "https://evil.example/assets/x.js",
     ];
-    return { own: isStarted("/sw.js"), strangers: strangers.filter(isStarted) };
+    return { own: isStarted("/sw.js"), foreign: foreign.filter(isStarted) };
   }, relay);
-  expect(started).toEqual({ own: true, strangers: [] });
+  expect(started).toEqual({ own: true, foreign: [] });
   await context.close();
 });
 
-test("is at home under its policy on the pages beside it", async ({ page }) => {
-  // The window is watched: a violation fails the test.
+test("causes no violation on the documentation and check pages", async ({ page }) => {
+  // The page fixture collects errors: a violation fails the test.
   await page.goto("/docs");
   await expect(page.getByRole("heading", { level: 1 })).toBeVisible();
   await page.goto("/check");

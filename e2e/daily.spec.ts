@@ -1,6 +1,6 @@
 import { expect, test } from "./fixtures.ts";
 
-test("opens the maze of the day, the same for everybody, and remembers the best run", async ({
+test("opens the maze of the day, the same for everyone, and stores the best run", async ({
   corridor,
   openWindow,
 }) => {
@@ -21,7 +21,7 @@ test("opens the maze of the day, the same for everybody, and remembers the best 
   await expect(corridor.mazeMenu).toHaveAccessibleName("Maze of January 5, 2026, Maze menu");
   const link = await corridor.shareLink({ withProgram: false });
 
-  // Another student on the same day, in another language.
+  // Another user on the same day, with another language.
   const other = await openWindow({ locale: "de" });
   await other.page.clock.setFixedTime("2026-01-05T23:00:00Z");
   await other.page.goto("/");

@@ -1,5 +1,5 @@
 /**
- * The same maze and inputs give the same bits in Node, in the page's worker in Chromium and
+ * The same maze and inputs produce the same bits in Node, in the page's worker in Chromium and
  * Firefox, and on the command line.
  */
 import { spawn, spawnSync } from "node:child_process";
@@ -24,7 +24,7 @@ function preset(id: string): ProgramDocument {
   return found.program;
 }
 
-/** Turns too early, so that it scrapes and bumps along the walls for the whole run. */
+/** Turns too early, so the robot scrapes and bumps along the walls for the whole run. */
 const scraping: ProgramDocument = {
   ...preset("right-wall"),
   rules: [
@@ -33,7 +33,7 @@ const scraping: ProgramDocument = {
   ],
 };
 
-/** Wheel powers that are no quarter turns, measured turns and pushes against walls. */
+/** Arbitrary wheel powers, measured turns and pushes against walls. */
 const odd: TimedCommand[] = Array.from({ length: 2000 }, (_, i): TimedCommand => {
   const tick = i * 50;
   const power = ((i * 37) % 101) / 101;
@@ -69,11 +69,11 @@ async function digestsOf(open: (url: string) => Promise<() => Promise<void>>): P
   }
 }
 
-test("every drive is another one", () => {
+test("every drive has a different digest", () => {
   expect(new Set(expected).size).toBe(drives.length);
 });
 
-test("the page's worker in Chromium gives the bits of Node", async ({ page }) => {
+test("the page's worker in Chromium produces the bits of Node", async ({ page }) => {
   const digests = await digestsOf(async (url) => {
     await page.goto(url);
     return async () => {};
@@ -81,13 +81,13 @@ test("the page's worker in Chromium gives the bits of Node", async ({ page }) =>
   expect(digests).toEqual(expected);
 });
 
-test("the page's worker in Firefox gives the bits of Node", async () => {
+test("the page's worker in Firefox produces the bits of Node", async () => {
   const firefox = ["firefox-esr", "firefox"].flatMap(inPath)[0];
-  test.skip(firefox === undefined, "no Firefox on this machine");
+  test.skip(firefox === undefined, "Firefox is not installed");
   const folder = mkdtempSync(join(tmpdir(), "corridor-firefox-"));
   const digests = await digestsOf(async (url) => {
-    const words = ["--headless", "--no-remote", "--profile", folder, url];
-    const browser = spawn(firefox ?? "", words, { stdio: "ignore" });
+    const args = ["--headless", "--no-remote", "--profile", folder, url];
+    const browser = spawn(firefox ?? "", args, { stdio: "ignore" });
     return async () => {
       const ended = once(browser, "exit");
       browser.kill();
@@ -98,7 +98,7 @@ test("the page's worker in Firefox gives the bits of Node", async () => {
   expect(digests).toEqual(expected);
 });
 
-test("the command line gives the bits of Node", () => {
+test("the command line produces the bits of Node", () => {
   const folder = mkdtempSync(join(tmpdir(), "corridor-digest-"));
   const file = (name: string, content: unknown): string => {
     const path = join(folder, name);
@@ -108,7 +108,7 @@ test("the command line gives the bits of Node", () => {
   const main = new URL("../apps/cli/src/main.ts", import.meta.url).pathname;
   const digests = drives.map(({ driver }) => {
     const option = "rules" in driver ? "--program" : "--commands";
-    const words = [
+    const args = [
       "simulate",
       "--maze",
       file("maze.json", maze),
@@ -118,7 +118,7 @@ test("the command line gives the bits of Node", () => {
     const seconds = String(TICKS / 60);
     const { stdout } = spawnSync(
       process.execPath,
-      [main, ...words, "--digest", "--seconds", seconds],
+      [main, ...args, "--digest", "--seconds", seconds],
       {
         encoding: "utf8",
       },

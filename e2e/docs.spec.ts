@@ -1,11 +1,11 @@
 /**
- * /docs as somebody reads it who has nothing else, and tries a call. The watch hears every
- * complaint of the policy.
+ * The documentation at /docs, read on its own, with calls from its console. The page fixture fails
+ * the test at every policy violation.
  */
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, test } from "./fixtures.ts";
 
-test("makes the calls that it shows", async ({ page, relay }) => {
+test("executes the calls that the documentation shows", async ({ page, relay }) => {
   const hosts = new Set<string>();
   page.on("request", (request) => hosts.add(new URL(request.url()).host));
   await page.goto("/docs");
@@ -20,7 +20,7 @@ test("makes the calls that it shows", async ({ page, relay }) => {
   expect([...hosts]).toEqual([new URL(relay).host]);
 });
 
-test("a long page leads to its sections from its top", async ({ page }) => {
+test("links from the top of a long page to its sections", async ({ page }) => {
   await page.goto("/docs/http");
   const contents = page.getByRole("navigation", { name: "On this page" });
   await contents.getByRole("link", { name: "Limits" }).click();
@@ -28,7 +28,7 @@ test("a long page leads to its sections from its top", async ({ page }) => {
   await expect(contents).not.toBeInViewport();
 });
 
-test("copies a script whole", async ({ page }) => {
+test("copies a complete script", async ({ page }) => {
   await page.goto("/docs");
   const panel = page.getByRole("group", { name: "Python" });
   await panel.getByRole("button", { name: "Copy" }).click();
@@ -37,7 +37,7 @@ test("copies a script whole", async ({ page }) => {
   expect(script).toMatch(/^from corridor import Robot\n[^]*front\)\s*$/);
 });
 
-test("shows one language at a time, by keyboard and without scripts", async ({
+test("shows one language at a time, by keyboard and without JavaScript", async ({
   browser,
   relay,
 }) => {
@@ -52,14 +52,14 @@ test("shows one language at a time, by keyboard and without scripts", async ({
   await context.close();
 });
 
-test("every page can be read by everybody, in both themes and on the smallest phone", async ({
+test("has no axe violations on any page, in both themes and on the smallest phone", async ({
   page,
 }) => {
   test.setTimeout(360_000);
   await page.setViewportSize({ width: 320, height: 640 });
   const paths = new Set(["/docs", "/problems/too-late"]);
-  // A set gives what is added on the way, too: the pages of a section are in the navigation of that
-  // section.
+  // Iterating over a set includes elements added meanwhile: each section's navigation links its
+  // pages.
   for (const path of paths) {
     for (const colorScheme of ["light", "dark"] as const) {
       await page.emulateMedia({ colorScheme });

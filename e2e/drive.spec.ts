@@ -1,16 +1,16 @@
-/** A reader drives by hand: with keys, with the buttons on the screen, into a wall. */
+/** Driving by hand: with keys, with the on-screen buttons, into a wall. */
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
 
 const start = "Robot at 50, 650, facing right";
 
-/** An empty maze: the far wall is 10 s away. */
-async function takeTheWheel(corridor: CorridorPage): Promise<void> {
+/** Opens an empty maze, whose far wall is 10 s ahead, and selects Me. */
+async function driveInEmptyMaze(corridor: CorridorPage): Promise<void> {
   await corridor.choosePreset("Empty");
   await corridor.selectDriver("Me");
 }
 
-/** Expects that the robot has moved, and that nothing but the driver can have stopped it. */
+/** Expects that the robot has moved, and that only the driver can have stopped it. */
 async function expectStopped(corridor: CorridorPage): Promise<void> {
   await corridor.waitForRobotToStop();
   await expect(corridor.robotPose).not.toHaveText(start);
@@ -24,8 +24,8 @@ for (const { key, moves } of [
   { key: "a", moves: /^Robot at 50, 650, facing up( and right)?$/ },
   { key: "ArrowRight", moves: /^Robot at 50, 650, facing down( and right)?$/ },
 ]) {
-  test(`holds ${key} to drive and lets go to stop`, async ({ corridor, page }) => {
-    await takeTheWheel(corridor);
+  test(`drives while ${key} is held and stops on release`, async ({ corridor, page }) => {
+    await driveInEmptyMaze(corridor);
     await page.keyboard.down(key);
     await expect(corridor.robotPose).toHaveText(moves);
     await page.keyboard.up(key);
@@ -33,23 +33,26 @@ for (const { key, moves } of [
   });
 }
 
-test("drives back with S and on with W, one key after the other", async ({ corridor, page }) => {
-  await takeTheWheel(corridor);
+test("drives backward with S and forward with W, one key after the other", async ({
+  corridor,
+  page,
+}) => {
+  await driveInEmptyMaze(corridor);
   await page.keyboard.down("w");
   await expect.poll(() => corridor.robotX()).toBeGreaterThan(65);
   await page.keyboard.down("s");
-  const turningBack = await corridor.robotX();
-  await expect.poll(() => corridor.robotX()).toBeLessThan(turningBack);
-  // The newer key is let go: the one that is still held drives again.
+  const xAtReverse = await corridor.robotX();
+  await expect.poll(() => corridor.robotX()).toBeLessThan(xAtReverse);
+  // After the newer key is released, the key that is still held drives again.
   await page.keyboard.up("s");
-  const goingOn = await corridor.robotX();
-  await expect.poll(() => corridor.robotX()).toBeGreaterThan(goingOn);
+  const xAtForward = await corridor.robotX();
+  await expect.poll(() => corridor.robotX()).toBeGreaterThan(xAtForward);
   await page.keyboard.up("w");
   await expectStopped(corridor);
 });
 
-test("holds the buttons on the screen", async ({ corridor, page }) => {
-  await takeTheWheel(corridor);
+test("drives while an on-screen button is held", async ({ corridor, page }) => {
+  await driveInEmptyMaze(corridor);
   await corridor.driveKey("forward").hover();
   await page.mouse.down();
   await expect(corridor.driveKey("forward")).toHaveAttribute("aria-pressed", "true");
@@ -58,7 +61,7 @@ test("holds the buttons on the screen", async ({ corridor, page }) => {
   await expect(corridor.driveKey("forward")).toHaveAttribute("aria-pressed", "false");
   await expectStopped(corridor);
 
-  // The button that has the focus is held with Space.
+  // Space holds the focused button.
   const place = await corridor.robotPose.textContent();
   await corridor.driveKey("left").focus();
   await page.keyboard.down("Space");
@@ -68,7 +71,7 @@ test("holds the buttons on the screen", async ({ corridor, page }) => {
   expect(await corridor.robotPose.textContent()).not.toBe(place);
 });
 
-test("takes over from the program by holding a button", async ({ corridor, page }) => {
+test("takes over from the program when a drive button is held", async ({ corridor, page }) => {
   await corridor.choosePreset("Empty");
   await corridor.speed.selectOption("0.25×");
   await corridor.run.click();
@@ -83,10 +86,10 @@ test("takes over from the program by holding a button", async ({ corridor, page 
 });
 
 test("stops when the window loses the focus while a key is held", async ({ corridor, page }) => {
-  await takeTheWheel(corridor);
+  await driveInEmptyMaze(corridor);
   await page.keyboard.down("w");
   await expect(corridor.robotPose).not.toHaveText(start);
-  // Playwright keeps every window focused; this is what the browser tells a page that loses it.
+  // Playwright keeps every window focused, so dispatch the event of a window that loses the focus.
   await page.evaluate(() => window.dispatchEvent(new Event("blur")));
   await expectStopped(corridor);
   await page.keyboard.up("w");
@@ -94,7 +97,7 @@ test("stops when the window loses the focus while a key is held", async ({ corri
 
 test("stops with Space and with Escape", async ({ corridor, page }) => {
   for (const key of ["Space", "Escape"]) {
-    await takeTheWheel(corridor);
+    await driveInEmptyMaze(corridor);
     await page.keyboard.down("w");
     await expect(corridor.robotPose).not.toHaveText(start);
     await page.keyboard.press(key);
@@ -105,8 +108,11 @@ test("stops with Space and with Escape", async ({ corridor, page }) => {
   }
 });
 
-test("types into a field and walks in the maze without driving", async ({ corridor, page }) => {
-  await takeTheWheel(corridor);
+test("does not drive while typing in a field or moving the maze cursor", async ({
+  corridor,
+  page,
+}) => {
+  await driveInEmptyMaze(corridor);
   await corridor.program.name.focus();
   await page.keyboard.press("End");
   await page.keyboard.down("w");
@@ -126,24 +132,26 @@ test("types into a field and walks in the maze without driving", async ({ corrid
 });
 
 for (const key of ["w", "ArrowUp"]) {
-  test(`takes over with ${key} on the first screen, and is told so once`, async ({
+  test(`takes over with ${key} on the first screen, with one message`, async ({
     corridor,
     page,
   }) => {
-    const told = corridor.messages.getByText("You drive now. Press Run to let the program drive");
+    const takeoverMessage = corridor.messages.getByText(
+      "You drive now. Press Run to let the program drive",
+    );
     const before = await corridor.robotPose.textContent();
     await page.keyboard.press(key, { delay: 120 });
     await expect(corridor.driver("Me")).toBeChecked();
     await expect(corridor.robotPose).not.toHaveText(before ?? "");
-    await expect(told).toHaveCount(1);
+    await expect(takeoverMessage).toHaveCount(1);
     await corridor.messages.getByRole("button", { name: "Dismiss" }).click();
     await page.keyboard.press(key, { delay: 120 });
     await corridor.waitForRobotToStop();
-    await expect(told).toHaveCount(0);
+    await expect(takeoverMessage).toHaveCount(0);
   });
 }
 
-test("takes over from a running program, and the key that is still down does not take it back", async ({
+test("takes over from a running program, and a key that is still down does not take over again", async ({
   corridor,
   page,
 }) => {
@@ -154,7 +162,7 @@ test("takes over from a running program, and the key that is still down does not
   await expect(corridor.robotPose).toHaveText(/facing up/);
   await corridor.run.click();
   await expect(corridor.driver("Program")).toBeChecked();
-  // The keyboard repeats a key that is held.
+  // The keyboard repeats a held key.
   await page.keyboard.down("a");
   await expect(corridor.pause).toBeVisible();
   await expect(corridor.driver("Program")).toBeChecked();
@@ -164,10 +172,10 @@ test("takes over from a running program, and the key that is still down does not
   await expect(corridor.driver("Program")).toBeChecked();
 });
 
-test("drives into a wall and is told so", async ({ corridor, page }) => {
-  await takeTheWheel(corridor);
+test("reports a bump when the driver drives into a wall", async ({ corridor, page }) => {
+  await driveInEmptyMaze(corridor);
   await page.keyboard.down("w");
-  // After 615 ticks of 5/3 cm it touches the wall, in the next it pushes.
+  // It touches the wall after 615 ticks of 5/3 cm, and pushes in the next tick.
   await expect(corridor.runNote).toHaveText(
     /^Bump: you drove into a block at 10\.2 s \(tick 616\), in row 7, column 11\.$/,
   );
@@ -180,39 +188,39 @@ test("drives into a wall and is told so", async ({ corridor, page }) => {
   await page.keyboard.up("s");
 });
 
-test("lets a program bump and is told which line caused it", async ({ corridor }) => {
+test("reports which line caused a bump of the program", async ({ corridor }) => {
   await corridor.program.loadAlgorithm("Back and forth");
   await corridor.program.number(1).fill("10");
   await corridor.run.click();
   await expect(corridor.runNote).toHaveText(
     /^Bump: the program drove into a block at 2\.2 s \(tick 13\d\), in row 7, column 3\.$/,
   );
-  // “otherwise” drove, because line 1 was not true in time.
+  // “otherwise” drove because line 1 became true too late.
   await expect(corridor.bumpCard(1)).toBeVisible();
   await expect(corridor.program.line(1)).toHaveAccessibleName(/^Line 1, bumped/);
-  // A bump of the program pauses it, so that it can be explained.
+  // A bump of the program pauses the run, so that its card can explain the bump.
   await expect(corridor.run).toBeVisible();
   await corridor.program.number(1).fill("300");
   await corridor.program.action(1).selectOption("forward");
   await corridor.reset.click();
   await corridor.run.click();
   await expect(corridor.runNote).toHaveText(/^Bump: the program drove into a block/);
-  // No line is blamed where one is missing, but the line that decided is named.
+  // No line is marked when a line is missing, but the text names the line that decided.
   await expect(corridor.page.getByRole("region", { name: "Bump", exact: true })).toContainText(
     "line 1 chose “forward”. A line for this place is missing.",
   );
   await expect(corridor.program.line(1)).not.toHaveAccessibleName(/bumped/);
 });
 
-test("only the reading of what was touched is red", async ({ corridor, page }) => {
-  await takeTheWheel(corridor);
-  const ground = (name: "front" | "right" | "back" | "left") =>
+test("marks only the reading of the touched side in red", async ({ corridor, page }) => {
+  await driveInEmptyMaze(corridor);
+  const background = (name: "front" | "right" | "back" | "left") =>
     corridor.sensor(name).evaluate((reading) => getComputedStyle(reading).backgroundColor);
-  const calm = await ground("left");
+  const normal = await background("left");
   await page.keyboard.down("s");
   await expect(corridor.bumps).toHaveText("1 bump");
-  await expect.poll(() => ground("back")).not.toBe(calm);
-  expect(await ground("front")).toBe(calm);
+  await expect.poll(() => background("back")).not.toBe(normal);
+  expect(await background("front")).toBe(normal);
   await page.keyboard.up("s");
 
   await page.keyboard.down("d");
@@ -220,7 +228,8 @@ test("only the reading of what was touched is red", async ({ corridor, page }) =
   await page.keyboard.up("d");
   await page.keyboard.down("w");
   await expect(corridor.bumps).toHaveText("2 bumps");
-  // The wall was met beside the beam ahead, which ends farther along it.
-  await expect.poll(() => ground("back")).toBe(calm);
-  for (const name of ["front", "right", "left"] as const) expect(await ground(name)).toBe(calm);
+  // The contact point is beside the front beam, which ends farther along the wall.
+  await expect.poll(() => background("back")).toBe(normal);
+  for (const name of ["front", "right", "left"] as const)
+    expect(await background(name)).toBe(normal);
 });

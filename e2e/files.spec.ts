@@ -1,4 +1,4 @@
-/** Files in and out: documents, drawn mazes and pictures, by menu, drop and paste. */
+/** Opening and saving files: documents, text mazes and pictures, by menu, drop and paste. */
 import { readFile } from "node:fs/promises";
 import { mazePresets, parseMaze, writeTextMaze } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
@@ -9,7 +9,7 @@ import { expectNoAxeViolations } from "./support/axe.ts";
 
 const spiral = mazePresets.find(({ id }) => id === "spiral")?.maze;
 const leftWall = programPresets.find(({ id }) => id === "left-wall")?.program;
-if (spiral === undefined || leftWall === undefined) throw new Error("a preset is gone");
+if (spiral === undefined || leftWall === undefined) throw new Error("a preset is missing");
 
 const spiralFile = { name: "spiral.maze.json", text: JSON.stringify(spiral) };
 const leftWallFile = { name: "left.program.json", text: JSON.stringify(leftWall) };
@@ -19,7 +19,7 @@ interface TextFile {
   text: string;
 }
 
-/** Lets files hang over the page, and lets go of them there. */
+/** Drags files over the page. @returns functions that drop them or leave the page */
 async function dragOver(page: Page, files: readonly TextFile[]) {
   const transfer = await page.evaluateHandle((list) => {
     const data = new DataTransfer();
@@ -40,15 +40,15 @@ async function paste(page: Page, text: string): Promise<void> {
   await page.keyboard.press("ControlOrMeta+V");
 }
 
-/** Takes a line of the maze menu that saves something. */
-async function save(corridor: CorridorPage, line: string): Promise<Download> {
+/** Selects an entry of the maze menu that saves a file. */
+async function save(corridor: CorridorPage, entry: string): Promise<Download> {
   await corridor.mazeMenu.click();
   const download = corridor.page.waitForEvent("download");
-  await corridor.dialog("Maze menu").getByRole("button", { name: line, exact: true }).click();
+  await corridor.dialog("Maze menu").getByRole("button", { name: entry, exact: true }).click();
   return download;
 }
 
-/** Chooses files in the browser's own dialog. */
+/** Selects files in the browser's file chooser. */
 async function choose(corridor: CorridorPage, files: readonly TextFile[]): Promise<void> {
   await corridor.mazeMenu.click();
   const chooser = corridor.page.waitForEvent("filechooser");
@@ -77,13 +77,13 @@ test("opens a maze by dropping its file", async ({ corridor, page }) => {
   await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
   await expect(corridor.message("“Spiral” is open, with your program.")).toBeVisible();
   await expect(corridor.program.name).toHaveValue("Mine");
-  // What was open is kept, with the edit that was made in it.
+  // The previous maze is stored with its edit.
   await corridor.messages.getByRole("button", { name: "Go back to it" }).click();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
   await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
 });
 
-test("opens a maze file with an empty program where nobody has written one", async ({
+test("opens a maze file with an empty program while the user has written none", async ({
   corridor,
   page,
 }) => {
@@ -92,7 +92,7 @@ test("opens a maze file with an empty program where nobody has written one", asy
   await expect(corridor.program.lines).toHaveCount(0);
 });
 
-test("lets a file pass over the page without opening it", async ({ corridor, page }) => {
+test("does not open a file that is dragged across the page", async ({ corridor, page }) => {
   const drag = await dragOver(page, [spiralFile]);
   await expect(page.getByText("Drop a maze, a program or a run to open it")).toBeVisible();
   await drag.leave();
@@ -100,7 +100,7 @@ test("lets a file pass over the page without opening it", async ({ corridor, pag
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
 });
 
-test("opens a maze and a program together as one work", async ({ corridor }) => {
+test("opens a maze and a program together as one project", async ({ corridor }) => {
   await choose(corridor, [leftWallFile, spiralFile]);
   await expect(corridor.message("“Spiral” and “Left wall” are open.")).toBeVisible();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
@@ -125,7 +125,7 @@ test("pastes a micromouse maze and a program as JSON", async ({ corridor, page }
   await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "5");
 });
 
-test("is told in a message, not in the way, that a stray text opens nothing", async ({
+test("reports in a message, not a dialog, that a pasted text opens nothing", async ({
   corridor,
   page,
 }) => {
@@ -136,14 +136,14 @@ test("is told in a message, not in the way, that a stray text opens nothing", as
   await expect(corridor.run).toBeFocused();
 });
 
-test("pastes into a field what belongs there", async ({ corridor, page }) => {
+test("pastes text into a field as text", async ({ corridor, page }) => {
   await corridor.program.name.fill("");
   await paste(page, "#S.G#");
   await expect(corridor.program.name).toHaveValue("#S.G#");
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
 });
 
-test("is told what is wrong with a broken file and keeps the work", async ({ corridor, page }) => {
+test("lists the errors of a broken file and changes nothing", async ({ corridor, page }) => {
   await corridor.maze.click({ column: 2, row: 6 });
   const broken = { ...spiral, name: 7, start: { ...spiral.start, heading: "up" } };
   await choose(corridor, [
@@ -170,7 +170,7 @@ test("is told what is wrong with a broken file and keeps the work", async ({ cor
   await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
 });
 
-test("is told that a pasted picture is no maze, without advice for texts", async ({
+test("reports that a pasted picture is no maze, without advice for text files", async ({
   corridor,
   page,
 }) => {
@@ -190,7 +190,7 @@ test("is told that a pasted picture is no maze, without advice for texts", async
   await expect(dialog).not.toContainText("The whole file");
 });
 
-test("stays on the page when an address that leads nowhere here is pasted", async ({
+test("stays on the page when an address without a document is pasted", async ({
   corridor,
   page,
   relay,
@@ -236,13 +236,13 @@ test("saves a run and opens it again by dropping it", async ({ corridor, page, o
   expect(download.suggestedFilename()).toBe("long-way-round.run.json");
   const text = await readFile(await download.path(), "utf8");
 
-  const reader = await openWindow();
-  await reader.open();
-  await reader.choosePreset("Spiral");
-  await (await dragOver(reader.page, [{ name: "a.run.json", text }])).drop();
-  await expect(reader.message(/^This is a recorded run/)).toBeVisible();
-  await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
-  // A run whose end is another than it says is refused, and the work stays.
+  const other = await openWindow();
+  await other.open();
+  await other.choosePreset("Spiral");
+  await (await dragOver(other.page, [{ name: "a.run.json", text }])).drop();
+  await expect(other.message(/^This is a recorded run/)).toBeVisible();
+  await expect(other.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  // A run with a wrong digest is rejected, and the project stays open.
   const changed = JSON.stringify({ ...JSON.parse(text), digest: "0".repeat(64) });
   await (await dragOver(page, [{ name: "b.run.json", text: changed }])).drop();
   await expect(
@@ -284,7 +284,7 @@ test("saves a picture", async ({ corridor, page }) => {
   const svg = await readFile(await (await asSvg).path(), "utf8");
   expect(svg).toContain("<title>Long way round</title>");
   expect(svg).not.toContain(">1100</text>");
-  // The trail is in the light theme's colour, though the page is dark by now.
+  // The trail has the light theme's colour, although the page is dark now.
   expect(svg).toContain(`stroke="${light}"`);
 });
 

@@ -1,64 +1,64 @@
 /**
- * What a first visit loads until the robot drives its first tick, as the relay sends it. The budget
- * is the product's promise to slow networks; what a reader may want later comes later.
+ * What a first visit loads before the robot's first tick, in transfer sizes of the relay. The
+ * budget is the product's promise to slow networks: everything else loads later.
  */
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
 
 const KIB = 1024;
-/** The goals of docs/performance.md. */
+/** the goals of docs/performance.md */
 const SCRIPT_BUDGET = 152.7 * KIB;
 const WHOLE_BUDGET = 223.1 * KIB;
 
 interface Loaded {
   path: string;
   isScript: boolean;
-  /** on the line, brotli where the relay has it */
+  /** transfer size, with brotli where the relay offers it */
   bytes: number;
 }
 
-/** Opens the page as its first visitor, presses Run, and waits for the first tick. */
+/** Opens the page as a first-time visitor, presses Run, and waits for the first tick. */
 async function firstScreen(page: Page, relay: string): Promise<Loaded[]> {
-  await noteFilesUntilFirstTick(page);
+  await recordFilesUntilFirstTick(page);
   const corridor = new CorridorPage(page);
   await page.goto("/");
   await corridor.run.click();
   const files = await page.waitForFunction(() => Reflect.get(window, "firstFiles") as unknown);
-  const asked = [...new Set((await files.jsonValue()) as string[])].filter((address) =>
+  const addresses = [...new Set((await files.jsonValue()) as string[])].filter((address) =>
     address.startsWith(relay),
   );
   return Promise.all(
-    asked.map(async (address) => {
-      const answer = await fetch(address, { headers: { "Accept-Encoding": "br" } });
-      const body = await answer.arrayBuffer();
-      const onLine = Number(answer.headers.get("content-length"));
+    addresses.map(async (address) => {
+      const response = await fetch(address, { headers: { "Accept-Encoding": "br" } });
+      const body = await response.arrayBuffer();
+      const transferred = Number(response.headers.get("content-length"));
       return {
         path: new URL(address).pathname,
-        isScript: answer.headers.get("content-type")?.includes("javascript") === true,
-        bytes: onLine > 0 ? onLine : body.byteLength,
+        isScript: response.headers.get("content-type")?.includes("javascript") === true,
+        bytes: transferred > 0 ? transferred : body.byteLength,
       };
     }),
   );
 }
 
 /**
- * Leaves in `firstFiles` what was loaded at the first tick, with which the lines are marked as
- * begun: what comes after that, in the background, is not part of the first screen.
+ * Stores in `firstFiles` the files loaded before the first tick, which marks the lines as started.
+ * Background loads after that tick are not part of the first screen.
  */
-async function noteFilesUntilFirstTick(page: Page): Promise<void> {
+async function recordFilesUntilFirstTick(page: Page): Promise<void> {
   await page.addInitScript(() => {
-    const watch = new MutationObserver(() => {
+    const observer = new MutationObserver(() => {
       if (document.querySelector("[data-begun]") === null) return;
-      watch.disconnect();
+      observer.disconnect();
       const files = performance.getEntriesByType("resource").map(({ name }) => name);
       Reflect.set(window, "firstFiles", [location.href, ...files]);
     });
-    watch.observe(document, { subtree: true, childList: true, attributeFilter: ["data-begun"] });
+    observer.observe(document, { subtree: true, childList: true, attributeFilter: ["data-begun"] });
   });
 }
 
-/** The largest first, so that the reason stands on top when the budget is missed. */
+/** One row per file, largest first. */
 function table(files: readonly Loaded[]): string {
   const rows = files.toSorted((a, b) => b.bytes - a.bytes);
   return rows.map(({ path, bytes }) => `${String(bytes).padStart(8)} ${path}`).join("\n");
@@ -68,7 +68,7 @@ function sumOf(files: readonly Loaded[]): number {
   return files.reduce((sum, { bytes }) => sum + bytes, 0);
 }
 
-test("opens for the first time with little to load, and drives", async ({ page, relay }) => {
+test("loads a first visit within the budget, and drives", async ({ page, relay }) => {
   const files = await firstScreen(page, relay);
   const scripts = files.filter(({ isScript }) => isScript);
   const report = `scripts ${(sumOf(scripts) / KIB).toFixed(1)} KiB, everything ${(sumOf(files) / KIB).toFixed(1)} KiB\n${table(files)}`;
@@ -78,15 +78,15 @@ test("opens for the first time with little to load, and drives", async ({ page, 
   expect(sumOf(files), report).toBeLessThanOrEqual(WHOLE_BUDGET);
 });
 
-test("sees the house in its colours and places before the page's script has come", async ({
+test("displays the shell with its final colours and layout before the page's script", async ({
   page,
   relay,
 }) => {
-  const places = () =>
+  const layout = () =>
     page.evaluate(() => {
-      const boxOf = (words: string) => {
-        const box = document.querySelector(words)?.getBoundingClientRect();
-        // To two pixels: the lines of text that React brings have heights of their own.
+      const boxOf = (selector: string) => {
+        const box = document.querySelector(selector)?.getBoundingClientRect();
+        // Rounded to two pixels: the line heights of text differ slightly with React.
         return [box?.x, box?.y, box?.width, box?.height].map(
           (at) => 2 * Math.round((at ?? -2) / 2),
         );
@@ -99,17 +99,17 @@ test("sees the house in its colours and places before the page's script has come
         dot: dot && getComputedStyle(dot).fill,
       };
     });
-  let letGo = () => {};
-  const held = new Promise<void>((resolve) => (letGo = resolve));
+  let release = () => {};
+  const released = new Promise<void>((resolve) => (release = resolve));
   await page.route(`${relay}/assets/index-*.js`, async (route) => {
-    await held;
+    await released;
     await route.continue();
   });
   await page.goto("/", { waitUntil: "commit" });
   await expect(page.locator("header")).toHaveCSS("display", "flex");
-  const before = await places();
-  letGo();
+  const before = await layout();
+  release();
   await new CorridorPage(page).waitUntilReady();
-  expect(before).toEqual(await places());
+  expect(before).toEqual(await layout());
   expect(before.dot).toBe("rgb(239, 106, 26)");
 });

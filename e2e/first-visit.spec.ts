@@ -1,10 +1,10 @@
-/** A reader who has never been here: finds a robot in a maze, and the program solves it. */
+/** A first-time visitor: finds a robot in a maze, with a program that solves it. */
 import { expect, test } from "./fixtures.ts";
 
-/** What the first program does in the first maze, at any speed: 2380 ticks are 39.6 s. */
+/** The first program in the first maze, at any speed: 2380 ticks are 39.6 s. */
 const solved = "Goal reached after 39.6 s (tick 2380), in row 1, column 11, by “otherwise”.";
 
-test("finds a robot in a maze, with a program that drives it", async ({ corridor, page }) => {
+test("shows a robot in a maze, with a program that drives it", async ({ corridor, page }) => {
   await expect(page).toHaveTitle("Corridor: a robot in a maze");
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
   await expect(corridor.driver("Program")).toBeChecked();
@@ -20,7 +20,7 @@ test("finds a robot in a maze, with a program that drives it", async ({ corridor
   await corridor.maze.expectSquare({ column: 10, row: 0 }, "open, goal");
 });
 
-test("runs it at 16 times the speed and is told that the goal is reached", async ({ corridor }) => {
+test("runs at 16 times the speed and reports that the goal is reached", async ({ corridor }) => {
   await corridor.speed.selectOption("16×");
   await corridor.run.click();
   await expect(corridor.runNote).toHaveText(solved);
@@ -29,22 +29,22 @@ test("runs it at 16 times the speed and is told that the goal is reached", async
   await expect(corridor.bumps).toHaveText("0 bumps");
 });
 
-test("runs it as fast as the machine can, twice, with the very same end", async ({ corridor }) => {
+test("runs twice at maximum speed with the same result", async ({ corridor }) => {
   await corridor.speed.selectOption("max");
   await corridor.run.click();
   await expect(corridor.runNote).toHaveText(solved);
-  // The place is told a few times a second, and may come after the story.
+  // The pose is reported a few times a second, and may follow the run note.
   await corridor.waitForRobotToStop();
-  const place = await corridor.robotPose.textContent();
+  const pose = await corridor.robotPose.textContent();
   await corridor.reset.click();
   await expect(corridor.clock).toHaveText("Time 0:00.0");
   await expect(corridor.runNote).not.toContainText("Goal");
   await corridor.run.click();
   await expect(corridor.runNote).toHaveText(solved);
-  await expect(corridor.robotPose).toHaveText(place ?? "");
+  await expect(corridor.robotPose).toHaveText(pose ?? "");
 });
 
-test("pauses, and goes on from the same place", async ({ corridor }) => {
+test("pauses, and continues from the same pose", async ({ corridor }) => {
   await corridor.run.click();
   await expect(corridor.robotPose).not.toHaveText("Robot at 50, 650, facing right");
   await corridor.pause.click();
@@ -56,7 +56,7 @@ test("pauses, and goes on from the same place", async ({ corridor }) => {
   await expect(corridor.runNote).toHaveText(solved);
 });
 
-test("goes by ticks and decisions with Step, and puts the robot back with Reset", async ({
+test("advances by ticks and decisions with Step, and returns the robot with Reset", async ({
   corridor,
 }) => {
   // 100 cm/s are 5/3 cm a tick: 51.67, 53.33, 55, then 60 after six ticks, a tenth of a second.
@@ -64,13 +64,13 @@ test("goes by ticks and decisions with Step, and puts the robot back with Reset"
     await corridor.step.click({ modifiers: ["Shift"] });
     await expect(corridor.robotPose).toHaveText(`Robot at ${x}, 650, facing right`);
   }
-  // A long press is the same for a finger.
+  // A long press does the same on a touch screen.
   for (const x of [57, 58, 60]) {
     await corridor.step.click({ delay: 600 });
     await expect(corridor.robotPose).toHaveText(`Robot at ${x}, 650, facing right`);
   }
   await expect(corridor.clock).toHaveText("Time 0:00.1");
-  // The next change of decision: the first wall ahead.
+  // The next change of decision is at the first wall ahead.
   await corridor.step.click();
   await expect(corridor.program.line(2)).toHaveAttribute("aria-current", "step");
   await expect(corridor.run).toBeVisible();
@@ -82,7 +82,7 @@ test("goes by ticks and decisions with Step, and puts the robot back with Reset"
   await corridor.maze.expectSquare({ column: 5, row: 6 }, "block");
 });
 
-test("takes a whole turn with one Step", async ({ corridor }) => {
+test("completes a whole turn with one Step", async ({ corridor }) => {
   await corridor.program.condition(1).selectOption("front >");
   await corridor.program.action(1).selectOption("turn 180");
   await corridor.step.click();
@@ -92,10 +92,7 @@ test("takes a whole turn with one Step", async ({ corridor }) => {
   await expect(corridor.run).toBeVisible();
 });
 
-test("begins a program of its own with one press, and takes that back", async ({
-  corridor,
-  page,
-}) => {
+test("starts an empty program with one press, and undoes it", async ({ corridor, page }) => {
   const { program } = corridor;
   const writeOwn = corridor.transport.getByRole("button", { name: "Write my own" });
   await corridor.step.click();
@@ -115,7 +112,7 @@ test("begins a program of its own with one press, and takes that back", async ({
 });
 
 for (const width of [390, 320]) {
-  test(`begins a program of its own on a phone of ${width} px`, async ({ openWindow }) => {
+  test(`starts an empty program on a phone of ${width} px`, async ({ openWindow }) => {
     const phone = await openWindow({
       viewport: { width, height: 640 },
       hasTouch: true,
@@ -135,7 +132,7 @@ for (const width of [390, 320]) {
   });
 }
 
-test("is asked to write a program only while no script drives", async ({ corridor, page }) => {
+test("offers to write a program only while no script drives", async ({ corridor, page }) => {
   const writeOwn = corridor.transport.getByRole("button", { name: "Write my own" });
   await expect(writeOwn).toBeVisible();
   await page.getByRole("radio", { name: "Remote", exact: true }).click();
@@ -144,7 +141,7 @@ test("is asked to write a program only while no script drives", async ({ corrido
   await expect(writeOwn).toBeVisible();
 });
 
-test("is not invited to the first mission once its own lines need the room", async ({
+test("hides the invitation to the first mission once the program needs the space", async ({
   corridor,
   page,
 }) => {
@@ -155,7 +152,7 @@ test("is not invited to the first mission once its own lines need the room", asy
   await expect(invitation).toHaveCount(0);
 });
 
-test("has the example in the language that is chosen, and opens mazes with an empty program then", async ({
+test("shows the example in the selected language, and then opens mazes with an empty program", async ({
   corridor,
 }) => {
   const { page } = corridor;
@@ -170,7 +167,9 @@ test("has the example in the language that is chosen, and opens mazes with an em
   await expect(page.getByText("Bring den Roboter ans Ziel.", { exact: true })).toBeVisible();
 });
 
-test("opens a maze with an empty program, unless it has written one", async ({ corridor }) => {
+test("opens a maze with an empty program, unless the user has written one", async ({
+  corridor,
+}) => {
   const { program } = corridor;
   await corridor.choosePreset("Comb");
   await expect(corridor.message("Your program is empty: get the robot to the goal.")).toBeVisible();
@@ -183,7 +182,7 @@ test("opens a maze with an empty program, unless it has written one", async ({ c
   await expect(program.region.getByText("This maze has no goal yet.")).toBeVisible();
 });
 
-/** Where the right-wall program ends in each maze of the menu; null: it has no goal. */
+/** Where the right-wall program ends in each preset maze; null if the maze has no goal. */
 const presets = [
   { title: "First steps", end: "tick 478" },
   { title: "Straight corridor", end: "tick 465" },
@@ -195,7 +194,7 @@ const presets = [
   { title: "Empty", end: null },
 ];
 
-test("chooses every maze of the menu and solves those that have a goal", async ({ corridor }) => {
+test("opens every preset maze and solves those with a goal", async ({ corridor }) => {
   await corridor.program.nameAsOwn();
   await corridor.speed.selectOption("max");
   for (const { title, end } of presets) {
@@ -209,7 +208,7 @@ test("chooses every maze of the menu and solves those that have a goal", async (
   }
 });
 
-test("takes a chosen maze back with Undo in its message", async ({ corridor }) => {
+test("undoes the selection of a maze from its message", async ({ corridor }) => {
   await corridor.choosePreset("Spiral");
   await corridor.messages.getByRole("button", { name: "Undo" }).click();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");

@@ -1,6 +1,6 @@
 /**
- * What a mission fixes looks fixed: the tools of its maze, and the drive keys where no hand may
- * drive.
+ * Controls that a mission fixes are disabled: the maze tools, and the drive keys in missions
+ * without manual driving.
  */
 import type { BrowserContextOptions, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
@@ -14,7 +14,7 @@ async function openMission(openWindow: OpenWindow, width: number, id: string): P
   return corridor.page;
 }
 
-test("the tools of a maze that a mission fixes say so, and Measure stays", async ({
+test("disables the tools of a maze that a mission fixes with a reason, and keeps Measure enabled", async ({
   openWindow,
 }) => {
   const page = await openMission(openWindow, 1440, "centimetres");
@@ -26,7 +26,7 @@ test("the tools of a maze that a mission fixes say so, and Measure stays", async
   await expect(page.getByRole("radio", { name: "Measure" })).toBeEnabled();
 });
 
-test("no drive keys on a phone where the hand may not drive, but the reason", async ({
+test("shows the reason in place of the drive keys on a phone where a mission excludes manual driving", async ({
   openWindow,
 }) => {
   const page = await openMission(openWindow, 390, "centimetres");
@@ -36,7 +36,7 @@ test("no drive keys on a phone where the hand may not drive, but the reason", as
   await expect(page.getByRole("button", { name: "Run program" })).toBeVisible();
 });
 
-test("drive keys are there where a mission is for the hand", async ({ openWindow }) => {
+test("shows the drive keys in a mission for manual driving", async ({ openWindow }) => {
   const page = await openMission(openWindow, 390, "make-it-move");
   await expect(page.getByRole("group", { name: "Hold to drive" })).toBeVisible();
 });

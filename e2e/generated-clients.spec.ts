@@ -1,4 +1,4 @@
-/** Clients that well-known generators make from `/openapi.json` of a running relay. */
+/** Clients that well-known generators create from `/openapi.json` of a running relay. */
 import { spawnSync } from "node:child_process";
 import { mkdtemp, rm, writeFile } from "node:fs/promises";
 import { createRequire } from "node:module";
@@ -11,7 +11,7 @@ import { expect, test } from "./fixtures.ts";
 const HERE = fileURLToPath(new URL("generated-clients/", import.meta.url));
 const require = createRequire(import.meta.url);
 
-interface Described {
+interface OpenApiDocument {
   paths: Record<string, Record<string, { operationId?: string }>>;
 }
 
@@ -22,32 +22,32 @@ test.beforeEach(async () => {
 test.afterEach(() => rm(folder, { recursive: true }));
 
 async function operationsAt(relay: string): Promise<string[]> {
-  const { paths } = (await (await fetch(`${relay}/openapi.json`)).json()) as Described;
+  const { paths } = (await (await fetch(`${relay}/openapi.json`)).json()) as OpenApiDocument;
   const operations = Object.values(paths).flatMap((path) => Object.values(path));
   return operations.flatMap(({ operationId }) => operationId ?? []).sort();
 }
 
-function run(command: string, words: string[], environment: NodeJS.ProcessEnv = {}) {
+function run(command: string, args: string[], environment: NodeJS.ProcessEnv = {}) {
   const options = { encoding: "utf8", env: { ...process.env, ...environment } } as const;
-  const { status, stdout, stderr } = spawnSync(command, words, options);
+  const { status, stdout, stderr } = spawnSync(command, args, options);
   return { status, stdout, output: stdout + stderr };
 }
 
-test("openapi-python-client makes a client without a warning, and every operation imports", async ({
+test("openapi-python-client generates a client without a warning, and every operation imports", async ({
   relay,
 }) => {
   test.setTimeout(300_000);
   const python = pythonOrSkip();
   const client = join(folder, "corridor_client");
   const options = ["--url", `${relay}/openapi.json`, "--output-path", client, "--meta", "none"];
-  const made = run(python, ["-m", "openapi_python_client", "generate", ...options], {
+  const generated = run(python, ["-m", "openapi_python_client", "generate", ...options], {
     COLUMNS: "500",
-    // It formats with a tool beside it.
+    // It runs a formatter from the same folder.
     PATH: `${dirname(python)}${delimiter}${process.env["PATH"]}`,
     NO_COLOR: "1",
   });
-  expect(made.output.trim()).toBe(`Generating ${client}`);
-  expect(made.status).toBe(0);
+  expect(generated.output.trim()).toBe(`Generating ${client}`);
+  expect(generated.status).toBe(0);
   const imported = run(python, [join(HERE, "import_all.py"), client]);
   expect(imported.output).not.toContain("Error");
   const snakeCase = (name: string) => name.replaceAll(/[A-Z]/g, (c) => `_${c.toLowerCase()}`);
@@ -55,15 +55,15 @@ test("openapi-python-client makes a client without a warning, and every operatio
   expect(imported.stdout.trim().split("\n").sort()).toEqual(operations.map(snakeCase).sort());
 });
 
-test("openapi-typescript makes types without a warning, and every operation compiles", async ({
+test("openapi-typescript generates types without a warning, and every operation compiles", async ({
   relay,
 }) => {
   test.setTimeout(120_000);
   const types = join(folder, "corridor.ts");
   const command = join(require.resolve("openapi-typescript/package.json"), "../bin/cli.js");
-  const made = run(process.execPath, [command, `${relay}/openapi.json`, "--output", types]);
-  expect(made.output).not.toMatch(/warn|error|⚠|✘/i);
-  expect(made.status).toBe(0);
+  const generated = run(process.execPath, [command, `${relay}/openapi.json`, "--output", types]);
+  expect(generated.output).not.toMatch(/warn|error|⚠|✘/i);
+  expect(generated.status).toBe(0);
   const operations = await operationsAt(relay);
   const uses = operations.map((name) => `  operations["${name}"]["responses"],`).join("\n");
   await writeFile(
@@ -90,7 +90,7 @@ export const wrong: components["schemas"]["Order"] = { action: "move" };
   expect(checked.output).toBe("");
 });
 
-/** Has the generator. Where this machine cannot have it, the test is skipped and says why. */
+/** The Python environment with the generator. Skips the test where it cannot be installed. */
 function pythonOrSkip(): string {
   try {
     return requireEnvironment("openapi-python-client", join(HERE, "requirements.txt"), 11);
