@@ -1,20 +1,20 @@
-/** The words of the command line, checked. */
+/** Parses and validates the command-line arguments. */
 import { parseArgs } from "node:util";
 import { InputError } from "./input-error.ts";
-import { untils, type RunLimits, type Until } from "./run-limits.ts";
+import { runEnds, type RunLimits, type RunEnd } from "./run-limits.ts";
 
-/** One tick, and a day of simulated time. */
+/** Bounds of --seconds in simulated time: one tick and one day. */
 const MIN_SECONDS = 1 / 60;
 const MAX_SECONDS = 86_400;
 
 export interface SimulateArguments {
   maze: string;
-  /** the program's file; null when commands drive */
+  /** path of the program file; null when timed commands drive the robot */
   program: string | null;
-  /** the file of timed commands; null when a program drives */
+  /** path of the file of timed commands; null when a program drives the robot */
   commands: string | null;
   limits: RunLimits;
-  /** print the digest of all snapshots instead of the result */
+  /** Print the digest of all snapshots instead of the result. */
   digest: boolean;
 }
 
@@ -23,12 +23,12 @@ export interface GradeArguments {
   programs: string[];
   limits: RunLimits;
   csv: boolean;
-  /** adds why each run failed */
+  /** Add the diagnosis of each failed run. */
   why: boolean;
 }
 
-export function simulateArguments(words: readonly string[]): SimulateArguments {
-  const { values } = parse(words, {
+export function simulateArguments(args: readonly string[]): SimulateArguments {
+  const { values } = parse(args, {
     maze: { type: "string" },
     program: { type: "string" },
     commands: { type: "string" },
@@ -43,11 +43,13 @@ export function simulateArguments(words: readonly string[]): SimulateArguments {
     problems.push("--program: found nothing, expected a program file");
   }
   if (commands !== undefined && (program !== undefined || !values.digest)) {
-    problems.push("--commands: found beside --program or without --digest, expected with --digest");
+    problems.push(
+      "--commands: found with --program or without --digest, expected with --digest and without --program",
+    );
   }
-  const limits = limitsOf(values.seconds, values.until, problems);
+  const limits = parseLimits(values.seconds, values.until, problems);
   if (values.digest && limits.until !== "time") {
-    problems.push(`--until: found "${limits.until}" beside --digest, expected "time"`);
+    problems.push(`--until: found "${limits.until}" with --digest, expected "time"`);
   }
   if (problems.length > 0 || maze === undefined) throw new InputError(problems);
   return {
@@ -59,9 +61,9 @@ export function simulateArguments(words: readonly string[]): SimulateArguments {
   };
 }
 
-export function gradeArguments(words: readonly string[]): GradeArguments {
-  // `--program a b c` takes all files up to the next option, as a shell's `*.json` gives them.
-  const { values } = parse(spread(words, ["--program", "--maze"]), {
+export function gradeArguments(args: readonly string[]): GradeArguments {
+  // `--program a b c` accepts all files up to the next option, as a shell expands `*.json`.
+  const { values } = parse(repeatOptions(args, ["--program", "--maze"]), {
     maze: { type: "string", multiple: true, default: [] },
     program: { type: "string", multiple: true, default: [] },
     seconds: { type: "string", default: "300" },
@@ -76,59 +78,59 @@ export function gradeArguments(words: readonly string[]): GradeArguments {
   if (values.maze.length === 0) {
     problems.push("--maze: found nothing, expected one or more maze files");
   }
-  const limits = limitsOf(values.seconds, values.until, problems);
+  const limits = parseLimits(values.seconds, values.until, problems);
   const { csv, why } = values;
   if (csv && why)
-    problems.push("--why: found beside --csv, expected without it: a diagnosis is JSON");
+    problems.push("--why: found with --csv, expected without --csv: a diagnosis is JSON");
   if (problems.length > 0) throw new InputError(problems);
   return { mazes: values.maze, programs: values.program, limits, csv, why };
 }
 
 function parse<T extends NonNullable<Parameters<typeof parseArgs>[0]>["options"] & object>(
-  words: readonly string[],
+  args: readonly string[],
   options: T,
 ) {
   try {
-    return parseArgs({ args: [...words], options, allowPositionals: false, strict: true });
+    return parseArgs({ args: [...args], options, allowPositionals: false, strict: true });
   } catch (error) {
-    const found = error instanceof Error ? error.message : "unreadable options";
+    const found = error instanceof Error ? error.message : "invalid options.";
     const names = Object.keys(options).map((name) => `--${name}`);
     throw new InputError([`options: found ${found} Expected only ${names.join(", ")}`]);
   }
 }
 
 /** Repeats an option before each of its values: `--maze a b` becomes `--maze a --maze b`. */
-function spread(words: readonly string[], options: readonly string[]): string[] {
+function repeatOptions(args: readonly string[], options: readonly string[]): string[] {
   const result: string[] = [];
   let option: string | null = null;
   let isFirst = false;
-  for (const word of words) {
-    if (word.startsWith("--")) {
-      option = options.includes(word) ? word : null;
+  for (const arg of args) {
+    if (arg.startsWith("--")) {
+      option = options.includes(arg) ? arg : null;
       isFirst = true;
     } else {
       if (option !== null && !isFirst) result.push(option);
       isFirst = false;
     }
-    result.push(word);
+    result.push(arg);
   }
   return result;
 }
 
-function limitsOf(seconds: string, until: string, problems: string[]): RunLimits {
+function parseLimits(seconds: string, until: string, problems: string[]): RunLimits {
   const number = Number(seconds);
   if (seconds.trim() === "" || !(number >= MIN_SECONDS && number <= MAX_SECONDS)) {
     problems.push(
       `--seconds: found ${JSON.stringify(seconds)}, expected a number from 1/60 (one tick) to ${MAX_SECONDS}`,
     );
   }
-  if (!isUntil(until)) {
-    problems.push(`--until: found ${JSON.stringify(until)}, expected one of ${untils.join(", ")}`);
+  if (!isRunEnd(until)) {
+    problems.push(`--until: found ${JSON.stringify(until)}, expected one of ${runEnds.join(", ")}`);
     return { seconds: number, until: "time" };
   }
   return { seconds: number, until };
 }
 
-function isUntil(word: string): word is Until {
-  return (untils as readonly string[]).includes(word);
+function isRunEnd(value: string): value is RunEnd {
+  return (runEnds as readonly string[]).includes(value);
 }

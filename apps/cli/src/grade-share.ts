@@ -1,6 +1,6 @@
 /**
- * What all cores share of a grading: the job, and a counter from which each takes its next pair. No
- * core waits for another, and none is left with a long rest.
+ * Distributes the runs of a grading over all cores. The threads share the job and a counter, from
+ * which each thread claims its next pair of program and maze. All threads finish at about the same time.
  */
 import { diagnoseFreePlay, type Diagnosis } from "@corridor/coach";
 import type { MazeDocument } from "@corridor/maze";
@@ -13,35 +13,35 @@ export interface GradeJob {
   mazes: MazeDocument[];
   programs: ProgramDocument[];
   limits: RunLimits;
-  /** whether to say why a run failed */
+  /** whether to diagnose failed runs */
   why: boolean;
 }
 
 export interface GradeShare {
   job: GradeJob;
-  /** how many pairs have been taken: all programs in one maze, then in the next */
-  taken: Int32Array<SharedArrayBuffer>;
+  /** Number of pairs claimed so far: all programs in the first maze, then in the next maze. */
+  nextPair: Int32Array<SharedArrayBuffer>;
 }
 
 export interface GradedPair {
-  /** program * mazes + maze */
+  /** index of the program * number of mazes + index of the maze */
   pair: number;
   result: RunResult;
-  /** null where the run did not fail, or nobody asked */
+  /** null if the run did not fail, or if `GradeJob.why` is false */
   diagnosis: Diagnosis | null;
 }
 
 /**
- * Runs pairs until none is left. The programs take turns, so that the engine has seen all that they
- * do before it settles how to run the loop.
+ * Runs pairs until none is left. Alternates between the programs, so that V8 has seen the types of all
+ * programs before it optimises the loop.
  */
-export function gradeShare({ job, taken }: GradeShare): GradedPair[] {
+export function gradeShare({ job, nextPair }: GradeShare): GradedPair[] {
   const { mazes, programs, limits, why } = job;
   const graded: GradedPair[] = [];
   for (;;) {
-    const turn = Atomics.add(taken, 0, 1);
-    const programIndex = turn % programs.length;
-    const mazeIndex = Math.floor(turn / programs.length);
+    const next = Atomics.add(nextPair, 0, 1);
+    const programIndex = next % programs.length;
+    const mazeIndex = Math.floor(next / programs.length);
     const program = programs[programIndex];
     const maze = mazes[mazeIndex];
     if (program === undefined || maze === undefined) return graded;
@@ -51,7 +51,7 @@ export function gradeShare({ job, taken }: GradeShare): GradedPair[] {
   }
 }
 
-/** The same as the page says of a run of this program alone. */
+/** The same diagnosis that the page shows for a run of this program. */
 function diagnosisOf(
   maze: MazeDocument,
   program: ProgramDocument,

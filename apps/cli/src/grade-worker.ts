@@ -1,6 +1,6 @@
 /**
- * One more core of `grade`: gets its share in a message, answers with what it graded, and ends.
- * The cache of compiled modules is each thread's own affair (see `main.ts`).
+ * Worker thread of `grade`: receives the shared job in a message, posts its graded pairs, and ends.
+ * Each thread has to enable the compile cache for itself (see `main.ts`).
  */
 import { enableCompileCache } from "node:module";
 import { parentPort } from "node:worker_threads";

@@ -1,7 +1,7 @@
-/** Bad input of the command line: every problem on a line of its own, and exit code 2. */
+/** Invalid arguments or files. The command line prints one problem per line and exits with code 2. */
 export class InputError extends Error {
   override readonly name = "InputError";
-  /** one line a problem: file or option, field, found, expected */
+  /** One line per problem: file or option, field, found value, expected value. */
   readonly lines: readonly string[];
 
   constructor(lines: readonly string[]) {

@@ -1,6 +1,4 @@
-/**
- * The table of the 2013 thesis: what each of its programs does in tree mazes and in a corridor.
- */
+/** Reproduces the table of the 2013 thesis: how each program behaves in tree mazes and corridors. */
 import { generateTree } from "@corridor/maze";
 import { paperPrograms } from "@corridor/program/testing";
 import { CompiledProgram } from "@corridor/program";
@@ -17,7 +15,7 @@ const trees = sizes.flatMap((size) =>
   })),
 );
 
-/** What the thesis says of Figure 23; exactly equal sides within its 1 cm leave the default. */
+/** The action of Figure 23 by the thesis; sides that differ by exactly 1 cm select the default. */
 function farthestDistance(front: number, right: number, left: number): string {
   if (front > 50) return "forward";
   if (left > right + 1) return "left 90";
@@ -30,7 +28,7 @@ function figure(number: number) {
   return found.program;
 }
 
-/** Time enough to pass every corridor of a tree both ways, turns included. */
+/** Enough time to drive every corridor of a tree in both directions, including turns. */
 function secondsFor(openCells: number): number {
   return openCells * 4;
 }
@@ -44,7 +42,7 @@ describe.each(trees)("in a tree maze of $name", ({ maze }) => {
     expect({ bumps, visitedCells }).toEqual({ bumps: 0, visitedCells: openCells });
   });
 
-  it("Figure 23 drives forward whenever possible, else to the farther side, right where equal", () => {
+  it("Figure 23 drives forward if possible, else to the farther side, or right if both are equal", () => {
     const simulation = new Simulation(maze);
     const decider = new CompiledProgram(figure(23));
     const run = new ProgramRun(simulation, decider);
@@ -52,9 +50,9 @@ describe.each(trees)("in a tree maze of $name", ({ maze }) => {
     while (simulation.tick < limits.seconds * 60) {
       run.decide();
       const { front, right, left } = simulation.report().sensors;
-      const wanted = farthestDistance(front, right, left);
+      const expected = farthestDistance(front, right, left);
       const chosen = decider.commandOf(run.line === "default" ? -1 : run.line).action;
-      if (chosen !== wanted) wrong.push(`tick ${simulation.tick}: ${chosen}, not ${wanted}`);
+      if (chosen !== expected) wrong.push(`tick ${simulation.tick}: ${chosen}, not ${expected}`);
       do run.step();
       while (simulation.isManoeuvring);
     }
@@ -69,7 +67,7 @@ describe.each(trees)("in a tree maze of $name", ({ maze }) => {
 });
 
 describe("Figure 19", () => {
-  it.each([3, 8, 30])("goes back and forth in a straight corridor of %i cells", (cells) => {
+  it.each([3, 8, 30])("drives back and forth in a straight corridor of %i cells", (cells) => {
     const maze = generateCorridor(cells);
     const { bumps, visitedCells, openCells, decisions } = runProgram(maze, figure(19), {
       seconds: cells * 6,

@@ -1,10 +1,10 @@
-/** What each ready-made algorithm does in each ready-made maze, pinned. */
+/** Snapshot of the result of each preset program in each preset maze. */
 import { mazePresets } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
 import { expect, it } from "vitest";
 import { runProgram } from "./run-result.ts";
 
-it("every algorithm does in every ready-made maze what it did before", () => {
+it("every preset program has the same result as before in every preset maze", () => {
   const table = mazePresets.flatMap(({ id: maze, maze: document }) =>
     programPresets.map(({ id: program, program: rules }) => {
       const result = runProgram(document, rules, { seconds: 120, until: "time" });

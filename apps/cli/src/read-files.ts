@@ -1,4 +1,4 @@
-/** Documents from files: each is read once, and every problem of every file is reported together. */
+/** Reads documents from files and reports all problems of all files together. */
 import { readFileSync, statSync } from "node:fs";
 import { readMaze, type MazeDocument } from "@corridor/maze";
 import { readProgram, type ProgramDocument } from "@corridor/program";
@@ -12,16 +12,17 @@ import {
 } from "@corridor/protocol";
 import { InputError } from "./input-error.ts";
 
-/** No legal document is longer. */
+/** Larger than any valid document. */
 const MAX_BYTES = 16 * 1024 * 1024;
 
-/** Files by what they hold; a document comes back for each file, in the same order. */
+/** Paths of files by the type of their documents. */
 export interface Files {
   mazes: readonly string[];
   programs: readonly string[];
   commands?: readonly string[];
 }
 
+/** The documents of `Files`, in the same order. */
 export interface Documents {
   mazes: MazeDocument[];
   programs: ProgramDocument[];
@@ -64,7 +65,7 @@ function readOne<T>(file: string, read: (text: string) => ReadResult<T>): ReadRe
     if (size > MAX_BYTES) return problem("", `${size} bytes`, `at most ${MAX_BYTES} bytes`);
     bytes = readFileSync(file);
   } catch (error) {
-    return problem("", reasonOf(error), "a file that can be read");
+    return problem("", reasonOf(error), "a readable file");
   }
   try {
     return read(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
@@ -73,7 +74,7 @@ function readOne<T>(file: string, read: (text: string) => ReadResult<T>): ReadRe
   }
 }
 
-/** Why a file cannot be read, in words. */
+/** Describes why a file cannot be read. */
 function reasonOf(error: unknown): string {
   const code = error instanceof Error && "code" in error ? error.code : undefined;
   switch (code) {
@@ -82,7 +83,7 @@ function reasonOf(error: unknown): string {
     case "EISDIR":
       return "a folder";
     case "EACCES":
-      return "a file that this user may not read";
+      return "a file without read permission";
     default:
       return error instanceof Error ? error.message : "no file";
   }

@@ -1,9 +1,9 @@
-/** A run's result as a line of JSON or of CSV. Lengths are rounded to what a reader can use. */
+/** Formats the results of runs as JSON or CSV. Rounds distances to 0.1 and poses to 0.001. */
 import type { Diagnosis } from "@corridor/coach";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
 import type { RunResult } from "./run-result.ts";
 
-/** A result with the files it came from. */
+/** A run's result with the paths of its program and maze. */
 export interface GradedRun {
   program: string;
   maze: string;
@@ -11,7 +11,7 @@ export interface GradedRun {
   diagnosis: Diagnosis | null;
 }
 
-/** One line of JSON; `names` come first, `more` last. */
+/** Formats a result as one line of JSON. The fields of `names` come first, those of `more` last. */
 export function jsonLine(
   result: RunResult,
   names: Record<string, string> = {},
@@ -29,17 +29,17 @@ export function jsonLine(
     goal: { reached: goalTick !== null, tick: goalTick },
     pose: { x: round(pose.x, 3), y: round(pose.y, 3), heading: round(pose.heading, 3) },
   });
-  // By hand: an object would put the keys "0", "1" before "default".
+  // Concatenated because an object would order the integer keys "0" and "1" before "default".
   const { decisions } = result;
   const rules = decisions.rules.map((count, rule) => `,"${rule}":${count}`).join("");
   const tail = more.diagnosis === undefined ? "" : `,"diagnosis":${JSON.stringify(more.diagnosis)}`;
   return `${head.slice(0, -1)},"lines":{"default":${decisions.default}${rules}}${tail}}`;
 }
 
-/** The last line of a grading. */
+/** The last line of the output of `grade`. */
 export function summaryLine(runs: readonly GradedRun[]): string {
-  const count = (holds: (result: RunResult) => boolean): number =>
-    runs.filter(({ result }) => holds(result)).length;
+  const count = (matches: (result: RunResult) => boolean): number =>
+    runs.filter(({ result }) => matches(result)).length;
   return JSON.stringify({
     summary: {
       runs: runs.length,
@@ -63,7 +63,7 @@ const csvColumns = [
   "goalTick",
 ] as const;
 
-/** A table with a head, for spreadsheets. */
+/** Formats a CSV table with a header row. @returns its lines */
 export function csvTable(runs: readonly GradedRun[]): string[] {
   const rows = runs.map(({ program, maze, result }) =>
     [
@@ -86,7 +86,7 @@ export function csvTable(runs: readonly GradedRun[]): string[] {
 
 function csvField(value: string | number | boolean): string {
   const text = String(value);
-  // A spreadsheet runs what begins with these as a formula; a quote before it makes it text.
+  // Spreadsheets evaluate text with these initial characters as a formula; a leading quote prevents it.
   const safe = typeof value === "string" && /^[=+\-@\t\r]/.test(text) ? `'${text}` : text;
   return /[",\r\n]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 }

@@ -1,10 +1,10 @@
-/** How long a run goes on. */
-export const untils = ["time", "goal", "bump"] as const;
-export type Until = (typeof untils)[number];
+/** Limits of a run: its simulated time, and the event that may end it earlier. */
+export const runEnds = ["time", "goal", "bump"] as const;
+export type RunEnd = (typeof runEnds)[number];
 
 export interface RunLimits {
-  /** simulated time after which the run ends in any case */
+  /** maximum simulated time in seconds */
   seconds: number;
-  /** what may end it earlier */
-  until: Until;
+  /** the event that ends the run; "time" runs for all `seconds` */
+  until: RunEnd;
 }

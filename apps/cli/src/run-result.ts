@@ -1,6 +1,4 @@
-/**
- * One run of a program in a maze, measured: what a teacher wants to know of it.
- */
+/** Runs a program in a maze and measures the run. */
 import { countOpenCells, sizeOf, type MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { Pose } from "@corridor/protocol";
@@ -12,12 +10,12 @@ export interface RunResult {
   bumps: number;
   visitedCells: number;
   openCells: number;
-  /** units driven */
+  /** driven distance in units */
   distance: number;
-  /** null where the goal was not reached */
+  /** null if the goal was not reached */
   goalTick: number | null;
   pose: Pose;
-  /** decisions of the default and of each rule, in the order of the document */
+  /** number of decisions of the default and of each rule, in the order of the document */
   decisions: { default: number; rules: number[] };
 }
 
@@ -45,8 +43,8 @@ export function runProgram(
 }
 
 /**
- * The ticks, and a 1 for each cell that was visited. A function of its own, so that the engine's
- * optimised loop does not end with every run that it leaves.
+ * Runs the ticks and sets a 1 in `visited` for each visited cell. Separate from `runProgram` so that
+ * V8 keeps the optimised loop from one run to the next.
  */
 function runTicks(
   simulation: Simulation,

@@ -1,4 +1,4 @@
-/** `simulate`: one program in one maze, one line of JSON. */
+/** `simulate`: runs one program in one maze and prints one line of JSON. */
 import { CompiledProgram } from "@corridor/program";
 import { replayDigest, TICKS_PER_SECOND, type Inputs } from "@corridor/simulation";
 import { simulateArguments } from "./arguments.ts";
@@ -7,9 +7,9 @@ import { jsonLine } from "./report.ts";
 import type { RunLimits } from "./run-limits.ts";
 import { runProgram } from "./run-result.ts";
 
-/** @returns the lines to print; throws InputError for bad input */
-export function simulate(words: readonly string[]): string[] {
-  const { maze, program, commands, limits, digest } = simulateArguments(words);
+/** @returns the lines to print @throws InputError if the arguments or files are invalid */
+export function simulate(args: readonly string[]): string[] {
+  const { maze, program, commands, limits, digest } = simulateArguments(args);
   const documents = readFiles({
     mazes: [maze],
     programs: program === null ? [] : [program],
