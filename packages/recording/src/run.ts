@@ -224,7 +224,7 @@ export class Run {
     else simulation.step();
     this.#cause = simulation.bumps === bumps ? null : this.#approach.cause(simulation);
     if (this.#command !== null) this.#closeCommand();
-    this.#approach.follow(simulation);
+    this.#approach.update(simulation);
     if (this.#driver === "program") this.#decide();
     if (simulation.tick % DIGEST_TICKS === 0) this.#digest.add(simulation.report());
   }
@@ -264,7 +264,7 @@ export class Run {
   #begin(command: Command, seq: number | null): void {
     const simulation = this.#simulation;
     simulation.apply(command);
-    this.#approach.decided(simulation, command);
+    this.#approach.recordDecision(simulation, command);
     this.#line = null;
     this.#command = seq;
     this.#commandEnding = null;
@@ -292,7 +292,7 @@ export class Run {
   #end(): void {
     const stop: Command = { action: "stop" };
     this.#simulation.apply(stop);
-    this.#approach.decided(this.#simulation, stop);
+    this.#approach.recordDecision(this.#simulation, stop);
     this.#line = null;
     this.#command = null;
     this.#commandEnding = null;
@@ -307,6 +307,6 @@ export class Run {
     const isSame = line === this.#line && command.action === this.decision.action;
     if (isSame && !this.#simulation.isManoeuvring) return;
     this.#line = line;
-    this.#approach.decided(this.#simulation, command);
+    this.#approach.recordDecision(this.#simulation, command);
   }
 }

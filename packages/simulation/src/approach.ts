@@ -1,40 +1,40 @@
 /**
- * What the robot was about when it met a wall: the decision that led there, and the room that there was
- * when the motion, or the part of the manoeuvre, began. Read by the bump card; changes nothing.
+ * Records the cause of a bump: the decision that led to it, and the free distance when the motion, or
+ * the part of the manoeuvre, started. The bump card displays it. It does not affect the simulation.
  */
 import type { Command, SensorReadings } from "@corridor/protocol";
 import type { Progress } from "./motion/progress.ts";
 import type { Simulation } from "./simulation.ts";
 
-/** How it came to a bump: what the robot was doing, the room it had and the room it needed. Lengths in units. */
+/** Cause of a bump: the robot's action, its free distance and its needed distance. Lengths in units. */
 export interface BumpCause {
-  /** tick at whose end the decision or command came that led into the wall */
+  /** tick at whose end the decision or command for this motion was made */
   decidedAt: number;
-  /** tick at whose end the part of the manoeuvre, or the steady motion, began, whichever lines repeated it */
-  begunAt: number;
+  /** tick at whose end the part, or the steady motion, started; repeated decisions do not change it */
+  startedAt: number;
   action: Command["action"];
-  /** what the sensors measured at the end of `decidedAt` */
+  /** sensor readings at the end of `decidedAt` */
   readings: SensorReadings;
-  /** part of the manoeuvre that met the wall, from 0, and how many it has; 0 of 1 where it is none */
+  /** index of the manoeuvre's part that hit the wall, and number of parts; 0 and 1 without a manoeuvre */
   part: number;
   parts: number;
-  /** which way the robot drove */
+  /** side of the robot in the driving direction */
   side: "front" | "back";
-  /** what the sensor on that side measured when the part, or the steady motion, began; from the robot's centre */
+  /** reading of that side's sensor at the end of `startedAt`, from the robot's centre */
   reading: number;
-  /** driven since then */
+  /** distance driven since `startedAt` */
   driven: number;
-  /** what the part had to drive; null for a motion that lasts until something else is chosen */
+  /** planned distance of the part; null for a motion without an end */
   needed: number | null;
 }
 
-/** An approach as plain data. */
+/** Serialisable state of an `Approach`. */
 export interface ApproachState {
   decidedAt: number;
   command: Command;
   readings: Float64Array;
   progress: Progress | null;
-  begunAt: number;
+  startedAt: number;
   front: number;
   back: number;
   distance: number;
@@ -43,50 +43,50 @@ export interface ApproachState {
 export class Approach {
   #decidedAt = 0;
   #command: Command = { action: "stop" };
-  /** front, right, back, left at the decision */
+  /** front, right, back, left at the time of the decision */
   readonly #readings = new Float64Array(4);
-  /** of the part that runs, as it began; null for a motion without an end */
+  /** progress at the start of the current part; null for a motion without an end */
   #progress: Progress | null = null;
-  /** as the part or the steady motion began */
-  #begunAt = 0;
+  /** values at the start of the current part or steady motion */
+  #startedAt = 0;
   #front = 0;
   #back = 0;
   #distance = 0;
 
-  /** Tick at whose end the last decision or command came. */
+  /** Tick at whose end the last decision or command was made. */
   get decidedAt(): number {
     return this.#decidedAt;
   }
 
-  /** What was decided or commanded last. */
+  /** The last decision or command. */
   get command(): Command {
     return this.#command;
   }
 
-  /** A decision or command at the end of this tick. */
-  decided(simulation: Simulation, command: Command): void {
+  /** Records a decision or command at the end of this tick. */
+  recordDecision(simulation: Simulation, command: Command): void {
     const isSameMotion =
       !simulation.isManoeuvring && command.action === this.#command.action && !isWheels(command);
     this.#decidedAt = simulation.tick;
     this.#command = command;
     this.#readings.set(simulation.readings);
-    if (!isSameMotion) this.#begin(simulation);
+    if (!isSameMotion) this.#startPart(simulation);
   }
 
-  /** After each tick: notes where the next part of a manoeuvre begins. */
-  follow(simulation: Simulation): void {
+  /** Records the start of the next part of a manoeuvre. Call it after each tick. */
+  update(simulation: Simulation): void {
     if (this.#progress === null || simulation.part === this.#progress.part) return;
-    if (simulation.isManoeuvring) this.#begin(simulation);
+    if (simulation.isManoeuvring) this.#startPart(simulation);
   }
 
-  /** How it came to the bump of the tick that has just run; to be asked before `follow`. */
+  /** Returns the cause of a bump in the last tick. Call it before `update`. */
   cause(simulation: Simulation): BumpCause {
     const [front = 0, right = 0, back = 0, left = 0] = this.#readings;
     const progress = this.#progress;
     const side = isBackward(this.#command) ? "back" : "front";
     return {
       decidedAt: this.#decidedAt,
-      begunAt: this.#begunAt,
+      startedAt: this.#startedAt,
       action: this.#command.action,
       readings: { front, right, back, left },
       part: progress?.part ?? 0,
@@ -104,7 +104,7 @@ export class Approach {
       command: this.#command,
       readings: this.#readings.slice(),
       progress: this.#progress,
-      begunAt: this.#begunAt,
+      startedAt: this.#startedAt,
       front: this.#front,
       back: this.#back,
       distance: this.#distance,
@@ -116,15 +116,15 @@ export class Approach {
     this.#command = state.command;
     this.#readings.set(state.readings);
     this.#progress = state.progress;
-    this.#begunAt = state.begunAt;
+    this.#startedAt = state.startedAt;
     this.#front = state.front;
     this.#back = state.back;
     this.#distance = state.distance;
   }
 
-  #begin(simulation: Simulation): void {
+  #startPart(simulation: Simulation): void {
     this.#progress = simulation.progress;
-    this.#begunAt = simulation.tick;
+    this.#startedAt = simulation.tick;
     this.#front = simulation.readings[0] ?? 0;
     this.#back = simulation.readings[2] ?? 0;
     this.#distance = simulation.distance;

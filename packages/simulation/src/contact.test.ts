@@ -24,8 +24,8 @@ function bumped(maze: MazeDocument, degrees: number, action: "forward" | "revers
   return simulation;
 }
 
-describe("where the robot touches", () => {
-  it("is the flat side of the wall ahead", () => {
+describe("contactOf", () => {
+  it("returns the flat side of the wall ahead", () => {
     const maze = room("#####", "#...#", "#####");
     const { pose } = bumped(maze, 0, "forward");
     const { x, y, cell, isCorner } = contactOf(maze, pose, "front");
@@ -37,13 +37,13 @@ describe("where the robot touches", () => {
     });
   });
 
-  it("is the wall behind a robot that drives back", () => {
+  it("returns the wall behind a robot that drives backward", () => {
     const maze = room("#####", "#...#", "#####");
     const { pose } = bumped(maze, 0, "reverse");
     expect(contactOf(maze, pose, "back")).toMatchObject({ x: 100, isCorner: false });
   });
 
-  it("is the corner of a block that the beam passes", () => {
+  it("returns the corner of a block that the sensor ray misses", () => {
     const maze = room("#######", "#.....#", "#.....#", "#..#..#", "#.....#", "#######");
     const simulation = new Simulation(maze);
     for (const command of [
@@ -61,7 +61,7 @@ describe("where the robot touches", () => {
     expect(simulation.readings[0]).toBeGreaterThan(300);
   });
 
-  it("is one radius from the centre, whatever the way", () => {
+  it("returns a point one radius from the centre, for any heading", () => {
     const maze = room("#######", "#.....#", "#.#.#.#", "#..#..#", "#.....#", "#######");
     fc.assert(
       fc.property(

@@ -1,6 +1,6 @@
 /**
- * Where the robot touches what it has driven into: the flat side of a block, or only its corner. A
- * beam is a line and the robot is 50 cm wide, so the beam can pass a corner that the robot hits.
+ * The point of contact between the robot and a block: on a flat side or at a corner. A sensor ray is a
+ * line and the robot is 50 cm wide, so the ray can miss a corner that the robot hits.
  */
 import { CELL, isBlock, type Cell, type MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
@@ -10,27 +10,27 @@ export interface Contact {
   /** the touched point, in units */
   x: number;
   y: number;
-  /** the touched block; outside of the grid where the edge of the maze was touched */
+  /** the touched block; outside the grid if the robot touched the edge of the maze */
   cell: Cell;
-  /** whether the point is a corner of that block and no other block continues its side there */
+  /** whether the point is a corner of that block where no adjacent block continues its side */
   isCorner: boolean;
 }
 
-/** A robot that touches a flat side is straight before the touched point, up to so much, in units. */
-const STRAIGHT = 1;
+/** Maximum sideways offset between the robot's centre and the contact point on a flat side, in units. */
+const STRAIGHT_TOLERANCE = 1;
 
 /**
- * The nearest point ahead of the robot that belongs to a block or to the edge of the maze.
- * @param pose of the robot at the bump
- * @param side the way that it drove
+ * Returns the nearest point of a block or of the maze's edge in the driving direction.
+ * @param pose pose of the robot at the bump
+ * @param side side of the robot in the driving direction
  */
 export function contactOf(maze: MazeDocument, pose: Pose, side: "front" | "back"): Contact {
   const { x, y } = pose;
-  const way = new Float64Array(2);
-  writeUnitVector(pose.heading, way);
+  const direction = new Float64Array(2);
+  writeUnitVector(pose.heading, direction);
   const sign = side === "front" ? 1 : -1;
-  const wayX = (way[0] ?? 0) * sign;
-  const wayY = (way[1] ?? 0) * sign;
+  const directionX = (direction[0] ?? 0) * sign;
+  const directionY = (direction[1] ?? 0) * sign;
   const own = { column: Math.floor(x / CELL), row: Math.floor(y / CELL) };
   let best: Contact | null = null;
   let least = Infinity;
@@ -42,8 +42,8 @@ export function contactOf(maze: MazeDocument, pose: Pose, side: "front" | "back"
       const dx = pointX - x;
       const dy = pointY - y;
       const distance = dx * dx + dy * dy;
-      // What lies beside or behind the robot did not stop it.
-      if (dx * wayX + dy * wayY <= 0 || distance >= least) continue;
+      // A block beside or behind the robot cannot stop it.
+      if (dx * directionX + dy * directionY <= 0 || distance >= least) continue;
       least = distance;
       best = {
         x: pointX,
@@ -56,15 +56,15 @@ export function contactOf(maze: MazeDocument, pose: Pose, side: "front" | "back"
   return best ?? { x, y, cell: own, isCorner: false };
 }
 
-/** Whether the point is where a wall ends, and no block beside it continues the side that was met. */
+/** Whether the wall ends at the point, without an adjacent block that continues the touched side. */
 function isCorner(maze: MazeDocument, x: number, y: number, dx: number, dy: number): boolean {
-  const isStraightX = Math.abs(dx) <= STRAIGHT;
-  const isStraightY = Math.abs(dy) <= STRAIGHT;
+  const isStraightX = Math.abs(dx) <= STRAIGHT_TOLERANCE;
+  const isStraightY = Math.abs(dy) <= STRAIGHT_TOLERANCE;
   if (!isStraightX && !isStraightY) return true;
-  // The two cells behind the point, seen from the robot, where it lies between two of them.
+  // If the point is between two cells, both cells beyond it (seen from the robot) must be blocks.
   const along = isStraightX ? x : y;
   const border = Math.round(along / CELL);
-  if (Math.abs(along - border * CELL) > STRAIGHT) return false;
+  if (Math.abs(along - border * CELL) > STRAIGHT_TOLERANCE) return false;
   const beyond = Math.floor((isStraightX ? y + Math.sign(dy) : x + Math.sign(dx)) / CELL);
   const isBlockAt = (at: number): boolean =>
     isStraightX ? isBlock(maze, at, beyond) : isBlock(maze, beyond, at);

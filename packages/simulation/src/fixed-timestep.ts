@@ -1,38 +1,38 @@
 /**
- * From elapsed time to whole ticks. What does not fill a tick is kept for the next time; a gap longer
- * than the limit is a pause and is not caught up, so that a sleeping machine does not wake to minutes.
+ * Converts elapsed time to whole ticks and carries the remainder over to the next call. Time beyond
+ * the maximum gap is discarded, so that a machine that wakes from sleep does not run minutes of ticks.
  */
 import { TICKS_PER_SECOND } from "./settings.ts";
 
-/** Longest gap that is caught up, in ms of real time. */
+/** Maximum elapsed time per call, in ms of real time. */
 const MAX_GAP_MS = 250;
 
 export class FixedTimestep {
-  /** below 0 where the first tick came before its time */
-  #rest = 0;
+  /** fraction of a tick; negative after the first tick, which runs early */
+  #remainder = 0;
   #isFirst = false;
 
   /**
    * @param elapsedMs real time since the last call
-   * @param speed simulated seconds in a real second
-   * @returns whole ticks to run now
+   * @param speed simulated seconds per real second
+   * @returns number of ticks to run now
    */
   ticksFor(elapsedMs: number, speed: number): number {
-    this.#rest += (Math.min(elapsedMs, MAX_GAP_MS) * speed * TICKS_PER_SECOND) / 1000;
-    const ticks = Math.max(this.#isFirst ? 1 : 0, Math.floor(this.#rest));
+    this.#remainder += (Math.min(elapsedMs, MAX_GAP_MS) * speed * TICKS_PER_SECOND) / 1000;
+    const ticks = Math.max(this.#isFirst ? 1 : 0, Math.floor(this.#remainder));
     this.#isFirst = false;
-    this.#rest -= ticks;
+    this.#remainder -= ticks;
     return ticks;
   }
 
-  /** Time begins anew. The first tick comes at once: who starts the robot waits for nothing. */
+  /** Resets the time. The next call returns at least one tick, so that the robot reacts immediately. */
   start(): void {
-    this.#rest = 0;
+    this.#remainder = 0;
     this.#isFirst = true;
   }
 
-  /** Forgets the part of a tick that is left, when time begins anew. */
+  /** Discards the remaining fraction of a tick. */
   clear(): void {
-    this.#rest = 0;
+    this.#remainder = 0;
   }
 }

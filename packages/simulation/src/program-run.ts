@@ -1,23 +1,23 @@
 /**
- * A program driving a robot: on every tick on which no manoeuvre runs, a line decides.
+ * A program that drives a robot. On every tick without a running manoeuvre, a line decides.
  *
- * The decision for the next tick can be taken early, so that what is shown at the end of a tick is
- * the line that these very readings chose; it counts when its tick runs.
+ * `decide` can run before the tick, so that the page can display the line chosen by the current
+ * readings. `step` counts the decision.
  */
 import type { Command, LineRef } from "@corridor/protocol";
 import type { Simulation } from "./simulation.ts";
 
-/** The part of a compiled program that a run needs. */
+/** The interface of a compiled program that a run requires. */
 export interface Decider {
-  /** rules of the program, those that do nothing included */
+  /** number of rules, including rules without effect */
   readonly ruleCount: number;
-  /** index of the rule that decides for these readings (front, right, back, left), or -1 for the default */
+  /** Returns the index of the rule for these readings (front, right, back, left), or -1 for the default. */
   decide(readings: Float64Array): number;
-  /** the command of a rule, or of the default at -1; the same object each time */
+  /** Returns the command of a rule, or of the default for -1. Always returns the same object. */
   commandOf(rule: number): Command;
 }
 
-/** What a program run knows beside the robot. */
+/** The state of a program run, without the robot. */
 export interface ProgramRunState {
   rule: number;
   isDecided: boolean;
@@ -29,7 +29,7 @@ export class ProgramRun {
   #decider: Decider;
   #rule = -1;
   #isDecided = false;
-  /** how often each has decided: the default at 0, the rules from 1 on */
+  /** number of decisions: of the default at index 0, of the rules from index 1 on */
   #decisions: Float64Array;
 
   constructor(simulation: Simulation, decider: Decider) {
@@ -38,12 +38,12 @@ export class ProgramRun {
     this.#decisions = new Float64Array(decider.ruleCount + 1);
   }
 
-  /** How often each has decided since the last change of the program: the default at 0, then the rules. */
+  /** Number of decisions since the last program change: the default at index 0, then the rules. */
   get decisions(): Readonly<Float64Array> {
     return this.#decisions;
   }
 
-  /** The line that decides now or began the manoeuvre that runs. */
+  /** The line that decides now or that started the running manoeuvre. */
   get line(): LineRef {
     return this.#rule < 0 ? "default" : this.#rule;
   }
@@ -52,7 +52,10 @@ export class ProgramRun {
     return { rule: this.#rule, isDecided: this.#isDecided, decisions: this.#decisions.slice() };
   }
 
-  /** Goes on where it was saved; the robot is restored beside it. `decider`: the program of that moment. */
+  /**
+   * Restores a saved state. The caller restores the simulation.
+   * @param decider the program at the time of `save`
+   */
   restore(state: ProgramRunState, decider: Decider = this.#decider): void {
     this.#decider = decider;
     this.#rule = state.rule;
@@ -61,8 +64,8 @@ export class ProgramRun {
   }
 
   /**
-   * Takes the decision for the next tick, unless it is taken or a manoeuvre runs.
-   * @returns the command that was decided now; null when nothing was to be decided
+   * Decides for the next tick, unless a decision exists or a manoeuvre runs.
+   * @returns the new command, or null
    */
   decide(): Command | null {
     const simulation = this.#simulation;
@@ -74,7 +77,7 @@ export class ProgramRun {
     return command;
   }
 
-  /** Drops a decision whose tick has not run: the readings or the rules have changed. */
+  /** Discards a decision whose tick has not run, because the readings or the rules changed. */
   reconsider(decider: Decider = this.#decider): void {
     if (decider !== this.#decider) this.#decisions = new Float64Array(decider.ruleCount + 1);
     this.#decider = decider;
@@ -82,7 +85,7 @@ export class ProgramRun {
     this.#isDecided = false;
   }
 
-  /** One tick. */
+  /** Runs one tick. */
   step(): void {
     this.decide();
     if (this.#isDecided) {

@@ -1,6 +1,6 @@
 /**
- * A run from its inputs alone: maze and program, or maze and commands at given ticks. The same inputs
- * give the same digest in every engine.
+ * Replays a run from its inputs: a maze with a program, or a maze with commands at given ticks. The
+ * same inputs result in the same digest in every JavaScript engine.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { TimedCommand } from "@corridor/protocol";
@@ -10,12 +10,12 @@ import { SnapshotDigest } from "./snapshot-digest.ts";
 
 export interface Inputs {
   maze: MazeDocument;
-  /** what drives: a compiled program, or commands in the order of their ticks */
+  /** a compiled program, or commands in tick order */
   driver: Decider | readonly TimedCommand[];
 }
 
 /**
- * Runs the inputs from the start.
+ * Runs the inputs from tick 0.
  * @returns the digest of the snapshots of all ticks: 16 hexadecimal digits
  */
 export function replayDigest({ maze, driver }: Inputs, ticks: number): string {

@@ -7,7 +7,7 @@ import { Simulation } from "./simulation.ts";
 import { SnapshotDigest } from "./snapshot-digest.ts";
 import { anyCommand, anyMaze, mazeOf } from "./testing/mazes.ts";
 
-/** Any list of "this sensor is less than that" lines with an action each. */
+/** Generates programs of lines that compare a sensor with a distance, with one action each. */
 const anyDecider: fc.Arbitrary<Decider> = fc
   .record({
     lines: fc.array(
@@ -35,15 +35,15 @@ const anyDecider: fc.Arbitrary<Decider> = fc
     };
   });
 
-/** Commands with the tick before which each comes, in the order of their ticks. */
+/** Generates commands in tick order. Each applies before its tick. */
 const anyInputs = fc
   .array(fc.record({ tick: fc.nat({ max: 300 }), command: anyCommand }), { maxLength: 10 })
   .map((inputs) => inputs.toSorted((a, b) => a.tick - b.tick));
 
 const TICKS = 300;
 
-describe("a robot that is saved at any tick and put back into a new simulation", () => {
-  it("goes on bit for bit under commands", () => {
+describe("a robot saved at any tick and restored into a new simulation", () => {
+  it("continues bit for bit under commands", () => {
     let saved = 0;
     let savedInContact = 0;
     fc.assert(
@@ -66,7 +66,7 @@ describe("a robot that is saved at any tick and put back into a new simulation",
           digest.add(first.report());
         }
         const state = structuredClone(first.save());
-        // What the first does after it was saved must not reach the copy.
+        // Later steps of the first simulation must not affect the copy.
         first.apply({ action: "turn 180" });
         first.step();
         const second = new Simulation(maze);
@@ -78,12 +78,12 @@ describe("a robot that is saved at any tick and put back into a new simulation",
       }),
       { numRuns: 300 },
     );
-    // Both kinds were met; how often is up to the draw.
+    // Both cases occurred. Their numbers depend on the random seed.
     expect(savedInContact).toBeGreaterThan(0);
     expect(saved - savedInContact).toBeGreaterThan(0);
   });
 
-  it("goes on bit for bit under a program, decided or not, with the same count of decisions", () => {
+  it("continues bit for bit under a program, with or without a decision, with equal counts", () => {
     fc.assert(
       fc.property(
         anyMaze,
@@ -119,7 +119,7 @@ describe("a robot that is saved at any tick and put back into a new simulation",
   });
 });
 
-it("a robot put back to its start begins a run that a new one could have begun, bit for bit", () => {
+it("a reset robot behaves like a new one, bit for bit", () => {
   fc.assert(
     fc.property(anyMaze, fc.array(anyCommand, { maxLength: 6 }), anyCommand, (maze, past, then) => {
       const drive = (simulation: Simulation, command: Command): void => {

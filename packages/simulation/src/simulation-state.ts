@@ -1,6 +1,6 @@
 /**
- * Everything that decides the next bits of a robot in a maze, as plain data: saved at the end of a tick,
- * put back later into this or another simulation of the same maze. Can be cloned by structure.
+ * The complete state of a simulation as plain data, for the structured clone algorithm. It is saved at
+ * the end of a tick and can be restored into any simulation of the same maze.
  */
 import type { MotionState } from "./motion/motion-controller.ts";
 import type { PhysicsState } from "./physics/physics-world.ts";

@@ -11,7 +11,7 @@ const hall = mazeOf(["#########", "#.......#", "#.......#", "#.......#", "######
   row: 2,
 });
 
-/** Runs a command to its end, or for a number of ticks. */
+/** Runs a command to its end or for a number of ticks. Returns the number of ticks. */
 function drive(simulation: Simulation, command: Command, ticks = 0): number {
   const from = simulation.tick;
   simulation.apply(command);
@@ -20,7 +20,7 @@ function drive(simulation: Simulation, command: Command, ticks = 0): number {
   return simulation.tick - from;
 }
 
-/** How deep the robot's disc overlaps the nearest block, in units; negative where it is free. */
+/** Overlap of the robot's disc with the nearest block, in units. Negative if they do not overlap. */
 function overlap(maze: MazeDocument, x: number, y: number): number {
   let deepest = Number.NEGATIVE_INFINITY;
   for (let row = -1; row <= maze.blocks.length; row++) {
@@ -60,7 +60,7 @@ describe("an action on open floor", () => {
     });
   });
 
-  it("forward and reverse drive 100 cm a second until something else is chosen", () => {
+  it("forward and reverse drive 100 cm per second until the next command", () => {
     const simulation = new Simulation(hall);
     drive(simulation, { action: "forward" }, 60);
     expect(simulation.pose.x).toBeCloseTo(550, 9);
@@ -79,7 +79,7 @@ describe("an action on open floor", () => {
     expect(simulation.pose).toMatchObject({ x: 450, y: 250 });
   });
 
-  it("drive with unequal powers drives an arc of the radius that the wheels give", () => {
+  it("drive with unequal powers drives an arc with the radius of a differential drive", () => {
     const simulation = new Simulation(hall);
     // Radius = track / 2 * (left + right) / (left - right) = 20 * 0.6 / 0.2 = 60, clockwise.
     simulation.apply({ action: "drive", left: 0.4, right: 0.2 });
@@ -92,7 +92,7 @@ describe("an action on open floor", () => {
 });
 
 describe("contact", () => {
-  it("stops the robot where it touches, neither turned nor slid, and counts one bump", () => {
+  it("stops the robot at the wall without turning or sliding, and counts one bump", () => {
     const simulation = new Simulation(hall);
     drive(simulation, { action: "turn", degrees: 20 });
     drive(simulation, { action: "forward" }, 600);
@@ -100,7 +100,7 @@ describe("contact", () => {
     expect(touched).toMatchObject({ bumps: 1, bumping: true, motion: "forward" });
     expect(touched.pose.heading).toBe(110);
     expect(overlap(hall, touched.pose.x, touched.pose.y)).toBeCloseTo(0, 6);
-    // On the straight line from the middle, 20 degrees south of east.
+    // On the straight line from the centre, 20 degrees south of east.
     const slope = (touched.pose.y - 250) / (touched.pose.x - 450);
     expect(slope).toBeCloseTo(Math.tan((20 * Math.PI) / 180), 6);
     const before = simulation.pose;
@@ -111,7 +111,7 @@ describe("contact", () => {
   });
 
   it.each([5e-324, 1e-200, 1e-163, -1e-170])(
-    "leaves the robot where it is at a power of %d",
+    "keeps the robot's position at a power of %d",
     (power) => {
       for (let degrees = 0; degrees < 360; degrees += 7) {
         const simulation = new Simulation(hall);
@@ -125,7 +125,7 @@ describe("contact", () => {
     },
   );
 
-  it("counts a new bump after the robot has left the wall, and one for another wall in the corner", () => {
+  it("counts a new bump after the robot left the wall, and for the other wall of a corner", () => {
     const corner = mazeOf(["###", "#.#", "###"]);
     const simulation = new Simulation(corner);
     drive(simulation, { action: "forward" }, 60);
@@ -143,7 +143,7 @@ describe("contact", () => {
     expect(simulation.bumps).toBe(3);
   });
 
-  it("ends the part of a delayed turn that it happens in, and the next part follows", () => {
+  it("ends the current part of a delayed turn and starts the next part", () => {
     const simulation = new Simulation(mazeOf(["###", "#.#", "#.#", "###"]));
     // 25 cm to the wall instead of 50, then the turn, then 60 cm down the side corridor.
     expect(drive(simulation, { action: "delayed right 90" })).toBe(16 + 36 + 36);
@@ -159,7 +159,7 @@ describe("contact", () => {
     expect(simulation.distance).toBeCloseTo(25, 6);
   });
 
-  it("of a block's corner stops the robot within 0.05 cm of touching it", () => {
+  it("with a block's corner stops the robot at most 0.05 cm early", () => {
     const simulation = new Simulation(mazeOf(["....", "..#.", "...."], { column: 0, row: 0 }));
     drive(simulation, { action: "turn", degrees: 43 });
     drive(simulation, { action: "forward" }, 300);
@@ -175,8 +175,8 @@ function simulationMaze(blocks: string[]): MazeDocument {
   return mazeOf(blocks, { column: 0, row: 0 });
 }
 
-describe("whatever a driver does in whatever maze", () => {
-  it("the robot never overlaps a block by more than 0.01 cm and its readings stay true", () => {
+describe("for any commands in any maze", () => {
+  it("the robot never overlaps a block by more than 0.01 cm and its readings stay valid", () => {
     fc.assert(
       fc.property(
         anyMaze,
@@ -191,13 +191,13 @@ describe("whatever a driver does in whatever maze", () => {
               expect(overlap(maze, pose.x, pose.y)).toBeLessThan(0.01);
               expect(pose.heading).toBeGreaterThanOrEqual(0);
               expect(pose.heading).toBeLessThan(360);
-              // A reading is measured from the centre, and a wall is never nearer than the radius.
+              // Readings start at the centre, and walls are never closer than the radius.
               expect(Math.min(...Object.values(sensors))).toBeGreaterThan(ROBOT_RADIUS - 0.01);
             }
           }
         },
       ),
-      // Numbers of 64 bits are made simpler for hours: a failure is told before, if less simply.
+      // fast-check can shrink doubles for hours. The limit reports the failure earlier, less shrunk.
       { numRuns: 200, interruptAfterTimeLimit: 40_000, markInterruptAsFailure: true },
     );
   });
@@ -219,7 +219,7 @@ describe("whatever a driver does in whatever maze", () => {
     );
   });
 
-  it("the same commands give the same snapshots, bit for bit", () => {
+  it("the same commands result in the same snapshots, bit for bit", () => {
     fc.assert(
       fc.property(anyMaze, fc.array(anyCommand, { maxLength: 8 }), (maze, commands) => {
         const run = () => {
@@ -239,7 +239,7 @@ describe("whatever a driver does in whatever maze", () => {
 describe("the goal", () => {
   const maze = mazeOf(["#####", "#...#", "#####"], {}, [{ column: 3, row: 1 }]);
 
-  it("is reached when the whole robot stands in its cell, and stays reached", () => {
+  it("is reached when the whole robot is inside its cell, and stays reached", () => {
     const simulation = new Simulation(maze);
     drive(simulation, { action: "move", distance: 174 });
     expect(simulation.report().goalReached).toBe(false);
@@ -253,10 +253,10 @@ describe("the goal", () => {
   });
 });
 
-describe("another maze around the robot", () => {
+describe("replacing the maze", () => {
   const open = mazeOf(["....", "....", "...."]);
 
-  it("leaves the robot where it is, and its readings see the new walls", () => {
+  it("keeps the robot's position and updates its readings", () => {
     const simulation = new Simulation(open);
     expect(simulation.report().sensors.front).toBe(250);
     expect(simulation.setMaze(mazeOf(["....", "..#.", "...."]))).toBe(true);
@@ -266,9 +266,9 @@ describe("another maze around the robot", () => {
   });
 
   it.each([
-    { name: "a block would stand in the robot", blocks: ["....", ".#..", "...."] },
-    { name: "the robot would stand outside", blocks: ["."] },
-  ])("is refused where $name", ({ blocks }) => {
+    { name: "a block would overlap the robot", blocks: ["....", ".#..", "...."] },
+    { name: "the robot would be outside", blocks: ["."] },
+  ])("is rejected if $name", ({ blocks }) => {
     const simulation = new Simulation(open);
     expect(simulation.setMaze(mazeOf(blocks, { column: 0, row: 0 }))).toBe(false);
     expect(simulation.report().sensors.front).toBe(250);

@@ -1,10 +1,10 @@
 /**
- * One robot in one maze, tick by tick. Same maze and same commands at the same ticks: the same
- * snapshots, bit for bit, in every engine.
+ * Simulates one robot in one maze, tick by tick. The same maze and the same commands at the same ticks
+ * produce the same snapshots, bit for bit, in every JavaScript engine.
  *
- * The order inside a tick: the motion controller plans, the heading turns, the physics moves the body
- * as far as it can, the motion controller closes the tick, the sensors read. A command that comes
- * between two ticks counts from the next tick on.
+ * Order of steps in a tick: the motion controller plans, the heading turns, the physics moves the body
+ * until it touches a block, the motion controller ends the tick, the sensors measure. A command
+ * between two ticks applies from the next tick on.
  */
 import { normaliseHeading, writeUnitVector } from "@corridor/geometry";
 import { CELL, gridOf, headingNames, type Grid, type MazeDocument } from "@corridor/maze";
@@ -16,13 +16,13 @@ import { ROBOT_RADIUS } from "./settings.ts";
 import type { SimulationState } from "./simulation-state.ts";
 import { writeRange } from "./sensors/range-sensor.ts";
 
-/** A robot at a wall is off by rounding. */
-const TOUCHING = 1e-6;
+/** Tolerance for rounding errors when the robot touches a wall, in units. */
+const CONTACT_EPSILON = 1e-6;
 
 export class Simulation {
   readonly #motion = new MotionController();
   readonly #physics: PhysicsWorld;
-  readonly #way = new Float64Array(2);
+  readonly #direction = new Float64Array(2);
   #maze: MazeDocument;
   #grid: Grid;
   #goals: ReadonlySet<number>;
@@ -31,7 +31,7 @@ export class Simulation {
   #goalTick: number | null = null;
   #tick = 0;
   #isStopped = false;
-  /** front, right, back, left in units: the order of the protocol's sensor names */
+  /** front, right, back, left in units, in the order of the protocol's sensor names */
   readonly readings = new Float64Array(4);
 
   constructor(maze: MazeDocument) {
@@ -41,25 +41,25 @@ export class Simulation {
     const { x, y, heading } = startPose(maze);
     this.#heading = heading;
     this.#physics = new PhysicsWorld(this.#grid, x, y);
-    this.#sense();
+    this.#updateSensors();
   }
 
-  /** Puts the robot at the maze's start, still, with every counter at 0. */
+  /** Moves the robot to the maze's start, stops it, and resets all counters to 0. */
   reset(): void {
     const { x, y, heading } = startPose(this.#maze);
     this.#heading = heading;
     this.#physics.place(x, y);
-    this.#motion.begin({ action: "stop" });
+    this.#motion.start({ action: "stop" });
     this.#distance = 0;
     this.#goalTick = null;
     this.#tick = 0;
     this.#isStopped = false;
-    this.#sense();
+    this.#updateSensors();
   }
 
   /**
-   * Changes the maze around the robot, which stays where it is and goes on with what it does.
-   * @returns false where the robot would stand in a block or outside: then nothing has changed
+   * Replaces the maze. The robot keeps its position and continues its motion.
+   * @returns false, without any change, if the robot would overlap a block or be outside the maze
    */
   setMaze(maze: MazeDocument): boolean {
     const grid = gridOf(maze);
@@ -67,11 +67,11 @@ export class Simulation {
     this.#maze = maze;
     this.#grid = grid;
     this.#goals = goalCells(maze);
-    this.#sense();
+    this.#updateSensors();
     return true;
   }
 
-  /** The robot as it is at the end of this tick. */
+  /** Returns the state at the end of this tick. */
   save(): SimulationState {
     return {
       physics: this.#physics.save(),
@@ -85,8 +85,8 @@ export class Simulation {
   }
 
   /**
-   * Puts a saved robot back; what follows is what followed then, bit for bit.
-   * @param maze the maze that it was saved in
+   * Restores a saved state. The simulation continues bit for bit as it did after `save`.
+   * @param maze the maze at the time of `save`
    */
   restore(state: SimulationState, maze: MazeDocument = this.#maze): void {
     if (maze !== this.#maze) {
@@ -101,30 +101,30 @@ export class Simulation {
     this.#goalTick = state.goalTick;
     this.#tick = state.tick;
     this.#isStopped = state.isStopped;
-    this.#sense();
+    this.#updateSensors();
   }
 
-  /** Begins a command; a motion or manoeuvre that still runs is dropped where it stands. */
+  /** Starts a command. Cancels a running motion or manoeuvre at its current position. */
   apply(command: Command): void {
-    this.#motion.begin(command);
+    this.#motion.start(command);
   }
 
-  /** One tick of 1/60 s. */
+  /** Runs one tick of 1/60 s. */
   step(): void {
     const motion = this.#motion;
     motion.plan(this.#heading);
     const { linear, angular } = motion;
     let isStopped = false;
     if (linear !== 0) {
-      // An arc is driven along the direction in its middle.
-      if (angular !== 0) this.#face(normaliseHeading(this.#heading + angular / 2));
+      // Approximates an arc by its chord: the direction at its middle.
+      if (angular !== 0) this.#updateDirection(normaliseHeading(this.#heading + angular / 2));
       isStopped = this.#drive(linear);
     }
     if (angular !== 0) {
       this.#heading = Number.isNaN(motion.exactHeading)
         ? normaliseHeading(this.#heading + angular)
         : motion.exactHeading;
-      this.#face(this.#heading);
+      this.#updateDirection(this.#heading);
     }
     motion.finish(isStopped);
     this.#isStopped = isStopped;
@@ -133,27 +133,27 @@ export class Simulation {
     if (this.#goalTick === null && this.#isInGoal()) this.#goalTick = this.#tick;
   }
 
-  /** Ticks since the robot was put at its start. */
+  /** Number of ticks since the robot was at its start. */
   get tick(): number {
     return this.#tick;
   }
 
-  /** Whether an action runs that ends by itself; meanwhile no rule is evaluated. */
+  /** Whether a running action ends by itself. No rule is evaluated until then. */
   get isManoeuvring(): boolean {
     return this.#motion.isManoeuvring;
   }
 
-  /** Index of the manoeuvre's part that runs, or ran last. */
+  /** Index of the manoeuvre's current or last part. */
   get part(): number {
     return this.#motion.part;
   }
 
-  /** How far the manoeuvre is; null when none runs. */
+  /** Progress of the running manoeuvre, or null. */
   get progress(): Progress | null {
     return this.#motion.progress;
   }
 
-  /** How the last manoeuvre ended; null while one runs and after any other command. */
+  /** Ending of the last manoeuvre; null while one runs and after any other command. */
   get ending(): MotionEnding | null {
     return this.#motion.ending;
   }
@@ -163,17 +163,17 @@ export class Simulation {
     return this.#isStopped;
   }
 
-  /** Contacts with walls so far. */
+  /** Number of contacts with walls since the start. */
   get bumps(): number {
     return this.#physics.bumps;
   }
 
-  /** Units driven so far, forward and backward. */
+  /** Distance driven since the start, forward and backward, in units. */
   get distance(): number {
     return this.#distance;
   }
 
-  /** Tick at which the whole robot first stood in a goal cell; null when it has not yet. */
+  /** First tick at whose end the whole robot was inside a goal cell; null before. */
   get goalTick(): number | null {
     return this.#goalTick;
   }
@@ -197,7 +197,7 @@ export class Simulation {
     return { x: this.#physics.x, y: this.#physics.y, heading: this.#heading };
   }
 
-  /** What the robot reports at the end of this tick. */
+  /** Returns the robot's report at the end of this tick. */
   report(): RobotReport {
     const { readings } = this;
     return {
@@ -226,7 +226,10 @@ export class Simulation {
     const physics = this.#physics;
     const fromX = physics.x;
     const fromY = physics.y;
-    const isStopped = physics.move((this.#way[0] ?? 0) * linear, (this.#way[1] ?? 0) * linear);
+    const isStopped = physics.move(
+      (this.#direction[0] ?? 0) * linear,
+      (this.#direction[1] ?? 0) * linear,
+    );
     if (isStopped) {
       const dx = physics.x - fromX;
       const dy = physics.y - fromY;
@@ -237,35 +240,35 @@ export class Simulation {
     return isStopped;
   }
 
-  #face(heading: number): void {
-    writeUnitVector(heading, this.#way);
+  #updateDirection(heading: number): void {
+    writeUnitVector(heading, this.#direction);
   }
 
-  #sense(): void {
-    this.#face(this.#heading);
+  #updateSensors(): void {
+    this.#updateDirection(this.#heading);
     this.#readSensors();
   }
 
   #readSensors(): void {
     const grid = this.#grid;
     const { x, y } = this.#physics;
-    const wayX = this.#way[0] ?? 0;
-    const wayY = this.#way[1] ?? 0;
+    const directionX = this.#direction[0] ?? 0;
+    const directionY = this.#direction[1] ?? 0;
     const { readings } = this;
-    writeRange(grid, x, y, wayX, wayY, readings, 0);
-    writeRange(grid, x, y, -wayY, wayX, readings, 1);
-    writeRange(grid, x, y, -wayX, -wayY, readings, 2);
-    writeRange(grid, x, y, wayY, -wayX, readings, 3);
+    writeRange(grid, x, y, directionX, directionY, readings, 0);
+    writeRange(grid, x, y, -directionY, directionX, readings, 1);
+    writeRange(grid, x, y, -directionX, -directionY, readings, 2);
+    writeRange(grid, x, y, directionY, -directionX, readings, 3);
   }
 }
 
-/** Whether a disc around this coordinate lies between the borders of its cell; touching them is fine. */
+/** Whether a disc at this coordinate is between the borders of its cell. It may touch them. */
 function isWithinCell(coordinate: number): boolean {
   const fromMiddle = (coordinate % CELL) - CELL / 2;
-  return Math.abs(fromMiddle) <= CELL / 2 - ROBOT_RADIUS + TOUCHING;
+  return Math.abs(fromMiddle) <= CELL / 2 - ROBOT_RADIUS + CONTACT_EPSILON;
 }
 
-/** Centre of the start cell and the start heading. */
+/** The pose at the centre of the start cell with the start heading. */
 function startPose({ start }: MazeDocument): Pose {
   return {
     x: start.column * CELL + CELL / 2,

@@ -1,6 +1,6 @@
 /**
- * A hash over every number of every snapshot, to show that two engines gave the same bits.
- * 64 bits from two multiply-xor streams over the doubles' own bits; not for secrets.
+ * A hash over all numbers of all snapshots, to verify that two engines produced the same bits.
+ * 64 bits from two multiply-xor streams over the bits of the doubles. Not cryptographic.
  */
 import type { RobotReport } from "@corridor/protocol";
 
@@ -25,7 +25,7 @@ export class SnapshotDigest {
     for (let i = 0; i < report.motion.length; i++) this.#mix(report.motion.charCodeAt(i));
   }
 
-  /** Another digest that goes on from here. */
+  /** Returns an independent copy. */
   clone(): SnapshotDigest {
     const copy = new SnapshotDigest();
     copy.#a = this.#a;
@@ -33,7 +33,7 @@ export class SnapshotDigest {
     return copy;
   }
 
-  /** The hash so far: 16 hexadecimal digits. */
+  /** Returns the current hash: 16 hexadecimal digits. */
   toString(): string {
     return hex(this.#a) + hex(this.#b);
   }

@@ -5,7 +5,16 @@ import { delayedPath, endOf } from "./path-ahead.ts";
 const pose = { x: 650, y: 282, heading: 0 };
 
 function progress(changes: Partial<Progress>): Progress {
-  return { action: "move", part: 0, parts: 1, kind: "drive", way: 1, left: 36, of: 50, ...changes };
+  return {
+    action: "move",
+    part: 0,
+    parts: 1,
+    kind: "drive",
+    direction: 1,
+    left: 36,
+    of: 50,
+    ...changes,
+  };
 }
 
 const delayed = { action: "delayed right 90", parts: 3 } as const;
@@ -67,10 +76,14 @@ describe("the way of a delayed turn", () => {
 describe("where a command will end", () => {
   it.each([
     { name: "a drive", changes: { left: 100 }, end: { x: 650, y: 182, heading: 0 } },
-    { name: "a drive back", changes: { left: 40, way: -1 }, end: { x: 650, y: 322, heading: 0 } },
+    {
+      name: "a drive back",
+      changes: { left: 40, direction: -1 },
+      end: { x: 650, y: 322, heading: 0 },
+    },
     {
       name: "a turn",
-      changes: { kind: "turn", left: 30, way: -1 },
+      changes: { kind: "turn", left: 30, direction: -1 },
       end: { x: 650, y: 282, heading: -30 },
     },
   ] satisfies { name: string; changes: Partial<Progress>; end: object }[])(

@@ -21,10 +21,10 @@ export function pointAhead({ x, y }: Point, heading: number, distance: number): 
  */
 export function delayedPath(pose: Pose, progress: Progress | null): Point[] | null {
   if (progress === null || !progress.action.startsWith("delayed")) return null;
-  const { kind, part, left, way } = progress;
+  const { kind, part, left, direction } = progress;
   const from = { x: pose.x, y: pose.y };
   const leaving = LEAVE_DISTANCE + ROBOT_RADIUS;
-  if (kind === "turn") return [from, pointAhead(from, pose.heading + way * left, leaving)];
+  if (kind === "turn") return [from, pointAhead(from, pose.heading + direction * left, leaving)];
   if (part > 0) return [from, pointAhead(from, pose.heading, left + ROBOT_RADIUS)];
   const corner = pointAhead(from, pose.heading, left);
   const quarter = progress.action === "delayed right 90" ? 90 : -90;
@@ -34,10 +34,10 @@ export function delayedPath(pose: Pose, progress: Progress | null): Point[] | nu
 /** Where a drive or a turn on the spot ends if nothing is in its way; null for everything else. */
 export function endOf(pose: Pose, progress: Progress | null): Pose | null {
   if (progress === null || progress.parts > 1) return null;
-  const { kind, left, way } = progress;
-  if (kind === "turn") return { ...pose, heading: pose.heading + way * left };
+  const { kind, left, direction } = progress;
+  if (kind === "turn") return { ...pose, heading: pose.heading + direction * left };
   if (kind === "drive") {
-    return { ...pointAhead(pose, pose.heading, way * left), heading: pose.heading };
+    return { ...pointAhead(pose, pose.heading, direction * left), heading: pose.heading };
   }
   return null;
 }

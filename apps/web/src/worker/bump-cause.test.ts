@@ -22,7 +22,7 @@ describe("a bump", () => {
     const cause = causeOfFirstBump(bench);
     expect(cause).toMatchObject({
       decidedAt: 0,
-      begunAt: 0,
+      startedAt: 0,
       action: "forward",
       part: 0,
       parts: 1,

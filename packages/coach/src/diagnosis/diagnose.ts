@@ -139,7 +139,7 @@ export function bumpEvent(
   tick: number,
   line: LineRef | null = null,
 ): BumpEvent {
-  const { action, side, begunAt, reading, needed } = cause;
+  const { action, side, startedAt, reading, needed } = cause;
   return {
     kind: "bump",
     tick,
@@ -147,7 +147,7 @@ export function bumpEvent(
     action,
     phase: phaseOf(action, cause),
     side,
-    begunAt,
+    begunAt: startedAt,
     reading,
     needs: needed === null ? null : needed + ROBOT_RADIUS,
     contact: contactOf(maze, pose, side),

@@ -88,7 +88,7 @@ export class RunTrace {
       const { line } = run;
       rules[at] = command === null ? NO_DECISION : line === "default" ? -1 : line;
       if (command !== null) {
-        approach.decided(simulation, command);
+        approach.recordDecision(simulation, command);
         const { action } = this.#compiled.commandOf(line === "default" ? -1 : line);
         const last = decisions.at(-1);
         if (last?.line !== line || simulation.isManoeuvring) {
@@ -103,7 +103,7 @@ export class RunTrace {
       const found = watch.look(cell, isStopped, isManoeuvring, line, action === "stop");
       if (found !== null) notice ??= { ...found, tick };
       if (simulation.bumps > before) bump = approach.cause(simulation);
-      approach.follow(simulation);
+      approach.update(simulation);
       if (bumps !== null && simulation.bumps > bumps) {
         end = "bump";
         break;

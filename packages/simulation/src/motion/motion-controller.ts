@@ -1,9 +1,9 @@
 /**
- * From a command to what the wheels do on each tick, until the command is done.
+ * Converts a command to linear and angular speeds for each tick, until the command ends.
  *
- * A command is a list of parts that run one after the other: drive a distance, turn by an angle, or
- * hold wheel speeds. Contact ends the part that it happens in, and the next part follows.
- * Units a tick and degrees a tick; pure state, no physics.
+ * A command is a sequence of parts: drive a distance, turn by an angle, or hold wheel speeds. A
+ * contact ends the current part, and the next part starts.
+ * Speeds are in units per tick and degrees per tick. This class contains no physics.
  */
 import { normaliseHeading } from "@corridor/geometry";
 import type { Command } from "@corridor/protocol";
@@ -19,36 +19,36 @@ import {
 } from "../settings.ts";
 import type { Progress } from "./progress.ts";
 
-/** Drive `left` more units, turn by `left` more degrees, or hold wheels for `left` more ticks. */
+/** Drives `left` more units, turns by `left` more degrees, or holds wheel speeds for `left` more ticks. */
 export interface Part {
   kind: "drive" | "turn" | "wheels";
-  /** what is left; infinite for a motion that lasts until something else is chosen */
+  /** remaining amount; Infinity for a motion without an end */
   left: number;
-  /** what was left when the part began */
+  /** total amount: `left` at the start of the part */
   of: number;
-  /** units a tick along the heading, negative backward */
+  /** units per tick along the heading, negative backward */
   linear: number;
-  /** degrees a tick, clockwise positive */
+  /** degrees per tick, clockwise positive */
   angular: number;
 }
 
-/** How a manoeuvre ended. */
+/** Ending of a manoeuvre. */
 export type MotionEnding = "completed" | "collided";
 
-/** What the robot is doing, at the end of a tick. */
+/** State of the motion at the end of a tick. */
 export interface MotionState {
   parts: Part[];
   next: number;
   action: Command["action"];
   isManoeuvre: boolean;
   collided: boolean;
-  /** heading at the end of the turn that runs; NaN where none has begun */
+  /** heading at the end of the running turn; NaN before the turn starts */
   target: number;
   ending: MotionEnding | null;
 }
 
-/** Rounding leaves crumbs of a distance; smaller ones are none. */
-const CRUMB = 1e-9;
+/** Rounding error of a distance. A smaller remainder counts as 0. */
+const EPSILON = 1e-9;
 const DEGREES_PER_RADIAN = 57.29577951308232;
 
 export class MotionController {
@@ -58,37 +58,37 @@ export class MotionController {
   #isManoeuvre = false;
   #collided = false;
   #target = Number.NaN;
-  /** what this tick asks for: units along the heading, and degrees */
+  /** motion of this tick: units along the heading, and degrees */
   linear = 0;
   angular = 0;
-  /** the exact heading at the end of this tick where a turn ends in it, else NaN */
+  /** exact heading at the end of this tick if a turn ends in it, else NaN */
   exactHeading = Number.NaN;
-  /** how the last manoeuvre ended; null while one runs and before the first */
+  /** ending of the last manoeuvre; null while one runs and before the first */
   ending: MotionEnding | null = null;
 
-  /** The action that moves the robot now; "stop" when none does. */
+  /** The running action, or "stop". */
   get action(): Command["action"] {
     return this.#action;
   }
 
-  /** Whether an action runs that ends by itself. */
+  /** Whether a running action ends by itself. */
   get isManoeuvring(): boolean {
     return this.#isManoeuvre;
   }
 
-  /** Index of the part that runs; 0 where the motion has no parts. */
+  /** Index of the current part; 0 if the motion has no parts. */
   get part(): number {
     return this.#next;
   }
 
-  /** How far the manoeuvre is; null when none runs. */
+  /** Progress of the running manoeuvre, or null. */
   get progress(): Progress | null {
     const part = this.#parts[this.#next];
     if (part === undefined || !this.#isManoeuvre) return null;
     const { kind, left, of } = part;
-    const way = (kind === "turn" ? part.angular : part.linear) < 0 ? -1 : 1;
+    const direction = (kind === "turn" ? part.angular : part.linear) < 0 ? -1 : 1;
     const parts = this.#parts.length;
-    return { action: this.#action, part: this.#next, parts, kind, way, left, of };
+    return { action: this.#action, part: this.#next, parts, kind, direction, left, of };
   }
 
   save(): MotionState {
@@ -113,8 +113,8 @@ export class MotionController {
     this.ending = state.ending;
   }
 
-  /** Begins a command; the one before it is dropped where it stands. */
-  begin(command: Command): void {
+  /** Starts a command. Cancels the previous one at its current position. */
+  start(command: Command): void {
     if (command.action === this.#action && isSteady(command.action)) return;
     this.#parts = partsOf(command);
     this.#next = 0;
@@ -145,18 +145,22 @@ export class MotionController {
       }
       const step = Math.min(Math.abs(part.angular), part.left);
       this.angular = part.angular < 0 ? -step : step;
-      if (part.left - step <= CRUMB) this.exactHeading = this.#target;
+      if (part.left - step <= EPSILON) this.exactHeading = this.#target;
     }
   }
 
-  /** Closes the tick: counts down the part and goes on to the next. `isStopped`: a block stopped the robot. */
+  /**
+   * Ends the tick: reduces the remaining amount, and continues with the next part if it is 0.
+   * @param isStopped whether a block stopped the robot
+   */
   finish(isStopped: boolean): void {
     const part = this.#parts[this.#next];
     if (part === undefined) return;
     if (isStopped) this.#collided = true;
     part.left -=
       part.kind === "wheels" ? 1 : Math.abs(part.kind === "turn" ? this.angular : this.linear);
-    const isOver = part.left <= CRUMB || (isStopped && part.kind === "drive" && this.#isManoeuvre);
+    const isOver =
+      part.left <= EPSILON || (isStopped && part.kind === "drive" && this.#isManoeuvre);
     if (!isOver) return;
     this.#next++;
     this.#target = Number.NaN;
@@ -168,7 +172,7 @@ export class MotionController {
   }
 }
 
-/** Motions that are the same however often they are chosen. */
+/** Whether repeating a command continues the same motion. */
 function isSteady(action: Command["action"]): boolean {
   return action === "forward" || action === "reverse" || action === "stop";
 }
@@ -194,8 +198,8 @@ function turn(degrees: number): Part {
 }
 
 /**
- * Differential drive: the mean of the rims' speeds moves the robot, their difference over the track
- * width turns it.
+ * Differential drive: the mean of the rim speeds is the linear speed, and their difference divided by
+ * the track width is the angular speed.
  * @see Siegwart, Nourbakhsh, Scaramuzza: Introduction to Autonomous Mobile Robots, ch. 3
  */
 function wheels(left: number, right: number, milliseconds: number | undefined): Part {

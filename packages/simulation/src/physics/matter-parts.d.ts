@@ -1,6 +1,6 @@
 /**
- * The three parts of matter-js that the simulation uses, by their own files: the whole library, with its
- * renderer, constraints and mouse, would be two thirds of the worker.
+ * Types for the three matter-js modules that the simulation imports by file. The whole library, with
+ * its renderer, constraints and mouse input, would make up two thirds of the worker's size.
  */
 declare module "matter-js/src/body/Body.js" {
   import type Matter from "matter-js";

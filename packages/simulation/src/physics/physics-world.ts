@@ -1,14 +1,14 @@
 /**
- * The robot's body among blocks, in matter-js: it moves the body and finds the contacts, and nothing
- * beside it decides whether the robot may move. The only file that imports matter-js.
+ * Moves the robot's body among blocks and detects contacts with matter-js. No other module decides
+ * whether the robot can move. This is the only file that imports matter-js.
  *
- * - Only the blocks of the 3 x 3 cells around the robot are bodies; nine of them wait in a pool. The
- *   robot reaches at most 30 units in a tick, so this world is the world of all blocks, and the cost
- *   of a tick does not grow with the maze.
- * - The body never turns in matter-js (a disc looks the same from all sides); the heading lives in
- *   the simulation. matter-js then uses only + - * / and sqrt, and gives the same bits everywhere.
- * - Contact stops the robot where it touches. A solver that pushes bodies apart would slide it along
- *   the wall, so the way out of a contact is back along the way the robot came.
+ * - Only the blocks of the 3 x 3 cells around the robot are bodies, from a pool of nine. The robot
+ *   moves at most 30 units in a tick, so the other blocks cannot matter, and the cost of a tick does
+ *   not depend on the size of the maze.
+ * - The body never rotates in matter-js, because a disc has no orientation. The simulation stores the
+ *   heading. matter-js then uses only + - * / and sqrt, which return the same bits everywhere.
+ * - A contact stops the robot at the wall. A solver that separates bodies would slide the robot along
+ *   the wall, so this class resolves a contact by moving the robot back along its path.
  */
 import { CELL, type Grid } from "@corridor/maze";
 import { writeUnitVector } from "@corridor/geometry";
@@ -22,7 +22,7 @@ import { ROBOT_RADIUS, TICK_SECONDS } from "../settings.ts";
 export interface PhysicsState {
   x: number;
   y: number;
-  /** corners of the body, x and y by turns: each carries its own crumbs of rounding */
+  /** corners of the body, x and y alternating; each corner has its own rounding error */
   corners: Float64Array;
   velocityX: number;
   velocityY: number;
@@ -33,17 +33,17 @@ export interface PhysicsState {
 }
 
 /**
- * matter-js knows polygons only. One with 64 sides around the disc, a flat side to each of the four
- * directions: exact against the face of a block, at most 0.03 units early at a block's corner.
+ * matter-js supports polygons only. A polygon with 64 sides around the disc, with a side towards each
+ * of the four directions, is exact at the face of a block and at most 0.03 units early at its corner.
  */
 const SIDES = 64;
 const TICK_MS = TICK_SECONDS * 1000;
 
-/** Below this part of the way leading into a block, the robot drives along it and does not touch. */
-const GRAZING = 1e-9;
-/** Two contacts with normals closer than this (cosine) are one and the same wall. */
-const SAME_WALL = 0.99;
-/** Retreats from blocks in turn; two blocks meet the robot at most, a third look settles rounding. */
+/** Below this cosine between the direction and the normal, the robot drives along the wall. */
+const GRAZING_COSINE = 1e-9;
+/** Above this cosine between their normals, two contacts belong to the same wall. */
+const SAME_WALL_COSINE = 0.99;
+/** The robot touches at most two blocks. A third retreat corrects rounding errors. */
 const MAX_RETREATS = 3;
 
 export class PhysicsWorld {
@@ -56,23 +56,23 @@ export class PhysicsWorld {
   /** the blocks of the 3 x 3 cells around the robot */
   readonly #near: Matter.Body[] = [];
   readonly #velocity = { x: 0, y: 0 };
-  /** the body before it is put anywhere */
-  readonly #fresh: PhysicsState;
+  /** the state before the first placement */
+  readonly #initial: PhysicsState;
   #grid: Grid;
   #cell = -1;
   #inContact = false;
-  /** direction into the wall that the robot touches */
+  /** direction towards the touched wall */
   #normalX = 0;
   #normalY = 0;
-  /** the same of the contact that is being looked at */
+  /** direction towards the wall of the contact that is being resolved */
   #wallX = 0;
   #wallY = 0;
-  /** contacts since the robot was placed */
+  /** number of contacts since the robot was placed */
   bumps = 0;
 
   constructor(grid: Grid, x: number, y: number) {
     this.#grid = grid;
-    this.#fresh = this.save();
+    this.#initial = this.save();
     this.place(x, y);
   }
 
@@ -84,19 +84,19 @@ export class PhysicsWorld {
     return this.#robot.position.y;
   }
 
-  /** Whether the robot still touches the wall that stopped it. */
+  /** Whether the robot touches the wall that stopped it. */
   get inContact(): boolean {
     return this.#inContact;
   }
 
-  /** Puts the robot at a free place and forgets all that it met: no crumb of an earlier way stays. */
+  /** Places the robot at a free position with an initial state, without earlier rounding errors. */
   place(x: number, y: number): void {
-    this.#takeOver(this.#fresh);
-    this.#putAt(x, y);
+    this.#applyState(this.#initial);
+    this.#setPosition(x, y);
     this.#gatherBlocks();
   }
 
-  /** The body and its contact as they are. */
+  /** Returns the current state of the body and its contact. */
   save(): PhysicsState {
     const { position, vertices, velocity } = this.#robot;
     const corners = new Float64Array(2 * vertices.length);
@@ -117,16 +117,16 @@ export class PhysicsWorld {
     };
   }
 
-  /** Puts body and contact back as they were saved, in the grid that they were saved in. */
+  /** Restores a saved state. `grid` must be the grid at the time of `save`. */
   restore(state: PhysicsState, grid: Grid): void {
     this.#grid = grid;
-    this.#takeOver(state);
+    this.#applyState(state);
     this.#gatherBlocks();
   }
 
   /**
-   * Another maze around the robot, which stays where it is.
-   * @returns false when a block would stand in the robot: then nothing has changed
+   * Replaces the grid. The robot keeps its position.
+   * @returns false, without any change, if a block would overlap the robot
    */
   setGrid(grid: Grid): boolean {
     const before = this.#grid;
@@ -144,11 +144,11 @@ export class PhysicsWorld {
   }
 
   /**
-   * Moves the robot by (dx, dy) units, not both 0, or as far as it can before it touches a block.
+   * Moves the robot by (dx, dy) units, not both 0, or until it touches a block.
    * @returns whether a block stopped it
    */
   move(dx: number, dy: number): boolean {
-    // A way too short to be squared has no direction, and is none: what the robot touches it still touches.
+    // If the squared distance underflows to 0, the step has no direction. Contacts do not change.
     if (dx * dx + dy * dy === 0) return false;
     const robot = this.#robot;
     const fromX = robot.position.x;
@@ -156,7 +156,7 @@ export class PhysicsWorld {
     this.#velocity.x = dx;
     this.#velocity.y = dy;
     Body.setVelocity(robot, this.#velocity);
-    // The types ask for two more numbers that matter-js 0.20 no longer reads.
+    // The types require two more numbers, which matter-js 0.20 ignores.
     Body.update(robot, TICK_MS, 1, 1);
     const touched = contactsOf(robot, this.#near);
     const isStopped = touched.length > 0 && this.#retreat(touched, fromX, fromY, dx, dy);
@@ -167,7 +167,7 @@ export class PhysicsWorld {
     return isStopped;
   }
 
-  /** Takes the robot back along its way until it only touches what it ran into. */
+  /** Moves the robot back along its path until it touches the blocks without overlap. */
   #retreat(
     touched: Matter.Collision[],
     fromX: number,
@@ -176,29 +176,32 @@ export class PhysicsWorld {
     dy: number,
   ): boolean {
     const step = Math.sqrt(dx * dx + dy * dy);
-    const wayX = dx / step;
-    const wayY = dy / step;
-    let left = step;
+    const directionX = dx / step;
+    const directionY = dy / step;
+    let remaining = step;
     let contacts = touched;
     let isStopped = false;
-    for (let turn = 0; turn < MAX_RETREATS && contacts.length > 0; turn++) {
-      const back = this.#wayOut(contacts, wayX, wayY);
+    for (let attempt = 0; attempt < MAX_RETREATS && contacts.length > 0; attempt++) {
+      const back = this.#retreatDistance(contacts, directionX, directionY);
       if (back === 0) break;
       if (!isStopped) this.#countContact();
       isStopped = true;
-      left -= back;
-      if (left <= 0) {
-        this.#putAt(fromX, fromY);
+      remaining -= back;
+      if (remaining <= 0) {
+        this.#setPosition(fromX, fromY);
         return true;
       }
-      this.#putAt(this.x - wayX * back, this.y - wayY * back);
+      this.#setPosition(this.x - directionX * back, this.y - directionY * back);
       contacts = contactsOf(this.#robot, this.#near);
     }
     return isStopped;
   }
 
-  /** How far back along the way (wayX, wayY) all contacts that oppose it are left; keeps the worst one's normal. */
-  #wayOut(contacts: Matter.Collision[], wayX: number, wayY: number): number {
+  /**
+   * Distance back along the direction at which all opposing contacts end, in units.
+   * Stores the normal of the deepest contact.
+   */
+  #retreatDistance(contacts: Matter.Collision[], directionX: number, directionY: number): number {
     let back = 0;
     for (const { bodyA, bodyB, normal, depth } of contacts) {
       const block = bodyA === this.#robot ? bodyB : bodyA;
@@ -206,8 +209,8 @@ export class PhysicsWorld {
         normal.x * (block.position.x - this.x) + normal.y * (block.position.y - this.y) < 0
           ? -1
           : 1;
-      const into = towards * (normal.x * wayX + normal.y * wayY);
-      if (into < GRAZING || depth / into <= back) continue;
+      const into = towards * (normal.x * directionX + normal.y * directionY);
+      if (into < GRAZING_COSINE || depth / into <= back) continue;
       back = depth / into;
       this.#wallX = towards * normal.x;
       this.#wallY = towards * normal.y;
@@ -215,17 +218,18 @@ export class PhysicsWorld {
     return back;
   }
 
-  /** One bump for each contact, however long the robot keeps pushing at the same wall. */
+  /** Counts one bump per contact, no matter how long the robot pushes against the same wall. */
   #countContact(): void {
     const isSameWall =
-      this.#inContact && this.#normalX * this.#wallX + this.#normalY * this.#wallY > SAME_WALL;
+      this.#inContact &&
+      this.#normalX * this.#wallX + this.#normalY * this.#wallY > SAME_WALL_COSINE;
     if (!isSameWall) this.bumps++;
     this.#inContact = true;
     this.#normalX = this.#wallX;
     this.#normalY = this.#wallY;
   }
 
-  #takeOver(state: PhysicsState): void {
+  #applyState(state: PhysicsState): void {
     const robot = this.#robot;
     robot.position.x = state.x;
     robot.position.y = state.y;
@@ -235,7 +239,7 @@ export class PhysicsWorld {
     }
     robot.velocity.x = state.velocityX;
     robot.velocity.y = state.velocityY;
-    // The previous position is written anew before each move, and every tick has the same length.
+    // `move` sets the previous position, and all ticks have the same length, so neither is restored.
     Bounds.update(robot.bounds, robot.vertices, robot.velocity);
     this.#inContact = state.inContact;
     this.#normalX = state.normalX;
@@ -243,7 +247,7 @@ export class PhysicsWorld {
     this.bumps = state.bumps;
   }
 
-  #putAt(x: number, y: number): void {
+  #setPosition(x: number, y: number): void {
     this.#velocity.x = x;
     this.#velocity.y = y;
     Body.setPosition(this.#robot, this.#velocity);
@@ -260,7 +264,7 @@ export class PhysicsWorld {
       for (let c = column - 1; c <= column + 1; c++) {
         if (solid[(r + 1) * stride + c + 1] === 0) continue;
         const block = this.#pool[this.#near.length];
-        if (block === undefined) throw new Error("nine blocks fill the cells around the robot");
+        if (block === undefined) throw new Error("more than nine blocks around the robot");
         this.#velocity.x = c * CELL + CELL / 2;
         this.#velocity.y = r * CELL + CELL / 2;
         Body.setPosition(block, this.#velocity);
@@ -270,7 +274,7 @@ export class PhysicsWorld {
   }
 }
 
-/** What touches the body, in the order given. The library's own query does the same for bodies of parts. */
+/** Contacts of a body, in the order of `others`. Like matter-js's Query, but for bodies without parts. */
 function contactsOf(body: Matter.Body, others: readonly Matter.Body[]): Matter.Collision[] {
   const contacts: Matter.Collision[] = [];
   for (const other of others) {
@@ -294,7 +298,7 @@ function createBlock(): Matter.Body {
   });
 }
 
-/** Corners of the polygon whose sides touch the disc, by the project's own sine and cosine. */
+/** Corners of the polygon whose sides touch the disc. Uses the project's deterministic sine and cosine. */
 function discVertices(): { x: number; y: number }[] {
   const vector = new Float64Array(2);
   writeUnitVector(180 / SIDES, vector);

@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 import { anyMaze } from "../testing/mazes.ts";
 import { writeRange } from "./range-sensor.ts";
 
-/** Every border of every solid cell, the slow and obvious way. */
+/** Reference implementation: the nearest of all solid cells. */
 function bruteForce(maze: MazeDocument, x: number, y: number, dx: number, dy: number): number {
   let nearest = Number.POSITIVE_INFINITY;
   for (let row = -1; row <= maze.blocks.length; row++) {
@@ -19,13 +19,13 @@ function bruteForce(maze: MazeDocument, x: number, y: number, dx: number, dy: nu
   return nearest;
 }
 
-/** Where a ray enters a cell, by the slab method; undefined where it misses. */
-function entry(corner: number[], from: number[], way: number[]): number | undefined {
+/** Distance at which a ray enters a cell, by the slab method; undefined if it misses. */
+function entry(corner: number[], from: number[], direction: number[]): number | undefined {
   let near = Number.NEGATIVE_INFINITY;
   let far = Number.POSITIVE_INFINITY;
   for (const axis of [0, 1]) {
     const low = (corner[axis] ?? 0) - (from[axis] ?? 0);
-    const speed = way[axis] ?? 0;
+    const speed = direction[axis] ?? 0;
     if (speed === 0) {
       if (low > 0 || low + CELL <= 0) return undefined;
       continue;
@@ -38,15 +38,15 @@ function entry(corner: number[], from: number[], way: number[]): number | undefi
 }
 
 describe("writeRange", () => {
-  const anyWay = fc.oneof(
+  const anyHeading = fc.oneof(
     fc.constantFrom(0, 90, 180, 270),
     fc.double({ min: 0, max: 359.99, noNaN: true }),
   );
   const inCell = fc.double({ min: 25, max: 75, noNaN: true });
 
-  it("finds the same wall as looking at every block, from anywhere in any direction", () => {
+  it("finds the same wall as a search over all blocks, from any position in any direction", () => {
     fc.assert(
-      fc.property(anyMaze, anyWay, inCell, inCell, (maze, degrees, offsetX, offsetY) => {
+      fc.property(anyMaze, anyHeading, inCell, inCell, (maze, degrees, offsetX, offsetY) => {
         const x = maze.start.column * CELL + offsetX;
         const y = maze.start.row * CELL + offsetY;
         const radians = (degrees * Math.PI) / 180;

@@ -1,18 +1,18 @@
 /**
- * Range sensor: one ray from the robot's centre to the first block or to the edge of the grid.
+ * Range sensor: casts one ray from the robot's centre to the first block or the edge of the grid.
  *
- * The ray walks the grid from cell border to cell border, so its cost depends on its length and not
- * on the maze. Units; exact on purpose, without noise. Each crossing is computed from the border
- * itself and not added up, so that a long ray is as exact as a short one.
+ * Grid traversal from cell border to cell border (Amanatides and Woo), so the cost depends on the
+ * length of the ray and not on the maze. The result is in units and intentionally without noise. Each
+ * crossing is computed from its border, without accumulation, so long rays are as exact as short ones.
  */
 import { CELL, type Grid } from "@corridor/maze";
 
 /**
- * Writes the distance from (x, y) along the unit vector (dx, dy) to the first solid cell. Written and
- * not returned: a returned number would be an object on the heap, four times a tick.
+ * Writes the distance from (x, y) along the unit vector (dx, dy) to the first solid cell. It writes
+ * to an array because a returned double would be allocated on the heap, four times per tick.
  * @param x, y in units, inside an open cell
- * @param dx, dy of length 1; one of them may be 0
- * @param out receives the distance in units at `at`
+ * @param dx, dy a vector of length 1; one of them may be 0
+ * @param out receives the distance in units at index `at`
  */
 export function writeRange(
   grid: Grid,

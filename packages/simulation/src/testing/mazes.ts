@@ -1,9 +1,9 @@
-/** Mazes and commands for tests: small ones by hand, arbitrary ones for properties. */
+/** Mazes and commands for tests: hand-written ones, and generators for property tests. */
 import type { MazeDocument, Start } from "@corridor/maze";
 import type { Command } from "@corridor/protocol";
 import fc from "fast-check";
 
-/** A maze from its rows; the start defaults to the cell (1, 1), facing east. */
+/** Creates a maze from its rows. The default start is cell (1, 1), heading east. */
 export function mazeOf(
   blocks: string[],
   start: Partial<Start> = {},
@@ -19,7 +19,7 @@ export function mazeOf(
   };
 }
 
-/** Any maze of up to 7 x 7 cells with about a third of blocks. */
+/** Generates mazes of up to 7 x 7 cells, about a third of them blocks. */
 export const anyMaze: fc.Arbitrary<MazeDocument> = fc
   .record({
     columns: fc.integer({ min: 1, max: 7 }),
@@ -41,7 +41,7 @@ export const anyMaze: fc.Arbitrary<MazeDocument> = fc
 
 const power = fc.double({ min: -1, max: 1, noNaN: true });
 
-/** Any command of the protocol. */
+/** Generates commands of the protocol. */
 export const anyCommand: fc.Arbitrary<Command> = fc.oneof(
   fc.constantFrom<Command>(
     { action: "forward" },

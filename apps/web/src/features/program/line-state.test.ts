@@ -55,7 +55,7 @@ describe("shownProgress", () => {
     part: 0,
     parts: 3,
     kind: "drive",
-    way: 1,
+    direction: 1,
     left: 35.2,
     of: 50,
   } as const;
@@ -97,7 +97,7 @@ describe("shownBump", () => {
     bumps: 2,
     cause: {
       decidedAt: 55,
-      begunAt: 55,
+      startedAt: 55,
       action: "delayed right 90" as const,
       readings: touching.sensors,
       part: 0,

@@ -65,7 +65,7 @@ const bump: Moment = {
   program: null,
 };
 const turn = (left: number): RunState["progress"] => ({
-  way: -1,
+  direction: -1,
   action: "left 90",
   part: 0,
   parts: 1,
