@@ -1,8 +1,7 @@
 /**
- * Every language has room in what comes while someone works: a mission with its hints, the cards of
- * a bump and of a solved maze, the past, the tape measure and the dialogs of files. And in a
- * language that runs right-to-left, what is a comparison, an address or a number still reads as
- * one.
+ * Texts fit in every language in what appears during use: a mission with its hints, the bump and
+ * solved cards, the past, the tape measure and the file dialogs. In a right-to-left language,
+ * comparisons, addresses and numbers still read left to right.
  */
 import type { Locator } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
@@ -17,7 +16,7 @@ const sizes = [
 
 for (const tag of languageTags()) {
   for (const size of sizes) {
-    test(`works in ${tag} at ${size.width} x ${size.height} and reads everything`, async ({
+    test(`shows readable texts during use in ${tag} at ${size.width} x ${size.height}`, async ({
       openWindow,
     }) => {
       const isPhone = size.width < 600;
@@ -28,54 +27,54 @@ for (const tag of languageTags()) {
         serviceWorkers: "block",
         reducedMotion: "reduce",
       });
-      const words = Texts.load(tag);
+      const texts = Texts.load(tag);
       const faults: string[] = [];
-      const look = async (state: string, root = "body"): Promise<void> => {
+      const checkTexts = async (state: string, root = "body"): Promise<void> => {
         await waitForAnimations(page);
         faults.push(...(await unreadableTexts(page, root)).map((fault) => `${state}: ${fault}`));
       };
       const button = (path: string, values = {}): Locator =>
-        page.getByRole("button", { name: words.t(path, values), exact: true });
+        page.getByRole("button", { name: texts.t(path, values), exact: true });
       const dialog = page.locator("dialog[open]");
       const card = page.locator("[data-card]");
       const direction = tag === "ar" ? "rtl" : "ltr";
 
       await page.goto(`/?lang=${tag}`);
       await expect(page.getByRole("grid")).toBeVisible();
-      const action = page.getByRole("combobox", { name: words.t("program.actionOf", { line: 2 }) });
-      await page.getByRole("combobox", { name: words.t("shell.run.speed") }).selectOption("max");
+      const action = page.getByRole("combobox", { name: texts.t("program.actionOf", { line: 2 }) });
+      await page.getByRole("combobox", { name: texts.t("shell.run.speed") }).selectOption("max");
       await action.selectOption("delayed left 90");
       await button("shell.run.run").click();
       await expect(card).toBeVisible();
-      await look("bump", "[data-card]");
-      // It lies on the stage, which never mirrors; its words do.
+      await checkTexts("bump", "[data-card]");
+      // The card is on the stage, which is never mirrored. The card's text is.
       await expect(card).toHaveCSS("direction", direction);
       await button("timeline.stepBack").click();
       await expect(button("timeline.backToNow")).toBeVisible();
-      await look("past", "section[data-view]");
+      await checkTexts("past", "section[data-view]");
       await button("timeline.backToNow").click();
       await expect(card).toBeVisible();
       await card.getByRole("button").last().press("Escape");
       await action.selectOption("left 90");
       await button("shell.run.reset").click();
       await button("shell.run.run").click();
-      await expect(card).toContainText(words.t("cards.solved.title"));
-      await look("solved", "[data-card]");
+      await expect(card).toContainText(texts.t("cards.solved.title"));
+      await checkTexts("solved", "[data-card]");
       await card.getByRole("button").last().press("Escape");
 
-      await page.getByRole("radio", { name: words.t("stage.tool.measure"), exact: true }).click();
+      await page.getByRole("radio", { name: texts.t("stage.tool.measure"), exact: true }).click();
       await page.getByRole("gridcell").first().focus();
       for (const key of ["Space", "ArrowRight", "ArrowDown", "Space"]) {
         await page.keyboard.press(key);
       }
-      await look("measure");
+      await checkTexts("measure");
 
-      const menu = page.getByRole("button", { name: words.t("works.menu") });
+      const menu = page.getByRole("button", { name: texts.t("works.menu") });
       await menu.click();
-      await look("maze menu");
+      await checkTexts("maze menu");
       await button("files.savePicture").click();
       await expect(dialog).toBeVisible();
-      await look("picture");
+      await checkTexts("picture");
       await page.keyboard.press("Escape");
       await page.evaluate(
         (text) => navigator.clipboard.writeText(text),
@@ -84,24 +83,24 @@ for (const tag of languageTags()) {
       await page.getByRole("banner").click({ position: { x: 2, y: 2 } });
       await page.keyboard.press("ControlOrMeta+V");
       await expect(dialog).toBeVisible();
-      await look("file problems");
+      await checkTexts("file problems");
       await page.keyboard.press("Escape");
 
       if (isPhone) await button("shell.more").click();
-      await page.getByRole("button", { name: words.t("lessons.lessons"), exact: true }).click();
+      await page.getByRole("button", { name: texts.t("lessons.lessons"), exact: true }).click();
       await expect(dialog).toBeVisible();
-      await look("lessons");
+      await checkTexts("lessons");
       await dialog
         .getByRole("button")
-        .filter({ hasText: words.t("missions.missions.farthest-distance.name") })
+        .filter({ hasText: texts.t("missions.missions.farthest-distance.name") })
         .click();
       const mission = page.getByRole("region", {
-        name: words.t("missions.card.label"),
+        name: texts.t("missions.card.label"),
         exact: true,
       });
-      await expect(mission).toContainText(words.t("missions.missions.farthest-distance.task"));
-      await mission.getByRole("button", { name: words.t("missions.card.hint") }).click();
-      await look("mission");
+      await expect(mission).toContainText(texts.t("missions.missions.farthest-distance.task"));
+      await mission.getByRole("button", { name: texts.t("missions.card.hint") }).click();
+      await checkTexts("mission");
       expect(faults).toEqual([]);
     });
   }
@@ -111,26 +110,26 @@ for (const { tag, dir } of [
   { tag: "en", dir: 1 },
   { tag: "ar", dir: -1 },
 ]) {
-  test(`reads a comparison one way in ${tag}, and a minus before its figures`, async ({
+  test(`writes a comparison in reading direction in ${tag}, and a minus sign before the digits`, async ({
     openWindow,
   }) => {
     const { page } = await openWindow();
-    const words = Texts.load(tag);
+    const texts = Texts.load(tag);
     await page.goto(`/?lang=${tag}`);
-    const [left, right] = ["left", "right"].map((side) => words.t(`program.sensor.${side}`));
+    const [left, right] = ["left", "right"].map((side) => texts.t(`program.sensor.${side}`));
     const condition = page.getByRole("combobox", {
-      name: words.t("program.conditionOf", { line: 1 }),
+      name: texts.t("program.conditionOf", { line: 1 }),
     });
     await condition.selectOption({ label: `${left} > ${right} +` });
-    const number = page.getByRole("textbox", { name: words.t("program.numberOf", { line: 1 }) });
+    const number = page.getByRole("textbox", { name: texts.t("program.numberOf", { line: 1 }) });
     await number.fill("-20");
 
     const line = page.getByRole("listitem").filter({ has: number });
-    // 50 cm on the left, 50 cm on the right: the condition compares 50 with 30.
+    // 50 cm on the left and on the right: the condition compares 50 with 30.
     await expect(line).toContainText(/50\s*> 30/);
-    const inOrder = async () => {
-      const places = await line.evaluate((item) => {
-        const middleOf = (rect: DOMRect): number => rect.left + rect.width / 2;
+    const readingOrder = async () => {
+      const tokens = await line.evaluate((item) => {
+        const centreOf = (rect: DOMRect): number => rect.left + rect.width / 2;
         const walker = document.createTreeWalker(item, NodeFilter.SHOW_TEXT);
         const found: { text: string; at: number }[] = [];
         for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
@@ -139,18 +138,18 @@ for (const { tag, dir } of [
             range.setStart(node, index);
             range.setEnd(node, index + text.length);
             const rect = range.getBoundingClientRect();
-            if (rect.width > 0) found.push({ text, at: middleOf(rect) });
+            if (rect.width > 0) found.push({ text, at: centreOf(rect) });
           }
         }
         return found;
       });
-      const truth = places.filter(({ text }) => ["50", ">", "30"].includes(text)).slice(-3);
+      const truth = tokens.filter(({ text }) => ["50", ">", "30"].includes(text)).slice(-3);
       return truth.toSorted((one, other) => (one.at - other.at) * dir).map(({ text }) => text);
     };
-    // Letters that are still on their way are wider.
-    await expect.poll(inOrder).toEqual(["50", ">", "30"]);
-    const [asked, given] = [await condition.boundingBox(), await number.boundingBox()];
-    expect(((given?.x ?? 0) - (asked?.x ?? 0)) * dir).toBeGreaterThan(0);
+    // The fallback font is wider until the web font has loaded.
+    await expect.poll(readingOrder).toEqual(["50", ">", "30"]);
+    const [conditionBox, numberBox] = [await condition.boundingBox(), await number.boundingBox()];
+    expect(((numberBox?.x ?? 0) - (conditionBox?.x ?? 0)) * dir).toBeGreaterThan(0);
     await expect(number).toHaveCSS("direction", "ltr");
   });
 }

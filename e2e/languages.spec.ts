@@ -1,5 +1,6 @@
 /**
- * Every language has room: nothing is cut off or runs over, on the smallest phone and on a desktop.
+ * Texts fit in every language: nothing is cut off or overlaps, on the smallest phone and on a
+ * desktop.
  */
 import { expect, test } from "./fixtures.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
@@ -9,12 +10,17 @@ import { languageTags, Texts } from "./support/texts.ts";
 
 const languages = [
   {
-    name: "a language 40 % longer than English",
+    name: "the pseudolocale, 40 % longer than English",
     tag: "de",
-    words: Texts.pseudolocale(),
-    isMade: true,
+    texts: Texts.pseudolocale(),
+    isPseudolocale: true,
   },
-  ...languageTags().map((tag) => ({ name: tag, tag, words: Texts.load(tag), isMade: false })),
+  ...languageTags().map((tag) => ({
+    name: tag,
+    tag,
+    texts: Texts.load(tag),
+    isPseudolocale: false,
+  })),
 ];
 
 const sizes = [
@@ -23,9 +29,9 @@ const sizes = [
   { width: 1024, height: 768 },
 ];
 
-for (const { name, tag, words, isMade } of languages) {
+for (const { name, tag, texts, isPseudolocale } of languages) {
   for (const size of sizes) {
-    test(`reads everything in ${name} at ${size.width} x ${size.height}`, async ({
+    test(`shows readable texts in ${name} at ${size.width} x ${size.height}`, async ({
       openWindow,
     }) => {
       const isPhone = size.width < 600;
@@ -36,64 +42,64 @@ for (const { name, tag, words, isMade } of languages) {
         serviceWorkers: "block",
       });
       const { page } = window;
-      if (isMade) {
+      if (isPseudolocale) {
         await page.route("**/assets/de-*.js", (route) =>
-          route.fulfill({ contentType: "text/javascript", body: words.asModule() }),
+          route.fulfill({ contentType: "text/javascript", body: texts.asModule() }),
         );
       }
       await page.goto(`/?lang=${tag}`);
       await expect(page.getByRole("grid")).toBeVisible();
       const faults: string[] = [];
-      const look = async (state: string): Promise<void> => {
+      const checkTexts = async (state: string): Promise<void> => {
         await waitForAnimations(page);
         faults.push(...(await unreadableTexts(page)).map((fault) => `${state}: ${fault}`));
       };
-      const floating = page.locator("dialog[open], :popover-open");
+      const overlay = page.locator("dialog[open], :popover-open");
       const button = (path: string, values = {}) =>
-        page.getByRole("button", { name: words.t(path, values), exact: true });
-      const opened = async (path: string, open: () => Promise<void>): Promise<void> => {
+        page.getByRole("button", { name: texts.t(path, values), exact: true });
+      const checkOverlay = async (path: string, open: () => Promise<void>): Promise<void> => {
         await open();
-        await expect(floating).not.toHaveCount(0);
-        await look(path);
+        await expect(overlay).not.toHaveCount(0);
+        await checkTexts(path);
         await page.keyboard.press("Escape");
-        await expect(floating).toHaveCount(0);
+        await expect(overlay).toHaveCount(0);
       };
 
-      await look("first visit");
+      await checkTexts("first visit");
       await page.locator('[aria-keyshortcuts="Control+Shift+Enter"]').click();
-      await look("after a step");
-      await opened("share", () => button("share.share").click());
-      await opened("stage.view", () => button("stage.view").click());
-      await opened("program.algorithms", () => button("program.algorithms").click());
+      await checkTexts("after a step");
+      await checkOverlay("share", () => button("share.share").click());
+      await checkOverlay("stage.view", () => button("stage.view").click());
+      await checkOverlay("program.algorithms", () => button("program.algorithms").click());
       if (isPhone) {
         for (const tab of ["drive", "presets", "program"]) {
-          await page.getByRole("tab", { name: words.t(`shell.tabs.${tab}`), exact: true }).click();
-          await look(tab);
+          await page.getByRole("tab", { name: texts.t(`shell.tabs.${tab}`), exact: true }).click();
+          await checkTexts(tab);
         }
-        await opened("line", () => button("program.lineMenu", { line: 1 }).click());
-        await opened("more", () => button("shell.more").click());
+        await checkOverlay("line", () => button("program.lineMenu", { line: 1 }).click());
+        await checkOverlay("more", () => button("shell.more").click());
         await button("shell.more").click();
-        await opened("keys", () => button("shell.keys.title").click());
+        await checkOverlay("keys", () => button("shell.keys.title").click());
         await button("shell.more").click();
-        await opened("remote", () => button("drive.remote").click());
+        await checkOverlay("remote", () => button("drive.remote").click());
       } else {
-        await opened("presets", () => button("presets.presets").click());
-        await opened("keys", () => button("shell.keys.title").click());
-        await opened("theme", () => button("works.theme").click());
+        await checkOverlay("presets", () => button("presets.presets").click());
+        await checkOverlay("keys", () => button("shell.keys.title").click());
+        await checkOverlay("theme", () => button("works.theme").click());
         for (const change of ["stage.resize", "stage.clear"]) {
-          await opened(change, async () => {
+          await checkOverlay(change, async () => {
             await button("stage.view").click();
             await button(change).click();
           });
         }
-        await page.getByRole("radio", { name: words.t("drive.remote"), exact: true }).click();
-        await look("remote");
+        await page.getByRole("radio", { name: texts.t("drive.remote"), exact: true }).click();
+        await checkTexts("remote");
         await page.locator("summary").click();
-        await look("remote, more");
-        await page.getByRole("radio", { name: words.t("drive.program"), exact: true }).click();
+        await checkTexts("remote, more");
+        await page.getByRole("radio", { name: texts.t("drive.program"), exact: true }).click();
       }
-      await page.getByRole("textbox", { name: words.t("program.numberOf", { line: 1 }) }).fill("x");
-      await look("bad number");
+      await page.getByRole("textbox", { name: texts.t("program.numberOf", { line: 1 }) }).fill("x");
+      await checkTexts("bad number");
       expect(faults).toEqual([]);
     });
   }
@@ -102,7 +108,7 @@ for (const { name, tag, words, isMade } of languages) {
 const german = Texts.load("de");
 const english = Texts.load("en");
 
-test("follows the address into German, keeps it in a shared link, and goes to English without a reload", async ({
+test("applies the language of the address, keeps it in a shared link, and switches to English without a reload", async ({
   openWindow,
 }) => {
   const { page } = await openWindow();
@@ -117,7 +123,7 @@ test("follows the address into German, keeps it in a shared link, and goes to En
   );
   await page.keyboard.press("Escape");
 
-  // By the keyboard: the menu opens on the language that is shown, arrows walk, Enter chooses.
+  // By keyboard: the menu opens on the current language, arrow keys move, Enter selects.
   const opener = page.getByRole("button", { name: `DE, ${german.t("language.language")}` });
   await opener.focus();
   await page.keyboard.press("Enter");
@@ -126,7 +132,7 @@ test("follows the address into German, keeps it in a shared link, and goes to En
   await expect(page.getByRole("menuitemradio", { name: "English" })).toBeFocused();
   await page.keyboard.press("Enter");
   await expect(page.locator("html")).toHaveAttribute("lang", "en");
-  // With the link that was shared: it is as true in English.
+  // The shared link stays in the address: it is valid in English too.
   await expect(page).toHaveURL(/\/\?lang=en#.+/);
   await expect(page.getByRole("textbox", { name: english.t("program.nameLabel") })).toHaveValue(
     "Meins",
@@ -135,16 +141,16 @@ test("follows the address into German, keeps it in a shared link, and goes to En
     page.getByRole("button", { name: `EN, ${english.t("language.language")}` }),
   ).toBeFocused();
 
-  // The choice stays on the device, whatever the address says no more.
+  // The choice is stored on the device and applies without a language in the address.
   await page.goto("/");
   await expect(page.locator("html")).toHaveAttribute("lang", "en");
 });
 
-test("stays in the present language and says so when words cannot be loaded", async ({
+test("keeps the current language and reports that texts cannot be loaded", async ({
   openWindow,
 }) => {
   const { page } = await openWindow({ serviceWorkers: "block" });
-  // A network error would be a complaint of the page; a chunk that breaks is told in the same way.
+  // A network error would be a page error. A chunk that throws is reported in the same way.
   await page.route("**/assets/de-*.js", (route) =>
     route.fulfill({ contentType: "text/javascript", body: "throw new Error('cut off')" }),
   );
@@ -156,10 +162,10 @@ test("stays in the present language and says so when words cannot be loaded", as
   await expect(page.locator("html")).toHaveAttribute("lang", "en");
 });
 
-test("says that it does not speak the language of the address", async ({ openWindow }) => {
+test("reports that the language of the address is not available", async ({ openWindow }) => {
   const { page } = await openWindow();
   await page.goto("/?lang=tlh");
-  // What is said aloud has the same words.
+  // The live region contains the same text.
   const messages = page.getByRole("region", { name: english.t("shell.messages") });
   await expect(messages.getByText(english.t("language.unknown", { tag: "tlh" }))).toBeVisible();
   await expect(page).toHaveURL(/\/$/);
@@ -177,7 +183,7 @@ for (const { fault, html } of [
   },
   { fault: "off the screen: Reset", html: `<p style="position: fixed; left: -20px">Reset</p>` },
   {
-    fault: "printed over one another: one | two",
+    fault: "overlapping: one | two",
     html: `<p>one</p><p style="margin-top: -30px">two</p>`,
   },
   {
@@ -186,13 +192,13 @@ for (const { fault, html } of [
   },
   { fault: "the page is", html: `<p style="width: 3000px">wide</p>` },
 ]) {
-  test(`notices what cannot be read: ${fault}`, async ({ page }) => {
+  test(`reports unreadable text: ${fault}`, async ({ page }) => {
     await page.setContent(`<meta charset="utf-8" /><p>fine</p>${html}`);
     expect(await unreadableTexts(page)).toEqual([expect.stringContaining(fault)]);
   });
 }
 
-test("finds the page mirrored in Arabic, and the maze and the robot's sides as they were", async ({
+test("mirrors the page in Arabic, but neither the maze nor the robot's sides", async ({
   openWindow,
 }) => {
   const english = await openWindow();
@@ -203,14 +209,14 @@ test("finds the page mirrored in Arabic, and the maze and the robot's sides as t
   await expect(arabic.page.locator("html")).toHaveAttribute("dir", "rtl");
   await expect(arabic.page).toHaveTitle(Texts.load("ar").t("language.pageTitle"));
 
-  const middle = async ({ page }: CorridorPage, selector: string): Promise<number> => {
+  const centreX = async ({ page }: CorridorPage, selector: string): Promise<number> => {
     const box = await page.locator(selector).first().boundingBox();
     if (box === null) throw new Error(`no ${selector}`);
     return box.x + box.width / 2;
   };
-  // The panel changes sides; inside of it, left stays left of right.
-  expect(await middle(english, "aside")).toBeGreaterThan(720);
-  expect(await middle(arabic, "aside")).toBeLessThan(720);
+  // The panel changes sides. Inside the panel, left stays left of right.
+  expect(await centreX(english, "aside")).toBeGreaterThan(720);
+  expect(await centreX(arabic, "aside")).toBeLessThan(720);
   for (const side of [english, arabic]) {
     const [left, , right] = ["A", "Space", "D"].map((key) =>
       side.page.locator("aside button", { hasText: new RegExp(`^${key}$`) }),
@@ -218,7 +224,7 @@ test("finds the page mirrored in Arabic, and the maze and the robot's sides as t
     const leftBox = await left?.boundingBox();
     const rightBox = await right?.boundingBox();
     expect(leftBox?.x).toBeLessThan(rightBox?.x ?? 0);
-    // The first column of the maze is the left one.
+    // The first column of the maze is the leftmost.
     const cells = side.page.getByRole("gridcell");
     const first = await cells.nth(0).boundingBox();
     const second = await cells.nth(1).boundingBox();

@@ -1,9 +1,12 @@
-/** An attempt at a mission: what may be changed, when it is met, and what is said until then. */
+/**
+ * An attempt at a mission: what the user may change, when it is solved, and the feedback until
+ * then.
+ */
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 
-test("is told what failed, with the number, while the robot drives", async ({ corridor, page }) => {
+test("reports what failed, with the number, while the robot drives", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(8);
   await corridor.program.action(1).selectOption("delayed left 90");
@@ -18,10 +21,7 @@ test("is told what failed, with the number, while the robot drives", async ({ co
   await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
 });
 
-test("comes to the goal in a run that does not count, and is told why", async ({
-  corridor,
-  page,
-}) => {
+test("explains why a run that reaches the goal does not count", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(3);
   await corridor.run.click();
@@ -34,7 +34,10 @@ test("comes to the goal in a run that does not count, and is told why", async ({
   await expect(page.getByRole("region", { name: "Solved!" })).toBeHidden();
 });
 
-test("lets go of the key where the sensor says", async ({ corridor, page }) => {
+test("solves the mission when the key is released at the required reading", async ({
+  corridor,
+  page,
+}) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(2);
   await page.keyboard.press("w", { delay: 400 });
@@ -53,7 +56,7 @@ test("lets go of the key where the sensor says", async ({ corridor, page }) => {
   await lessons.expectMission(3);
 });
 
-test("is offered no Run in a mission for the hand, and drives with a key after Reset", async ({
+test("disables Run in a mission for manual driving, and drives with a key after Reset", async ({
   corridor,
   page,
 }) => {
@@ -68,7 +71,7 @@ test("is offered no Run in a mission for the hand, and drives with a key after R
   await expect(corridor.robotPose).not.toHaveText(start ?? "");
 });
 
-test("is told that a mission for the program leaves nothing to the hand", async ({
+test("reports that a mission for the program excludes manual driving", async ({
   corridor,
   page,
 }) => {
@@ -81,7 +84,9 @@ test("is told that a mission for the program leaves nothing to the hand", async 
   await expect(corridor.driver("Program")).toBeChecked();
 });
 
-test("sees the robot beside the card of a mission at 1024 x 768", async ({ openWindow }) => {
+test("does not cover the robot with the card of a mission at 1024 x 768", async ({
+  openWindow,
+}) => {
   const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
   await corridor.open();
   const { page } = corridor;
@@ -89,8 +94,8 @@ test("sees the robot beside the card of a mission at 1024 x 768", async ({ openW
   const card = page.getByRole("region", { name: "Solved!" });
   const overlap = async (): Promise<number> => {
     await waitForAnimations(page);
-    const place = (await corridor.robotPose.textContent()) ?? "";
-    const [x = 0, y = 0] = place.match(/\d+/g)?.map(Number) ?? [];
+    const pose = (await corridor.robotPose.textContent()) ?? "";
+    const [x = 0, y = 0] = pose.match(/\d+/g)?.map(Number) ?? [];
     const robot = await corridor.maze.robotBox(x, y);
     const box = await card.boundingBox();
     if (box === null) throw new Error("there is no card");
@@ -114,7 +119,7 @@ test("sees the robot beside the card of a mission at 1024 x 768", async ({ openW
   expect(await overlap(), "mission 3").toBe(0);
 });
 
-test("is told which maze fails", async ({ corridor, page }) => {
+test("reports which maze fails", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(12);
   await corridor.speed.selectOption("16×");
@@ -127,7 +132,7 @@ test("is told which maze fails", async ({ corridor, page }) => {
   await lessons.button("Open maze 2").click();
   await expect(lessons.button("Maze 2: does not work yet")).toHaveAttribute("aria-pressed", "true");
   await corridor.maze.expectSquare({ column: 5, row: 3 }, "open, goal");
-  // The right wall passes in all of them.
+  // The right-wall program passes in all of them.
   await corridor.program.button("Add line").click();
   await corridor.program.condition(2).selectOption("right >");
   await corridor.program.number(2).fill("60");
@@ -139,9 +144,9 @@ test("is told which maze fails", async ({ corridor, page }) => {
   await expect(solved.getByRole("button", { name: "Next mission" })).toBeVisible();
 });
 
-test("menus offer only what the mission allows", async ({ corridor, page }) => {
+test("offers only what the mission allows in the menus", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
-  // Only the action can be chosen, from four.
+  // Only the action can be selected, from four.
   await lessons.openMission(3);
   await expect(corridor.program.action(1).getByRole("option")).toHaveText([
     "forward",
@@ -151,18 +156,18 @@ test("menus offer only what the mission allows", async ({ corridor, page }) => {
   ]);
   await expect(corridor.program.condition(1)).toBeDisabled();
   await expect(corridor.program.number(1)).toBeDisabled();
-  // What is fixed reads as text, without the edges of a field.
+  // Fixed values are plain text, without the border of a field.
   for (const fixed of [corridor.program.condition(1), corridor.program.number(1)]) {
     await expect(fixed).toHaveCSS("border-top-color", "rgba(0, 0, 0, 0)");
   }
-  // Given lines take the room that a button without use would.
+  // A note replaces the unusable button.
   await expect(corridor.program.button("Add line")).toHaveCount(0);
   await expect(corridor.program.region).toContainText("You cannot add lines in this mission.");
   // Only the number can be changed.
   await lessons.openMission(5);
   await expect(corridor.program.action(1)).toBeDisabled();
   await expect(corridor.program.number(1)).toBeEnabled();
-  // One line, about front alone.
+  // One line, with front as its only sensor.
   await lessons.openMission(6);
   await corridor.program.button("Add line").click();
   await expect(corridor.program.condition(1).getByRole("option")).toHaveText([
@@ -174,13 +179,13 @@ test("menus offer only what the mission allows", async ({ corridor, page }) => {
   await expect(corridor.program.button("Add line")).toHaveAccessibleDescription(
     "This mission allows 1 line.",
   );
-  // The maze stays as it is, and says so.
+  // The maze is fixed, and a message reports it.
   await corridor.maze.click({ column: 3, row: 1 });
   await expect(corridor.message(/You cannot change the maze of this mission/)).toBeVisible();
   await corridor.maze.expectSquare({ column: 3, row: 1 }, "open");
 });
 
-test("begins a mission again, and is told of a program only where one was taken away", async ({
+test("restarts a mission, and mentions the program only if one was removed", async ({
   corridor,
   page,
 }) => {
@@ -198,21 +203,21 @@ test("begins a mission again, and is told of a program only where one was taken 
   await corridor.messages.getByRole("button", { name: "Undo" }).click();
   await expect(corridor.program.lines).toHaveCount(1);
 
-  // What can be taken back in one mission is not offered in another.
+  // Undo of one mission is not offered in another.
   await lessons.button("Restart").click();
   await expect(corridor.messages).toContainText("Your program was removed.");
   await lessons.openMission(7);
   await expect(corridor.messages).not.toContainText("taken away");
 });
 
-test("hears nothing of a mission that is no longer open", async ({ corridor, page }) => {
+test("announces nothing of a mission that is no longer open", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(12);
   await lessons.button(/^Check in (all|both)/).click();
   await expect(lessons.outcome).not.toBeEmpty();
-  const told = (await lessons.outcome.textContent()) ?? "";
-  await expect(corridor.announcement).toHaveText(told);
+  const outcome = (await lessons.outcome.textContent()) ?? "";
+  await expect(corridor.announcement).toHaveText(outcome);
   await lessons.button("Back to my maze").click();
   await expect(lessons.card).toBeHidden();
-  await expect(corridor.announcement).not.toContainText(told);
+  await expect(corridor.announcement).not.toContainText(outcome);
 });

@@ -1,5 +1,5 @@
 /**
- * What is kept of the lessons: what is done, in every tab, and the own maze that waits meanwhile.
+ * What the lessons store: progress, in every tab, and the user's own maze while a mission is open.
  */
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
@@ -22,7 +22,7 @@ test("keeps progress after a reload", async ({ corridor, page }) => {
   await expect(lessons.path).toContainText("0 of 14 done");
 });
 
-test("comes back to a mission of the hand and drives on by the keyboard", async ({
+test("reopens a mission for manual driving with Me as the driver", async ({
   corridor,
   page,
   context,
@@ -32,7 +32,7 @@ test("comes back to a mission of the hand and drives on by the keyboard", async 
   await corridor.reload();
   await lessons.expectMission(2);
   await expect(corridor.driver("Me")).toBeChecked();
-  // The same on another day, in another tab, and from the list of mazes.
+  // The same from a new tab, and from the list of mazes.
   const other = new CorridorPage(await context.newPage());
   await other.open();
   await expect(other.driver("Me")).toBeChecked();
@@ -48,18 +48,18 @@ test("comes back to a mission of the hand and drives on by the keyboard", async 
   await expect(other.driver("Me")).toBeChecked();
 });
 
-test("keeps what is done in two tabs", async ({ corridor, page, context }) => {
+test("merges the progress of two tabs", async ({ corridor, page, context }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(3);
   const other = new CorridorPage(await context.newPage());
   await other.open();
-  const theirs = new LessonsPanel(other.page);
-  await theirs.openMission(4);
+  const otherLessons = new LessonsPanel(other.page);
+  await otherLessons.openMission(4);
   await other.program.line(2).focus();
   await other.page.keyboard.press("Alt+ArrowUp");
   await other.speed.selectOption("16×");
   await other.run.click();
-  await expect(theirs.outcome).toHaveText("Challenge solved. Lines used: 2 of 2");
+  await expect(otherLessons.outcome).toHaveText("Challenge solved. Lines used: 2 of 2");
   await page.bringToFront();
   await corridor.program.action(1).selectOption("turn 180");
   await corridor.speed.selectOption("16×");
@@ -68,14 +68,14 @@ test("keeps what is done in two tabs", async ({ corridor, page, context }) => {
   await lessons.openPath();
   await expect(lessons.path).toContainText("2 of 14 done");
   await other.page.bringToFront();
-  await theirs.openPath();
-  await expect(theirs.path).toContainText("2 of 14 done");
+  await otherLessons.openPath();
+  await expect(otherLessons.path).toContainText("2 of 14 done");
   await corridor.open();
   await lessons.openPath();
   await expect(lessons.path).toContainText("2 of 14 done");
 });
 
-test("goes back to the own maze", async ({ corridor, page }) => {
+test("returns to the user's own maze", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await corridor.maze.click({ column: 2, row: 6 });
   await corridor.program.action(1).selectOption("turn 180");
@@ -87,7 +87,7 @@ test("goes back to the own maze", async ({ corridor, page }) => {
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
   await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
   await expect(corridor.program.action(1)).toHaveValue("turn 180");
-  // The attempt waits where it was left.
+  // The attempt is still as it was left.
   await lessons.openMission(6);
   await expect(corridor.program.lines).toHaveCount(1);
 });

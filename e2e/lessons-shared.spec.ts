@@ -1,10 +1,10 @@
-/** A challenge goes from hand to hand: a mission that is shared, and one that a teacher wrote. */
+/** Shared challenges: a mission shared by a student, and a challenge that a teacher wrote. */
 import type { ChallengeDocument } from "@corridor/challenge";
 import { encodeLink } from "@corridor/link";
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 
-test("shares a challenge, and who opens the link has its bar, its rules and the way home", async ({
+test("shares a challenge with its task, its rules and the return to the recipient's own maze", async ({
   corridor,
   page,
   openWindow,
@@ -17,26 +17,26 @@ test("shares a challenge, and who opens the link has its bar, its rules and the 
   await expect(dialog).toContainText("Turn into the opening on the right");
   const link = await dialog.getByRole("textbox", { name: "Link" }).inputValue();
 
-  const reader = await openWindow();
-  await reader.open(link);
-  const theirs = new LessonsPanel(reader.page);
-  await expect(theirs.card).toContainText("The side opening");
+  const recipient = await openWindow();
+  await recipient.open(link);
+  const recipientLessons = new LessonsPanel(recipient.page);
+  await expect(recipientLessons.card).toContainText("The side opening");
   await expect(
-    reader.page.getByRole("main").getByText("Turn into the opening on the right"),
+    recipient.page.getByRole("main").getByText("Turn into the opening on the right"),
   ).toBeVisible();
-  await expect(reader.program.number(1)).toBeDisabled();
-  await reader.program.action(1).selectOption("delayed right 90");
-  await reader.speed.selectOption("16×");
-  await reader.run.click();
-  await expect(theirs.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
-  await reader.open();
-  await expect(theirs.card).toContainText("The side opening");
-  await theirs.button("Back to my maze").click();
-  await expect(theirs.card).toBeHidden();
-  await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await expect(recipient.program.number(1)).toBeDisabled();
+  await recipient.program.action(1).selectOption("delayed right 90");
+  await recipient.speed.selectOption("16×");
+  await recipient.run.click();
+  await expect(recipientLessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
+  await recipient.open();
+  await expect(recipientLessons.card).toContainText("The side opening");
+  await recipientLessons.button("Back to my maze").click();
+  await expect(recipientLessons.card).toBeHidden();
+  await expect(recipient.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
 });
 
-/** As a teacher may write one: no mission, and another goal. */
+/** A challenge as a teacher might write it: not a mission, and with another goal. */
 const everySquare: ChallengeDocument = {
   format: "corridor/challenge",
   version: 1,
@@ -70,7 +70,7 @@ const everySquare: ChallengeDocument = {
   par: null,
 };
 
-test("meets a teacher's challenge from a link: every square in one line", async ({
+test("opens a teacher's challenge from a link: every square in one line", async ({
   openWindow,
 }) => {
   const link = encodeLink({ challenge: everySquare });

@@ -1,4 +1,4 @@
-/** A new student, who reads nothing but what stands on the stage and in the panel. */
+/** A new student, guided only by the texts on the stage and in the panel. */
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
@@ -9,7 +9,7 @@ test("a new student solves the first mission within a minute of the first visit"
   page,
 }) => {
   const lessons = new LessonsPanel(page);
-  // Two actions: one press on what is offered, and one key held. The robot needs 4 s of simulated
+  // Two actions: one click on the invitation, and one held key. The robot needs 4 s of simulated
   // time.
   await lessons.invitation.getByRole("button", { name: "Start with mission 1" }).click();
   await lessons.expectMission(1);
@@ -24,7 +24,7 @@ test("a new student solves the first mission within a minute of the first visit"
   await lessons.expectMission(2);
 });
 
-test("rests where the mission is solved while the key is held, and drives on by a new press", async ({
+test("stops the robot where the mission is solved while the key is held, and drives on with a new press", async ({
   corridor,
   page,
 }) => {
@@ -32,7 +32,7 @@ test("rests where the mission is solved while the key is held, and drives on by 
   await lessons.openMission(1);
   await page.keyboard.down("w");
   await expect(lessons.outcome).toHaveText(/^Challenge solved after/);
-  // As a keyboard repeats what is held.
+  // A keyboard repeats a held key.
   await page.keyboard.down("w");
   await corridor.waitForRobotToStop();
   const goal = await corridor.robotX();
@@ -43,12 +43,12 @@ test("rests where the mission is solved while the key is held, and drives on by 
   await page.keyboard.up("w");
 });
 
-test("a new student who presses Run first has made it move too", async ({ corridor, page }) => {
+test("accepts Run as a solution of the first mission", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await lessons.invitation.getByRole("button", { name: "Start with mission 1" }).click();
   await lessons.expectMission(1);
   await corridor.run.click();
-  // There is no line to count here.
+  // A manual mission has no line count.
   await expect(lessons.outcome).toHaveText(/^Challenge solved after \d\.\d s$/);
   const solved = page.getByRole("region", { name: "Solved!" });
   await expect(solved.getByRole("term")).toHaveText(["run time", "bumps"]);
@@ -56,7 +56,7 @@ test("a new student who presses Run first has made it move too", async ({ corrid
   await lessons.expectMission(2);
 });
 
-test("says no to the invitation and is not asked again", async ({ corridor, page }) => {
+test("does not show a declined invitation again", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await lessons.invitation.getByRole("button", { name: "Not now" }).click();
   await expect(lessons.invitation).toBeHidden();
@@ -77,7 +77,7 @@ test("opens hints one by one", async ({ corridor, page }) => {
   await expect(lessons.button(/^Show/)).toHaveCount(0);
 });
 
-test("does a mission with the keyboard alone", async ({ corridor, page }) => {
+test("solves a mission by keyboard alone", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await page.getByRole("banner").getByRole("button", { name: "Lessons" }).focus();
   await page.keyboard.press("Enter");
@@ -94,7 +94,7 @@ test("does a mission with the keyboard alone", async ({ corridor, page }) => {
   });
 });
 
-test("finds the missions in chapters, each with what is done of it", async ({ corridor, page }) => {
+test("lists the missions in chapters, each with its progress", async ({ corridor, page }) => {
   await page.evaluate(() => {
     const done = { "make-it-move": { lines: 0, ticks: 240 }, "own-line": { lines: 1, ticks: 400 } };
     localStorage.setItem("corridor.lessons", JSON.stringify({ done, works: {}, home: null }));
@@ -111,7 +111,7 @@ test("finds the missions in chapters, each with what is done of it", async ({ co
   await expect(lessons.path.getByText("2 of 14 done")).toBeVisible();
 });
 
-test("meets no barrier in the path, in a mission and in its verdict", async ({
+test("has no axe violations in the path, in a mission and in its feedback", async ({
   page,
   corridor,
 }) => {
@@ -127,7 +127,7 @@ test("meets no barrier in the path, in a mission and in its verdict", async ({
   await corridor.dismissMessages();
 });
 
-test("finds nothing beyond the edges in a mission at 320 x 700", async ({ openWindow }) => {
+test("has no horizontal overflow in a mission at 320 x 700", async ({ openWindow }) => {
   const corridor = await openWindow({ viewport: { width: 320, height: 700 } });
   await corridor.open();
   const { page } = corridor;

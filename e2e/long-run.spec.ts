@@ -1,12 +1,12 @@
 /**
- * The link of a run that takes half a minute to open leaves the page alive, and can be declined.
+ * A link to a run that takes half a minute to open does not block the page, and can be declined.
  */
 import { expect, test } from "./fixtures.ts";
 
-/** A run of a day, in as many characters as it takes. */
+/** A run of a day, as a link. */
 const day = "/#1t8_qs-ABgEHmkpSgHdK01g6AAAAABLpOsHcRhNFjPlXm-AkaH5";
 
-test("opens the link of a run of a day, drives meanwhile, and declines it", async ({
+test("opens the link of a day-long run in the background, and cancels it", async ({
   openWindow,
 }) => {
   const corridor = await openWindow();
@@ -14,7 +14,7 @@ test("opens the link of a run of a day, drives meanwhile, and declines it", asyn
   const message = corridor.message(/^The run is opening\./);
   await expect(message).toBeVisible();
   await expect(corridor.messages.getByRole("progressbar")).toBeVisible();
-  // A reload meanwhile begins again.
+  // A reload starts opening the link again, so the link stays in the address.
   expect(new URL(corridor.page.url()).hash).not.toBe("");
   await corridor.run.click();
   await expect(corridor.clock).not.toHaveText("Time 0:00.0");
@@ -25,7 +25,10 @@ test("opens the link of a run of a day, drives meanwhile, and declines it", asyn
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
 });
 
-test("keeps the page where the simulator does not come", async ({ openWindow, pageErrors }) => {
+test("displays the page when the simulator cannot be loaded", async ({
+  openWindow,
+  pageErrors,
+}) => {
   const corridor = await openWindow();
   await corridor.page.route(/simulator\.worker/, (route) => route.abort());
   await corridor.page.goto(day);

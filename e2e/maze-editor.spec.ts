@@ -1,11 +1,13 @@
-/** A maze is built: by pointer, and by keyboard alone. */
+/** Editing a maze by pointer and by keyboard. */
 import type { Square } from "./pages/maze-grid.ts";
 import { expect, test } from "./fixtures.ts";
 
 const open: Square = { column: 2, row: 6 };
 const filled: Square = { column: 3, row: 6 };
 
-test("clicks a square to add a block and clicks it again to remove it", async ({ corridor }) => {
+test("adds a block with a click on a square, and removes it with a second click", async ({
+  corridor,
+}) => {
   await corridor.maze.expectSquare(open, "open");
   await corridor.maze.click(open);
   await corridor.maze.expectSquare(open, "block");
@@ -15,9 +17,7 @@ test("clicks a square to add a block and clicks it again to remove it", async ({
   await corridor.maze.expectSquare(filled, "open");
 });
 
-test("paints a row of blocks in one drag, and one Undo takes them all back", async ({
-  corridor,
-}) => {
+test("paints a row of blocks in one drag, and one Undo removes them all", async ({ corridor }) => {
   const { maze } = corridor;
   await corridor.choosePreset("Empty");
   const stroke = [2, 3, 4, 5, 6].map((column) => ({ column, row: 2 }));
@@ -28,7 +28,7 @@ test("paints a row of blocks in one drag, and one Undo takes them all back", asy
   await maze.button("Redo").click();
   for (const square of stroke) await maze.expectSquare(square, "block");
   await corridor.dismissMessages();
-  // A drag that begins on a block removes, and never adds.
+  // A drag that starts on a block only removes blocks.
   await maze.drag([
     { column: 2, row: 2 },
     { column: 2, row: 3 },
@@ -39,7 +39,7 @@ test("paints a row of blocks in one drag, and one Undo takes them all back", asy
   await maze.expectSquare({ column: 3, row: 2 }, "open");
 });
 
-test("is told why the squares of the robot and the start cannot be filled", async ({
+test("reports why the squares of the robot and the start cannot be filled", async ({
   corridor,
 }) => {
   const { maze } = corridor;
@@ -56,7 +56,7 @@ test("is told why the squares of the robot and the start cannot be filled", asyn
   await maze.expectSquare({ column: 0, row: 6 }, "open, start, facing right");
 });
 
-test("moves the start, turns it, and sets and takes away goals", async ({ corridor }) => {
+test("moves the start, turns it, and adds and removes goals", async ({ corridor }) => {
   const { maze } = corridor;
   await maze.tool("Start").check();
   await maze.click({ column: 2, row: 6 });
@@ -80,7 +80,7 @@ test("moves the start, turns it, and sets and takes away goals", async ({ corrid
   await expect(corridor.message("There is a block on this square.")).toBeVisible();
 });
 
-test("clears the maze once it has said yes, and can take that back", async ({ corridor }) => {
+test("clears the maze after a confirmation, and can undo it", async ({ corridor }) => {
   const { maze } = corridor;
   const dialog = corridor.dialog("Clear this maze?");
   await maze.button("Clear maze").click();
@@ -100,7 +100,7 @@ test("clears the maze once it has said yes, and can take that back", async ({ co
   await maze.expectSquare(filled, "block");
 });
 
-test("resizes the maze, and is told which sizes there are", async ({ corridor, page }) => {
+test("resizes the maze, and reports the valid sizes", async ({ corridor, page }) => {
   const { maze } = corridor;
   await maze.button("Resize").click();
   const dialog = corridor.dialog("Resize the maze");
@@ -123,7 +123,7 @@ test("resizes the maze, and is told which sizes there are", async ({ corridor, p
   await expect(maze.grid).toHaveAttribute("aria-colcount", "11");
 });
 
-test("builds by keyboard alone: moves the cursor, adds, removes, undoes and redoes", async ({
+test("edits by keyboard alone: moves the cursor, adds, removes, undoes and redoes", async ({
   corridor,
   page,
 }) => {
@@ -134,7 +134,7 @@ test("builds by keyboard alone: moves the cursor, adds, removes, undoes and redo
     if (await maze.cursor.evaluate((cell) => cell === document.activeElement)) break;
     await keyboard.press("Tab");
   }
-  // The cursor begins on the start.
+  // The cursor starts on the start square.
   await expect(maze.cursor).toBeFocused();
   await expect(maze.cursor).toHaveAccessibleName(/^row 7, column 1, open, start/);
   await keyboard.press("ArrowRight");
@@ -156,7 +156,7 @@ test("builds by keyboard alone: moves the cursor, adds, removes, undoes and redo
   await keyboard.press("Control+Shift+Z");
   await maze.expectSquare(filled, "open");
 
-  // The edges hold the cursor, and Home and End lead to them.
+  // The cursor stops at the edges, and Control+End and PageUp move to them.
   await keyboard.press("Control+End");
   await expect(maze.cursor).toHaveAccessibleName("row 7, column 11, open");
   await keyboard.press("ArrowDown");
@@ -169,7 +169,7 @@ test("builds by keyboard alone: moves the cursor, adds, removes, undoes and redo
 test("paints around a moving robot without stopping it", async ({ corridor }) => {
   await corridor.choosePreset("Straight corridor");
   await corridor.program.loadAlgorithm("Back and forth");
-  // Without a goal nothing ends the run.
+  // Without a goal, the run does not end.
   await corridor.maze.tool("Goal").check();
   await corridor.maze.click({ column: 9, row: 1 });
   await corridor.maze.tool("Blocks").check();

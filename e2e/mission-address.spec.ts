@@ -1,8 +1,12 @@
-/** Each mission has an address: it is opened by it, shared by it, and Back and Forward go along. */
+/**
+ * Each mission has an address: for opening, for sharing, and for Back and Forward of the browser.
+ */
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 
-test("opens a mission by its address, which stays while it is open", async ({ openWindow }) => {
+test("opens a mission by its address, which stays while the mission is open", async ({
+  openWindow,
+}) => {
   const corridor = await openWindow();
   await corridor.open("/#mission/side-opening");
   const { page } = corridor;
@@ -16,7 +20,7 @@ test("opens a mission by its address, which stays while it is open", async ({ op
   await expect(page).toHaveURL(/\/#mission\/side-opening$/);
 });
 
-test("goes back and forward between missions and the reader's own maze", async ({
+test("goes back and forward between missions and the user's own maze", async ({
   corridor,
   page,
 }) => {
@@ -48,7 +52,7 @@ test("shares a mission by its address", async ({ corridor, page }) => {
   );
 });
 
-test("says in words that there is no mission at an address, and leads to all of them", async ({
+test("reports that an address has no mission, and leads to the list of lessons", async ({
   openWindow,
 }) => {
   const corridor = await openWindow();

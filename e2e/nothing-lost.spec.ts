@@ -1,11 +1,11 @@
-/** Whatever happens to the page, the device or the network: what the reader made is still there. */
+/** Edits are never lost, whatever happens to the page, the device or the network. */
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
 
 const square = { column: 2, row: 6 };
 
-/** Every work on the device, as text. */
-function worksOf({ page }: CorridorPage): Promise<string[]> {
+/** Every project stored on the device, as text. */
+function projectsOf({ page }: CorridorPage): Promise<string[]> {
   return page.evaluate(() =>
     Object.entries(localStorage)
       .filter(([key]) => key.startsWith("corridor.work."))
@@ -13,18 +13,18 @@ function worksOf({ page }: CorridorPage): Promise<string[]> {
   );
 }
 
-test("edits, and finds the edit on the device 300 ms later without pressing anything", async ({
+test("stores an edit on the device within 300 ms without any action", async ({
   corridor,
   page,
 }) => {
   await corridor.program.name.selectText();
   const steps = await page.evaluate(async () => {
     document.execCommand("insertText", false, "Typed just now");
-    const isKept = () =>
+    const isStored = () =>
       Object.values(localStorage).some((text) => String(text).includes("Typed just now"));
-    // Timer steps of 10 ms are counted, so that a slow machine is not blamed for its own pauses.
+    // Counts timer steps of 10 ms instead of time, so that a slow machine does not fail the test.
     let count = 0;
-    for (; !isKept() && count < 100; count++) {
+    for (; !isStored() && count < 100; count++) {
       await new Promise((resolve) => setTimeout(resolve, 10));
     }
     return count;
@@ -35,10 +35,7 @@ test("edits, and finds the edit on the device 300 ms later without pressing anyt
   await expect(corridor.program.name).toHaveValue("Typed just now");
 });
 
-test("closes the tab right after an edit, and finds it in a new one", async ({
-  corridor,
-  context,
-}) => {
+test("keeps an edit when the tab is closed right after it", async ({ corridor, context }) => {
   await corridor.maze.click(square);
   await corridor.page.close({ runBeforeUnload: true });
   const next = new CorridorPage(await context.newPage());
@@ -46,7 +43,7 @@ test("closes the tab right after an edit, and finds it in a new one", async ({
   await next.maze.expectSquare(square, "block");
 });
 
-test("reloads in the middle of a run, and finds the edits that were made while it drove", async ({
+test("keeps edits made during a run when the page is reloaded in the middle of it", async ({
   corridor,
 }) => {
   await corridor.run.click();
@@ -59,13 +56,13 @@ test("reloads in the middle of a run, and finds the edits that were made while i
   await expect(corridor.program.number(1)).toHaveValue("75");
 });
 
-test("opens a link while an edit is not saved yet, and goes back to it", async ({
+test("opens a link before an edit is saved, and returns to the edit", async ({
   corridor,
   page,
 }) => {
   const link = await corridor.shareLink({ withProgram: true });
   await corridor.program.name.fill("Mine, and not saved yet");
-  // At once, within the time that autosave waits.
+  // Immediately, before autosave runs.
   await page.evaluate((address) => (location.hash = new URL(address).hash), link);
   await expect(corridor.program.name).toHaveValue("Example: right wall");
   await expect(corridor.message("Your own work is saved.")).toBeVisible();
@@ -73,10 +70,7 @@ test("opens a link while an edit is not saved yet, and goes back to it", async (
   await expect(corridor.program.name).toHaveValue("Mine, and not saved yet");
 });
 
-test("opens two links one after the other, and goes back to the own maze", async ({
-  corridor,
-  page,
-}) => {
+test("returns to the user's own maze after opening two links", async ({ corridor, page }) => {
   const links: string[] = [];
   for (const preset of ["Spiral", "Comb"]) {
     await corridor.choosePreset(preset);
@@ -95,7 +89,7 @@ test("opens two links one after the other, and goes back to the own maze", async
   await expect(corridor.program.name).toHaveValue("Mine");
 });
 
-test("opens a second link from elsewhere after a reload, and still goes back to the own maze", async ({
+test("returns to the user's own maze after a second link from elsewhere and a reload", async ({
   corridor,
   page,
 }) => {
@@ -115,7 +109,7 @@ test("opens a second link from elsewhere after a reload, and still goes back to 
   await expect(corridor.mazeMenu).toHaveAccessibleName("Tree, Maze menu");
 });
 
-test("edits in one tab what another tab damaged on the device, and keeps both entries", async ({
+test("keeps both entries when one tab edits a project that another tab damaged", async ({
   corridor,
   page,
 }) => {
@@ -129,17 +123,14 @@ test("edits in one tab what another tab damaged on the device, and keeps both en
     return text;
   });
   await corridor.program.name.fill("After the damage");
-  await expect.poll(async () => (await worksOf(corridor)).join()).toContain("After the damage");
-  const kept = await page.evaluate(() => Object.values(localStorage).map(String));
-  expect(kept).toContain(damaged);
+  await expect.poll(async () => (await projectsOf(corridor)).join()).toContain("After the damage");
+  const stored = await page.evaluate(() => Object.values(localStorage).map(String));
+  expect(stored).toContain(damaged);
   await corridor.reload();
   await expect(corridor.program.name).toHaveValue("After the damage");
 });
 
-test("goes on in two tabs that opened the very same work, and finds both afterwards", async ({
-  corridor,
-  context,
-}) => {
+test("keeps the edits of two tabs that opened the same project", async ({ corridor, context }) => {
   await corridor.program.name.fill("One work");
   await expect(corridor.saveState).toHaveText("Saved on this device");
   const second = new CorridorPage(await context.newPage());
@@ -147,39 +138,41 @@ test("goes on in two tabs that opened the very same work, and finds both afterwa
   await second.program.name.fill("From the second tab");
   await expect(second.saveState).toHaveText("Saved on this device");
   await corridor.program.name.fill("From the first tab");
-  await expect.poll(async () => (await worksOf(corridor)).join()).toContain("From the first tab");
-  expect((await worksOf(corridor)).join()).toContain("From the second tab");
+  await expect
+    .poll(async () => (await projectsOf(corridor)).join())
+    .toContain("From the first tab");
+  expect((await projectsOf(corridor)).join()).toContain("From the second tab");
 });
 
-test("asks for a part that does not come, is told so, and gets it with Try again", async ({
+test("reports that a part did not load, and loads it with Try again", async ({
   browser,
   relay,
 }) => {
-  // Not a watched window: the browser reports the file that is missing, which is wanted here.
+  // Not an openWindow fixture: the browser logs an error for the missing file, as expected.
   const context = await browser.newContext({ baseURL: relay, serviceWorkers: "block" });
-  const reader = new CorridorPage(await context.newPage());
+  const corridor = new CorridorPage(await context.newPage());
   let isDown = true;
-  await reader.page.route(/assets\/ResizeDialog-/, (route) =>
+  await corridor.page.route(/assets\/ResizeDialog-/, (route) =>
     isDown ? route.abort() : route.continue(),
   );
-  await reader.open();
-  await reader.program.name.fill("Kept");
-  await reader.maze.button("Resize").click();
-  const failure = reader.dialog("This part did not load");
+  await corridor.open();
+  await corridor.program.name.fill("Kept");
+  await corridor.maze.button("Resize").click();
+  const failure = corridor.dialog("This part did not load");
   await expect(failure).toContainText("Nothing is lost.");
-  // Still down, and the service too: the page stays.
-  await reader.page.route("**/healthz", (route) => (isDown ? route.abort() : route.continue()));
-  const hasTried = reader.page.waitForEvent("requestfailed", (request) =>
+  // Still down, and the service too: the page stays usable.
+  await corridor.page.route("**/healthz", (route) => (isDown ? route.abort() : route.continue()));
+  const retried = corridor.page.waitForEvent("requestfailed", (request) =>
     request.url().endsWith("/healthz"),
   );
   await failure.getByRole("button", { name: "Try again" }).click();
-  await hasTried;
+  await retried;
   await expect(failure).toBeVisible();
-  await expect(reader.program.name).toHaveValue("Kept");
+  await expect(corridor.program.name).toHaveValue("Kept");
   isDown = false;
   await failure.getByRole("button", { name: "Try again" }).click();
-  await expect(reader.dialog("Resize the maze")).toBeVisible();
-  await reader.page.keyboard.press("Escape");
-  await expect(reader.program.name).toHaveValue("Kept");
+  await expect(corridor.dialog("Resize the maze")).toBeVisible();
+  await corridor.page.keyboard.press("Escape");
+  await expect(corridor.program.name).toHaveValue("Kept");
   await context.close();
 });
