@@ -12,7 +12,9 @@ const ENVIRONMENTS = join(ROOT, "node_modules/.cache");
 /** File in each environment that stores the requirements it was created for. */
 const STAMP = "created-for.txt";
 
-/** A Python tool cannot be installed: Python or venv is missing, or no package index is reachable. */
+/**
+ * A Python tool cannot be installed: Python or venv is missing, or no package index is reachable.
+ */
 export class NotInstallableError extends Error {
   override readonly name = "NotInstallableError";
 }

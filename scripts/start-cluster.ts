@@ -1,7 +1,7 @@
 /**
- * `npm run start:cluster`: starts Redis, two relays and a balancer on this machine, for trying out a
- * cluster. A relay or Redis that ends is restarted after 5 s, so users can kill it to test failover.
- * Ctrl+C stops all of them.
+ * `npm run start:cluster`: starts Redis, two relays and a balancer on this machine, for trying out
+ * a cluster. A relay or Redis that ends is restarted after 5 s, so users can kill it to test
+ * failover. Ctrl+C stops all of them.
  */
 import { spawn, type ChildProcess } from "node:child_process";
 import { mkdirSync } from "node:fs";

@@ -1,49 +1,55 @@
 /**
- * The Classic robot without a body: rules, motion and snapshot as flat numbers, for the contenders that
- * the product is measured against. Written once more on purpose, and as lean as it gets, so that no
- * rival pays for the product's own way of doing it.
+ * The Classic robot without collisions and sensors: rules, motion and snapshots, for the variants
+ * that the product is compared with. It duplicates the product's logic in the fastest form, so that
+ * no variant includes the product's overhead.
  *
- * Numbers live in one Float64Array: V8 then neither boxes nor allocates them. Units and degrees a tick.
+ * All numbers are in one Float64Array, so that V8 neither boxes nor allocates them. Speeds are in
+ * units and degrees per tick.
  */
 import { normaliseHeading, writeUnitVector } from "@corridor/geometry";
 import { CELL, headingNames, sizeOf, type MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import { plainActions, type RobotReport } from "@corridor/protocol";
 
-/** Places in `state`; the unit vector of the heading sits first, where `writeUnitVector` puts it. */
-export const WAY_X = 0;
-export const WAY_Y = 1;
+/**
+ * Indices in `state`. The unit vector of the heading is first, because `writeUnitVector` writes
+ * there.
+ */
+export const DIRECTION_X = 0;
+export const DIRECTION_Y = 1;
 export const X = 2;
 export const Y = 3;
-/** what this tick asks for: units along the heading, negative backward, and degrees */
+/** Motion of this tick: units along the heading (negative: backward), and degrees clockwise. */
 export const LINEAR = 4;
 const ANGULAR = 5;
 const HEADING = 6;
-/** what is left of the part that runs: units of a drive, degrees of a turn */
-const LEFT = 7;
-/** the heading at the end of the turn that runs; NaN before its first tick and outside of turns */
+/** Remainder of the current phase: units of a drive, or degrees of a turn. */
+const REMAINING = 7;
+/** Heading at the end of the current turn, in degrees. */
 const TARGET = 8;
 const DISTANCE = 9;
-/** direction into the wall that the robot touches */
+/** Unit vector that points into the wall that the robot touches. */
 const NORMAL_X = 10;
 const NORMAL_Y = 11;
 
 export const RADIUS = 25;
 const DRIVE_STEP = 100 / 60;
 const TURN_STEP = 150 / 60;
-const CRUMB = 1e-9;
-const TOUCHING = 1e-6;
-/** Two contacts with normals closer than this (cosine) are one and the same wall. */
+/** Tolerance for rounding errors at the end of a phase. */
+const EPSILON = 1e-9;
+/** Tolerance in units for the robot to be inside a goal cell. */
+const GOAL_TOLERANCE = 1e-6;
+/** Two contacts are with the same wall if the cosine between their normals is larger. */
 const SAME_WALL = 0.99;
 
-const NO_PART = 0;
+const NO_PHASE = 0;
 const DRIVE = 1;
 const TURN = 2;
-const PARTS = 3;
+const MAX_PHASES = 3;
 const STOP = plainActions.indexOf("stop");
 
-type Part = readonly [kind: number, amount: number];
-const partsOf = {
+type Phase = readonly [kind: number, amount: number];
+const phasesOf = {
   forward: [[DRIVE, Infinity]],
   reverse: [[DRIVE, -Infinity]],
   stop: [],
@@ -60,30 +66,33 @@ const partsOf = {
     [TURN, 90],
     [DRIVE, 60],
   ],
-} as const satisfies Record<(typeof plainActions)[number], readonly Part[]>;
+} as const satisfies Record<(typeof plainActions)[number], readonly Phase[]>;
 
-/** Parts of every action in the order of `plainActions`, three places each. */
-const kinds = new Uint8Array(plainActions.length * PARTS);
-const amounts = new Float64Array(plainActions.length * PARTS);
+/** Phases of every action in the order of `plainActions`, with `MAX_PHASES` elements per action. */
+const kinds = new Uint8Array(plainActions.length * MAX_PHASES);
+const amounts = new Float64Array(plainActions.length * MAX_PHASES);
 for (const [action, name] of plainActions.entries()) {
-  for (const [part, [kind, amount]] of partsOf[name].entries()) {
-    kinds[action * PARTS + part] = kind;
-    amounts[action * PARTS + part] = amount;
+  for (const [phase, [kind, amount]] of phasesOf[name].entries()) {
+    kinds[action * MAX_PHASES + phase] = kind;
+    amounts[action * MAX_PHASES + phase] = amount;
   }
 }
 
 export class FlatRobot {
   readonly state = new Float64Array(12);
-  /** front, right, back, left in units */
+  /** Distances in units: front, right, back, left. */
   readonly readings = new Float64Array(4);
   readonly #rules: CompiledProgram;
-  /** index in `plainActions` by rule + 1; the default's at 0 */
+  /** Index in `plainActions` by rule + 1; index 0 is the default. */
   readonly #actions: Uint8Array;
   readonly #goals: Uint8Array;
   readonly #columns: number;
   #action = STOP;
-  /** place of the part that runs in `kinds` and `amounts`, and the place after the action's last */
-  #part = 0;
+  /**
+   * Index of the current phase in `kinds` and `amounts`, and the index after the action's last
+   * phase.
+   */
+  #phase = 0;
   #end = 0;
   #isManoeuvre = false;
   #tick = 0;
@@ -108,47 +117,50 @@ export class FlatRobot {
     writeUnitVector(state[HEADING], state);
   }
 
-  /** The cell under the robot's centre, as `row * columns + column`. */
+  /** Index of the cell under the robot's centre: `row * columns + column`. */
   get cell(): number {
     const { state } = this;
     return Math.imul(((state[Y] ?? 0) / CELL) | 0, this.#columns) + (((state[X] ?? 0) / CELL) | 0);
   }
 
-  /** Units driven so far. */
+  /** Driven distance in units. */
   get distance(): number {
     return this.state[DISTANCE] ?? 0;
   }
 
-  /** Lets the rules decide unless a manoeuvre runs, then sets `state[LINEAR]` and the turn of this tick. */
+  /**
+   * Evaluates the rules unless a manoeuvre is running, then sets the motion of this tick in
+   * `state`.
+   */
   plan(): void {
     if (!this.#isManoeuvre)
-      this.#begin(this.#actions[this.#rules.decide(this.readings) + 1] ?? STOP);
+      this.#start(this.#actions[this.#rules.decide(this.readings) + 1] ?? STOP);
     const { state } = this;
-    const part = this.#part;
+    const phase = this.#phase;
     state[LINEAR] = 0;
     state[ANGULAR] = 0;
-    if (part === this.#end) return;
-    const amount = amounts[part] ?? 0;
-    const left = state[LEFT] ?? 0;
-    if (kinds[part] === DRIVE) {
-      const step = Math.min(DRIVE_STEP, left);
+    if (phase === this.#end) return;
+    const amount = amounts[phase] ?? 0;
+    const remaining = state[REMAINING] ?? 0;
+    if (kinds[phase] === DRIVE) {
+      const step = Math.min(DRIVE_STEP, remaining);
       state[LINEAR] = amount < 0 ? -step : step;
     } else {
-      if (left === Math.abs(amount))
+      if (remaining === Math.abs(amount))
         state[TARGET] = normaliseHeading((state[HEADING] ?? 0) + amount);
-      const step = Math.min(TURN_STEP, left);
+      const step = Math.min(TURN_STEP, remaining);
       state[ANGULAR] = amount < 0 ? -step : step;
     }
   }
 
-  /** The body drove `distance` units and ran into nothing. */
-  drove(distance: number): void {
+  /** Records that the body drove `distance` units without a collision. */
+  moveFreely(distance: number): void {
     this.#inContact = false;
     this.state[DISTANCE] = (this.state[DISTANCE] ?? 0) + distance;
   }
 
-  /** The body drove `distance` units and was stopped by a wall in the direction (normalX, normalY). */
-  ranInto(distance: number, normalX: number, normalY: number): void {
+  /** Records that the body drove `distance` units, until a wall in direction (normalX, normalY). */
+  collide(distance: number, normalX: number, normalY: number): void {
     const { state } = this;
     state[DISTANCE] = (state[DISTANCE] ?? 0) + distance;
     const cosine = (state[NORMAL_X] ?? 0) * normalX + (state[NORMAL_Y] ?? 0) * normalY;
@@ -158,27 +170,30 @@ export class FlatRobot {
     state[NORMAL_Y] = normalY;
   }
 
-  /** Turns, counts down the part that runs and goes on to the next. `isStopped`: a block stopped the robot. */
+  /**
+   * Applies the turn of this tick and advances the current phase.
+   * @param isStopped whether a block stopped the robot in this tick
+   */
   finish(isStopped: boolean): void {
     const { state } = this;
     const linear = Math.abs(state[LINEAR] ?? 0);
     const angular = state[ANGULAR] ?? 0;
     this.#tick = (this.#tick + 1) | 0;
-    if (this.#part === this.#end) return;
-    const left = (state[LEFT] ?? 0) - linear - Math.abs(angular);
-    state[LEFT] = left;
-    const isOver = left <= CRUMB || (isStopped && this.#isManoeuvre);
+    if (this.#phase === this.#end) return;
+    const remaining = (state[REMAINING] ?? 0) - linear - Math.abs(angular);
+    state[REMAINING] = remaining;
+    const isOver = remaining <= EPSILON || (isStopped && this.#isManoeuvre);
     if (angular !== 0) {
       state[HEADING] = isOver
         ? (state[TARGET] ?? 0)
         : normaliseHeading((state[HEADING] ?? 0) + angular);
       writeUnitVector(state[HEADING], state);
     }
-    if (isOver) this.#next();
+    if (isOver) this.#nextPhase();
   }
 
-  /** Notes the first tick with the whole robot in a goal cell. */
-  lookForGoal(): void {
+  /** Records the first tick in which the robot is completely inside a goal cell. */
+  checkGoal(): void {
     if (this.#goalTick >= 0 || this.#goals[this.cell] === 0) return;
     const { state } = this;
     if (isWithinCell(state[X] ?? 0) && isWithinCell(state[Y] ?? 0)) this.#goalTick = this.#tick;
@@ -202,23 +217,23 @@ export class FlatRobot {
     };
   }
 
-  #begin(action: number): void {
-    // forward, reverse and stop come first, and are the same however often they are chosen.
+  #start(action: number): void {
+    // forward, reverse and stop are first in `plainActions`. Starting them again changes nothing.
     if (action === this.#action && action <= STOP) return;
-    const first = Math.imul(action, PARTS);
+    const first = Math.imul(action, MAX_PHASES);
     let end = first;
-    while (end < first + PARTS && kinds[end] !== NO_PART) end++;
+    while (end < first + MAX_PHASES && kinds[end] !== NO_PHASE) end++;
     this.#action = action;
-    this.#part = first;
+    this.#phase = first;
     this.#end = end;
     this.#isManoeuvre = action > STOP;
-    this.state[LEFT] = Math.abs(amounts[first] ?? 0);
+    this.state[REMAINING] = Math.abs(amounts[first] ?? 0);
   }
 
-  #next(): void {
-    this.#part++;
-    if (this.#part < this.#end) {
-      this.state[LEFT] = Math.abs(amounts[this.#part] ?? 0);
+  #nextPhase(): void {
+    this.#phase++;
+    if (this.#phase < this.#end) {
+      this.state[REMAINING] = Math.abs(amounts[this.#phase] ?? 0);
       return;
     }
     this.#isManoeuvre = false;
@@ -228,5 +243,5 @@ export class FlatRobot {
 
 function isWithinCell(coordinate: number): boolean {
   const fromMiddle = (coordinate % CELL) - CELL / 2;
-  return Math.abs(fromMiddle) <= CELL / 2 - RADIUS + TOUCHING;
+  return Math.abs(fromMiddle) <= CELL / 2 - RADIUS + GOAL_TOLERANCE;
 }

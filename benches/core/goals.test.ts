@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
-import { goalLine, isMet, type Goal } from "./goals.ts";
+import { formatGoal, isMet, type Goal } from "./goals.ts";
 
 function goal(measured: number, bound: Goal["bound"]): Goal {
-  return { words: "a tick", measured, bound, unit: "times" };
+  return { label: "a tick", measured, bound, unit: "times" };
 }
 
 describe("a goal", () => {
@@ -23,11 +23,11 @@ describe("a goal", () => {
     },
   ])("$name is met: $met", ({ it: each, met }) => {
     expect(isMet(each)).toBe(met);
-    expect(goalLine(each).startsWith(met ? "PASS" : "FAIL")).toBe(true);
+    expect(formatGoal(each).startsWith(met ? "PASS" : "FAIL")).toBe(true);
   });
 
-  it("says what was measured and what was wanted", () => {
-    expect(goalLine(goal(6091.4, { atLeast: 2500 }))).toBe(
+  it("prints the measured number and the bound", () => {
+    expect(formatGoal(goal(6091.4, { atLeast: 2500 }))).toBe(
       "PASS  a tick: 6,090 times (at least 2500)",
     );
   });

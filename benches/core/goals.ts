@@ -1,25 +1,28 @@
-/** The goals of the core, each a number that one run measures and a bound for it. */
+/** Performance goals: a measured number and its bound. */
 
 export interface Goal {
-  words: string;
+  label: string;
   measured: number;
-  /** the largest number that still passes, or the smallest */
+  /** the largest or smallest number that passes */
   bound: { atMost: number } | { atLeast: number };
   unit: string;
 }
 
-/** A number that could not be measured (NaN) passes nothing. */
+/** Whether the goal is met. NaN, for a number that could not be measured, never meets a goal. */
 export function isMet({ measured, bound }: Goal): boolean {
   return "atMost" in bound ? measured <= bound.atMost : measured >= bound.atLeast;
 }
 
-export function goalLine(goal: Goal): string {
-  const { words, measured, bound, unit } = goal;
+/** Formats a goal as one line that starts with PASS or FAIL. */
+export function formatGoal(goal: Goal): string {
+  const { label, measured, bound, unit } = goal;
   const limit = "atMost" in bound ? `at most ${bound.atMost}` : `at least ${bound.atLeast}`;
-  return `${isMet(goal) ? "PASS" : "FAIL"}  ${words}: ${digits(measured)} ${unit} (${limit})`;
+  return `${isMet(goal) ? "PASS" : "FAIL"}  ${label}: ${formatNumber(measured)} ${unit} (${limit})`;
 }
 
-/** Three digits are all that a shared machine can tell; thousands grouped. */
-export function digits(number: number): string {
+/**
+ * Formats a number with 3 significant digits, the precision of a shared machine, and separators.
+ */
+export function formatNumber(number: number): string {
   return number.toLocaleString("en", { maximumSignificantDigits: 3 });
 }

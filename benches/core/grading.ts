@@ -1,6 +1,7 @@
 /**
- * What `grade` costs beside the ticks themselves: 10 programs over 100 mazes of 33 x 33, two simulated
- * minutes each, by the command line with all that it brings: start, files, workers, printing.
+ * Measures the overhead of `grade` over the ticks themselves: 10 programs in 100 mazes of 33 x 33,
+ * two simulated minutes each. Includes the process start, reading files, starting workers and
+ * printing.
  */
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -18,20 +19,24 @@ const SIDE = 33;
 const SECONDS = 120;
 const TICKS = PROGRAMS * MAZES * SECONDS * 60;
 const ROUNDS = 5;
-/** The single core is timed over this part of the ticks, right before each grading. */
-const SAMPLE = 0.25;
+/**
+ * The share of all ticks over which the single-core speed is measured, right before each grading.
+ */
+const SAMPLE_SHARE = 0.25;
 
 const cli = fileURLToPath(new URL("../../apps/cli/src/main.ts", import.meta.url));
 
 export interface GradingCost {
-  /** seconds from start to end of the command, the median of the rounds */
+  /** elapsed seconds from start to end of the command, median of the rounds */
   seconds: number;
-  /** the same in units of all ticks at the single-core speed, divided by the cores */
+  /**
+   * elapsed time relative to the ideal: the time of all ticks on a single core, divided by `cores`
+   */
   timesIdeal: number;
   cores: number;
 }
 
-/** @throws Error when the command fails, or prints something else than a line a run and a summary */
+/** @throws Error if the command fails, or does not print one line per run and a summary */
 export function measureGrading(program: ProgramDocument): GradingCost {
   const folder = mkdtempSync(join(tmpdir(), "corridor-bench-"));
   try {
@@ -40,17 +45,19 @@ export function measureGrading(program: ProgramDocument): GradingCost {
       { length: PROGRAMS },
       (_, at) => programPresets[at % programPresets.length]?.program,
     );
-    const programFiles = programs.map((each, at) => save(folder, `program-${at}.json`, each));
-    const mazeFiles = mazes.map((each, at) => save(folder, `maze-${at}.json`, each));
-    const words = ["--program", ...programFiles, "--maze", ...mazeFiles];
+    const programFiles = programs.map((each, at) =>
+      writeDocument(folder, `program-${at}.json`, each),
+    );
+    const mazeFiles = mazes.map((each, at) => writeDocument(folder, `maze-${at}.json`, each));
+    const args = ["--program", ...programFiles, "--maze", ...mazeFiles];
     const product = new Product(tree(0), program);
-    product.run(TICKS * SAMPLE);
+    product.run(TICKS * SAMPLE_SHARE);
     const cores = availableParallelism();
     const seconds: number[] = [];
     const timesIdeal: number[] = [];
     for (let round = 0; round < ROUNDS; round++) {
-      const single = secondsOf(() => product.run(TICKS * SAMPLE)) / SAMPLE;
-      const graded = secondsOf(() => grade(words));
+      const single = secondsOf(() => product.run(TICKS * SAMPLE_SHARE)) / SAMPLE_SHARE;
+      const graded = secondsOf(() => grade(args));
       seconds.push(graded);
       timesIdeal.push((graded * cores) / single);
     }
@@ -60,15 +67,15 @@ export function measureGrading(program: ProgramDocument): GradingCost {
   }
 }
 
-function grade(words: readonly string[]): void {
-  const printed = execFileSync(
+function grade(args: readonly string[]): void {
+  const output = execFileSync(
     process.execPath,
-    [cli, "grade", "--seconds", `${SECONDS}`, ...words],
+    [cli, "grade", "--seconds", `${SECONDS}`, ...args],
     { encoding: "utf8" },
   );
-  const lines = printed.trimEnd().split("\n").length;
+  const lines = output.trimEnd().split("\n").length;
   if (lines !== PROGRAMS * MAZES + 1) {
-    throw new Error(`grade: found ${lines} lines, expected one for each run and a summary`);
+    throw new Error(`grade printed ${lines} lines, expected ${PROGRAMS * MAZES + 1}`);
   }
 }
 
@@ -76,14 +83,14 @@ function tree(seed: number): MazeDocument {
   return generateTree({ columns: SIDE, rows: SIDE, seed, name: `Tree ${seed}` });
 }
 
-function save(folder: string, name: string, document: unknown): string {
+function writeDocument(folder: string, name: string, document: unknown): string {
   const file = join(folder, name);
   writeFileSync(file, JSON.stringify(document));
   return file;
 }
 
-function secondsOf(work: () => void): number {
+function secondsOf(action: () => void): number {
   const start = performance.now();
-  work();
+  action();
   return (performance.now() - start) / 1000;
 }

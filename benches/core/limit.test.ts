@@ -2,7 +2,7 @@ import { countOpenCells, generateTree, type MazeDocument } from "@corridor/maze"
 import { programPresets, type ProgramDocument } from "@corridor/program";
 import { sensorNames, type RobotReport } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import type { Contender } from "./contender.ts";
+import type { Variant } from "./variant.ts";
 import { Limit } from "./limit.ts";
 import { NaiveMatter } from "./naive-matter.ts";
 import { Planck } from "./planck.ts";
@@ -18,7 +18,7 @@ function tree(side: number, seed: number): MazeDocument {
   return generateTree({ columns: side, rows: side, seed, name: "tree" });
 }
 
-/** The largest difference of any number that both report; Infinity where a word or a count differs. */
+/** The largest difference of any number in both reports; Infinity if a state or a count differs. */
 function differenceOf(a: RobotReport, b: RobotReport): number {
   const isSame =
     a.tick === b.tick &&
@@ -33,31 +33,33 @@ function differenceOf(a: RobotReport, b: RobotReport): number {
   );
 }
 
-/** Runs both side by side: the largest difference in any tick, and the ticks in which their cells differ. */
+/**
+ * Runs the limit and the product tick by tick, and counts the ticks in which their cells differ.
+ */
 function compare(maze: MazeDocument, program: ProgramDocument, ticks: number) {
   const limit = new Limit(maze, program);
   const product = new Product(maze, program);
   let difference = differenceOf(limit.latest, product.latest);
-  let strayed = 0;
+  let wrongCells = 0;
   for (let tick = 0; tick < ticks; tick++) {
     limit.run(1);
     product.run(1);
     difference = Math.max(difference, differenceOf(limit.latest, product.latest));
-    if (limit.cell !== product.cell) strayed++;
+    if (limit.cell !== product.cell) wrongCells++;
   }
-  return { difference, strayed, bumps: product.latest.bumps };
+  return { difference, wrongCells, bumps: product.latest.bumps };
 }
 
-function visitedCells(contender: Contender, ticks: number): number {
-  const cells = new Set([contender.cell]);
+function visitedCells(variant: Variant, ticks: number): number {
+  const cells = new Set([variant.cell]);
   for (let tick = 0; tick < ticks; tick++) {
-    contender.run(1);
-    cells.add(contender.cell);
+    variant.run(1);
+    cells.add(variant.cell);
   }
   return cells.size;
 }
 
-describe("the limit goes the product's way, tick by tick", () => {
+describe("the limit reports the same as the product in every tick", () => {
   it.each([
     { side: 5, seed: 1, ticks: 50_000 },
     { side: 11, seed: 1, ticks: 50_000 },
@@ -65,40 +67,44 @@ describe("the limit goes the product's way, tick by tick", () => {
     { side: 101, seed: 3, ticks: 50_000 },
     { side: 255, seed: 4, ticks: 50_000 },
   ])("under the right-wall program in a tree of $side cells", ({ side, seed, ticks }) => {
-    const { difference, strayed } = compare(tree(side, seed), presetProgram("right-wall"), ticks);
+    const { difference, wrongCells } = compare(
+      tree(side, seed),
+      presetProgram("right-wall"),
+      ticks,
+    );
     expect(difference).toBeLessThan(1e-6);
-    expect(strayed).toBe(0);
+    expect(wrongCells).toBe(0);
   });
 
   it.each(programPresets.map(({ id }) => ({ id })))("under the preset $id", ({ id }) => {
     expect(compare(tree(11, 5), presetProgram(id), 20_000).difference).toBeLessThan(1e-6);
   });
 
-  it("into a wall, and on pushing there", () => {
-    const pushing: ProgramDocument = { ...presetProgram("right-wall"), rules: [] };
-    const { difference, bumps } = compare(tree(11, 1), pushing, 2_000);
+  it("when it drives into a wall and continues to push", () => {
+    const forward: ProgramDocument = { ...presetProgram("right-wall"), rules: [] };
+    const { difference, bumps } = compare(tree(11, 1), forward, 2_000);
     expect(bumps).toBe(1);
     expect(difference).toBeLessThan(1e-6);
   });
 });
 
-it("the limit ends at the same place whether its snapshots are made or not", () => {
-  const [seen, unseen] = [0, 1].map(() => new Limit(tree(33, 6), presetProgram("right-wall")));
-  seen?.run(30_000);
-  unseen?.runUnseen(29_999);
-  unseen?.run(1);
-  expect(unseen?.latest).toEqual(seen?.latest);
+it("the limit ends in the same state with and without snapshots", () => {
+  const [limit, bare] = [0, 1].map(() => new Limit(tree(33, 6), presetProgram("right-wall")));
+  limit?.run(30_000);
+  bare?.runWithoutSnapshots(29_999);
+  bare?.run(1);
+  expect(bare?.latest).toEqual(limit?.latest);
 });
 
-describe("the rivals do the same work", () => {
-  const rivals = [
-    { name: "naive matter-js", Rival: NaiveMatter },
-    { name: "planck", Rival: Planck },
+describe("the peers do the same work", () => {
+  const peers = [
+    { name: "naive matter-js", Peer: NaiveMatter },
+    { name: "planck", Peer: Planck },
   ];
-  it.each(rivals)("$name visits every cell of a tree without a bump", ({ Rival }) => {
+  it.each(peers)("$name visits every cell of a tree without a bump", ({ Peer }) => {
     const maze = tree(11, 1);
-    const rival = new Rival(maze, presetProgram("right-wall"));
-    expect(visitedCells(rival, 12_000)).toBe(countOpenCells(maze));
-    expect(rival.latest.bumps).toBe(0);
+    const peer = new Peer(maze, presetProgram("right-wall"));
+    expect(visitedCells(peer, 12_000)).toBe(countOpenCells(maze));
+    expect(peer.latest.bumps).toBe(0);
   });
 });

@@ -11,11 +11,11 @@ describe("median", () => {
   });
 });
 
-it("a ratio compares times of the same round, so that a slow round of both changes nothing", () => {
+it("compares times of the same round, so a round that is slow for both changes nothing", () => {
   expect(timesSlower([20, 2000, 22], [10, 1000, 11])).toBe(2);
 });
 
-it("every variant gets a time in every round, whatever the order of the round", () => {
+it("times every variant in every round", () => {
   const ran = [0, 0, 0];
   const variants = ran.map((_, at) => ({
     run: (ticks: number) => {
@@ -28,11 +28,11 @@ it("every variant gets a time in every round, whatever the order of the round", 
   expect(ran.every((count) => count > 0)).toBe(true);
 });
 
-it("an array in every tick is found among the bytes allocated", () => {
-  const kept: Float64Array[] = [];
+it("counts the bytes of an array that is allocated in every tick", () => {
+  const retained: Float64Array[] = [];
   const bytes = allocatedPerTick((ticks) => {
-    for (let i = 0; i < ticks; i++) kept[i % 8] = Float64Array.from({ length: 8 }, () => i);
+    for (let i = 0; i < ticks; i++) retained[i % 8] = Float64Array.from({ length: 8 }, () => i);
   }, 20_000);
-  expect(kept).toHaveLength(8);
+  expect(retained).toHaveLength(8);
   expect(bytes).toBeGreaterThan(64);
 });

@@ -1,10 +1,11 @@
 /**
- * Timing in one process: rounds in which every variant runs once, so that a slow moment of the machine
- * meets all of them; then medians over the rounds. Each round has its own order, from a fixed seed: what
- * a variant leaves behind (cold caches, garbage to collect) does not always meet the same next one.
+ * Times variants in one process. In each round, every variant runs once, so that a slow period of
+ * the machine affects all of them. The results are medians over the rounds. Each round has its own
+ * order, shuffled from a fixed seed, so that the cold caches and garbage of a variant affect
+ * different successors.
  *
- * The clock is the processor time of the process with all its threads. What others do on a shared
- * machine does not count, and what the garbage collector does for a variant beside it does.
+ * The clock is the processor time of the process with all its threads. It excludes other processes
+ * of a shared machine and includes the garbage collector.
  */
 import { getHeapStatistics } from "node:v8";
 import { createRandom, type Random } from "@corridor/maze";
@@ -12,18 +13,18 @@ import { createRandom, type Random } from "@corridor/maze";
 export interface Timed {
   /** Runs this many ticks. */
   run: (ticks: number) => void;
-  /** how long a round of it takes, in milliseconds of processor time; at least one tick runs */
+  /** milliseconds of processor time per round; at least one tick runs */
   roundMs: number;
 }
 
-/** Doubling stops at this share of a round: enough to tell how many ticks a round takes. */
-const CALIBRATED = 0.5;
+/** Calibration doubles the ticks until they take this share of a round. */
+const CALIBRATION_SHARE = 0.5;
 const WARM_UP_ROUNDS = 3;
 const ORDER_SEED = 1;
 
 /**
- * Warms every variant up, then measures them in turn.
- * @returns nanoseconds of processor time a tick, one list of `rounds` numbers for each variant
+ * Warms up every variant, then measures all variants in every round.
+ * @returns nanoseconds of processor time per tick: for each variant, a list of `rounds` numbers
  */
 export function measureRounds(variants: readonly Timed[], rounds: number): number[][] {
   const random = createRandom(ORDER_SEED);
@@ -38,27 +39,27 @@ export function measureRounds(variants: readonly Timed[], rounds: number): numbe
   return times;
 }
 
-/** How many times as long a tick of `slow` takes as one of `fast`: the median of the rounds' ratios. */
+/** The ratio of the times per tick of `slow` and `fast`: the median of the ratios of all rounds. */
 export function timesSlower(slow: readonly number[], fast: readonly number[]): number {
   return median(slow.map((time, round) => time / (fast[round] ?? Number.NaN)));
 }
 
-/** The middle number; the mean of the two in the middle for an even count. */
+/** The median; for an even count, the mean of the two middle numbers. */
 export function median(numbers: readonly number[]): number {
   const sorted = numbers.toSorted((a, b) => a - b);
   const middle = (sorted.length - 1) / 2;
   return ((sorted[Math.floor(middle)] ?? NaN) + (sorted[Math.ceil(middle)] ?? NaN)) / 2;
 }
 
-/** The number below which this share of all lies; NaN when there are none. */
+/** The quantile of the numbers at a share from 0 to 1; NaN if there are no numbers. */
 export function quantile(numbers: readonly number[], share: number): number {
   const sorted = numbers.toSorted((a, b) => a - b);
   return sorted[Math.min(sorted.length - 1, Math.floor(sorted.length * share))] ?? Number.NaN;
 }
 
 /**
- * Bytes that a tick allocates on the JavaScript heap, garbage included. V8 counts every byte that it has
- * handed out, so collections in between change nothing.
+ * Bytes that a tick allocates on the JavaScript heap, including garbage. V8 counts every allocated
+ * byte, so garbage collections do not affect the result.
  */
 export function allocatedPerTick(run: (ticks: number) => void, ticks: number): number {
   const before = getHeapStatistics().total_allocated_bytes;
@@ -66,11 +67,11 @@ export function allocatedPerTick(run: (ticks: number) => void, ticks: number): n
   return (getHeapStatistics().total_allocated_bytes - before) / ticks;
 }
 
-/** Runs a variant until V8 has optimised it. Returns how many ticks fill a round. */
+/** Runs a variant until V8 has optimised it. @returns the number of ticks per round */
 function warmUp({ run, roundMs }: Timed): number {
   let ticks = 1;
   let took = cpuMs(run, ticks);
-  while (took < roundMs * CALIBRATED) {
+  while (took < roundMs * CALIBRATION_SHARE) {
     ticks *= 2;
     took = cpuMs(run, ticks);
   }
@@ -82,7 +83,7 @@ function warmUp({ run, roundMs }: Timed): number {
   return Math.max(1, Math.round((ticks * roundMs) / took));
 }
 
-/** The variants with their places, in an order of its own (Fisher and Yates). */
+/** The variants with their indices, shuffled (Fisher-Yates). */
 function shuffled(variants: readonly Timed[], random: Random): (Timed & { at: number })[] {
   const left = variants.map((variant, at) => ({ ...variant, at }));
   return variants.flatMap(() => left.splice(random.below(left.length), 1));

@@ -26,7 +26,7 @@ describe("merged walls", () => {
       for (let column = -1; column <= columns; column++) {
         const isInX = column >= 0 && column < columns;
         const isInY = row >= 0 && row < rows;
-        // The four corners outside touch no cell of the maze.
+        // The four outer corners touch no cell of the maze.
         const isWall = isInX && isInY ? isBlock(maze, column, row) : isInX || isInY;
         expect(covered.get(`${column} ${row}`) ?? 0).toBe(isWall ? 1 : 0);
       }

@@ -1,34 +1,34 @@
 /**
- * matter-js as its examples teach it: a world with one static body for every block and four border
- * walls, `Engine.update` on each tick, and sensors by `Query.ray` over all bodies.
+ * matter-js used as in its examples: a world with one static body per block and four border walls,
+ * `Engine.update` in each tick, and sensors by `Query.ray` over all bodies.
  */
 import { CELL, isBlock, sizeOf, type MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { RobotReport } from "@corridor/protocol";
 import Matter from "matter-js";
-import type { Contender } from "./contender.ts";
-import { FlatRobot, LINEAR, RADIUS, WAY_X, WAY_Y, X, Y } from "./flat-robot.ts";
+import { DIRECTION_X, DIRECTION_Y, FlatRobot, LINEAR, RADIUS, X, Y } from "./flat-robot.ts";
+import type { Variant } from "./variant.ts";
 
 const { Bodies, Body, Composite, Engine, Query } = Matter;
 const TICK_MS = 1000 / 60;
 const GRAZING = 1e-9;
-/** In units. A ray of matter-js's own width slips through the seam between two blocks. */
+/** In units. A ray of the default width of matter-js passes through the seam between two blocks. */
 const RAY_WIDTH = 0.001;
 
-export class NaiveMatter implements Contender {
+export class NaiveMatter implements Variant {
   readonly #robot: FlatRobot;
   readonly #engine = Engine.create({ gravity: { scale: 0 } });
   readonly #walls: Matter.Body[];
   readonly #body: Matter.Body;
-  /** longer than any way through the maze, in units */
-  readonly #farAway: number;
+  /** in units, longer than any free path in the maze */
+  readonly #maxRange: number;
   latest: RobotReport;
 
   constructor(maze: MazeDocument, program: ProgramDocument) {
     const { columns, rows } = sizeOf(maze);
     this.#robot = new FlatRobot(maze, program);
     this.#walls = wallsOf(maze);
-    this.#farAway = (columns + rows) * CELL;
+    this.#maxRange = (columns + rows) * CELL;
     const { state } = this.#robot;
     this.#body = Bodies.circle(state[X] ?? 0, state[Y] ?? 0, RADIUS, {
       friction: 0,
@@ -57,18 +57,18 @@ export class NaiveMatter implements Contender {
     const { state } = robot;
     robot.plan();
     const linear = state[LINEAR] ?? 0;
-    const dx = (state[WAY_X] ?? 0) * linear;
-    const dy = (state[WAY_Y] ?? 0) * linear;
+    const dx = (state[DIRECTION_X] ?? 0) * linear;
+    const dy = (state[DIRECTION_Y] ?? 0) * linear;
     Body.setVelocity(this.#body, { x: dx, y: dy });
     Engine.update(this.#engine, TICK_MS);
-    const isStopped = linear !== 0 && this.#settle(dx, dy);
+    const isStopped = linear !== 0 && this.#applyEngineResult(dx, dy);
     robot.finish(isStopped);
     this.#sense();
-    robot.lookForGoal();
+    robot.checkGoal();
   }
 
-  /** Takes over where the engine left the body, and whether a wall was in its way. */
-  #settle(dx: number, dy: number): boolean {
+  /** Copies the body's position from the engine. @returns whether a wall stopped the body */
+  #applyEngineResult(dx: number, dy: number): boolean {
     const robot = this.#robot;
     const { state } = robot;
     const { position } = this.#body;
@@ -79,52 +79,59 @@ export class NaiveMatter implements Contender {
     state[Y] = position.y;
     for (const { isActive, collision } of this.#engine.pairs.list) {
       if (!isActive) continue;
-      // matter-js's normal leads from the wall to the robot where the robot is its first body.
-      const towards = collision.bodyA === this.#body ? -1 : 1;
-      const normalX = towards * collision.normal.x;
-      const normalY = towards * collision.normal.y;
+      // The normal of matter-js points from the wall to the robot if the robot is `bodyA`.
+      const sign = collision.bodyA === this.#body ? -1 : 1;
+      const normalX = sign * collision.normal.x;
+      const normalY = sign * collision.normal.y;
       if (normalX * dx + normalY * dy < GRAZING) continue;
-      robot.ranInto(distance, normalX, normalY);
+      robot.collide(distance, normalX, normalY);
       return true;
     }
-    robot.drove(distance);
+    robot.moveFreely(distance);
     return false;
   }
 
   #sense(): void {
     const { state, readings } = this.#robot;
-    let wayX = state[WAY_X] ?? 0;
-    let wayY = state[WAY_Y] ?? 0;
+    let directionX = state[DIRECTION_X] ?? 0;
+    let directionY = state[DIRECTION_Y] ?? 0;
     for (let sensor = 0; sensor < 4; sensor++) {
-      readings[sensor] = this.#castRay(wayX, wayY);
-      const turned = -wayY;
-      wayY = wayX;
-      wayX = turned;
+      readings[sensor] = this.#castRay(directionX, directionY);
+      const turned = -directionY;
+      directionY = directionX;
+      directionX = turned;
     }
   }
 
-  /** `Query.ray` names the walls on the ray and no distance: that comes from their bounds. */
-  #castRay(wayX: number, wayY: number): number {
+  /**
+   * `Query.ray` returns the walls on the ray without distances, so these are computed from bounds.
+   */
+  #castRay(directionX: number, directionY: number): number {
     const { position } = this.#body;
-    const end = { x: position.x + wayX * this.#farAway, y: position.y + wayY * this.#farAway };
-    let nearest = this.#farAway;
+    const end = {
+      x: position.x + directionX * this.#maxRange,
+      y: position.y + directionY * this.#maxRange,
+    };
+    let nearest = this.#maxRange;
     for (const { bodyA } of Query.ray(this.#walls, position, end, RAY_WIDTH)) {
-      nearest = Math.min(nearest, distanceTo(bodyA.bounds, position, wayX, wayY));
+      nearest = Math.min(nearest, distanceTo(bodyA.bounds, position, directionX, directionY));
     }
     return nearest;
   }
 }
 
-/** From a point outside of a box along a ray that hits it, to the box. */
+/** Distance from a point outside a box to the box, along a ray that hits it. */
 function distanceTo(
   { min, max }: Matter.Bounds,
   { x, y }: Matter.Vector,
-  wayX: number,
-  wayY: number,
+  directionX: number,
+  directionY: number,
 ): number {
   let distance = 0;
-  if (wayX !== 0) distance = Math.max(distance, ((wayX > 0 ? min.x : max.x) - x) / wayX);
-  if (wayY !== 0) distance = Math.max(distance, ((wayY > 0 ? min.y : max.y) - y) / wayY);
+  if (directionX !== 0)
+    distance = Math.max(distance, ((directionX > 0 ? min.x : max.x) - x) / directionX);
+  if (directionY !== 0)
+    distance = Math.max(distance, ((directionY > 0 ? min.y : max.y) - y) / directionY);
   return distance;
 }
 

@@ -1,11 +1,13 @@
-/** The product as it ships: simulation, compiled program and snapshot, through their public doors. */
+/**
+ * The product as it ships: simulation, compiled program and snapshots, through their public APIs.
+ */
 import type { MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { RobotReport } from "@corridor/protocol";
 import { ProgramRun, Simulation } from "@corridor/simulation";
-import type { Contender } from "./contender.ts";
+import type { Variant } from "./variant.ts";
 
-export class Product implements Contender {
+export class Product implements Variant {
   readonly #simulation: Simulation;
   readonly #run: ProgramRun;
   latest: RobotReport;

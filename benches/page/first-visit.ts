@@ -10,7 +10,7 @@ import { fileURLToPath } from "node:url";
 import type { Browser } from "playwright";
 import { build } from "vite";
 import { precompress } from "../../apps/web/build/precompress.ts";
-import { digits } from "../core/goals.ts";
+import { formatNumber } from "../core/goals.ts";
 import { serveFolder } from "./serve-folder.ts";
 import type { Section } from "./section.ts";
 
@@ -49,10 +49,10 @@ export const firstVisit: Section = {
       ["Corridor, Run can be pressed", visits.map(({ pressed }) => pressed)],
       ["Corridor, first tick", visits.map(({ tick }) => tick)],
     ] as const;
-    for (const [words, times] of rows) console.log(`  ${words}: ${digits(median(times))} ms`);
+    for (const [label, times] of rows) console.log(`  ${label}: ${formatNumber(median(times))} ms`);
     return [
       {
-        words: "first tick against the first paint of an empty React page",
+        label: "first tick against the first paint of an empty React page",
         measured: median(visits.map(({ tick }, round) => tick / (paints[round] ?? Number.NaN))),
         bound: { atMost: 1.5 },
         unit: "times",

@@ -115,7 +115,7 @@ async function manyLines(browser: Browser, url: string): Promise<Goal> {
     `  ${MOST_LINES} lines at ${side}: main mean ${mean(mainThread).toFixed(3)}, p99 ${p99.toFixed(2)}, most ${most.toFixed(1)}`,
   );
   return {
-    words: `frames with ${MOST_LINES} lines whose main thread is done in time`,
+    label: `frames with ${MOST_LINES} lines whose main thread is done in time`,
     measured: (100 * inTime) / mainThread.length,
     bound: { atLeast: 99 },
     unit: "%",
@@ -166,37 +166,37 @@ function goalsOf(
   );
   return [
     {
-      words: `script for the stage a frame at ${side}, p50`,
+      label: `script for the stage a frame at ${side}, p50`,
       measured: quantile(script, 0.5),
       bound: { atMost: 0.1 },
       unit: "ms",
     },
     {
-      words: `script for the stage a frame at ${side}, p99`,
+      label: `script for the stage a frame at ${side}, p99`,
       measured: quantile(script, 0.99),
       bound: { atMost: 0.5 },
       unit: "ms",
     },
     {
-      words: `main thread at ${side}, the stage alone, against the limit`,
+      label: `main thread at ${side}, the stage alone, against the limit`,
       measured: timesSlower(product.alone.mainThread.map(mean), limit.mainThread.map(mean)),
       bound: { atMost: 1.3 },
       unit: "times",
     },
     {
-      words: `main thread at ${side}, panel included, against the limit`,
+      label: `main thread at ${side}, panel included, against the limit`,
       measured: timesSlower(product.mainThread.map(mean), limit.mainThread.map(mean)),
       bound: { atMost: 1.3 },
       unit: "times",
     },
     {
-      words: `frames at ${side} whose main thread is done in time, ${THROTTLE} times throttled`,
+      label: `frames at ${side} whose main thread is done in time, ${THROTTLE} times throttled`,
       measured: (100 * inTime) / product.throttled.length,
       bound: { atLeast: 99 },
       unit: "%",
     },
     {
-      words: `pictures at ${side} that a ${THROTTLE} times slower worker would draw in time`,
+      label: `pictures at ${side} that a ${THROTTLE} times slower worker would draw in time`,
       measured: (100 * painted.length) / product.workerFrames.length,
       bound: { atLeast: 99 },
       unit: "%",

@@ -6,7 +6,7 @@
 import { chromium } from "playwright";
 import { RelayProcess } from "../../e2e/support/relay-process.ts";
 import { chromiumArguments, requireChromium } from "../../scripts/chromium.ts";
-import { goalLine, isMet, type Goal } from "../core/goals.ts";
+import { formatGoal, isMet, type Goal } from "../core/goals.ts";
 import { firstVisit } from "./first-visit.ts";
 import { otherMazes } from "./other-mazes.ts";
 import { frames } from "./frames.ts";
@@ -36,5 +36,5 @@ try {
   await relay.stop();
 }
 console.log();
-for (const goal of goals) console.log(goalLine(goal));
+for (const goal of goals) console.log(formatGoal(goal));
 if (!goals.every(isMet)) process.exitCode = 1;

@@ -7,7 +7,7 @@ import { encodeLink } from "@corridor/link";
 import { mazePresets } from "@corridor/maze";
 import { programPresets, type ProgramDocument } from "@corridor/program";
 import type { Browser, Page } from "playwright";
-import { digits, type Goal } from "../core/goals.ts";
+import { formatNumber, type Goal } from "../core/goals.ts";
 import { median } from "../core/measure.ts";
 import { watchPage } from "./main-thread.ts";
 import type { PageUnderTest, Section } from "./section.ts";
@@ -47,10 +47,10 @@ async function measure({ browser, url }: PageUnderTest): Promise<readonly Goal[]
     const all = median(times.map((time) => time.all));
     const raw = median(times.map((time) => time.raw));
     console.log(
-      `  ${id}: first ${digits(median(times.map(({ first }) => first)))} ms, all ${digits(all)} ms; alone in one worker ${digits(raw)} ms; ${cores} cores`,
+      `  ${id}: first ${formatNumber(median(times.map(({ first }) => first)))} ms, all ${formatNumber(all)} ms; alone in one worker ${formatNumber(raw)} ms; ${cores} cores`,
     );
     goals.push({
-      words: `${MAZES} trees with ${id}, against the raw ticks divided by the cores`,
+      label: `${MAZES} trees with ${id}, against the raw ticks divided by the cores`,
       measured: median(times.map((time) => (time.all * cores) / time.raw)),
       bound: { atMost: 1.3 },
       unit: "times",
@@ -60,7 +60,7 @@ async function measure({ browser, url }: PageUnderTest): Promise<readonly Goal[]
   }
   return [
     {
-      words: "first of the other mazes, from the press of the button",
+      label: "first of the other mazes, from the press of the button",
       measured: median(firsts),
       bound: { atMost: 150 },
       unit: "ms",
@@ -99,7 +99,7 @@ async function framesMeanwhile(browser: Browser, page: Page): Promise<Goal> {
   const inTime = frames.filter((milliseconds) => milliseconds <= FRAME_MS).length;
   console.log(`  main thread: most ${Math.max(...frames).toFixed(1)} ms in a frame`);
   return {
-    words: "frames whose main thread is done in time while other mazes are tried",
+    label: "frames whose main thread is done in time while other mazes are tried",
     measured: (100 * inTime) / frames.length,
     bound: { atLeast: 99 },
     unit: "%",

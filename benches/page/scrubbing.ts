@@ -68,6 +68,6 @@ function three(times: readonly number[]): string {
   return [0.5, 0.99, 1].map((part) => quantile(times, part).toFixed(1)).join(" / ");
 }
 
-function atMost(most: number, unit: string, words: string, measured: number): Goal {
-  return { words, measured, bound: { atMost: most }, unit };
+function atMost(most: number, unit: string, label: string, measured: number): Goal {
+  return { label, measured, bound: { atMost: most }, unit };
 }

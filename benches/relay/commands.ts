@@ -33,7 +33,7 @@ export const commands: Section = {
     await flooded(contenderNames, FREE);
     return [
       {
-        words: "commands answered after their commit, against the bare forwarder's round trips",
+        label: "commands answered after their commit, against the bare forwarder's round trips",
         measured: timesAsMuch(answered.get("corridor") ?? [], answered.get("bare") ?? [], rate),
         bound: { atLeast: 0.55 },
         unit: "times",

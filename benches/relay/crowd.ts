@@ -88,25 +88,25 @@ function judged(alone: Rounds, commanded: Rounds, flood: Rounds): readonly Goal[
   const product = commanded.get("corridor") ?? [];
   return [
     {
-      words: "snapshots that a core takes, against the bare forwarder, at 30/s of each robot",
+      label: "snapshots that a core takes, against the bare forwarder, at 30/s of each robot",
       measured: 1 / timesAsMuch(alone.get("corridor") ?? [], alone.get("bare") ?? [], costEach),
       bound: { atLeast: 0.75 },
       unit: "times",
     },
     {
-      words: "snapshots a second, as many as are taken, against the bare forwarder",
+      label: "snapshots a second, as many as are taken, against the bare forwarder",
       measured: timesAsMuch(flood.get("corridor") ?? [], flood.get("bare") ?? [], rate),
       bound: { atLeast: 0.75 },
       unit: "times",
     },
     {
-      words: "500 robots with a reader each, 30 snapshots a second",
+      label: "500 robots with a reader each, 30 snapshots a second",
       measured: typical(product, coreShare),
       bound: { atMost: 60 },
       unit: "% of a core",
     },
     {
-      words: "from a command to the news that it has begun, there, p99",
+      label: "from a command to the news that it has begun, there, p99",
       measured: typical(product, quantileOf("beginnings", 0.99)) / 1000,
       bound: { atMost: 10 },
       unit: "ms",

@@ -27,7 +27,7 @@ export const idle: Section = {
     }
     return [
       {
-        words: "memory of an idle connection",
+        label: "memory of an idle connection",
         measured: figures.get("corridor") ?? Number.NaN,
         bound: { atMost: 12 },
         unit: "KiB",

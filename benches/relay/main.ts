@@ -4,7 +4,7 @@
  * is missed. Words on the command line choose sections by their titles. What each number is: docs/performance.md.
  */
 import { availableParallelism, cpus } from "node:os";
-import { goalLine, isMet, type Goal } from "../core/goals.ts";
+import { formatGoal, isMet, type Goal } from "../core/goals.ts";
 import { commands } from "./commands.ts";
 import { crowd } from "./crowd.ts";
 import { idle } from "./idle.ts";
@@ -30,5 +30,5 @@ for (const { title, measure } of chosen) {
 }
 const model = cpus()[0]?.model.trim() ?? "unknown processor";
 console.log(`\nNode ${process.versions.node}, ${availableParallelism()} cores, ${model}\n`);
-for (const goal of goals) console.log(goalLine(goal));
+for (const goal of goals) console.log(formatGoal(goal));
 if (!goals.every(isMet)) process.exitCode = 1;

@@ -1,5 +1,5 @@
 /** A part of `npm run bench:relay`: measures something of the relay, prints what it saw, and judges it. */
-import { digits, type Goal } from "../core/goals.ts";
+import { formatNumber, type Goal } from "../core/goals.ts";
 import type { ContenderName, Running } from "./contenders/contender.ts";
 import { start } from "./contenders/start.ts";
 import { Load } from "./load/load.ts";
@@ -48,8 +48,8 @@ export async function withContenders<T>(
   }
 }
 
-/** A line of a table: a name and numbers of three digits. */
+/** Prints a table row: a name and its cells; numbers have 3 significant digits. */
 export function printRow(name: string, cells: readonly (number | string)[]): void {
-  const texts = cells.map((cell) => (typeof cell === "number" ? digits(cell) : cell));
+  const texts = cells.map((cell) => (typeof cell === "number" ? formatNumber(cell) : cell));
   console.log(`  ${name.padEnd(24)}${texts.map((text) => text.padStart(14)).join("")}`);
 }

@@ -53,7 +53,7 @@ export const snapshots: Section = {
       }
       return [
         {
-          words: "a snapshot's way, p50, against the bare forwarder",
+          label: "a snapshot's way, p50, against the bare forwarder",
           measured: timesAsMuch(rounds.get("corridor") ?? [], bare, quantileOf("ways", 0.5)),
           bound: { atMost: 1.2 },
           unit: "times",

@@ -59,7 +59,7 @@ export const twoRelays: Section = {
 
 function goal(measured: number): Goal {
   return {
-    words: "processor time of a robot with its reader at another relay, against one relay",
+    label: "processor time of a robot with its reader at another relay, against one relay",
     measured,
     bound: { atMost: 1.3 },
     unit: "times",

@@ -11,7 +11,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, loadavg, tmpdir } from "node:os";
 import { join } from "node:path";
 import { parseArgs } from "node:util";
-import { goalLine } from "../../benches/core/goals.ts";
+import { formatGoal } from "../../benches/core/goals.ts";
 import { machineNow } from "./clock.ts";
 import { holds, reportOf, type Judged } from "./report.ts";
 import { rows } from "./rows.ts";
@@ -74,7 +74,7 @@ async function judge(row: Row): Promise<Judged> {
   const seconds = (): number => (machineNow() - began) / 1000;
   try {
     const goals = await row.run(terms);
-    for (const goal of goals) console.log(goalLine(goal));
+    for (const goal of goals) console.log(formatGoal(goal));
     return { title, does, goals, seconds: seconds(), load: loadOf() };
   } catch (error) {
     const fault = error instanceof Error ? (error.stack ?? error.message) : String(error);

@@ -10,7 +10,7 @@ const about = {
 };
 
 function row(measured: number): Judged {
-  const goal = { words: "back", measured, bound: { atMost: 2 }, unit: "s" };
+  const goal = { label: "back", measured, bound: { atMost: 2 }, unit: "s" };
   return { title: "Killed", does: "kills it", goals: [goal], seconds: 61, load: 1 };
 }
 

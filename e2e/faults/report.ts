@@ -2,7 +2,7 @@
  * What a run of the rows found, as a table in Markdown: what was done, what must hold, what was
  * measured.
  */
-import { digits, isMet, type Goal } from "../../benches/core/goals.ts";
+import { formatNumber, isMet, type Goal } from "../../benches/core/goals.ts";
 
 export interface Judged {
   title: string;
@@ -59,10 +59,10 @@ function lineAbout({ title, does, seconds, load }: Judged): string {
 function linesOf({ title, goals, fault }: Judged): string[] {
   if (goals === null) return [`| ${title} | runs to its end | ${cell(fault ?? "")} | FAIL |`];
   return goals.map((goal, n) => {
-    const { words, measured, bound, unit } = goal;
+    const { label, measured, bound, unit } = goal;
     const limit = "atMost" in bound ? `at most ${bound.atMost}` : `at least ${bound.atLeast}`;
     const verdict = isMet(goal) ? "pass" : "FAIL";
-    return `| ${n === 0 ? title : ""} | ${cell(words)}: ${limit} | ${digits(measured)} ${cell(unit)} | ${verdict} |`;
+    return `| ${n === 0 ? title : ""} | ${cell(label)}: ${limit} | ${formatNumber(measured)} ${cell(unit)} | ${verdict} |`;
   });
 }
 

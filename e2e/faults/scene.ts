@@ -128,7 +128,7 @@ export class Comparison {
   /** None of any kind of fault. */
   goals(kinds: readonly FaultKind[] = faultKinds): Goal[] {
     return kinds.map((kind) => ({
-      words: `${kind} commands`,
+      label: `${kind} commands`,
       measured: this.#faults.filter((fault) => fault.kind === kind).length,
       bound: { atMost: 0 },
       unit: `of ${this.commands}`,

@@ -1,6 +1,7 @@
 /**
  * Distributes the runs of a grading over all cores. The threads share the job and a counter, from
- * which each thread claims its next pair of program and maze. All threads finish at about the same time.
+ * which each thread claims its next pair of program and maze. All threads finish at about the same
+ * time.
  */
 import { diagnoseFreePlay, type Diagnosis } from "@corridor/coach";
 import type { MazeDocument } from "@corridor/maze";
@@ -32,8 +33,8 @@ export interface GradedPair {
 }
 
 /**
- * Runs pairs until none is left. Alternates between the programs, so that V8 has seen the types of all
- * programs before it optimises the loop.
+ * Runs pairs until none is left. Alternates between the programs, so that V8 has seen the types of
+ * all programs before it optimises the loop.
  */
 export function gradeShare({ job, nextPair }: GradeShare): GradedPair[] {
   const { mazes, programs, limits, why } = job;

@@ -1,4 +1,7 @@
-/** `grade`: runs every program in every maze, on all cores. Prints results in the order of the files. */
+/**
+ * `grade`: runs every program in every maze, on all cores. Prints results in the order of the
+ * files.
+ */
 import { availableParallelism } from "node:os";
 import { Worker } from "node:worker_threads";
 import { gradeArguments, type GradeArguments } from "./arguments.ts";

@@ -1,7 +1,8 @@
 /**
- * Entry point of the command line. Enables the compile cache of Node.js, which stores compiled modules
- * in the system's temporary folder: without the cache, a short `grade` spends as long on loading its
- * modules as on its runs. A dynamic import follows because the cache only affects later imports.
+ * Entry point of the command line. Enables the compile cache of Node.js, which stores compiled
+ * modules in the system's temporary folder: without the cache, a short `grade` spends as long on
+ * loading its modules as on its runs. A dynamic import follows because the cache only affects later
+ * imports.
  */
 import { enableCompileCache } from "node:module";
 

@@ -1,4 +1,6 @@
-/** Reproduces the table of the 2013 thesis: how each program behaves in tree mazes and corridors. */
+/**
+ * Reproduces the table of the 2013 thesis: how each program behaves in tree mazes and corridors.
+ */
 import { generateTree } from "@corridor/maze";
 import { paperPrograms } from "@corridor/program/testing";
 import { CompiledProgram } from "@corridor/program";

@@ -86,7 +86,8 @@ export function csvTable(runs: readonly GradedRun[]): string[] {
 
 function csvField(value: string | number | boolean): string {
   const text = String(value);
-  // Spreadsheets evaluate text with these initial characters as a formula; a leading quote prevents it.
+  // Spreadsheets evaluate text with these initial characters as a formula; a leading quote prevents
+  // it.
   const safe = typeof value === "string" && /^[=+\-@\t\r]/.test(text) ? `'${text}` : text;
   return /[",\r\n]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 }

@@ -43,8 +43,8 @@ export function runProgram(
 }
 
 /**
- * Runs the ticks and sets a 1 in `visited` for each visited cell. Separate from `runProgram` so that
- * V8 keeps the optimised loop from one run to the next.
+ * Runs the ticks and sets a 1 in `visited` for each visited cell. Separate from `runProgram` so
+ * that V8 keeps the optimised loop from one run to the next.
  */
 function runTicks(
   simulation: Simulation,

@@ -60,20 +60,20 @@ export const cleanNet: Row = {
     const posted = scripts.reduce((sum, { diary }) => sum + diary.posted, 0);
     return [
       {
-        words: "posted commands that did not start",
+        label: "posted commands that did not start",
         measured: posted - waits.length,
         bound: { atMost: 0 },
         unit: `of ${posted}`,
       },
       ...compared.goals(),
       {
-        words: "post to start, p50",
+        label: "post to start, p50",
         measured: percentile(waits, 50),
         bound: { atMost: 50 },
         unit: "ms",
       },
       {
-        words: "post to start, p99",
+        label: "post to start, p99",
         measured: percentile(waits, 99),
         bound: { atMost: 250 },
         unit: "ms",

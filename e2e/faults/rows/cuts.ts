@@ -63,20 +63,20 @@ export const cuts: Row = {
     const compared = await scene.compare(relay.url);
     return [
       {
-        words: "cuts",
+        label: "cuts",
         measured: resumed.length,
         bound: { atLeast: cutsOf(terms.isLong) },
         unit: "",
       },
       ...compared.goals(),
       {
-        words: "resumed after the net is back, p50",
+        label: "resumed after the net is back, p50",
         measured: percentile(resumed, 50),
         bound: { atMost: 3_000 },
         unit: "ms",
       },
       {
-        words: "resumed after the net is back, slowest",
+        label: "resumed after the net is back, slowest",
         measured: Math.max(...resumed),
         bound: { atMost: 3_000 },
         unit: "ms",

@@ -12,15 +12,15 @@ import { SocketScript } from "../scripts/socket-script.ts";
 const IDLE_MS = 30_000;
 const PATIENCE_MS = 30_000;
 
-const filters: readonly { words: string; harm: Harm; idleMs: number }[] = [
-  { words: "Upgrade stripped", harm: "stripped", idleMs: 0 },
-  { words: "idle close 30 s", harm: "impatient", idleMs: IDLE_MS + 5_000 },
-  { words: "buffering", harm: "buffering", idleMs: 0 },
+const filters: readonly { label: string; harm: Harm; idleMs: number }[] = [
+  { label: "Upgrade stripped", harm: "stripped", idleMs: 0 },
+  { label: "idle close 30 s", harm: "impatient", idleMs: IDLE_MS + 5_000 },
+  { label: "buffering", harm: "buffering", idleMs: 0 },
 ];
 
 /** A client, and what has it send its second command. */
 interface Client {
-  words: string;
+  label: string;
   robot: Robot;
   /** by `machineNow` */
   startedAt: number;
@@ -42,7 +42,7 @@ export const filtered: Row = {
 };
 
 async function behind(
-  { words, harm, idleMs }: (typeof filters)[number],
+  { label, harm, idleMs }: (typeof filters)[number],
   relay: RelayProcess,
   terms: Terms,
 ): Promise<Goal[]> {
@@ -53,18 +53,18 @@ async function behind(
   const pages = await scene.startPages();
   for (const robot of scene.robots) scene.open(robot, pages, proxy.origin, "both");
   const pagesMs = await scene.allConnected(PATIENCE_MS);
-  const goals = [within(`${words}: the page has the robot`, pagesMs)];
+  const goals = [within(`${label}: the page has the robot`, pagesMs)];
   const clients = await startClients(scene, proxy.origin, terms);
   for (const client of clients) {
     const first = await nthStart(client.robot, 1);
-    goals.push(within(`${words}: ${client.words}, first command begins`, first - client.startedAt));
+    goals.push(within(`${label}: ${client.label}, first command begins`, first - client.startedAt));
   }
   await sleep(idleMs);
-  for (const { words: who, robot, goOn } of clients) {
+  for (const { label: who, robot, goOn } of clients) {
     const at = machineNow();
     goOn?.();
     const next = (await nthStart(robot, 2)) - at;
-    goals.push(within(`${words}: ${who}, next command begins`, Math.max(0, next)));
+    goals.push(within(`${label}: ${who}, next command begins`, Math.max(0, next)));
   }
   return goals;
 }
@@ -76,11 +76,11 @@ async function startClients(scene: Scene, origin: string, terms: Terms): Promise
   const addressOf = ({ registration: { id, driverKey } }: Robot): string =>
     `${origin}/r/${id}#${driverKey}`;
   const clients: Client[] = [];
-  const add = (words: string, robot: Robot, start: () => ExampleScript): void => {
+  const add = (label: string, robot: Robot, start: () => ExampleScript): void => {
     const startedAt = machineNow();
     const script = start();
     terms.after(() => script.kill());
-    clients.push({ words, robot, startedAt, goOn: words === "Java" ? null : () => script.goOn() });
+    clients.push({ label, robot, startedAt, goOn: label === "Java" ? null : () => script.goOn() });
   };
   if (hasProgram("python3")) add("Python", second, () => ExampleScript.python(addressOf(second)));
   else terms.say("Python is left out: there is no python3 here");
@@ -91,7 +91,7 @@ async function startClients(scene: Scene, origin: string, terms: Terms): Promise
   terms.after(() => script.close());
   const turn = (): void => script.post({ action: "turn", degrees: 5 });
   turn();
-  clients.push({ words: "TypeScript", robot: first, startedAt, goOn: turn });
+  clients.push({ label: "TypeScript", robot: first, startedAt, goOn: turn });
   return clients;
 }
 
@@ -101,6 +101,6 @@ async function nthStart({ starts }: Robot, n: number): Promise<number> {
   return starts[n - 1]?.at ?? Infinity;
 }
 
-function within(words: string, measured: number): Goal {
-  return { words, measured, bound: { atMost: 10_000 }, unit: "ms" };
+function within(label: string, measured: number): Goal {
+  return { label, measured, bound: { atMost: 10_000 }, unit: "ms" };
 }

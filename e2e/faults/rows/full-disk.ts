@@ -51,37 +51,37 @@ export const fullDisk: Row = {
     const compared = await scene.compare(relay.url);
     return [
       {
-        words: "answers 507 to commands while it is full",
+        label: "answers 507 to commands while it is full",
         measured: full.refused,
         bound: { atLeast: 1 },
         unit: `of ${full.asked}`,
       },
       {
-        words: "answers to commands while it is full that are neither 202 nor 507",
+        label: "answers to commands while it is full that are neither 202 nor 507",
         measured: full.others,
         bound: { atMost: 0 },
         unit: `of ${full.asked}`,
       },
       {
-        words: "health that did not answer, or readiness that was not 200, while it is full",
+        label: "health that did not answer, or readiness that was not 200, while it is full",
         measured: full.unwell,
         bound: { atMost: 0 },
         unit: `of ${full.looks}`,
       },
       {
-        words: "readiness that said degraded",
+        label: "readiness that said degraded",
         measured: full.degraded,
         bound: { atLeast: 1 },
         unit: `of ${full.looks}`,
       },
       {
-        words: "from room on the disk until a command is taken and it says ready",
+        label: "from room on the disk until a command is taken and it says ready",
         measured: recoveredMs,
         bound: { atMost: 10_000 },
         unit: "ms",
       },
       {
-        words: "the relay is the same process",
+        label: "the relay is the same process",
         measured: relay.pid === pid ? 1 : 0,
         bound: { atLeast: 1 },
         unit: "",

@@ -62,31 +62,31 @@ export const hiddenPage: Row = {
     }
     return [
       {
-        words: "commands started while hidden",
+        label: "commands started while hidden",
         measured: state === "hidden" ? starts.length : 0,
         bound: { atLeast: 50 },
         unit: "commands",
       },
       {
-        words: "post to start while hidden, longest",
+        label: "post to start while hidden, longest",
         measured: Math.max(...starts),
         bound: { atMost: 250 },
         unit: "ms",
       },
       {
-        words: "from the freezing until scripts are told",
+        label: "from the freezing until scripts are told",
         measured: toldMs,
         bound: { atMost: 5_000 },
         unit: "ms",
       },
       {
-        words: "commands from meanwhile that ran on thawing",
+        label: "commands from meanwhile that ran on thawing",
         measured: records.filter((each) => each.state !== "expired").length,
         bound: { atMost: 0 },
         unit: `of ${records.length}`,
       },
       {
-        words: "commands from meanwhile that were begun",
+        label: "commands from meanwhile that were begun",
         measured: stale.filter((seq) => Number.isFinite(script.startedMs(seq))).length,
         bound: { atMost: 0 },
         unit: `of ${stale.length}`,

@@ -77,21 +77,21 @@ export const hostileLinks: Row = {
     terms.say(`${told} told off, ${opened} opened as what they hold`);
     return [
       {
-        words: "the page answers, longest",
+        label: "the page answers, longest",
         measured: longestMs,
         bound: { atMost: ANSWER_MS },
         unit: "ms",
       },
-      { words: "memory of the page", measured: heapMib, bound: { atMost: HEAP_MIB }, unit: "MiB" },
-      { words: "scripts that ran", measured: ran, bound: { atMost: 0 }, unit: "" },
+      { label: "memory of the page", measured: heapMib, bound: { atMost: HEAP_MIB }, unit: "MiB" },
+      { label: "scripts that ran", measured: ran, bound: { atMost: 0 }, unit: "" },
       {
-        words: "links told off in a sentence",
+        label: "links told off in a sentence",
         measured: told,
         bound: { atLeast: Math.floor(wanted / 3) },
         unit: `of ${wanted}`,
       },
       {
-        words: "links that were neither told off nor opened",
+        label: "links that were neither told off nor opened",
         measured: silent,
         bound: { atMost: 0 },
         unit: "",

@@ -75,28 +75,28 @@ export const malformedFrames: Row = {
     await driving;
     const health = await fetch(`${relay.url}/healthz`);
     return [
-      { words: "broken frames sent", measured: sent, bound: { atLeast: wanted }, unit: "frames" },
+      { label: "broken frames sent", measured: sent, bound: { atLeast: wanted }, unit: "frames" },
       {
-        words: "the relay is the same process, and well",
+        label: "the relay is the same process, and well",
         measured: health.ok && relay.pid === pid ? 1 : 0,
         bound: { atLeast: 1 },
         unit: "",
       },
       {
-        words: "lines of the bystander that were lost, its page's or its script's",
+        label: "lines of the bystander that were lost, its page's or its script's",
         measured: Number(script.isClosed) + Number(bystander.connectedAt !== connectedAt),
         bound: { atMost: 0 },
         unit: "",
       },
       {
-        words: "commands of the bystander that did not complete",
+        label: "commands of the bystander that did not complete",
         // One that never ended is not in the list, but the row waits for it to its own end.
         measured: ends.length === 0 ? NaN : ends.filter((state) => state !== "completed").length,
         bound: { atMost: 0 },
         unit: `of ${ends.length}`,
       },
       {
-        words: "answers with a path or a stack in them",
+        label: "answers with a path or a stack in them",
         measured: shown,
         bound: { atMost: 0 },
         unit: "",

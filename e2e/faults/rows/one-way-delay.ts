@@ -119,12 +119,12 @@ export const oneWayDelay: Row = {
     ).flat();
     const compared = await scene.compare(relay.url);
 
-    const wrong = (words: string, isWrong: (each: Seen) => boolean, among = seen) => {
+    const wrong = (label: string, isWrong: (each: Seen) => boolean, among = seen) => {
       const found = among.filter(isWrong);
       for (const { of, state, seq } of found.slice(0, 5))
-        terms.say(`${words}: ${of.name}, command ${seq ?? "without a number"}, ${state}`);
+        terms.say(`${label}: ${of.name}, command ${seq ?? "without a number"}, ${state}`);
       return {
-        words,
+        label,
         measured: found.length,
         bound: { atMost: 0 },
         unit: `of ${among.length}`,
@@ -143,7 +143,7 @@ export const oneWayDelay: Row = {
       wrong(`started later than ttl + ${TOLERANCE_MS} ms`, isLate),
       wrong("held up for longer than ttl and not told as expired", isNotExpired, slowThere),
       {
-        words: "started and told as expired",
+        label: "started and told as expired",
         measured: unknown.length,
         bound: { atMost: 0 },
         unit: `of ${seen.length}`,

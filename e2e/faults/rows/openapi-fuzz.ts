@@ -43,10 +43,10 @@ export const openApiFuzz: Row = {
       findings += found.findings;
     }
     return [
-      { words: "cases", measured: cases, bound: { atLeast: wanted }, unit: "requests" },
-      { words: "findings", measured: findings, bound: { atMost: 0 }, unit: "" },
+      { label: "cases", measured: cases, bound: { atLeast: wanted }, unit: "requests" },
+      { label: "findings", measured: findings, bound: { atMost: 0 }, unit: "" },
       {
-        words: "requests that the relay failed at, by its log",
+        label: "requests that the relay failed at, by its log",
         measured: relay.log.split("a request failed").length - 1,
         bound: { atMost: 0 },
         unit: "",

@@ -59,13 +59,13 @@ export const relayKilled: Row = {
     return [
       ...compared.goals(),
       {
-        words: "relay back after a kill",
+        label: "relay back after a kill",
         measured: Math.max(...relayMs),
         bound: { atMost: 2_000 },
         unit: "ms",
       },
       {
-        words: "robots and scripts back after a kill",
+        label: "robots and scripts back after a kill",
         measured: Math.max(...allMs),
         bound: { atMost: 5_000 },
         unit: "ms",

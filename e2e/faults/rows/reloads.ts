@@ -82,20 +82,20 @@ export const reloads: Row = {
     }
     return [
       {
-        words: "reloads and second pages",
+        label: "reloads and second pages",
         measured: findings.reloads + findings.seconds,
         bound: { atLeast: timesOf(terms.isLong) },
         unit: `(${findings.seconds} second pages)`,
       },
       ...compared.goals(),
       {
-        words: "started at a tab that was reloaded, and not cancelled",
+        label: "started at a tab that was reloaded, and not cancelled",
         measured: notCancelled.length,
         bound: { atMost: 0 },
         unit: `of ${ran.length}`,
       },
       {
-        words: "losers that were not told (4409)",
+        label: "losers that were not told (4409)",
         measured: findings.losersNotTold,
         bound: { atMost: 0 },
         unit: `of ${findings.seconds}`,

@@ -42,19 +42,19 @@ export const restoredWorlds: Row = {
     for (const { contradictions } of lanes) for (const each of contradictions) terms.say(each);
     return [
       {
-        words: "reloads and crashes",
+        label: "reloads and crashes",
         measured: sum("reloads") + sum("crashes"),
         bound: { atLeast: timesOf(terms.isLong) * SPEEDS.length },
         unit: `(${sum("crashes")} crashes, ${sum("relayKills")} with the relay)`,
       },
       {
-        words: "completed commands at each speed",
+        label: "completed commands at each speed",
         measured: Math.min(...lanes.map(({ completed }) => completed)),
         bound: { atLeast: timesOf(terms.isLong) },
         unit: `(${sum("cancelled")} of ${sum("commands")} were cancelled)`,
       },
       {
-        words: "endings that contradict the robot's pose",
+        label: "endings that contradict the robot's pose",
         measured: lanes.reduce((total, { contradictions }) => total + contradictions.length, 0),
         bound: { atMost: 0 },
         unit: `of ${sum("commands")}`,

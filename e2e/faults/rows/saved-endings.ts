@@ -55,13 +55,13 @@ export const savedEndings: Row = {
     );
     return [
       {
-        words: "tabs that store their world",
+        label: "tabs that store their world",
         measured: isStored[0] === true && isStored[1] === false ? 1 : 0,
         bound: { atLeast: 1 },
         unit: "of 2, as meant",
       },
       {
-        words: "later that half of the endings come because they are saved",
+        label: "later that half of the endings come because they are saved",
         measured: saved - unsaved,
         bound: { atMost: 10 },
         unit: "ms",

@@ -104,19 +104,19 @@ export const slowReaders: Row = {
     );
     return [
       {
-        words: "memory of the relay, more than before",
+        label: "memory of the relay, more than before",
         measured: memory - memoryBefore,
         bound: { atMost: 48 },
         unit: "MiB",
       },
       {
-        words: "p99 of the others, times that before",
+        label: "p99 of the others, times that before",
         measured: during / before,
         bound: { atMost: 1.5 },
         unit: "times",
       },
       {
-        words: "what a reader finds on waking, at most",
+        label: "what a reader finds on waking, at most",
         measured: Math.max(...backlogs) / 1024,
         bound: { atMost: 64 },
         unit: "KiB",

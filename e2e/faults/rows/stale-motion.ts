@@ -108,13 +108,13 @@ export const staleMotion: Row = {
     });
     return [
       {
-        words: "still after the cut, slowest",
+        label: "still after the cut, slowest",
         measured: Math.max(...seen.map(({ stillMs }) => stillMs)),
         bound: { atMost: 600 },
         unit: `ms, of ${seen.length}`,
       },
       {
-        words: "old values that moved the robot after a reconnect, most",
+        label: "old values that moved the robot after a reconnect, most",
         measured: Math.max(...old),
         bound: { atMost: 1 },
         unit: "",

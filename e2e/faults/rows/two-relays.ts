@@ -75,7 +75,7 @@ export const twoRelays: Row = {
     return [
       ...compared.goals(),
       {
-        words: "robots back after a kill",
+        label: "robots back after a kill",
         measured: Math.max(...backMs),
         bound: { atMost: 5_000 },
         unit: "ms",
