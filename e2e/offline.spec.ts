@@ -1,4 +1,4 @@
-/** After one visit the page needs no network, and a newer version never takes anything away. */
+/** The page works without a network after one visit, and an update never discards edits. */
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
@@ -10,24 +10,22 @@ test.setTimeout(120_000);
 
 const OFFLINE = "You are offline. Driving and programs still work, but Remote does not.";
 
-/** All files of the page are fetched once more; a busy machine took more than 15 s for that. */
-const KEPT_MS = 45_000;
+/** The service worker downloads all files of the page; a busy machine took more than 15 s. */
+const CACHED_MS = 45_000;
 
-/** Waits until the device has every file of the page. */
-async function isKept(page: Page): Promise<void> {
-  const isThere = () => navigator.serviceWorker.controller !== null;
-  await page.waitForFunction(isThere, undefined, { timeout: KEPT_MS });
+/** Waits until the service worker controls the page, with every file cached. */
+async function waitForServiceWorker(page: Page): Promise<void> {
+  const isControlled = () => navigator.serviceWorker.controller !== null;
+  await page.waitForFunction(isControlled, undefined, { timeout: CACHED_MS });
 }
 
-test("visits once, loses the network, and drives, programs, builds and shares all the same", async ({
-  browser,
-}) => {
+test("drives, programs, builds and shares offline after one visit", async ({ browser }) => {
   const relay = await RelayProcess.start();
   const context = await browser.newContext({ baseURL: relay.url, serviceWorkers: "allow" });
   const page = await context.newPage();
   const corridor = new CorridorPage(page);
   await corridor.open();
-  await isKept(page);
+  await waitForServiceWorker(page);
   await relay.stop();
   await context.setOffline(true);
   await corridor.reload();
@@ -70,12 +68,12 @@ test("visits once, loses the network, and drives, programs, builds and shares al
   await context.close();
 });
 
-test("goes on with Remote by itself when the network is back", async ({ browser, relay }) => {
+test("reconnects Remote automatically when the network is back", async ({ browser, relay }) => {
   const context = await browser.newContext({ baseURL: relay, serviceWorkers: "allow" });
   const page = await context.newPage();
   const corridor = new CorridorPage(page);
   await corridor.open();
-  await isKept(page);
+  await waitForServiceWorker(page);
   await context.setOffline(true);
   await corridor.selectDriver("Remote");
   const remote = page.getByRole("region", { name: "Remote" });
@@ -86,22 +84,22 @@ test("goes on with Remote by itself when the network is back", async ({ browser,
   await context.close();
 });
 
-test("is offered a newer version, keeps the unsaved edit and the run, and takes it when ready", async ({
+test("offers an update, keeps the unsaved edit and the run, and applies the update on request", async ({
   browser,
   relay,
 }) => {
-  const door = await RelayProxy.start(relay);
-  const context = await browser.newContext({ baseURL: door.url, serviceWorkers: "allow" });
+  const proxy = await RelayProxy.start(relay);
+  const context = await browser.newContext({ baseURL: proxy.url, serviceWorkers: "allow" });
   const page = await context.newPage();
   const corridor = new CorridorPage(page);
   await corridor.open();
-  await isKept(page);
+  await waitForServiceWorker(page);
   await corridor.run.click();
-  door.serveNewerBuild();
+  proxy.serveNewerBuild();
   await page.evaluate(async () => (await navigator.serviceWorker.ready).update());
   const offer = corridor.message("A new version of Corridor is ready.");
   await expect(offer).toBeVisible();
-  // Nothing has changed yet: the run goes on, and a part that was never opened opens.
+  // Nothing changes yet: the run continues, and a lazy-loaded part of the old build still opens.
   const before = await corridor.clock.textContent();
   await expect(corridor.clock).not.toHaveText(before ?? "");
   await corridor.mazeMenu.click();
@@ -120,41 +118,44 @@ test("is offered a newer version, keeps the unsaved edit and the run, and takes 
   await expect(corridor.program.name).toHaveValue("Edited a moment ago");
   await expect(offer).toBeHidden();
   await context.close();
-  await door.close();
+  await proxy.close();
 });
 
-test("goes on in one tab while another takes the newer version", async ({ browser, relay }) => {
-  const door = await RelayProxy.start(relay);
-  const context = await browser.newContext({ baseURL: door.url, serviceWorkers: "allow" });
-  const one = new CorridorPage(await context.newPage());
-  await one.open();
-  await isKept(one.page);
-  const two = new CorridorPage(await context.newPage());
-  await two.open();
-  await two.run.click();
-  door.serveNewerBuild();
-  await one.page.evaluate(async () => (await navigator.serviceWorker.ready).update());
-  // Two takes part in updates once it has had the time to start its own end of them.
-  await expect(two.message("A new version of Corridor is ready.")).toBeVisible();
-  await one.messages.getByRole("button", { name: "Reload" }).click();
-  await expect(one.page.locator("html")).toHaveAttribute("data-build", NEWER_BUILD);
-  await expect(two.message("A new version of Corridor is ready.")).toBeVisible();
-  await expect(two.page.locator("html")).not.toHaveAttribute("data-build");
-  await two.share.click();
-  await expect(two.dialog("Share this maze")).toBeVisible();
+test("keeps running the old version in one tab while another applies the update", async ({
+  browser,
+  relay,
+}) => {
+  const proxy = await RelayProxy.start(relay);
+  const context = await browser.newContext({ baseURL: proxy.url, serviceWorkers: "allow" });
+  const first = new CorridorPage(await context.newPage());
+  await first.open();
+  await waitForServiceWorker(first.page);
+  const second = new CorridorPage(await context.newPage());
+  await second.open();
+  await second.run.click();
+  proxy.serveNewerBuild();
+  await first.page.evaluate(async () => (await navigator.serviceWorker.ready).update());
+  // The second tab takes part in updates once its update client has started.
+  await expect(second.message("A new version of Corridor is ready.")).toBeVisible();
+  await first.messages.getByRole("button", { name: "Reload" }).click();
+  await expect(first.page.locator("html")).toHaveAttribute("data-build", NEWER_BUILD);
+  await expect(second.message("A new version of Corridor is ready.")).toBeVisible();
+  await expect(second.page.locator("html")).not.toHaveAttribute("data-build");
+  await second.share.click();
+  await expect(second.dialog("Share this maze")).toBeVisible();
   await context.close();
-  await door.close();
+  await proxy.close();
 });
 
 test("leaves the relay's own addresses to the relay", async ({ browser, relay }) => {
-  // Not a watched window: an unknown address is an error, and is wanted here.
+  // Not an openWindow fixture: the browser logs an error for an unknown address, as expected.
   const context = await browser.newContext({ baseURL: relay, serviceWorkers: "allow" });
   const page = await context.newPage();
   await new CorridorPage(page).open();
-  await isKept(page);
+  await waitForServiceWorker(page);
   for (const path of ["/healthz", "/openapi.json", "/api/v1/robots/none", "/r/none"]) {
-    const answer = await page.goto(path);
-    expect(answer?.fromServiceWorker(), path).toBe(false);
+    const response = await page.goto(path);
+    expect(response?.fromServiceWorker(), path).toBe(false);
   }
   expect((await page.goto("/"))?.fromServiceWorker()).toBe(true);
   await context.close();

@@ -1,5 +1,5 @@
 /**
- * Wrong answers to each mission with a program: wherever the page says why the run failed, it says
+ * Wrong answers to each mission with a program. Every place that explains why the run failed gives
  * the same line, the same time and the same sentence.
  */
 import { encodeLink } from "@corridor/link";
@@ -11,7 +11,7 @@ import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
 import { commandRow } from "./support/remote-panel.ts";
 
-/** "front < 50: left 90" and what otherwise does. */
+/** lines such as "front < 50: left 90", and the action of "otherwise" */
 interface Answer {
   otherwise: string;
   lines: readonly string[];
@@ -20,7 +20,7 @@ interface Answer {
 const forward = (...lines: string[]): Answer => ({ otherwise: "forward", lines });
 const delayedRight = "right > 60: delayed right 90";
 
-/** What one change or two in a solution make of it; missions 4 and 9 allow one other order only. */
+/** Solutions with one or two changes. Missions 4 and 9 allow only one other order of lines. */
 const wrongAnswers: readonly { mission: number; id: string; answers: readonly Answer[] }[] = [
   {
     mission: 3,
@@ -100,38 +100,38 @@ const wrongAnswers: readonly { mission: number; id: string; answers: readonly An
 ];
 
 for (const { mission, id, answers } of wrongAnswers) {
-  test(`mission ${mission}: every place that tells why a run failed tells the same`, async ({
+  test(`mission ${mission}: every explanation of a failed run is the same`, async ({
     page,
     corridor,
   }) => {
     const lessons = new LessonsPanel(page);
-    await keepWhatIsSpoken(page);
+    await recordAnnouncements(page);
     await corridor.open(`/?first#mission/${id}`);
     await lessons.expectMission(mission);
     for (const answer of answers) {
-      await answerWith(page, id, answer);
+      await storeAnswer(page, id, answer);
       await corridor.reload();
       await lessons.expectMission(mission);
       await expect(corridor.program.action(1)).toHaveValue(ruleOf(answer.lines[0] ?? "").do);
       await corridor.speed.selectOption("max");
       await corridor.run.click();
-      await expectOneVerdict(corridor, lessons);
+      await expectSameVerdict(corridor, lessons);
     }
   });
 }
 
-for (const { number, reads } of [
+for (const { number, feedback } of [
   {
     number: "400",
-    reads: /when back was 400\.01 cm\. That was about 50 cm too early\.$/,
+    feedback: /when back was 400\.01 cm\. That was about 50 cm too early\.$/,
   },
   {
     number: "550",
-    reads:
+    feedback:
       /^Bump at .* Line 1 comes about 100 cm too late\. At 4\.\d s, when back was 450 cm, it was not yet true\.$/,
   },
 ]) {
-  test(`mission 5 with ${number}: told by how much, and offered nothing that the mission forbids`, async ({
+  test(`mission 5 with ${number}: reports by how much, and offers no fix that the mission forbids`, async ({
     corridor,
     page,
   }) => {
@@ -140,9 +140,9 @@ for (const { number, reads } of [
     await corridor.program.number(1).fill(number);
     await corridor.speed.selectOption("max");
     await corridor.run.click();
-    await expect(lessons.outcome).toHaveText(reads);
+    await expect(lessons.outcome).toHaveText(feedback);
     await expectNoOneClickFix(corridor);
-    // Only the number may change: nothing speaks of turns with a delay.
+    // Only the number may change: no text mentions delayed turns.
     const card = page.getByRole("region", { name: /^Bump/ });
     await expect(card).not.toContainText(/delay/i);
     await expect(lessons.outcome).not.toHaveText(/delay/i);
@@ -150,7 +150,7 @@ for (const { number, reads } of [
 }
 
 for (const mission of [6, 11]) {
-  test(`mission ${mission}, Run first: the place is named, and no press solves it`, async ({
+  test(`mission ${mission}, Run first: names the place, and offers no one-click solution`, async ({
     corridor,
     page,
   }) => {
@@ -166,7 +166,7 @@ for (const mission of [6, 11]) {
   });
 }
 
-test("a failed check takes the place of the verdict before it", async ({ corridor, page }) => {
+test("replaces the earlier verdict by that of a failed check", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(12);
   await corridor.speed.selectOption("max");
@@ -176,7 +176,7 @@ test("a failed check takes the place of the verdict before it", async ({ corrido
   await expect(lessons.outcome).toHaveText(/^Maze 2: The goal was not reached/);
   await expect(page.getByText(/Works in this maze|Solved!/)).toHaveCount(0);
   await expect(page.getByRole("button", { name: "Next mission" })).toHaveCount(0);
-  // The right wall passes in all: one verdict again, and one way on.
+  // The right-wall program passes in all mazes: again one verdict, and one button to continue.
   await corridor.program.addLine("right >", "60", "delayed right 90");
   await lessons.button("Check in all 3 mazes").click();
   await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
@@ -184,7 +184,7 @@ test("a failed check takes the place of the verdict before it", async ({ corrido
   await expect(page.getByRole("button", { name: "Next mission" })).toHaveCount(1);
 });
 
-test("a script that collides or reaches the goal gets the cards of a program", async ({
+test("shows a script that collides or reaches the goal the cards of a program", async ({
   corridor,
   page,
 }) => {
@@ -196,7 +196,7 @@ test("a script that collides or reaches the goal gets the cards of a program", a
   await api(address, "/commands/1?wait=20");
   const solved = page.getByRole("region", { name: "Solved!" });
   await expect(solved).toContainText("Your script takes the robot from start to goal.");
-  // The goal was reached before the whole way was driven; waiting counts apart.
+  // The goal is reached before the full distance. Waiting time is counted separately.
   await expect(solved).toContainText(/driving time1\.\d s.*waiting time\d+\.\d s/);
   await expect(corridor.drivingTime).toHaveText("Time 0:02.0 driving");
   await api(address, "/commands", { action: "move", distance: 5000 });
@@ -206,14 +206,14 @@ test("a script that collides or reaches the goal gets the cards of a program", a
     /^BumpBump at \d+\.\d s\. “move 5000” needed 5025 cm ahead\. Front read 250 cm\./,
   );
   const [, time = ""] = /Bump at (\d+\.\d) s/.exec((await bump.textContent()) ?? "") ?? [];
-  expect(await storyOf(corridor)).toContain(`at ${time} s`);
+  expect(await runNoteOf(corridor)).toContain(`at ${time} s`);
   await expect(commandRow(page, /move 5000/)).toContainText(/after 225 cm.*collided/);
   await expect(corridor.bumps).toHaveText("1 bump");
   await expect(solved).toBeHidden();
 });
 
 for (const speed of ["1×", "16×"]) {
-  test(`at ${speed} the panel and the lines read the same tick in every frame`, async ({
+  test(`at ${speed} the panel and the lines show the same tick in every frame`, async ({
     corridor,
     page,
   }) => {
@@ -226,9 +226,9 @@ for (const speed of ["1×", "16×"]) {
     await corridor.run.click();
     const line = await program.line(1).elementHandle();
     const panel = await corridor.sensor("front").elementHandle();
-    const { frames, apart } = await page.evaluate(readFrames, [line, panel] as const);
-    expect(frames, "frames with another reading than the one before").toBeGreaterThan(4);
-    expect(apart).toEqual([]);
+    const { frames, different } = await page.evaluate(readFrames, [line, panel] as const);
+    expect(frames, "frames with a new reading").toBeGreaterThan(4);
+    expect(different).toEqual([]);
   });
 }
 
@@ -239,7 +239,7 @@ async function expectNoOneClickFix({ page }: CorridorPage): Promise<void> {
   await expect(card.getByRole("button", { name: fixes })).toHaveCount(0);
 }
 
-/** The link of a corridor of five squares from west to east with the goal in the third. */
+/** The link of a corridor of five squares from west to east, with the goal in the third. */
 function corridorOfFive(): string {
   const link = encodeLink({
     maze: {
@@ -256,49 +256,51 @@ function corridorOfFive(): string {
 }
 
 /**
- * Looks at each frame of two seconds. @returns frames that differ, and those in which line and
- * panel do
+ * Samples each frame for two seconds. @returns the number of new readings, and the differing pairs
  */
 async function readFrames([line, panel]: readonly [Node | null, Node | null]) {
-  const apart: string[] = [];
+  const different: string[] = [];
   let [frames, last] = [0, ""];
   for (const end = performance.now() + 2000; performance.now() < end;) {
     await new Promise((resolve) => requestAnimationFrame(resolve));
-    const read = panel?.textContent ?? "";
-    const [, compared = ""] = /([\d.]+) > 60/.exec(line?.textContent ?? "") ?? [];
-    if (read !== last) frames++;
-    last = read;
-    // The line has a second digit where one would contradict it.
-    if (Math.abs(Number(compared) - Number(read)) > 0.051) apart.push(`${compared}, ${read}`);
+    const panelReading = panel?.textContent ?? "";
+    const [, lineReading = ""] = /([\d.]+) > 60/.exec(line?.textContent ?? "") ?? [];
+    if (panelReading !== last) frames++;
+    last = panelReading;
+    // The line has a second decimal where one decimal would contradict its truth value.
+    if (Math.abs(Number(lineReading) - Number(panelReading)) > 0.051)
+      different.push(`${lineReading}, ${panelReading}`);
   }
-  return { frames, apart };
+  return { frames, different };
 }
 
-async function expectOneVerdict(corridor: CorridorPage, lessons: LessonsPanel): Promise<void> {
+async function expectSameVerdict(corridor: CorridorPage, lessons: LessonsPanel): Promise<void> {
   const { page } = corridor;
-  // The run ends: with a bump, with the time, or at the goal of the maze that is shown.
+  // The run ends with a bump, at the time limit, or at the goal of the displayed maze.
   await expect
-    .poll(async () => (await lessons.outcome.allTextContents()).join() + (await storyOf(corridor)))
+    .poll(
+      async () => (await lessons.outcome.allTextContents()).join() + (await runNoteOf(corridor)),
+    )
     .toMatch(/\.\d s\. (?!This mission).+\.|Time is up after .+\.|Goal reached/);
   const check = lessons.button(/^Check in (all|both)/);
-  const isInManyMazes = (await check.count()) > 0;
+  const hasManyMazes = (await check.count()) > 0;
   const before = await lessons.outcome.allTextContents();
-  if (isInManyMazes) {
+  if (hasManyMazes) {
     await check.click();
     await expect(lessons.outcome).toHaveText(/^Maze \d: .+\./);
   }
   const outcome = (await lessons.outcome.textContent()) ?? "";
   const verdict = outcome.replace(/^Maze \d: /, "");
-  // The check of this very maze gives the verdict of the run.
+  // The check of this same maze reports the verdict of the run.
   if (before.length > 0 && outcome.startsWith("Maze 1: Bump")) expect(before).toEqual([verdict]);
-  const story = await storyOf(corridor);
-  if (story.startsWith("Goal reached")) {
+  const runNote = await runNoteOf(corridor);
+  if (runNote.startsWith("Goal reached")) {
     expect(outcome).toMatch(/^Maze [2-9]: /);
     return;
   }
-  await expect.poll(async () => (await spokenOn(page)).join("\n")).toContain(verdict);
+  await expect.poll(async () => (await announcementsOf(page)).join("\n")).toContain(verdict);
   if (!verdict.startsWith("Bump")) {
-    // The robot waits at the moment that is spoken of.
+    // The robot waits at the tick of the verdict.
     const seconds = Number(/(?:after|in) (\d+) s/.exec(verdict)?.[1]);
     const minutes = Math.floor(seconds / 60);
     const clock = `${minutes > 0 ? `${minutes} min ` : ""}${seconds % 60}`;
@@ -306,40 +308,40 @@ async function expectOneVerdict(corridor: CorridorPage, lessons: LessonsPanel): 
       "aria-valuetext",
       new RegExp(`^${clock}\\.0 s`),
     );
-    const spoken = await spokenOn(page);
-    expect(spoken.filter((text) => text.includes("look at"))).toEqual([]);
+    const announcements = await announcementsOf(page);
+    expect(announcements.filter((text) => text.includes("look at"))).toEqual([]);
     await expect(page.getByRole("region", { name: /^Bump/ })).toHaveCount(0);
     return;
   }
   const time = /^Bump at (\d+\.\d) s\./.exec(verdict)?.[1] ?? "";
   const line = /[Ll]ine \d|“otherwise” chose/.exec(verdict.replace(/A line for this place.*/, ""));
   const isMissing = verdict.includes("is missing") || verdict.includes("no line");
-  const culprit = isMissing ? null : (line?.[0].replace(" chose", "").toLowerCase() ?? null);
-  const title = culprit === null ? "Bump" : `Bump: look at ${culprit}`;
+  const cause = isMissing ? null : (line?.[0].replace(" chose", "").toLowerCase() ?? null);
+  const title = cause === null ? "Bump" : `Bump: look at ${cause}`;
 
   const card = page.getByRole("region", { name: /^Bump/ });
   await expect(card).toHaveAccessibleName(title);
   await expect(card).toContainText(verdict);
-  expect(story).toContain(`at ${time} s`);
+  expect(runNote).toContain(`at ${time} s`);
   await expect(corridor.timeline.slider).toHaveAttribute(
     "aria-valuetext",
     new RegExp(`^${time} s`),
   );
-  // The red mark of the timeline is the line's number, and no other line's.
-  const number = /line (\d)/.exec(culprit ?? "")?.[1] ?? "";
+  // The red mark of the timeline has the number of this line and no other.
+  const number = /line (\d)/.exec(cause ?? "")?.[1] ?? "";
   await expect(corridor.timeline.playhead).toHaveText(number);
   await expect
-    .poll(async () => (await spokenOn(page)).filter((text) => /^Bump[:.]/.test(text)))
+    .poll(async () => (await announcementsOf(page)).filter((text) => /^Bump[:.]/.test(text)))
     .toEqual([`${title}.`]);
   const marked = await page
     .locator("[aria-label*=', bumped']")
     .evaluateAll((lines) => lines.map((each) => each.getAttribute("aria-label") ?? ""));
   expect(marked.map((name) => name.split(",")[0]?.toLowerCase())).toEqual(
-    culprit === null ? [] : [culprit.replaceAll(/[“”]/g, "")],
+    cause === null ? [] : [cause.replaceAll(/[“”]/g, "")],
   );
 }
 
-async function storyOf(corridor: CorridorPage): Promise<string> {
+async function runNoteOf(corridor: CorridorPage): Promise<string> {
   return (await corridor.runNote.textContent()) ?? "";
 }
 
@@ -357,21 +359,19 @@ function ruleOf(line: string): ProgramDocument["rules"][number] {
   return { when, do: action } as ProgramDocument["rules"][number];
 }
 
-/**
- * Puts an answer in the place of the attempt, as if it had been written here; seen after a reload.
- */
-async function answerWith(page: Page, mission: string, answer: Answer): Promise<void> {
+/** Stores an answer as the attempt's program. The page shows it after a reload. */
+async function storeAnswer(page: Page, mission: string, answer: Answer): Promise<void> {
   const attempt = JSON.stringify({ mission, program: programOf(answer) });
   await page.evaluate((text) => sessionStorage.setItem("attempt", text), attempt);
 }
 
-async function keepWhatIsSpoken(page: Page): Promise<void> {
+async function recordAnnouncements(page: Page): Promise<void> {
   await page.addInitScript(() => {
-    const spoken: string[] = [];
-    Object.assign(window, { spoken });
+    const announcements: string[] = [];
+    Object.assign(window, { announcements });
     new MutationObserver(() => {
       const text = document.querySelector("#spoken")?.textContent ?? "";
-      if (text !== "" && spoken.at(-1) !== text) spoken.push(text);
+      if (text !== "" && announcements.at(-1) !== text) announcements.push(text);
     }).observe(document, { subtree: true, childList: true, characterData: true });
     const attempt = sessionStorage.getItem("attempt");
     if (attempt === null) return;
@@ -384,6 +384,6 @@ async function keepWhatIsSpoken(page: Page): Promise<void> {
   });
 }
 
-function spokenOn(page: Page): Promise<string[]> {
-  return page.evaluate(() => (window as unknown as { spoken: string[] }).spoken);
+function announcementsOf(page: Page): Promise<string[]> {
+  return page.evaluate(() => (window as unknown as { announcements: string[] }).announcements);
 }

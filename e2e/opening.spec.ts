@@ -1,6 +1,6 @@
 /**
- * Before the page stands: what cannot be loaded is told, and no other work shows than the one asked
- * for.
+ * Opening the page: load failures are reported, and no other project is displayed before the
+ * requested one.
  */
 import { encodeLink } from "@corridor/link";
 import { generateTree } from "@corridor/maze";
@@ -8,13 +8,13 @@ import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 
-for (const { what, file, status } of [
-  { what: "the page's words do not come", file: "**/assets/words-en-*.json", status: 404 },
-  { what: "the page's words are cut off", file: "**/assets/words-en-*.json", status: 200 },
-  { what: "the page's script does not come", file: "**/assets/index-*.js", status: 404 },
+for (const { problem, file, status } of [
+  { problem: "the texts do not load", file: "**/assets/words-en-*.json", status: 404 },
+  { problem: "the texts are truncated", file: "**/assets/words-en-*.json", status: 200 },
+  { problem: "the page's script does not load", file: "**/assets/index-*.js", status: 404 },
 ]) {
-  test(`is told in plain English when ${what}, and tries again`, async ({ browser, relay }) => {
-    // Not a watched window: a file that does not come is an error, and is wanted here.
+  test(`reports in plain English that ${problem}, and tries again`, async ({ browser, relay }) => {
+    // Not an openWindow fixture: the browser logs an error for the missing file, as expected.
     const context = await browser.newContext({ baseURL: relay, serviceWorkers: "block" });
     const page = await context.newPage();
     await page.route(file, (route) => route.fulfill({ status, body: '{"cut' }));
@@ -30,90 +30,89 @@ for (const { what, file, status } of [
   });
 }
 
-test("visits in Arabic for the first time, and the house stands the right way round from the start", async ({
+test("lays out the shell right-to-left from the first paint on a first visit in Arabic", async ({
   openWindow,
 }) => {
   const { page } = await openWindow({ locale: "ar-EG", serviceWorkers: "block" });
-  const places = () =>
+  const layout = () =>
     page.evaluate(() =>
-      ["header", "header svg", "main"].map((words) => {
-        const { x = -1, width = -1 } = document.querySelector(words)?.getBoundingClientRect() ?? {};
-        // To two pixels: React's house has its parts on whole ones.
-        return [words, 2 * Math.round(x / 2), 2 * Math.round(width / 2)].join(" ");
+      ["header", "header svg", "main"].map((selector) => {
+        const { x = -1, width = -1 } =
+          document.querySelector(selector)?.getBoundingClientRect() ?? {};
+        // Rounded to two pixels: React places elements at whole pixels.
+        return [selector, 2 * Math.round(x / 2), 2 * Math.round(width / 2)].join(" ");
       }),
     );
-  let letGo = (): void => undefined;
-  const isHeld = new Promise<void>((resolve) => (letGo = resolve));
+  let release = (): void => undefined;
+  const released = new Promise<void>((resolve) => (release = resolve));
   await page.route("**/assets/index-*.js", async (route) => {
-    await isHeld;
+    await released;
     await route.continue();
   });
   await page.goto("/", { waitUntil: "commit" });
   await expect(page.locator("header")).toHaveCSS("display", "flex");
   await expect(page.locator("html")).toHaveAttribute("dir", "rtl");
-  const before = await places();
-  letGo();
+  const before = await layout();
+  release();
   await expect(page.getByRole("grid")).toBeVisible();
   await expect(page.locator("html")).toHaveAttribute("lang", "ar");
-  expect(await places()).toEqual(before);
+  expect(await layout()).toEqual(before);
 });
 
-/**
- * Makes a work of one's own, and notes from then on whether its name is ever on a page that opens.
- */
-async function makeOwnWork(corridor: CorridorPage): Promise<void> {
+/** Creates a project, and records from then on whether an opening page ever displays its name. */
+async function createOwnProject(corridor: CorridorPage): Promise<void> {
   await corridor.choosePreset("Comb");
   await corridor.program.name.fill("Mine alone");
   await expect(corridor.saveState).toHaveText("Saved on this device");
   await corridor.page.goto("about:blank");
   await corridor.page.addInitScript(() => {
-    const watch = new MutationObserver(() => {
+    const observer = new MutationObserver(() => {
       const bar = document.querySelector("header")?.textContent ?? "";
-      if (bar.includes("Comb")) Reflect.set(window, "hasShownOwn", true);
+      if (bar.includes("Comb")) Reflect.set(window, "hasDisplayedOwn", true);
     });
-    watch.observe(document, { subtree: true, childList: true, characterData: true });
+    observer.observe(document, { subtree: true, childList: true, characterData: true });
   });
 }
 
-function hasShownOwn(page: Page): Promise<boolean> {
-  return page.evaluate(() => Reflect.get(window, "hasShownOwn") === true);
+function hasDisplayedOwn(page: Page): Promise<boolean> {
+  return page.evaluate(() => Reflect.get(window, "hasDisplayedOwn") === true);
 }
 
 const shared = encodeLink({
   maze: generateTree({ columns: 9, rows: 9, seed: 5, name: "From my teacher" }),
 });
 
-test("opens a link, and sees nothing of the own work before it", async ({ openWindow }) => {
+test("does not display the user's own project before that of a link", async ({ openWindow }) => {
   if (!shared.ok) throw new Error(shared.code);
   const corridor = await openWindow({ serviceWorkers: "block" });
   await corridor.open();
-  await makeOwnWork(corridor);
+  await createOwnProject(corridor);
   const { page } = corridor;
-  let letGo = (): void => undefined;
-  const isHeld = new Promise<void>((resolve) => (letGo = resolve));
+  let release = (): void => undefined;
+  const released = new Promise<void>((resolve) => (release = resolve));
   await page.route("**/assets/follow-page-address-*.js", async (route) => {
-    await isHeld;
+    await released;
     await route.continue();
   });
   await page.goto(`/#${shared.text}`);
   await expect(page.getByText("Opening", { exact: true })).toBeVisible();
   await expect(page.getByRole("grid")).toHaveCount(0);
-  letGo();
+  release();
   await expect(corridor.mazeMenu).toHaveAccessibleName("From my teacher, Maze menu");
   await expect(page.getByText("Opening", { exact: true })).toHaveCount(0);
   await expect(corridor.message("Your own work is saved.")).toBeVisible();
-  // Its program stays the reader's: the link brought none.
+  // The link contains no program, so the user's program stays.
   await expect(corridor.program.name).toHaveValue("Mine alone");
-  expect(await hasShownOwn(page)).toBe(false);
+  expect(await hasDisplayedOwn(page)).toBe(false);
 });
 
-test("opens a link that is cut off, and sees the own work once that is told", async ({
+test("displays the user's own project after reporting that a link is incomplete", async ({
   openWindow,
 }) => {
   if (!shared.ok) throw new Error(shared.code);
   const corridor = await openWindow({ serviceWorkers: "block" });
   await corridor.open();
-  await makeOwnWork(corridor);
+  await createOwnProject(corridor);
   const { page } = corridor;
   await page.goto(`/#${shared.text.slice(0, -4)}`);
   await expect(corridor.message("A part of this link is missing.")).toBeVisible();

@@ -1,4 +1,4 @@
-/** "Try it in other mazes": does the program work elsewhere, and where does it fail? */
+/** "Try it in other mazes": in how many mazes the program works, and where it fails. */
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
@@ -13,14 +13,14 @@ async function tryOthers(corridor: CorridorPage) {
   return dialog;
 }
 
-/** A program that neither bumps nor gets anywhere. */
-async function turnForEver({ program }: CorridorPage): Promise<void> {
+/** A program that neither bumps nor leaves its square. */
+async function turnForever({ program }: CorridorPage): Promise<void> {
   await program.condition(1).selectOption("front >");
   await program.number(1).fill("1");
   await program.action(1).selectOption("turn 180");
 }
 
-test("sees that the right-wall program works in a hundred trees", async ({ corridor }) => {
+test("shows that the right-wall program works in a hundred trees", async ({ corridor }) => {
   const dialog = await tryOthers(corridor);
   await expect(dialog.getByText("Time limit: 5 minutes of robot time")).toBeVisible();
   await expect(dialog.getByText("Works in 100 of 100 mazes.").first()).toBeVisible();
@@ -31,7 +31,7 @@ test("sees that the right-wall program works in a hundred trees", async ({ corri
   await expect(dialog.getByRole("button", { name: "Show a failure" })).toBeHidden();
 });
 
-test("opens a maze two seconds before the bump, corrects the program there and comes back with it", async ({
+test("opens a maze two seconds before the bump, and returns with the program corrected there", async ({
   corridor,
 }) => {
   const { program } = corridor;
@@ -39,7 +39,7 @@ test("opens a maze two seconds before the bump, corrects the program there and c
   const dialog = await tryOthers(corridor);
   await expect(dialog.getByText(/^Works in \d+ of 100 mazes\.$/).first()).toBeVisible();
   const first = dialog.getByRole("button", { name: /^Seed \d+: bump after/ }).first();
-  // Values are set apart by marks that are not seen.
+  // Values are surrounded by invisible isolation marks.
   const name = ((await first.getAttribute("aria-label")) ?? "").replaceAll(/[^ -~]/g, "");
   const [, seed, minutes, seconds] = /^Seed (\d+): bump after (\d+):(\d+\.\d)/.exec(name) ?? [];
   const bumpAt = Number(minutes) * 60 + Number(seconds);
@@ -48,10 +48,10 @@ test("opens a maze two seconds before the bump, corrects the program there and c
   await expect(dialog).toBeHidden();
   await expect(corridor.mazeMenu).toHaveAccessibleName(`Tree 11, seed ${seed}, Maze menu`);
   await expect(corridor.message(`Your program bumps in “Tree 11, seed ${seed}”.`)).toBeVisible();
-  const shown = /^Time (\d+):([\d.]+)$/.exec((await corridor.clock.textContent()) ?? "");
-  const shownAt = Number(shown?.[1]) * 60 + Number(shown?.[2]);
-  expect(shownAt).toBeGreaterThanOrEqual(bumpAt - 2.1);
-  // It is played to its end, where the robot bumps.
+  const displayed = /^Time (\d+):([\d.]+)$/.exec((await corridor.clock.textContent()) ?? "");
+  const displayedAt = Number(displayed?.[1]) * 60 + Number(displayed?.[2]);
+  expect(displayedAt).toBeGreaterThanOrEqual(bumpAt - 2.1);
+  // The run is replayed to its end, where the robot bumps.
   await expect(corridor.bumps).toHaveText("1 bump");
 
   await program.number(2).fill("50");
@@ -62,8 +62,8 @@ test("opens a maze two seconds before the bump, corrects the program there and c
   await expect(program.number(2)).toHaveValue("20");
 });
 
-test("reads a time limit that was reached as that, never as wrong", async ({ corridor }) => {
-  await turnForEver(corridor);
+test("reports a reached time limit as such, never as wrong", async ({ corridor }) => {
+  await turnForever(corridor);
   const dialog = await tryOthers(corridor);
   await expect(dialog.getByText("Works in 0 of 100 mazes.").first()).toBeVisible();
   await expect(dialog.getByText("Bumps: 0. Time limit reached: 100.")).toBeVisible();
@@ -73,7 +73,7 @@ test("reads a time limit that was reached as that, never as wrong", async ({ cor
   await expect(corridor.clock).toHaveText("Time 5:00.0");
 });
 
-test("chooses other mazes, and gets the same ones for the same seed", async ({ corridor }) => {
+test("selects other mazes, and gets the same mazes for the same seed", async ({ corridor }) => {
   const dialog = await tryOthers(corridor);
   await dialog.getByRole("radio", { name: "Rooms" }).click();
   await dialog.getByRole("slider", { name: "Size" }).fill("9");
@@ -89,10 +89,10 @@ test("chooses other mazes, and gets the same ones for the same seed", async ({ c
   await expect(corridor.mazeMenu).toHaveAccessibleName("Rooms 9, seed 120, Maze menu");
 });
 
-test("stops, and goes through the mazes by keyboard", async ({ corridor, page }) => {
-  await turnForEver(corridor);
+test("stops, and moves through the mazes by keyboard", async ({ corridor, page }) => {
+  await turnForever(corridor);
   const dialog = await tryOthers(corridor);
-  // The largest mazes have the longest limit, so there is time to stop.
+  // The largest mazes have the longest time limit, which leaves time to stop.
   await dialog.getByRole("slider", { name: "Size" }).fill("33");
   await dialog.getByRole("button", { name: "Stop" }).click();
   await expect(dialog.getByText(/^Stopped\. Works in 0 of the first \d+\.$/).first()).toBeVisible();
@@ -107,13 +107,13 @@ test("stops, and goes through the mazes by keyboard", async ({ corridor, page })
   await expect(corridor.program.button(title)).toBeFocused();
 });
 
-test("is not offered in a mission, which has a check of its own", async ({ corridor, page }) => {
+test("is not offered in a mission, which has its own check", async ({ corridor, page }) => {
   await page.getByRole("button", { name: "Start with mission 1" }).click();
   await expect(page.getByText("Mission 1", { exact: false }).first()).toBeVisible();
   await expect(corridor.program.button(title)).toHaveCount(0);
 });
 
-test("has no barriers, in either theme", async ({ corridor, page }) => {
+test("has no axe violations, in either theme", async ({ corridor, page }) => {
   const { program } = corridor;
   await program.number(2).fill("20");
   const dialog = await tryOthers(corridor);

@@ -1,4 +1,4 @@
-/** A script is let in by a code that somebody types, once the page's owner says yes. */
+/** Pairing: a script with a typed code drives once the page's owner allows it. */
 import type { Registration } from "@corridor/protocol";
 import type { Page } from "playwright/test";
 import { fileURLToPath } from "node:url";
@@ -12,10 +12,10 @@ import { exampleCommand, runScript } from "./support/script.ts";
 
 const library = fileURLToPath(new URL("../packages/client-python/src/", import.meta.url));
 
-/** What a script prints until its owner has answered. */
-const waits = "Waiting for 'Yes, let it drive' on the robot's page.\n";
+/** output of a script until the owner has answered */
+const waitingLine = "Waiting for 'Yes, let it drive' on the robot's page.\n";
 
-/** A student's script: it has the page's address and what stands on the screen. */
+/** Runs a student's script, which needs only the page's address and the code on the screen. */
 function runPaired(origin: string, code: string): ReturnType<typeof runScript> {
   const [python = ""] = exampleCommand("Python");
   const script = `
@@ -46,7 +46,7 @@ async function showCode(page: Page): Promise<string> {
 
 const question = "Right wall (Python script) wants to drive this robot.";
 
-test("a script that types the code drives once the page says yes", async ({ page }) => {
+test("a script with the code drives once the owner allows it", async ({ page }) => {
   const code = await showCode(page);
   await expectNoAxeViolations(page, "a pairing code is shown");
   const running = runPaired(new URL(page.url()).origin, code.toLowerCase());
@@ -60,7 +60,7 @@ test("a script that types the code drives once the page says yes", async ({ page
   await page.getByRole("button", { name: "Yes, let it drive" }).focus();
   await page.keyboard.press("Enter");
   const { code: exit, output } = await running;
-  expect([exit, output.trim()]).toEqual([0, `${waits}completed`]);
+  expect([exit, output.trim()]).toEqual([0, `${waitingLine}completed`]);
   await expect(
     page.getByText("Right wall (Python script) can drive now. It has its own key."),
   ).toBeVisible();
@@ -68,7 +68,7 @@ test("a script that types the code drives once the page says yes", async ({ page
   await expect(commandRow(page, /right 90/)).toContainText("completed");
   const scripts = page.getByRole("region", { name: "Scripts" }).getByRole("listitem");
   await expect(scripts).toHaveText([/Right wall/]);
-  // Its key is listed, and can be taken back without harm to the one in the address.
+  // The paired key is listed, and revoking it does not affect the key in the address.
   const keys = page.getByRole("region", { name: "Keys" });
   await expect(keys.getByRole("listitem")).toHaveText([
     /Key of the address above.*made .*never used/,
@@ -81,13 +81,13 @@ test("a script that types the code drives once the page says yes", async ({ page
   await expect(keys.getByRole("heading")).toBeFocused();
 });
 
-test("a paired script goes on when the address gets a new key", async ({ page }) => {
+test("a paired script continues when the address gets a new key", async ({ page }) => {
   const code = await showCode(page);
   const { origin } = new URL(page.url());
   const body = JSON.stringify({ code, name: "Right wall" });
   const headers = { "content-type": "application/json", "user-agent": "python-requests/2.32" };
-  const asked = await fetch(`${origin}/api/v1/pairing`, { method: "POST", headers, body });
-  const { key } = (await asked.json()) as { key: string };
+  const requested = await fetch(`${origin}/api/v1/pairing`, { method: "POST", headers, body });
+  const { key } = (await requested.json()) as { key: string };
   await page.getByRole("button", { name: "Yes, let it drive" }).click();
   const keys = page.getByRole("region", { name: "Keys" });
   const paired = /Key to drive.*made this minute.*Revoke/;
@@ -107,7 +107,7 @@ test("a paired script goes on when the address gets a new key", async ({ page })
   const sent = await fetch(commands, { method: "POST", headers: authorised, body: turn });
   expect(sent.status).toBe(202);
   await expect(commandRow(page, /left 90/)).toContainText("completed");
-  // The younger one is the address's own.
+  // The newer key is the address's own.
   await expect(keys.getByRole("listitem")).toHaveText([
     /Key of the address above.*never used/,
     paired,
@@ -117,7 +117,7 @@ test("a paired script goes on when the address gets a new key", async ({ page })
   expect((await fetch(commands, { headers: authorised })).status).toBe(401);
 });
 
-test("a script that the page says no to is told so, also after a reload of the page", async ({
+test("a script that the owner rejects receives the refusal, also after a reload of the page", async ({
   page,
 }) => {
   const code = await showCode(page);
@@ -127,7 +127,7 @@ test("a script that the page says no to is told so, also after a reload of the p
   await expect(page.getByText(question)).toBeVisible();
   await page.getByRole("button", { name: "No", exact: true }).click();
   const { code: exit, output } = await running;
-  expect([exit, output.trim()]).toEqual([1, `${waits}pairing-refused`]);
+  expect([exit, output.trim()]).toEqual([1, `${waitingLine}pairing-refused`]);
   await expect(
     new CorridorPage(page).messages.getByText(
       "Right wall (Python script) cannot drive: you said no.",
@@ -135,7 +135,7 @@ test("a script that the page says no to is told so, also after a reload of the p
   ).toBeVisible();
 });
 
-test.describe("asks its owner wherever they are on the page:", () => {
+test.describe("asks the owner wherever they are on the page:", () => {
   const yes = { name: "Yes, let it drive" };
   const no = { name: "No", exact: true };
 
@@ -146,7 +146,7 @@ test.describe("asks its owner wherever they are on the page:", () => {
     }
   }
 
-  test("another driver is chosen", async ({ page }) => {
+  test("another driver is selected", async ({ page }) => {
     const corridor = new CorridorPage(page);
     const code = await showCode(page);
     await corridor.selectDriver("Program");
@@ -168,7 +168,7 @@ test.describe("asks its owner wherever they are on the page:", () => {
     expect(output).toContain("cancelled");
   });
 
-  test("a dialog is open, which lets nothing else be pressed", async ({ page }) => {
+  test("an open modal dialog blocks the rest of the page", async ({ page }) => {
     const corridor = new CorridorPage(page);
     const code = await showCode(page);
     await corridor.share.click();
@@ -180,17 +180,17 @@ test.describe("asks its owner wherever they are on the page:", () => {
     await dialog.getByRole("button", no).click();
     await expect(dialog.getByText(question)).toHaveCount(0);
     const { output } = await running;
-    expect(output.trim()).toBe(`${waits}pairing-refused`);
+    expect(output.trim()).toBe(`${waitingLine}pairing-refused`);
   });
 
-  test("the panel that asks lies below the screen", async ({ page }) => {
+  test("the panel with the question is below the screen", async ({ page }) => {
     await page.setViewportSize({ width: 760, height: 800 });
     const code = await showCode(page);
     await page.evaluate(() => scrollTo(0, 0));
     const running = runPaired(new URL(page.url()).origin, code);
     const { messages } = new CorridorPage(page);
     await expect(messages.getByText(question)).toBeVisible();
-    // Once it is in sight, it is asked in one place.
+    // Once the panel is visible, the question is displayed only there.
     await page.getByRole("button", { name: "Yes" }).last().scrollIntoViewIfNeeded();
     await expect(messages.getByText(question)).toHaveCount(0);
     await page.getByRole("button", no).click();
@@ -201,7 +201,9 @@ test.describe("asks its owner wherever they are on the page:", () => {
 test.describe("on a phone", () => {
   test.use(phone);
 
-  test("a script asks on another tab, also after a reload of the page", async ({ page }) => {
+  test("a script's request appears on another tab, also after a reload of the page", async ({
+    page,
+  }) => {
     await page.goto("/");
     await page.getByRole("button", { name: "More" }).tap();
     await page.getByRole("button", { name: "Remote" }).tap();
@@ -220,18 +222,18 @@ test.describe("on a phone", () => {
     await messages.getByRole("button", { name: "Yes, let it drive" }).tap();
     await expect(messages.getByText(question)).toHaveCount(0);
     const { code: exit, output } = await running;
-    expect([exit, output.trim()]).toEqual([0, `${waits}completed`]);
+    expect([exit, output.trim()]).toEqual([0, `${waitingLine}completed`]);
   });
 });
 
-/** A page whose script asks already, as it is after a reload of its tab. */
-async function askedPage(page: Page, origin: string, name: string): Promise<void> {
+/** Prepares a page with a pending pairing request, as after a reload of its tab. */
+async function preparePairingRequest(page: Page, origin: string, name: string): Promise<void> {
   const json = { "content-type": "application/json" };
   const registered = await fetch(`${origin}/api/v1/robots`, { method: "POST" });
   const { id, ownerKey, driverKey, address } = (await registered.json()) as Registration;
   const headers = { ...json, authorization: `Bearer ${ownerKey}` };
-  const made = await fetch(`${origin}/api/v1/robots/${id}/pairing`, { method: "POST", headers });
-  const { code } = (await made.json()) as { code: string };
+  const created = await fetch(`${origin}/api/v1/robots/${id}/pairing`, { method: "POST", headers });
+  const { code } = (await created.json()) as { code: string };
   const body = JSON.stringify({ code, name });
   await fetch(`${origin}/api/v1/pairing`, { method: "POST", headers: json, body });
   const session = JSON.stringify({ id, ownerKey, driverKey, address, lastApplied: 0 });
@@ -241,20 +243,24 @@ async function askedPage(page: Page, origin: string, name: string): Promise<void
   }, session);
 }
 
-test.describe("a question on a phone leaves in reach what stops the robot:", () => {
+test.describe("a question on a phone does not cover the button that stops the robot:", () => {
   test.use(phone);
 
-  for (const { size, look, pause } of [
-    { size: phone, look: "/", pause: "Pause" },
-    { size: smallestPhone, look: "/", pause: "Pause" },
-    { size: smallestPhone, look: "/?lang=de", pause: "Pause" },
-    { size: smallestPhone, look: "/?lang=ar", pause: "إيقاف مؤقّت" },
+  for (const { size, path, pause } of [
+    { size: phone, path: "/", pause: "Pause" },
+    { size: smallestPhone, path: "/", pause: "Pause" },
+    { size: smallestPhone, path: "/?lang=de", pause: "Pause" },
+    { size: smallestPhone, path: "/?lang=ar", pause: "إيقاف مؤقّت" },
   ]) {
     const { width, height } = size.viewport;
-    test(`${width} x ${height}, ${look}`, async ({ page }) => {
+    test(`${width} x ${height}, ${path}`, async ({ page }) => {
       await page.setViewportSize({ width, height });
-      await page.goto(look);
-      await askedPage(page, new URL(page.url()).origin, "Right wall of a long corridor");
+      await page.goto(path);
+      await preparePairingRequest(
+        page,
+        new URL(page.url()).origin,
+        "Right wall of a long corridor",
+      );
       await page.reload();
       const messages = page.locator("section").filter({ hasText: "Right wall of a long corridor" });
       const answers = messages.getByRole("button");
@@ -264,20 +270,20 @@ test.describe("a question on a phone leaves in reach what stops the robot:", () 
       for (const at of [1, 0]) {
         await page.getByRole("tab").nth(at).tap();
         await waitForAnimations(page);
-        const asked = await boxOf(messages);
+        const questionBox = await boxOf(messages);
         const [above, below] = [await boxOf(bar), await boxOf(sheet)];
-        expect(asked.x).toBeGreaterThanOrEqual(0);
-        expect(asked.x + asked.width).toBeLessThanOrEqual(width);
-        expect(asked.y).toBeGreaterThanOrEqual(above.y + above.height);
-        expect(asked.y + asked.height).toBeLessThanOrEqual(below.y + 0.5);
+        expect(questionBox.x).toBeGreaterThanOrEqual(0);
+        expect(questionBox.x + questionBox.width).toBeLessThanOrEqual(width);
+        expect(questionBox.y).toBeGreaterThanOrEqual(above.y + above.height);
+        expect(questionBox.y + questionBox.height).toBeLessThanOrEqual(below.y + 0.5);
         for (const box of [await boxOf(answers.first()), await boxOf(answers.last())]) {
           expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(44);
         }
-        // Nothing lies over what a finger would press.
+        // Nothing covers the touch targets.
         await page.getByRole("button", { name: pause }).tap({ trial: true });
         await bar.getByRole("button").last().tap({ trial: true });
-        // Some of the maze is in sight.
-        expect(asked.y - above.y - above.height).toBeGreaterThanOrEqual(44);
+        // A part of the maze is visible.
+        expect(questionBox.y - above.y - above.height).toBeGreaterThanOrEqual(44);
         const scrolled = await page.evaluate(() => document.documentElement.scrollWidth);
         expect(scrolled).toBeLessThanOrEqual(width);
       }
@@ -288,7 +294,7 @@ test.describe("a question on a phone leaves in reach what stops the robot:", () 
   }
 });
 
-test("a code that was taken back counts no more", async ({ page }) => {
+test("a cancelled code is rejected", async ({ page }) => {
   const code = await showCode(page);
   await page.getByRole("button", { name: "Cancel code" }).click();
   await expect(page.getByRole("button", { name: "Show a code to type" })).toBeFocused();

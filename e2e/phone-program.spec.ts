@@ -1,4 +1,4 @@
-/** Writes a program on a phone, fixes it where it bumped, and goes back in its run. */
+/** Writing a program on a phone, fixing it after a bump, and going back in its run. */
 import { expect, test } from "./fixtures.ts";
 import { TouchInput } from "./support/touch-input.ts";
 import { horizontalOverflow } from "./support/layout.ts";
@@ -8,8 +8,8 @@ test("writes a program on a phone", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
   await corridor.open();
   const { program, page } = corridor;
-  for (const left of [2, 1]) {
-    await expect(program.lines).toHaveCount(left);
+  for (const remaining of [2, 1]) {
+    await expect(program.lines).toHaveCount(remaining);
     await page.getByRole("button", { name: "Move or delete line 1" }).tap();
     await page.getByRole("button", { name: "Delete line", exact: true }).tap();
   }
@@ -27,7 +27,7 @@ test("writes a program on a phone", async ({ openWindow }) => {
   await expect(corridor.bumps).toHaveText("0 bumps");
 });
 
-test("moves and deletes a line behind its one button", async ({ openWindow }) => {
+test("moves and deletes a line through its menu", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
   await corridor.open();
   const { program, page } = corridor;
@@ -45,7 +45,9 @@ test("moves and deletes a line behind its one button", async ({ openWindow }) =>
 
 for (const device of [phone, smallestPhone]) {
   const { width, height } = device.viewport;
-  test(`reads the bump card and takes the fix at ${width} x ${height}`, async ({ openWindow }) => {
+  test(`shows the bump card and applies its fix at ${width} x ${height}`, async ({
+    openWindow,
+  }) => {
     const corridor = await openWindow(device);
     await corridor.open();
     const { page, program } = corridor;
@@ -57,7 +59,7 @@ for (const device of [phone, smallestPhone]) {
     await expect(card).toContainText(
       /with (4\d|50) cm in front\. It drives on first and needs 75 cm\./,
     );
-    // The whole maze stays in sight above it, and all of the card can be pressed.
+    // The whole maze stays visible above the card, and the whole card can be tapped.
     const maze = await boxOf(corridor.maze.grid);
     await expect
       .poll(async () => (await boxOf(card)).y)
@@ -72,7 +74,7 @@ for (const device of [phone, smallestPhone]) {
   });
 }
 
-test("scrubs on a phone", async ({ openWindow }) => {
+test("scrubs the timeline on a phone", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
   await corridor.open();
   const { page, timeline } = corridor;
@@ -81,12 +83,12 @@ test("scrubs on a phone", async ({ openWindow }) => {
   await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
   await page.getByRole("region", { name: "Solved!" }).getByRole("button", { name: "Close" }).tap();
   const end = await corridor.robotPose.textContent();
-  const fingers = await TouchInput.of(page);
-  await fingers.drag(await timeline.pointAt(0.9), await timeline.pointAt(0.3));
+  const touch = await TouchInput.of(page);
+  await touch.drag(await timeline.pointAt(0.9), await timeline.pointAt(0.3));
   await expect(timeline.pastLabel).toBeVisible();
   await expect(corridor.robotPose).not.toHaveText(end ?? "");
-  // The keys take the room of the transport only as long as nothing leads back. Right after a drag
-  // the browser takes a tap for its end.
+  // The keys replace the transport only when the present is displayed. Right after a drag, the
+  // browser takes a tap as the end of the drag.
   await expect(async () => {
     await tab(page, "Drive").tap();
     await expect(tab(page, "Drive")).toHaveAttribute("aria-selected", "true", { timeout: 1000 });

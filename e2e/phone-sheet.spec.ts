@@ -1,6 +1,6 @@
 /**
- * A phone's sheet and what stands over the maze: how far it opens, its presets, messages, blocks
- * painted.
+ * The phone layout's bottom sheet and its surroundings: sheet states, presets, messages and
+ * painting.
  */
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
@@ -16,30 +16,31 @@ for (const device of [phone, smallestPhone]) {
     await corridor.open();
     const { page } = corridor;
     const bar = page.getByRole("button", { name: /^Panel is / });
-    const fingers = await TouchInput.of(page);
-    const pull = async (by: number) => {
+    const touch = await TouchInput.of(page);
+    const dragBar = async (by: number) => {
       const from = await centreOf(bar);
-      await fingers.drag(from, { x: from.x, y: from.y + by });
-      // The sheet moves to its place before the next finger can find what lies on it.
+      await touch.drag(from, { x: from.x, y: from.y + by });
+      // The sheet must finish its animation before the next touch can hit its content.
       await corridor.waitForFrames(30);
     };
-    // Half open, the maze is wholly in sight.
+    // While the sheet is half open, the whole maze is visible.
     const maze = await boxOf(corridor.maze.grid);
     expect(maze.y + maze.height).toBeLessThanOrEqual((await boxOf(corridor.transport)).y);
-    const lines = await boxOf(page.getByRole("tabpanel"));
-    await pull(-60);
+    const panel = await boxOf(page.getByRole("tabpanel"));
+    await dragBar(-60);
     await expect(bar).toHaveAccessibleName("Panel is open. Close it");
     await expect
       .poll(async () => (await boxOf(page.getByRole("tabpanel"))).height)
-      .toBeGreaterThan(lines.height);
-    await pull(60);
+      .toBeGreaterThan(panel.height);
+    await dragBar(60);
     await expect(bar).toHaveAccessibleName("Panel is half open. Open it fully");
-    await pull(60);
+    await dragBar(60);
     await expect(bar).toHaveAccessibleName("Panel is closed. Open it halfway");
     await expect(corridor.program.button("Add line")).toBeHidden();
     await bar.click();
     await expect(corridor.program.button("Add line")).toBeVisible();
-    // A tab of a closed sheet opens it. Pressed, the bar goes on from half to open to closed.
+    // A tab of a closed sheet opens it. A tap on the bar moves the sheet from half to open to
+    // closed.
     await bar.click();
     await expect(bar).toHaveAccessibleName("Panel is open. Close it");
     await bar.click();
@@ -49,14 +50,14 @@ for (const device of [phone, smallestPhone]) {
   });
 }
 
-test("finds nothing below the screen in any tab", async ({ openWindow }) => {
+test("does not scroll the page in any tab", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
   await corridor.open();
   const { page } = corridor;
   for (const name of ["Presets", "Drive", "Program"] as const) {
     await tab(page, name).tap();
     await waitForAnimations(page);
-    // What is out of sight in the sheet scrolls there, never the page under the finger.
+    // The sheet scrolls its own overflow. The page itself must not scroll.
     const below = await page.evaluate(() => document.documentElement.scrollHeight - innerHeight);
     expect(below, name).toBe(0);
   }
@@ -64,7 +65,7 @@ test("finds nothing below the screen in any tab", async ({ openWindow }) => {
 
 for (const device of [phone, { ...phone, viewport: { width: 320, height: 640 } }]) {
   const { width, height } = device.viewport;
-  test(`reads a message over the bar, and uses tools, lines and maze meanwhile at ${width} x ${height}`, async ({
+  test(`shows a message over the bar without blocking tools, lines and maze at ${width} x ${height}`, async ({
     openWindow,
   }) => {
     const corridor = await openWindow(device);
@@ -84,7 +85,7 @@ for (const device of [phone, { ...phone, viewport: { width: 320, height: 640 } }
   });
 }
 
-test("is told a long sentence without losing the maze from sight", async ({ openWindow }) => {
+test("shows a long message without covering the maze", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
   await corridor.open();
   const { page } = corridor;
@@ -96,14 +97,14 @@ test("is told a long sentence without losing the maze from sight", async ({ open
   expect(box.y + box.height).toBeLessThanOrEqual((await boxOf(corridor.maze.grid)).y);
 });
 
-test("chooses a preset on a phone", async ({ openWindow }) => {
+test("selects a preset on a phone", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
   await corridor.open();
   const { page } = corridor;
   await tab(page, "Presets").tap();
   const cards = page.getByRole("list", { name: "Presets" }).getByRole("button");
   const [first, second, third] = await Promise.all([0, 1, 2].map((at) => boxOf(cards.nth(at))));
-  // Two columns.
+  // The cards have two columns.
   expect(second?.y).toBe(first?.y);
   expect(third?.x).toBe(first?.x);
   expect(third?.y).toBeGreaterThan((first?.y ?? 0) + (first?.height ?? 0));
@@ -123,16 +124,16 @@ test("paints blocks with one finger, and nothing with two", async ({ openWindow 
     x: box.x + (column + 0.5) * side,
     y: box.y + (row + 0.5) * side,
   });
-  const fingers = await TouchInput.of(page);
-  await fingers.drag(at(6, 1), at(8, 1));
+  const touch = await TouchInput.of(page);
+  await touch.drag(at(6, 1), at(8, 1));
   for (const column of [6, 7, 8]) await maze.expectSquare({ column, row: 1 }, "block");
-  await fingers.down(at(0, 0), at(2, 0));
-  await fingers.move(at(1, 0), at(1, 0));
-  await fingers.lift();
+  await touch.down(at(0, 0), at(2, 0));
+  await touch.move(at(1, 0), at(1, 0));
+  await touch.lift();
   for (const column of [0, 1, 2]) await maze.expectSquare({ column, row: 0 }, "open");
 });
 
-test("sees the flag of mission 3 beside the reading of the beam that ends at it", async ({
+test("does not cover the flag of mission 3 with the reading of the beam that ends at it", async ({
   openWindow,
 }) => {
   const corridor = await openWindow(phone);
@@ -141,8 +142,7 @@ test("sees the flag of mission 3 beside the reading of the beam that ends at it"
   await new LessonsPanel(page).openMissionOnPhone(3);
   const stage = new StageScreenshot(page);
   await stage.capture();
-  // Left of the flag, above the beam and at the top of the goal's square: all of it is the goal's
-  // green.
+  // Left of the flag, above the beam and at the top of the goal's square: all in the goal's green.
   const size = { width: 14, height: 8 };
   const nearBeam = { x: 112, y: 132, ...size };
   const onTop = { x: 112, y: 110, ...size };
@@ -150,32 +150,32 @@ test("sees the flag of mission 3 beside the reading of the beam that ends at it"
   expect(await stage.differingPixels({ ...nearBeam, y: 30 }, onTop), "a block").toBeGreaterThan(0);
 });
 
-test("keeps what is open when a phone is turned", async ({ openWindow }) => {
+test("keeps dialogs and tabs open when a phone is rotated", async ({ openWindow }) => {
   const corridor = await openWindow({ ...phone, viewport: { width: 844, height: 390 } });
   await corridor.open();
   const { page } = corridor;
-  const upright = () => page.setViewportSize(phone.viewport);
-  const onItsSide = () => page.setViewportSize({ width: 844, height: 390 });
+  const toPortrait = () => page.setViewportSize(phone.viewport);
+  const toLandscape = () => page.setViewportSize({ width: 844, height: 390 });
 
   await corridor.program.button("Try it in other mazes").click();
   const mazes = corridor.dialog("Try it in other mazes");
   await expect(mazes).toBeVisible();
-  await upright();
+  await toPortrait();
   await expect(mazes).toBeVisible();
-  await onItsSide();
+  await toLandscape();
   await expect(mazes).toBeVisible();
   await mazes.getByRole("button", { name: "Close" }).click();
   await expect(mazes).toBeHidden();
 
-  // The presets move to their tab, and a tab is still chosen when the phone comes back to it.
+  // The presets move to their tab, and the selected tab survives a rotation.
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   await expect(corridor.dialog("Presets")).toBeVisible();
-  await upright();
+  await toPortrait();
   await expect(tab(page, "Presets")).toHaveAttribute("aria-selected", "true");
   await expect(page.getByRole("button", { name: /^Spiral/ })).toBeVisible();
   await tab(page, "Drive").click();
-  await onItsSide();
-  await upright();
+  await toLandscape();
+  await toPortrait();
   await expect(tab(page, "Drive")).toHaveAttribute("aria-selected", "true");
 });
 
@@ -183,7 +183,7 @@ for (const viewport of [
   { width: 844, height: 390 },
   { width: 320, height: 640 },
 ]) {
-  test(`reaches the end of a menu at ${viewport.width} x ${viewport.height}, and after a turn`, async ({
+  test(`shows the end of a menu at ${viewport.width} x ${viewport.height}, and after a rotation`, async ({
     openWindow,
   }) => {
     const corridor = await openWindow({ ...phone, viewport });
@@ -191,17 +191,17 @@ for (const viewport of [
     const { page } = corridor;
     await page.getByRole("button", { name: "View" }).click();
     const menu = corridor.dialog("View");
-    const isInSight = async (height: number) => {
+    const isVisible = async (height: number) => {
       const box = await boxOf(menu);
       return box.y >= 0 && box.y + box.height <= height;
     };
-    await expect.poll(() => isInSight(viewport.height)).toBe(true);
+    await expect.poll(() => isVisible(viewport.height)).toBe(true);
     await page.setViewportSize({ width: viewport.height, height: viewport.width });
-    await expect.poll(() => isInSight(viewport.width)).toBe(true);
+    await expect.poll(() => isVisible(viewport.width)).toBe(true);
   });
 }
 
-test("leaves the maze its room above a card at 320 x 640", async ({ openWindow }) => {
+test("leaves the maze enough space above a card at 320 x 640", async ({ openWindow }) => {
   const corridor = await openWindow({ ...phone, viewport: { width: 320, height: 640 } });
   await corridor.open();
   await corridor.program.number(2).fill("20");

@@ -1,10 +1,10 @@
-/** The presets: ready-made mazes with their solved marks, random mazes, algorithms. */
+/** The presets: ready-made mazes with solved marks, random mazes, algorithms. */
 import { generateMaze } from "@corridor/maze";
 import { expect, test } from "./fixtures.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
 
-test("draws a random maze with rooms and the size slider", async ({ corridor, page }) => {
+test("generates a random maze with rooms and the size slider", async ({ corridor, page }) => {
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   const presets = corridor.dialog("Presets");
   await presets.getByRole("radio", { name: "Rooms" }).click();
@@ -18,13 +18,13 @@ test("draws a random maze with rooms and the size slider", async ({ corridor, pa
   await expect(corridor.mazeMenu).toHaveAccessibleName("Rooms 31, seed 4711, Maze menu");
   await expect(corridor.message("“Rooms 31, seed 4711” is open.")).toBeVisible();
   await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "31");
-  // The same kind, size and seed give the same maze everywhere.
+  // The same kind, size and seed produce the same maze everywhere.
   const same = generateMaze({ kind: "rooms", columns: 31, rows: 31, seed: 4711, name: "" });
   const goal = same.goals[0] ?? { column: 0, row: 0 };
   await corridor.maze.expectSquare(goal, "open, goal");
 });
 
-test("draws another maze with a new seed, by keyboard alone, and takes it back", async ({
+test("generates another maze with a new seed by keyboard alone, and undoes it", async ({
   corridor,
   page,
 }) => {
@@ -43,15 +43,15 @@ test("draws another maze with a new seed, by keyboard alone, and takes it back",
   await page.keyboard.press("Tab");
   await page.keyboard.press("Enter");
   await expect(seed).not.toHaveValue(before);
-  const drawn = await seed.inputValue();
+  const generated = await seed.inputValue();
   await page.keyboard.press("Tab");
   await page.keyboard.press("Enter");
-  await expect(corridor.mazeMenu).toHaveAccessibleName(`Loops 19, seed ${drawn}, Maze menu`);
+  await expect(corridor.mazeMenu).toHaveAccessibleName(`Loops 19, seed ${generated}, Maze menu`);
   await corridor.messages.getByRole("button", { name: "Undo" }).press("Enter");
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
 });
 
-test("is told that a seed is none, and keeps the last one", async ({ corridor, page }) => {
+test("rejects an invalid seed, and keeps the last valid one", async ({ corridor, page }) => {
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   const presets = corridor.dialog("Presets");
   const seed = presets.getByRole("textbox", { name: "Seed" });
@@ -61,10 +61,7 @@ test("is told that a seed is none, and keeps the last one", async ({ corridor, p
   await expect(presets.getByText("Tree 21, seed 12")).toBeVisible();
 });
 
-test("solves a ready-made maze and finds it marked, after a reload too", async ({
-  corridor,
-  page,
-}) => {
+test("marks a solved preset maze, also after a reload", async ({ corridor, page }) => {
   await corridor.program.nameAsOwn();
   await corridor.choosePreset("First steps");
   await corridor.speed.selectOption("max");
@@ -81,7 +78,7 @@ test("loads an algorithm from the presets", async ({ corridor, page }) => {
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   const presets = corridor.dialog("Presets");
   const leftWall = presets.getByRole("button", { name: /^Left wall/ });
-  // A solution is shown to those who ask for it.
+  // Solutions are hidden until the user requests them.
   await expect(leftWall).toBeHidden();
   await presets.getByText("Show an algorithm").click();
   await leftWall.click();
@@ -89,7 +86,7 @@ test("loads an algorithm from the presets", async ({ corridor, page }) => {
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
 });
 
-test("is asked before an algorithm replaces lines of its own", async ({ corridor, page }) => {
+test("asks before an algorithm replaces the user's lines", async ({ corridor, page }) => {
   const { program } = corridor;
   await corridor.transport.getByRole("button", { name: "Write my own" }).click();
   await expect(program.lines).toHaveCount(0);
@@ -107,21 +104,21 @@ test("is asked before an algorithm replaces lines of its own", async ({ corridor
   await expect(program.lines).toHaveCount(3);
 });
 
-test("has no barriers in the presets, in either theme", async ({ corridor, page }) => {
+test("has no axe violations in the presets, in either theme", async ({ corridor, page }) => {
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   await expect(corridor.dialog("Presets").getByText("Random maze")).toBeVisible();
   await expectNoAxeViolations(page, "presets");
 });
 
 for (const width of [390, 320]) {
-  test(`chooses a random maze on a phone of ${width} px`, async ({ openWindow }) => {
+  test(`selects a random maze on a phone of ${width} px`, async ({ openWindow }) => {
     const phone = await openWindow({
       viewport: { width, height: 700 },
       hasTouch: true,
       isMobile: true,
     });
     await phone.open();
-    // Once there is a run, all that a phone ever shows is there.
+    // After a step, the phone layout has all its elements.
     await phone.step.tap();
     await phone.page.getByRole("tab", { name: "Presets" }).tap();
     await phone.page.getByRole("radio", { name: "Rooms" }).tap();

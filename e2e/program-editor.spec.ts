@@ -1,12 +1,13 @@
 /**
- * A program is built from dropdowns, with the mouse and by keyboard alone, and read while it runs.
+ * Building a program from dropdowns, with the mouse and by keyboard alone, and observing it as it
+ * runs.
  */
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
 
 const goal = /^Goal reached after 39\.6 s \(tick 2380\)/;
 
-test("builds the right-wall program from nothing with the mouse, runs it, reaches the goal", async ({
+test("builds the right-wall program with the mouse, runs it and reaches the goal", async ({
   corridor,
 }) => {
   const { program } = corridor;
@@ -30,7 +31,7 @@ test("builds the right-wall program from nothing with the mouse, runs it, reache
   await expect(corridor.runNote).toHaveText(goal);
 });
 
-test("builds the same by keyboard alone", async ({ corridor, page }) => {
+test("builds the same program by keyboard alone", async ({ corridor, page }) => {
   const { program } = corridor;
   const { keyboard } = page;
   await program.line(1).focus();
@@ -41,7 +42,7 @@ test("builds the same by keyboard alone", async ({ corridor, page }) => {
 
   await program.button("Add line").focus();
   await keyboard.press("Enter");
-  // A new line has the focus in its condition; what is typed chooses.
+  // The condition of a new line has the focus, and typing selects an option.
   await expect(program.condition(1)).toBeFocused();
   await keyboard.type("right >");
   await expect(program.condition(1)).toHaveValue(await optionValue(corridor, "right >"));
@@ -71,13 +72,13 @@ test("builds the same by keyboard alone", async ({ corridor, page }) => {
   await expect(corridor.runNote).toHaveText(goal);
 });
 
-/** The value of a choice in the condition menu of the first line. */
+/** The value of an option in the condition menu of the first line. */
 async function optionValue(corridor: CorridorPage, label: string): Promise<string> {
   const option = corridor.program.condition(1).locator("option", { hasText: label });
   return (await option.first().getAttribute("value")) ?? "";
 }
 
-test("moves lines up and down by buttons and keys, and the focus stays with the line", async ({
+test("moves lines by buttons and keys, and keeps the focus on the line", async ({
   corridor,
   page,
 }) => {
@@ -87,7 +88,7 @@ test("moves lines up and down by buttons and keys, and the focus stays with the 
   await program.button("Move line 2 up").click();
   await expect(program.line(1)).toHaveAccessibleName(front);
   await expect(program.line(2)).toHaveAccessibleName(right);
-  // The top line cannot go further up: the focus is on the button that is left.
+  // The top line cannot move up, so the focus moves to its enabled button.
   await expect(program.button("Move line 1 down")).toBeFocused();
   await page.keyboard.press("Enter");
   await expect(program.line(2)).toHaveAccessibleName(front);
@@ -101,14 +102,14 @@ test("moves lines up and down by buttons and keys, and the focus stays with the 
   await page.keyboard.press("Alt+ArrowDown");
   await expect(program.line(2)).toHaveAccessibleName(front);
   await expect(program.number(2)).toBeFocused();
-  // In a field, Delete deletes a digit and never the line.
+  // In a field, Delete removes a digit and never the line.
   await page.keyboard.press("Home");
   await page.keyboard.press("Delete");
   await expect(program.number(2)).toHaveValue("0");
   await expect(program.lines).toHaveCount(2);
 });
 
-test("deletes a line and brings it back from the message", async ({ corridor, page }) => {
+test("deletes a line, and restores it from the message", async ({ corridor, page }) => {
   const { program } = corridor;
   await program.button("Delete line 1").click();
   await expect(program.lines).toHaveCount(1);
@@ -128,7 +129,9 @@ test("deletes a line and brings it back from the message", async ({ corridor, pa
   await expect(program.lines).toHaveCount(1);
 });
 
-test("sees each line's truth with its numbers, and which line decides", async ({ corridor }) => {
+test("shows each line's truth value with its numbers, and the line that decides", async ({
+  corridor,
+}) => {
   const { program } = corridor;
   await expect(program.line(1)).toContainText("50 > 60");
   await expect(program.line(1)).toHaveAccessibleName(/Right is 50, false\.$/);
@@ -158,9 +161,7 @@ test("sees each line's truth with its numbers, and which line decides", async ({
   await expect(program.line(1)).toHaveAccessibleName(/if left is more than right plus 40/);
 });
 
-test("is told what is wrong with a number, and the last good one comes back", async ({
-  corridor,
-}) => {
+test("explains an invalid number, and restores the last valid one", async ({ corridor }) => {
   const { program } = corridor;
   const number = program.number(1);
   for (const text of ["", "sixty", "-1", "100001", "1e3x"]) {
@@ -179,13 +180,10 @@ test("is told what is wrong with a number, and the last good one comes back", as
   await expect(program.line(1)).toHaveAccessibleName(/if right is more than 72\.5/);
 });
 
-test("presses a button below a wrong number, and the press is not lost", async ({
-  corridor,
-  page,
-}) => {
+test("does not lose a press on a button below an invalid number", async ({ corridor, page }) => {
   const { program } = corridor;
   const error = program.region.getByText("Type a distance");
-  // A real press holds the button down while the field loses the focus and the page draws.
+  // A real press holds the button down while the field loses the focus and the page renders.
   const press = async (name: string) => {
     await program.number(1).fill("abc");
     await page.keyboard.press("Enter");
@@ -212,7 +210,7 @@ const algorithms = [
   { name: "Left at every wall", lines: 1 },
 ];
 
-test("loads each ready-made algorithm, and takes the last one back", async ({ corridor }) => {
+test("loads each ready-made algorithm, and undoes the last one", async ({ corridor }) => {
   const { program } = corridor;
   for (const { name, lines } of algorithms) {
     await program.loadAlgorithm(name);
@@ -228,7 +226,7 @@ test("loads each ready-made algorithm, and takes the last one back", async ({ co
   await expect(corridor.runNote).toContainText("Goal reached after 38.5 s (tick 2310)");
 });
 
-test("edits a line while the robot runs, and the robot obeys it at once", async ({ corridor }) => {
+test("applies an edit of a line to the running robot immediately", async ({ corridor }) => {
   const { program } = corridor;
   await corridor.choosePreset("Empty");
   await program.deleteAllLines();

@@ -1,4 +1,6 @@
-/** The open projects after the missions, and the picture of a student who has done them all. */
+/**
+ * The open projects after the missions, and the certificate of a student who has solved them all.
+ */
 import { readFile } from "node:fs/promises";
 import { expect, test } from "./fixtures.ts";
 import { MazeGrid } from "./pages/maze-grid.ts";
@@ -24,13 +26,13 @@ test("checks a program in all ready-made mazes as it changes, and stores the bes
   await expectNoAxeViolations(page, "open projects");
 });
 
-test("lets a maze of one's own win against the right-wall program", async ({ openWindow }) => {
+test("accepts a maze that defeats the right-wall program", async ({ openWindow }) => {
   const corridor = await openWindow();
   await corridor.open("/#mission/beat-right-wall");
   const { page } = corridor;
   const lessons = new LessonsPanel(page);
   await expect(lessons.outcome).toHaveText(/^The program reaches the goal after \d+\.\d s\./);
-  // The goal that the program reaches solves nothing here.
+  // Reaching the goal does not solve this project.
   await corridor.speed.selectOption("16×");
   await corridor.run.click();
   await corridor.waitForRobotToStop();
@@ -47,7 +49,7 @@ test("lets a maze of one's own win against the right-wall program", async ({ ope
   await expect(lessons.card).toContainText("Your best: open squares 21");
 });
 
-test("offers no program in a project by hand", async ({ openWindow }) => {
+test("offers no program in a manual project", async ({ openWindow }) => {
   const corridor = await openWindow();
   await corridor.open("/#mission/fewest-bumps");
   const { page } = corridor;
@@ -62,7 +64,7 @@ test("offers no program in a project by hand", async ({ openWindow }) => {
   await page.keyboard.up("w");
 });
 
-test("shows a picture to save once all missions are done", async ({ corridor, page }) => {
+test("shows a certificate to save once all missions are done", async ({ corridor, page }) => {
   await page.evaluate(() => {
     const ids =
       "make-it-move how-far one-line first-true-line centimetres own-line side-opening no-room " +

@@ -5,9 +5,7 @@ import { Recording, type RunDocument } from "@corridor/recording";
 import { expect, test } from "./fixtures.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 
-/**
- * The link of a run in which a ready-made algorithm drives through a ready-made maze to its goal.
- */
+/** A link to a run in which a ready-made algorithm drives through a preset maze to its goal. */
 function runLink(mazeId: string): { link: string; run: RunDocument } {
   const preset = mazePresets.find(({ id }) => id === mazeId);
   const program = programPresets.find(({ id }) => id === "right-wall")?.program;
@@ -21,7 +19,7 @@ function runLink(mazeId: string): { link: string; run: RunDocument } {
   return { link: `/#${encoded.text}`, run: written.run };
 }
 
-test("races a friend's run of a link on one clock, and compares time, bumps and lines", async ({
+test("races a friend's linked run on one clock, and compares time, bumps and lines", async ({
   corridor,
 }) => {
   const { page } = corridor;
@@ -33,7 +31,7 @@ test("races a friend's run of a link on one clock, and compares time, bumps and 
   await expect(corridor.clock).toHaveText("Time 0:00.0");
   await expect(page.getByRole("button", { name: "Race against 1 ghost" })).toBeVisible();
 
-  // The student's own answer takes another time.
+  // The student's own solution takes a different time.
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   await corridor.dialog("Presets").getByText("Show an algorithm").click();
   await corridor
@@ -62,7 +60,7 @@ test("races a friend's run of a link on one clock, and compares time, bumps and 
 
   await expectNoAxeViolations(page, "the table of a race");
 
-  // A run of another maze is refused in words.
+  // A run in another maze is rejected with a reason.
   const other = runLink("spiral");
   await dialog
     .getByRole("textbox", { name: "Link of a run" })
@@ -88,7 +86,7 @@ test("offers the race on a phone too, and ends it when the maze changes", async 
   await expect(chip).toBeVisible();
   const box = await chip.boundingBox();
   expect(box?.height).toBeGreaterThanOrEqual(44);
-  // One row of tools: a second one would be taken from the maze.
+  // The tools fit into one row. A second row would take space from the maze.
   const view = await page.getByRole("button", { name: "View", exact: true }).boundingBox();
   expect(view?.y).toBe(box?.y);
   await corridor.dismissMessages();
@@ -100,7 +98,7 @@ test("offers the race on a phone too, and ends it when the maze changes", async 
   await expect(chip).toBeHidden();
 });
 
-test("keeps the ghosts of a race over a reload", async ({ corridor, page }) => {
+test("keeps the ghosts of a race across a reload", async ({ corridor, page }) => {
   await corridor.speed.selectOption("max");
   await corridor.run.click();
   const card = page.getByRole("region", { name: "Solved!" });
