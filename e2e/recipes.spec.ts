@@ -1,4 +1,4 @@
-/** The recipes of /docs, as they are displayed, with a robot in a page. */
+/** The recipes of /docs, run as displayed, with the robot of a page. */
 import { encodeLink } from "@corridor/link";
 import { spawn } from "node:child_process";
 import { once } from "node:events";
@@ -27,7 +27,8 @@ const programs: Record<string, { command: string[]; file: string }> = {
 };
 
 /**
- * Turned a little, and off the middle of its square, as a first script leaves the robot at a wall.
+ * Turns the robot slightly and moves it off its square's centre, as a first script leaves it at a
+ * wall.
  */
 async function bump(_page: Page, address: string): Promise<void> {
   const commands = [
@@ -43,7 +44,7 @@ async function bump(_page: Page, address: string): Promise<void> {
   expect(states).toEqual(["completed", "collided", "completed"]);
 }
 
-/** While the robot drives, slowly enough for the press to be in time. */
+/** Presses Reset while the robot drives. The speed is slow enough for the press to be in time. */
 async function reset(page: Page, address: string): Promise<void> {
   const motion = async () => (await (await api(address, "/sensors?wait=25")).json()).motion;
   await expect.poll(motion).toBe("move");
@@ -56,9 +57,9 @@ interface Recipe {
   language: string;
   prints: RegExp;
   isEndless?: boolean;
-  /** in place of the small maze */
+  /** page address in place of the small maze */
   address?: string;
-  /** what the robot did before */
+  /** what the robot does before the script */
   before?: (page: Page, address: string) => Promise<void>;
   /** what the owner does while the script runs */
   meanwhile?: (page: Page, address: string) => Promise<void>;
@@ -69,7 +70,7 @@ const follower = {
   before: bump,
   prints: /^Goal reached after 1 bumps\n$/,
 };
-/** All code of the page: the section, the language and what the script prints. */
+/** all code samples of the page: the section, the language and the script's output */
 const recipes: Recipe[] = [
   { ...follower, language: "Python" },
   { ...follower, language: "JavaScript" },
@@ -136,7 +137,7 @@ async function samplesOf(page: Page, relay: string): Promise<Sample[]> {
 
 for (const recipe of recipes) {
   const { section, language, prints, isEndless = false } = recipe;
-  test(`${section} in ${language} does what it says`, async ({ page, relay }) => {
+  test(`${section} in ${language} has the documented result`, async ({ page, relay }) => {
     const link = encodeLink({ maze });
     if (!link.ok) throw new Error(link.code);
     const folder = await mkdtemp(join(tmpdir(), "corridor-recipe-"));
@@ -160,12 +161,12 @@ for (const recipe of recipes) {
       await (await fetch(`${relay}/corridor.py`)).text(),
     );
     await writeFile(join(folder, file), text);
-    const [program, ...words] = [...command, file];
-    const script = spawn(program, words, {
+    const [program, ...args] = [...command, file];
+    const script = spawn(program, args, {
       cwd: folder,
       stdio: ["ignore", "pipe", "pipe"],
       env: { ...process.env, FORCE_COLOR: "0" },
-      // A group of its own, which ends with what the script has started.
+      // A process group of its own, so that the kill includes the script's child processes.
       detached: true,
     });
     const ended = once(script, "close");

@@ -1,7 +1,7 @@
-/** A reader who reloads the page in the middle of a run finds it where it was. */
+/** Reloading the page in the middle of a run. */
 import { expect, test } from "./fixtures.ts";
 
-test("reload in mid-run keeps the run: place, time and bumps, and it goes on to the goal", async ({
+test("keeps the place, time and bumps of a run across a reload, and continues to the goal", async ({
   corridor,
 }) => {
   await corridor.speed.selectOption("4×");
@@ -10,10 +10,10 @@ test("reload in mid-run keeps the run: place, time and bumps, and it goes on to 
   await corridor.pause.click();
   await corridor.waitForRobotToStop();
   const time = (await corridor.clock.textContent()) ?? "";
-  const place = (await corridor.robotPose.textContent()) ?? "";
+  const pose = (await corridor.robotPose.textContent()) ?? "";
   await corridor.reload();
   await expect(corridor.clock).toHaveText(time);
-  await expect(corridor.robotPose).toHaveText(place);
+  await expect(corridor.robotPose).toHaveText(pose);
   await expect(corridor.run).toBeVisible();
   await corridor.speed.selectOption("max");
   await corridor.run.click();
@@ -22,7 +22,7 @@ test("reload in mid-run keeps the run: place, time and bumps, and it goes on to 
   );
 });
 
-test("reload while the robot drives comes back paused, not before where it was", async ({
+test("reopens paused, at the same place, after a reload while the robot drives", async ({
   corridor,
 }) => {
   await corridor.run.click();

@@ -2,10 +2,10 @@
 import { expect, test } from "./fixtures.ts";
 import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
 
-/** Turns on the spot for four seconds. */
+/** turns on the spot for four seconds */
 const spin = { action: "drive", left: 0.2, right: -0.2, milliseconds: 4000 };
 
-test("numbers the commands of a script, with their results; selecting one shows it", async ({
+test("numbers the commands of a script with their results, and displays a selected command", async ({
   corridor,
   page,
 }) => {
@@ -29,7 +29,7 @@ test("numbers the commands of a script, with their results; selecting one shows 
   await timeline.expectValueText(/command 1: drive 0\.2 -0\.2 4000 ms, completed$/);
 });
 
-test("the clock of a script counts driving, and waiting apart", async ({ corridor, page }) => {
+test("counts a script's driving and waiting time separately", async ({ corridor, page }) => {
   await corridor.open();
   await setSpeed(page, "4");
   const address = await copyAddress(page);
@@ -44,7 +44,7 @@ test("the clock of a script counts driving, and waiting apart", async ({ corrido
   await expect(corridor.drivingTime).toHaveText(driven);
 });
 
-test("the card of a script's bump tells the seconds that the clock counts as driving", async ({
+test("gives the time of a script's bump in driving seconds of the clock", async ({
   corridor,
   page,
 }) => {

@@ -20,8 +20,8 @@ function linkTo(maze: typeof tree): string {
   return `/#${link.text}`;
 }
 
-/** What a screen reader is told of the connection. */
-function connection(page: Page): Locator {
+/** The status of the connection, announced to screen readers. */
+function connectionStatus(page: Page): Locator {
   return page.getByRole("region", { name: "Remote" }).getByRole("status");
 }
 
@@ -31,7 +31,7 @@ for (const language of ["Python", "JavaScript"] as const) {
     await page.goto(linkTo(tree));
     await setSpeed(page, "16");
     const address = await copyAddress(page);
-    await expect(connection(page)).toHaveText("Waiting for a script");
+    await expect(connectionStatus(page)).toHaveText("Waiting for a script");
 
     const running = runScript([
       ...exampleCommand(language),
@@ -39,7 +39,7 @@ for (const language of ["Python", "JavaScript"] as const) {
       "--until-cells",
       `${openCells}`,
     ]);
-    await expect(connection(page)).toHaveText("Connected");
+    await expect(connectionStatus(page)).toHaveText("Connected");
     await expect(page.getByRole("cell", { name: "completed" }).first()).toBeVisible();
     const { code, output } = await running;
     expect(output).toContain(`${openCells} cells visited`);
@@ -49,7 +49,7 @@ for (const language of ["Python", "JavaScript"] as const) {
   });
 }
 
-test("the first script runs as it is copied, with the file beside it that the panel links", async ({
+test("the first script runs as copied, with the linked library file beside it", async ({
   page,
 }) => {
   test.setTimeout(60_000);
@@ -85,12 +85,14 @@ test("shows the address, the script and the last commands without scrolling at 1
   await page.goto("/");
   await setSpeed(page, "16");
   const address = await copyAddress(page);
-  const choice = page.getByRole("group", { name: "Who drives?" });
+  const driverGroup = page.getByRole("group", { name: "Who drives?" });
   const disconnect = page.getByRole("button", { name: "Disconnect" });
-  const end = await choice.evaluate((element) => element.getBoundingClientRect().bottom);
-  const begin = await disconnect.evaluate((element) => element.getBoundingClientRect().top);
-  // The panel begins right below the choice, however few commands there are.
-  expect(begin - end).toBeLessThan(32);
+  const groupBottom = await driverGroup.evaluate(
+    (element) => element.getBoundingClientRect().bottom,
+  );
+  const panelTop = await disconnect.evaluate((element) => element.getBoundingClientRect().top);
+  // The panel starts right below the driver selection, however few commands there are.
+  expect(panelTop - groupBottom).toBeLessThan(32);
   for (let count = 0; count < 8; count++) await api(address, "/commands", { action: "left 90" });
   await api(address, "/commands/8?wait=20");
   await setSpeed(page, "0.25");
@@ -107,7 +109,8 @@ test("shows the address, the script and the last commands without scrolling at 1
     "5",
     "4",
   ]);
-  // Not each of those there are now: there is one less when the running one ends meanwhile.
+  // Checks only the first and the last row: the number of rows decreases when the running command
+  // ends.
   const numbers = commands.getByRole("cell", { name: /^\d+$/ });
   await expect(numbers.first()).toBeInViewport({ ratio: 0.9 });
   await expect(numbers.last()).toBeInViewport({ ratio: 0.9 });
@@ -119,7 +122,7 @@ test("shows the address, the script and the last commands without scrolling at 1
   await expectNoAxeViolations(page, "all of Remote");
 });
 
-test("the panel lists every command with its state, newest first", async ({ page }) => {
+test("lists every command with its state, newest first", async ({ page }) => {
   await page.goto("/");
   await setSpeed(page, "16");
   const address = await copyAddress(page);
@@ -141,7 +144,7 @@ test("the panel lists every command with its state, newest first", async ({ page
   await expect(rows.getByRole("cell", { name: /^\d+$/ })).toHaveText(["3", "2", "1"]);
 });
 
-test("a robot keeps its address over a reload, and a running command ends cancelled", async ({
+test("keeps the robot's address across a reload, and ends a running command as cancelled", async ({
   page,
 }) => {
   await page.goto("/");
@@ -149,27 +152,27 @@ test("a robot keeps its address over a reload, and a running command ends cancel
   await setSpeed(page, "0.25");
   const poseOf = async () => (await (await api(address, "/sensors")).json()).pose;
   const start = await poseOf();
-  const wayFrom = async ({ x, y }: typeof start) => {
+  const distanceFrom = async ({ x, y }: typeof start) => {
     const pose = await poseOf();
     return Math.hypot(pose.x - x, pose.y - y);
   };
   await api(address, "/commands", { action: "move", distance: 200 });
   await expect(commandRow(page, /move 200/)).toContainText("running");
-  // The page keeps a running command's way every 300 ms: the last 8 cm may be gone.
-  await expect.poll(() => wayFrom(start)).toBeGreaterThan(15);
+  // The page stores a running command's progress every 300 ms: the last 8 cm may be lost.
+  await expect.poll(() => distanceFrom(start)).toBeGreaterThan(15);
   await page.reload();
   const record = await (await api(address, "/commands/1?wait=20")).json();
   expect(record).toMatchObject({ state: "cancelled" });
-  // The way that it had come is there, and Remote still drives.
+  // The stored progress is restored, and Remote is still the driver.
   await expect(page.getByRole("radio", { name: "Remote" })).toBeChecked();
-  expect(await wayFrom(start)).toBeGreaterThan(5);
+  expect(await distanceFrom(start)).toBeGreaterThan(5);
   await setSpeed(page, "16");
   await api(address, "/commands", { action: "move", distance: 50 });
   const next = await (await api(address, "/commands/2?wait=20")).json();
   expect(next).toMatchObject({ state: "completed" });
 });
 
-test("the robot drives on while its script waits, and stops when the script falls silent", async ({
+test("drives on while the script waits, and stops when the script falls silent", async ({
   page,
 }) => {
   test.setTimeout(60_000);
@@ -186,7 +189,7 @@ test("the robot drives on while its script waits, and stops when the script fall
   expect(record.reason).toContain("silent");
 });
 
-test("what the robot cannot start in time is listed as expired", async ({ page }) => {
+test("lists a command that the robot cannot start in time as expired", async ({ page }) => {
   await page.goto("/");
   const address = await copyAddress(page);
   await setSpeed(page, "0.25");
@@ -200,7 +203,7 @@ test("what the robot cannot start in time is listed as expired", async ({ page }
   await expect(row).toContainText("expired");
 });
 
-test("a new key cuts off who has the old one, and the page goes on with the new address", async ({
+test("a new key revokes the old one, and the page continues with the new address", async ({
   page,
 }) => {
   await page.goto("/");
@@ -222,11 +225,11 @@ test("a new key cuts off who has the old one, and the page goes on with the new 
   expect(next.split("#")[0]).toBe(address.split("#")[0]);
   expect((await api(next, "/commands", { action: "left 90" })).status).toBe(202);
   await expect(commandRow(page, /left 90/)).toContainText("completed");
-  // For a reload.
+  // The new address is stored for a reload.
   expect(await page.evaluate(() => sessionStorage.getItem("corridor.remote"))).toContain(next);
 });
 
-test("an address to watch reads the robot and cannot drive it", async ({ page }) => {
+test("a watch address can read the robot but not drive it", async ({ page }) => {
   await page.goto("/");
   await copyAddress(page);
   await openMoreSection(page);
@@ -238,10 +241,10 @@ test("an address to watch reads the robot and cannot drive it", async ({ page })
   const address = await copied();
   expect((await api(address, "/sensors?wait=5")).status).toBe(200);
   expect((await api(address, "/commands", { action: "left 90" })).status).toBe(403);
-  await expect(connection(page)).toHaveText("Waiting for a script");
+  await expect(connectionStatus(page)).toHaveText("Waiting for a script");
 });
 
-test("leads to the documentation, and the robot stays", async ({ page }) => {
+test("opens the documentation while the robot stays connected", async ({ page }) => {
   await page.goto("/");
   const address = await copyAddress(page);
   const opened = page.context().waitForEvent("page");
@@ -253,9 +256,7 @@ test("leads to the documentation, and the robot stays", async ({ page }) => {
   expect((await (await api(address, "/sensors?wait=25")).json()).state).toBe("running");
 });
 
-test("scripts are listed by name, and one is sent away while the others go on", async ({
-  page,
-}) => {
+test("lists scripts by name, and blocks one while the others continue", async ({ page }) => {
   await page.goto("/");
   const address = await copyAddress(page);
   await setSpeed(page, "0.25");
@@ -277,7 +278,7 @@ test("scripts are listed by name, and one is sent away while the others go on", 
   ]);
   expect((await as("Ben", "/commands", { action: "left 90" })).status).toBe(202);
   await expectNoAxeViolations(page, "scripts by name");
-  // Still blocked after a reload of the page.
+  // The script is still blocked after a reload of the page.
   await page.reload();
   await openMoreSection(page);
   await anna.getByRole("button", { name: "Unblock" }).click();
@@ -285,7 +286,7 @@ test("scripts are listed by name, and one is sent away while the others go on", 
   expect((await as("Anna", "/commands", { action: "left 90" })).status).toBe(202);
 });
 
-test("the robot is handed from a script to the hand and back, and nothing old runs on", async ({
+test("switches from a script to manual driving and back without running old commands", async ({
   page,
 }) => {
   await page.goto("/");
@@ -303,10 +304,10 @@ test("the robot is handed from a script to the hand and back, and nothing old ru
     state: "cancelled",
     reason: "The robot's page took over: choose Remote there to let scripts drive.",
   });
-  const stood = await poseOf();
+  const poseAtHandover = await poseOf();
   const log = await (await api(address, "/commands")).json();
   const open = log.commands.filter(({ state }: { state: string }) => state !== "cancelled");
-  // Those that were done before, if any, and nothing that came through after.
+  // Commands may have completed before the handover, but none after it.
   expect(open.every(({ state }: { state: string }) => state === "completed")).toBe(true);
   await setSpeed(page, "16");
   await api(address, "/commands", { action: "move", distance: 20 });
@@ -314,8 +315,8 @@ test("the robot is handed from a script to the hand and back, and nothing old ru
     state: "completed",
   });
   const { x, y } = await poseOf();
-  expect(Math.hypot(x - stood.x, y - stood.y)).toBeCloseTo(20, 0);
-  // While the program drives, a script is told so at once.
+  expect(Math.hypot(x - poseAtHandover.x, y - poseAtHandover.y)).toBeCloseTo(20, 0);
+  // While the program drives, a script's command is cancelled immediately.
   await page.getByRole("radio", { name: "Program" }).click();
   await api(address, "/commands", { action: "left 90" });
   const refused = await (await api(address, "/commands/32?wait=20")).json();
@@ -325,7 +326,7 @@ test("the robot is handed from a script to the hand and back, and nothing old ru
   });
 });
 
-test("paused scripts drive no more until they are let, over a reload as well", async ({ page }) => {
+test("keeps scripts paused until they are resumed, also across a reload", async ({ page }) => {
   await page.goto("/");
   const address = await copyAddress(page);
   await setSpeed(page, "0.25");
@@ -345,7 +346,7 @@ test("paused scripts drive no more until they are let, over a reload as well", a
   ]);
   expect((await api(address, "/commands", { action: "stop" })).status).toBe(202);
   await page.reload();
-  // Said without a further step, since no command is carried out.
+  // The notice is outside the closed section, since no command is executed.
   await expect(page.getByText(/^Paused: scripts can read/)).toBeVisible();
   await setSpeed(page, "16");
   await page.getByRole("button", { name: "Let scripts drive" }).click();
@@ -357,7 +358,7 @@ test("paused scripts drive no more until they are let, over a reload as well", a
   expect(record).toMatchObject({ state: "completed" });
 });
 
-test("taking over by hand cancels what the script asked for and says why", async ({ page }) => {
+test("cancels a script's command with a reason when the user takes over", async ({ page }) => {
   await page.goto("/");
   const address = await copyAddress(page);
   await setSpeed(page, "0.25");
@@ -378,7 +379,7 @@ for (const [width, height] of [
     await page.goto("/");
     await copyAddress(page);
     await openMoreSection(page);
-    // As a reader comes there with Tab.
+    // The Tab key moves the focus there in the same way.
     await page
       .getByRole("group", { name: "Language of the script" })
       .getByRole("radio")

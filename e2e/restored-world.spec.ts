@@ -1,20 +1,22 @@
-/** What scripts were told is never undone: a reload restores the world of the last ending. */
+/**
+ * Results reported to scripts are never reverted: a reload restores the world of the last ending.
+ */
 import { commandRecordSchema, type CommandRecord } from "@corridor/protocol";
 import { expect, test } from "./fixtures.ts";
 import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
 
 const TURN = 11;
 
-/** Turns the robot once and waits for the ending. */
+/** Turns the robot once and waits for the command to end. */
 async function turn(address: string): Promise<CommandRecord> {
   const posted = await api(address, "/commands", { action: "turn", degrees: TURN, ttl: 20_000 });
   const { seq } = commandRecordSchema.parse(await posted.json());
-  const answer = await api(address, `/commands/${seq}?wait=25`);
-  return commandRecordSchema.parse(await answer.json());
+  const response = await api(address, `/commands/${seq}?wait=25`);
+  return commandRecordSchema.parse(await response.json());
 }
 
 for (const speed of ["1", "16"]) {
-  test(`turns that were told as completed stand after a reload at ${speed}x`, async ({ page }) => {
+  test(`keeps turns reported as completed across a reload at ${speed}x`, async ({ page }) => {
     test.setTimeout(120_000);
     await page.goto("/");
     await setSpeed(page, speed);
@@ -36,7 +38,7 @@ for (const speed of ["1", "16"]) {
   });
 }
 
-test("a command that a reload cuts short ends where the restored robot stands", async ({
+test("ends a command that a reload interrupts where the restored robot stands", async ({
   page,
 }) => {
   await page.goto("/");
@@ -60,7 +62,7 @@ test("a command that a reload cuts short ends where the restored robot stands", 
   expect(next.pose?.heading).toBeCloseTo(heading, 6);
 });
 
-test("a device that cannot store the run says so once, and a reload begins at the start", async ({
+test("reports once that the device cannot store the run, and starts anew after a reload", async ({
   page,
 }) => {
   await page.addInitScript(() => {
@@ -88,7 +90,7 @@ test("a device that cannot store the run says so once, and a reload begins at th
   expect(cut.pose?.heading).toBeCloseTo((start ?? Number.NaN) - TURN, 6);
 });
 
-test("a doubled tab takes the robot with its world, and nothing of the first contradicts it", async ({
+test("transfers the robot with its world to a duplicated tab, without contradictions from the first tab", async ({
   page,
   context,
 }) => {
@@ -97,10 +99,10 @@ test("a doubled tab takes the robot with its world, and nothing of the first con
   const address = await copyAddress(page);
   let heading = (await turn(address)).pose?.heading ?? Number.NaN;
   const opened = context.waitForEvent("page");
-  // A window of the same opener has a copy of the tab's storage, as a doubled tab has.
+  // window.open copies the session storage, as duplicating a tab does.
   await page.evaluate(() => void window.open("/"));
-  const double = await opened;
-  await expect(double.getByRole("radio", { name: "Remote" })).toBeChecked();
+  const duplicate = await opened;
+  await expect(duplicate.getByRole("radio", { name: "Remote" })).toBeChecked();
   for (let turns = 0; turns < 5; turns++) {
     const record = await turn(address);
     if (record.state === "completed") heading = (heading + TURN) % 360;

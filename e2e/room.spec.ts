@@ -1,6 +1,5 @@
 /**
- * What is wanted has its room: nothing lies over it, nothing pushes it out of its row, nothing
- * moves it.
+ * Layout: controls are not covered, not pushed out of their row, and not moved.
  */
 import type { Locator } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
@@ -9,7 +8,7 @@ import { Texts } from "./support/texts.ts";
 
 async function boxOf(part: Locator): Promise<DOMRect> {
   return part.evaluate((element) => {
-    // Of a box that is wider than its words, the words.
+    // If a box is wider than its text, measure the text.
     const range = document.createRange();
     range.selectNodeContents(element);
     return (element instanceof SVGElement ? element : range).getBoundingClientRect().toJSON();
@@ -21,44 +20,44 @@ for (const [width, height] of [
   [1024, 768],
 ] as const) {
   for (const lang of ["en", "de", "fr", "ar"]) {
-    test(`reads scale and place of an earlier moment at ${width} x ${height}, in ${lang}`, async ({
+    test(`does not cover scale and robot pose with the past bar at ${width} x ${height}, in ${lang}`, async ({
       openWindow,
     }) => {
       const { page } = await openWindow({ viewport: { width, height } });
-      const words = Texts.load(lang);
+      const texts = Texts.load(lang);
       const button = (path: string): Locator =>
-        page.getByRole("button", { name: words.t(path), exact: true });
+        page.getByRole("button", { name: texts.t(path), exact: true });
       await page.goto(`/?lang=${lang}`);
       await button("shell.run.run").click();
-      const slider = page.getByRole("slider", { name: words.t("timeline.name") });
+      const slider = page.getByRole("slider", { name: texts.t("timeline.name") });
       await expect(page.locator("section[data-view]")).not.toContainText(/0:00[.,]0/);
       await button("shell.run.pause").click();
       await slider.press("ArrowLeft");
       await expect(button("timeline.backToNow")).toBeVisible();
-      const pastBar = page.getByRole("group", { name: words.t("timeline.pastNote") });
+      const pastBar = page.getByRole("group", { name: texts.t("timeline.pastNote") });
       const bar = await pastBar.evaluate((element) => element.getBoundingClientRect().toJSON());
       const scale = await boxOf(page.locator("main svg:has(text)", { hasText: /00/ }));
       // "Robot at {{x}}, {{y}}", up to the first number.
-      const [robotAt = ""] = words.t("stage.robotAt", { x: "|" }).split(/[\u2068|]/);
-      const place = await boxOf(page.locator("main").getByText(robotAt));
+      const [robotAt = ""] = texts.t("stage.robotAt", { x: "|" }).split(/[\u2068|]/);
+      const pose = await boxOf(page.locator("main").getByText(robotAt));
       expect(scale.right).toBeLessThan(bar.left);
-      expect(bar.right).toBeLessThan(place.left);
-      // It stands beside the button that describes the robot, whichever way its words run.
+      expect(bar.right).toBeLessThan(pose.left);
+      // The pose is beside the button that describes the robot, in either text direction.
       const describe = await button("speech.describe.button").boundingBox();
-      expect(Math.abs((describe?.x ?? 0) - place.right)).toBeLessThan(16);
+      expect(Math.abs((describe?.x ?? 0) - pose.right)).toBeLessThan(16);
     });
   }
 
-  for (const [late, milliseconds] of [
-    ["at once", 0],
-    ["late", 700],
+  for (const [delay, milliseconds] of [
+    ["without delay", 0],
+    ["700 ms late", 700],
   ] as const) {
-    test(`sees nothing of the panel move while the page opens at ${width} x ${height} and its simulator comes ${late}`, async ({
+    test(`does not shift the panel while the page opens at ${width} x ${height} and its simulator loads ${delay}`, async ({
       openWindow,
     }) => {
       const { page } = await openWindow({ viewport: { width, height } });
       await page.route(/simulator\.worker/, async (route) => {
-        await new Promise((done) => setTimeout(done, milliseconds));
+        await new Promise((resolve) => setTimeout(resolve, milliseconds));
         await route.continue();
       });
       await page.addInitScript(() => {
@@ -79,23 +78,21 @@ for (const [width, height] of [
       await expect(page.getByRole("button", { name: "Add line" })).toBeVisible();
       await expect(page.getByText("> 60", { exact: true })).toBeVisible();
       await page.evaluate(
-        () => new Promise((done) => requestAnimationFrame(() => setTimeout(done))),
+        () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))),
       );
       expect(await page.evaluate(() => Reflect.get(window, "moved"))).toEqual([]);
     });
   }
 }
 
-test("sees the whole advice below the line that is edited, where the lines scroll", async ({
-  openWindow,
-}) => {
+test("shows the whole advice below an edited line in a scrolled list", async ({ openWindow }) => {
   const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
   await corridor.open();
   const { program } = corridor;
   await program.action(2).focus();
   await program.action(2).selectOption("delayed left 90");
-  const mend = program.button("Change to left 90");
-  await expect(mend).toBeInViewport({ ratio: 1 });
+  const fix = program.button("Change to left 90");
+  await expect(fix).toBeInViewport({ ratio: 1 });
   await expect(program.action(2)).toBeInViewport({ ratio: 1 });
   await expect(program.action(2)).toBeFocused();
 });
@@ -107,30 +104,30 @@ for (const [width, height] of [
   [390, 844],
   [320, 640],
 ] as const) {
-  test(`keeps Step under the pointer at ${width} px: it can be pressed again and again`, async ({
+  test(`keeps Step under the pointer at ${width} px, so that it can be pressed repeatedly`, async ({
     page,
   }) => {
     await page.setViewportSize({ width, height });
     const corridor = new CorridorPage(page);
     await corridor.open();
-    const place = async () => {
+    const stepPosition = async () => {
       const box = await corridor.step.boundingBox();
       return [box?.x, box?.width];
     };
-    const before = await place();
+    const before = await stepPosition();
     const { x = 0, y = 0 } = (await corridor.step.boundingBox()) ?? {};
     await page.mouse.click(x + 4, y + 12);
     await expect(corridor.timeline.previousDecision).toBeVisible();
     await page.mouse.move(0, 0);
-    expect(await place()).toEqual(before);
+    expect(await stepPosition()).toEqual(before);
     await corridor.run.click();
     await expect(corridor.timeline.previousDecision).toBeHidden();
-    expect(await place()).toEqual(before);
+    expect(await stepPosition()).toEqual(before);
   });
 }
 
 for (const lang of ["en", "ar"]) {
-  test(`reads a comparison in one row at 1024 x 768, in ${lang}`, async ({ openWindow }) => {
+  test(`shows a comparison in one row at 1024 x 768, in ${lang}`, async ({ openWindow }) => {
     const { page } = await openWindow({ viewport: { width: 1024, height: 768 } });
     await page.goto(`/?lang=${lang}`);
     for (const line of [0, 1]) {
@@ -154,7 +151,7 @@ for (const lang of ["en", "ar"]) {
 
 for (const lang of ["en", "de", "ar"]) {
   for (const width of [390, 320]) {
-    test(`has run, steps, reset and speed in one row at ${width} px, in ${lang}`, async ({
+    test(`shows run, steps, reset and speed in one row at ${width} px, in ${lang}`, async ({
       openWindow,
     }) => {
       const { page } = await openWindow({
@@ -162,36 +159,36 @@ for (const lang of ["en", "de", "ar"]) {
         hasTouch: true,
         isMobile: true,
       });
-      const words = Texts.load(lang);
+      const texts = Texts.load(lang);
       await page.goto(`/?lang=${lang}`);
       const button = (path: string): Locator =>
-        page.getByRole("button", { name: words.t(path), exact: true });
-      const speed = page.getByRole("combobox", { name: words.t("shell.run.speed") });
-      /** How far apart the tops of these are; one that is pressed goes down by a pixel. */
-      const apart = async (...parts: Locator[]) => {
+        page.getByRole("button", { name: texts.t(path), exact: true });
+      const speed = page.getByRole("combobox", { name: texts.t("shell.run.speed") });
+      /** The largest difference between the tops. A pressed button moves down by a pixel. */
+      const topDifference = async (...parts: Locator[]) => {
         const tops = await Promise.all(
           parts.map(async (part) => (await part.boundingBox())?.y ?? 0),
         );
         return Math.max(...tops) - Math.min(...tops);
       };
       const [step, back] = [button("shell.run.step"), button("timeline.stepBack")];
-      // On the first visit "Write my own" is among them, in two rows of words at most.
+      // On the first visit the row includes "Write my own", whose label has at most two lines.
       const own = button("program.writeOwn");
       await expect(own).toBeVisible();
-      expect(await apart(button("shell.run.run"), own, step, speed)).toBeLessThan(4);
+      expect(await topDifference(button("shell.run.run"), own, step, speed)).toBeLessThan(4);
       expect((await own.boundingBox())?.height).toBeLessThan(46);
       await speed.selectOption("0.25");
       await button("shell.run.run").tap();
       const pause = button("shell.run.pause");
       await expect(pause).toBeVisible();
-      // Beside the button two lines, or one of their own.
-      const invitation = page.getByText(words.t("lessons.invitation"));
+      // The text has two lines beside the button, or one line of its own.
+      const invitation = page.getByText(texts.t("lessons.invitation"));
       expect((await invitation.boundingBox())?.height).toBeLessThan(40);
-      expect(await apart(pause, step, speed)).toBeLessThan(4);
+      expect(await topDifference(pause, step, speed)).toBeLessThan(4);
       await pause.tap();
       await speed.selectOption("max");
       await expect(back).toBeVisible();
-      expect(await apart(button("shell.run.run"), back, step, speed)).toBeLessThan(4);
+      expect(await topDifference(button("shell.run.run"), back, step, speed)).toBeLessThan(4);
     });
   }
 }

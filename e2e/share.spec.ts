@@ -1,5 +1,5 @@
 /**
- * A maze travels in a link: from a teacher's page into a student's, without touching their work.
+ * Sharing a maze as a link, from a teacher to a student, without changing the student's project.
  */
 import { encodeLink } from "@corridor/link";
 import { brokenDocuments } from "@corridor/link/testing";
@@ -14,7 +14,7 @@ const sentences = {
   "too-long": "This link is too long for Corridor.",
 };
 
-test("copies a link, and another reader opens the maze from it with their own program", async ({
+test("copies a link, from which another user opens the maze without the program", async ({
   corridor,
   page,
   openWindow,
@@ -28,20 +28,20 @@ test("copies a link, and another reader opens the maze from it with their own pr
   const link = await page.evaluate(() => navigator.clipboard.readText());
   expect(link).toBe(await dialog.getByRole("textbox", { name: "Link" }).inputValue());
 
-  const reader = await openWindow();
-  await reader.open(link);
-  // A reader who has never been here has no work to go back to.
-  await expect(reader.message(/^You opened a shared maze\.$/)).toBeVisible();
-  await expect(reader.messages.getByRole("button", { name: "Back to my maze" })).toHaveCount(0);
-  await reader.maze.expectSquare({ column: 2, row: 6 }, "block");
-  // The link brings no program, so that there is something to solve.
-  await expect(reader.program.lines).toHaveCount(0);
-  await expect(reader.program.region.getByText("Get the robot to the goal.")).toBeVisible();
-  // The address is clean again, so that a reload keeps what the reader changes.
-  expect(new URL(reader.page.url()).hash).toBe("");
+  const recipient = await openWindow();
+  await recipient.open(link);
+  // A first-time visitor has no project to go back to.
+  await expect(recipient.message(/^You opened a shared maze\.$/)).toBeVisible();
+  await expect(recipient.messages.getByRole("button", { name: "Back to my maze" })).toHaveCount(0);
+  await recipient.maze.expectSquare({ column: 2, row: 6 }, "block");
+  // The link contains no program, so the recipient still has the maze to solve.
+  await expect(recipient.program.lines).toHaveCount(0);
+  await expect(recipient.program.region.getByText("Get the robot to the goal.")).toBeVisible();
+  // The link leaves the address, so that a reload keeps the recipient's edits.
+  expect(new URL(recipient.page.url()).hash).toBe("");
 });
 
-test("holds the link in the address bar until what was shared changes", async ({
+test("keeps the link in the address bar until a shared document changes", async ({
   corridor,
   page,
   openWindow,
@@ -49,21 +49,21 @@ test("holds the link in the address bar until what was shared changes", async ({
   await corridor.maze.click({ column: 2, row: 6 });
   const link = await corridor.shareLink({ withProgram: false });
   expect(page.url()).toBe(link);
-  // The program is not in the link: it may change, and a reload keeps it.
+  // The program is not part of the link: it can change, and a reload keeps both.
   await corridor.program.otherwise.selectOption("reverse");
   await expect(corridor.saveState).toHaveText("Saved on this device");
   await corridor.reload();
   expect(page.url()).toBe(link);
   await expect(corridor.program.otherwise).toHaveValue("reverse");
   await expect(corridor.messages.getByRole("listitem")).toHaveCount(0);
-  const reader = await openWindow();
-  await reader.open(page.url());
-  await reader.maze.expectSquare({ column: 2, row: 6 }, "block");
+  const recipient = await openWindow();
+  await recipient.open(page.url());
+  await recipient.maze.expectSquare({ column: 2, row: 6 }, "block");
   await corridor.maze.click({ column: 4, row: 6 });
   await expect(page).toHaveURL(/\/$/);
 });
 
-test("opens one of our links where it is pasted, and leads back", async ({ corridor, page }) => {
+test("opens a pasted link of the page's own origin", async ({ corridor, page }) => {
   await corridor.choosePreset("Spiral");
   const link = await corridor.shareLink({ withProgram: false });
   await corridor.choosePreset("Tree");
@@ -73,7 +73,7 @@ test("opens one of our links where it is pasted, and leads back", async ({ corri
   await expect(page).toHaveURL("/");
 });
 
-test("goes back in the browser to what was shared, though another link is open", async ({
+test("goes back in browser history to a shared maze while another link is open", async ({
   corridor,
   page,
 }) => {
@@ -88,43 +88,48 @@ test("goes back in the browser to what was shared, though another link is open",
   await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
 });
 
-test("puts the program into the link when asked to", async ({ corridor, openWindow }) => {
+test("includes the program in the link on request", async ({ corridor, openWindow }) => {
   await corridor.program.loadAlgorithm("Farthest distance");
   const link = await corridor.shareLink({ withProgram: true });
-  const reader = await openWindow();
-  await reader.open(link);
-  await expect(reader.program.name).toHaveValue("Farthest distance");
-  await expect(reader.program.lines).toHaveCount(3);
-  await reader.speed.selectOption("max");
-  await reader.run.click();
-  await expect(reader.runNote).toContainText("tick 2310");
+  const recipient = await openWindow();
+  await recipient.open(link);
+  await expect(recipient.program.name).toHaveValue("Farthest distance");
+  await expect(recipient.program.lines).toHaveCount(3);
+  await recipient.speed.selectOption("max");
+  await recipient.run.click();
+  await expect(recipient.runNote).toContainText("tick 2310");
 });
 
-test("opens a link, keeps the own work, and goes back to it", async ({ corridor, openWindow }) => {
+test("opens a link, stores the user's own project, and returns to it", async ({
+  corridor,
+  openWindow,
+}) => {
   await corridor.choosePreset("Spiral");
   const link = await corridor.shareLink({ withProgram: false });
 
-  const reader = await openWindow();
-  await reader.open();
-  await reader.maze.click({ column: 2, row: 6 });
-  await expect(reader.saveState).toHaveText("Saved on this device");
-  await reader.open(link);
-  await expect(reader.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
-  await expect(reader.message("You opened a shared maze. Your own work is saved.")).toBeVisible();
-  await reader.messages.getByRole("button", { name: "Back to my maze" }).click();
-  await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
-  await reader.maze.expectSquare({ column: 2, row: 6 }, "block");
+  const recipient = await openWindow();
+  await recipient.open();
+  await recipient.maze.click({ column: 2, row: 6 });
+  await expect(recipient.saveState).toHaveText("Saved on this device");
+  await recipient.open(link);
+  await expect(recipient.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+  await expect(
+    recipient.message("You opened a shared maze. Your own work is saved."),
+  ).toBeVisible();
+  await recipient.messages.getByRole("button", { name: "Back to my maze" }).click();
+  await expect(recipient.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await recipient.maze.expectSquare({ column: 2, row: 6 }, "block");
 
-  // Both are in the maze menu, and the shared one is still as it came.
-  await reader.mazeMenu.click();
-  await reader
+  // The maze menu lists both projects, and the shared one is unchanged.
+  await recipient.mazeMenu.click();
+  await recipient
     .dialog("Maze menu")
     .getByRole("button", { name: "Open Spiral", exact: true })
     .click();
-  await expect(reader.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+  await expect(recipient.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
 });
 
-test("opens a link in a page that is open already", async ({ corridor, page }) => {
+test("opens a link in an open page", async ({ corridor, page }) => {
   await corridor.choosePreset("Tree");
   const link = await corridor.shareLink({ withProgram: false });
   await corridor.choosePreset("Comb");
@@ -133,7 +138,7 @@ test("opens a link in a page that is open already", async ({ corridor, page }) =
   await expect(corridor.message("You opened a shared maze.")).toBeVisible();
 });
 
-test("makes a link of at most 200 characters for a maze of 33 by 33 squares", async ({
+test("creates a link of at most 200 characters for a maze of 33 by 33 squares", async ({
   corridor,
   openWindow,
 }) => {
@@ -147,20 +152,20 @@ test("makes a link of at most 200 characters for a maze of 33 by 33 squares", as
 
   const tree = encodeLink({ maze: generateTree({ columns: 33, rows: 33, seed: 2, name: "Big" }) });
   if (!tree.ok) throw new Error(tree.code);
-  const reader = await openWindow();
-  await reader.open(`/#${tree.text}`);
-  await expect(reader.maze.grid).toHaveAttribute("aria-colcount", "33");
-  const link = await reader.shareLink({ withProgram: false });
+  const recipient = await openWindow();
+  await recipient.open(`/#${tree.text}`);
+  await expect(recipient.maze.grid).toHaveAttribute("aria-colcount", "33");
+  const link = await recipient.shareLink({ withProgram: false });
   expect(fragmentOf(link)).toBe(tree.text);
   expect(tree.text.length).toBeLessThanOrEqual(200);
 });
 
-/** Nothing behind the # is no link at all, and browsers drop line breaks from an address. */
+/** Excludes texts that are no link: an empty fragment, and line breaks, which browsers remove. */
 const broken = brokenDocuments.filter(
   ({ kind, text }) => kind === "link" && text !== "" && !text.includes("\n"),
 );
 
-test("opens every broken link of the table, is told what is wrong, and keeps the page", async ({
+test("reports the error of every broken link of the table, and changes nothing", async ({
   corridor,
   page,
 }) => {
@@ -177,21 +182,21 @@ test("opens every broken link of the table, is told what is wrong, and keeps the
   expect(await corridor.shareLink({ withProgram: true })).toBe(before);
 });
 
-test("comes with a cut link, is told so, and opens an empty maze instead", async ({
+test("reports a truncated link on the first visit, and opens an empty maze on request", async ({
   corridor,
   openWindow,
 }) => {
   const link = await corridor.shareLink({ withProgram: false });
-  const reader = await openWindow();
-  await reader.open(link.slice(0, -4));
-  await expect(reader.message(sentences["cut-off"])).toBeVisible();
-  await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
-  await reader.messages.getByRole("button", { name: "Open an empty maze" }).click();
-  await expect(reader.mazeMenu).toHaveAccessibleName("New maze, Maze menu");
-  await expect(reader.message(sentences["cut-off"])).toBeHidden();
+  const recipient = await openWindow();
+  await recipient.open(link.slice(0, -4));
+  await expect(recipient.message(sentences["cut-off"])).toBeVisible();
+  await expect(recipient.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await recipient.messages.getByRole("button", { name: "Open an empty maze" }).click();
+  await expect(recipient.mazeMenu).toHaveAccessibleName("New maze, Maze menu");
+  await expect(recipient.message(sentences["cut-off"])).toBeHidden();
 });
 
-test("opens a robot's address in a browser and never shows its key", async ({ openWindow }) => {
+test("opens a robot's address in a browser without displaying its key", async ({ openWindow }) => {
   const { page } = await openWindow();
   await page.goto("/r/abcdefghijklmnop#a-key-that-nobody-should-see");
   await expect(page.getByRole("alert")).toContainText("A part of this link is missing");
@@ -202,7 +207,7 @@ function fragmentOf(link: string): string {
   return new URL(link).hash.slice(1);
 }
 
-/** A text as a browser lets it stand behind the #. */
+/** The text as a browser represents it in a fragment. */
 function asFragment(text: string): string {
   return text.startsWith("#") ? `#${text}` : text;
 }

@@ -1,8 +1,8 @@
-/** A maze travels by a short link, which the service keeps, shows to its readers and deletes. */
+/** Short links to a maze, which the service stores, serves and deletes. */
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
 
-test("makes a short link, and another reader opens the maze from it", async ({
+test("creates a short link, from which another user opens the maze", async ({
   corridor,
   page,
   openWindow,
@@ -19,31 +19,31 @@ test("makes a short link, and another reader opens the maze from it", async ({
   const link = await page.evaluate(() => navigator.clipboard.readText());
   expect(link).toBe(await field.inputValue());
 
-  const reader = await openWindow();
-  await reader.open();
-  await reader.maze.click({ column: 2, row: 6 });
-  await expect(reader.saveState).toHaveText("Saved on this device");
-  await reader.open(link);
-  await expect(reader.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
-  await expect(reader.message("You opened a shared maze. Your own work is saved.")).toBeVisible();
-  expect(new URL(reader.page.url()).pathname).toBe("/");
-  await reader.messages.getByRole("button", { name: "Back to my maze" }).click();
-  await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
-  await reader.maze.expectSquare({ column: 2, row: 6 }, "block");
+  const recipient = await openWindow();
+  await recipient.open();
+  await recipient.maze.click({ column: 2, row: 6 });
+  await expect(recipient.saveState).toHaveText("Saved on this device");
+  await recipient.open(link);
+  await expect(recipient.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+  await expect(
+    recipient.message("You opened a shared maze. Your own work is saved."),
+  ).toBeVisible();
+  expect(new URL(recipient.page.url()).pathname).toBe("/");
+  await recipient.messages.getByRole("button", { name: "Back to my maze" }).click();
+  await expect(recipient.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await recipient.maze.expectSquare({ column: 2, row: 6 }, "block");
 });
 
-test("says that a program does not go along, and gives the long link for it", async ({
-  corridor,
-}) => {
+test("offers the long link when the program is included", async ({ corridor }) => {
   await corridor.share.click();
   const dialog = corridor.dialog("Share this maze");
-  const make = dialog.getByRole("button", { name: "Short link", exact: true });
-  await make.click();
+  const createLink = dialog.getByRole("button", { name: "Short link", exact: true });
+  await createLink.click();
   const field = dialog.getByRole("textbox", { name: "Link" });
   await expect(field).toHaveValue(/\/m\//);
   await dialog.getByRole("checkbox", { name: /^My program/ }).check();
   await expect(field).toHaveValue(/#/);
-  await expect(make).toBeDisabled();
+  await expect(createLink).toBeDisabled();
   await expect(
     dialog.getByText("A short link contains only the maze or the challenge."),
   ).toBeVisible();
@@ -51,7 +51,7 @@ test("says that a program does not go along, and gives the long link for it", as
   await expect(field).toHaveValue(/\/m\//);
 });
 
-test("deletes a short link, and whoever opens it then is told so", async ({
+test("deletes a short link, and reports that to users who open it", async ({
   corridor,
   browser,
 }) => {
@@ -59,23 +59,23 @@ test("deletes a short link, and whoever opens it then is told so", async ({
   await corridor.share.click();
   const dialog = corridor.dialog("Share this maze");
   const field = dialog.getByRole("textbox", { name: "Link" });
-  const make = dialog.getByRole("button", { name: "Short link", exact: true });
-  await make.click();
+  const createLink = dialog.getByRole("button", { name: "Short link", exact: true });
+  await createLink.click();
   await expect(field).toHaveValue(/\/m\//);
   const link = await field.inputValue();
   await dialog.getByRole("button", { name: "Delete short link" }).click();
   await expect(dialog.getByText("The short link is deleted.")).toBeVisible();
-  await expect(make).toBeVisible();
+  await expect(createLink).toBeVisible();
   await expect(field).toHaveValue(/#/);
 
-  // Not a watched window: the browser itself notes the 404.
+  // Not an openWindow fixture: the browser logs an error for the 404.
   const context = await browser.newContext();
-  const reader = new CorridorPage(await context.newPage());
-  await reader.open(link);
-  await expect(reader.message(/^This short link does not work/)).toBeVisible();
-  await expect(reader.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
-  await reader.messages.getByRole("button", { name: "Open an empty maze" }).click();
-  await expect(reader.mazeMenu).toHaveAccessibleName("New maze, Maze menu");
+  const recipient = new CorridorPage(await context.newPage());
+  await recipient.open(link);
+  await expect(recipient.message(/^This short link does not work/)).toBeVisible();
+  await expect(recipient.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await recipient.messages.getByRole("button", { name: "Open an empty maze" }).click();
+  await expect(recipient.mazeMenu).toHaveAccessibleName("New maze, Maze menu");
   await context.close();
 });
 
@@ -84,9 +84,9 @@ test("offers no short link where there is no service", async ({ browser, relay }
   await context.route(/\/(healthz|api\/)/, (route) => route.fulfill({ status: 404 }));
   const corridor = new CorridorPage(await context.newPage());
   await corridor.open();
-  const asked = corridor.page.waitForResponse(/\/healthz$/);
+  const healthChecked = corridor.page.waitForResponse(/\/healthz$/);
   await corridor.share.click();
-  await asked;
+  await healthChecked;
   const dialog = corridor.dialog("Share this maze");
   await expect(dialog.getByRole("textbox", { name: "Link" })).toHaveValue(/#/);
   await expect(dialog.getByRole("button", { name: "Short link", exact: true })).toHaveCount(0);

@@ -1,4 +1,4 @@
-/** What a beginner copies first, run as it is copied, whatever state the robot's page is in. */
+/** A beginner's first scripts, run as copied, in every state of the robot's page. */
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -19,11 +19,11 @@ const [python = ""] = exampleCommand("Python");
 const [node = ""] = exampleCommand("JavaScript");
 const [java = ""] = exampleCommand("Java");
 
-/** All that the page, /docs and the README offer; saved where the program wants a file. */
+/** The scripts of the page, /docs and the README, saved as files where the program needs one. */
 async function firstScripts(page: Page, address: string, folder: string): Promise<Script[]> {
   const copied = async (region: string): Promise<string> => {
-    const around = page.getByRole("region", { name: region, exact: true });
-    await around.getByRole("button", { name: "Copy", exact: true }).click();
+    const section = page.getByRole("region", { name: region, exact: true });
+    await section.getByRole("button", { name: "Copy", exact: true }).click();
     return page.evaluate(() => navigator.clipboard.readText());
   };
   const saved = async (file: string, text: string): Promise<string> => {
@@ -79,7 +79,7 @@ function textOf(scripts: readonly Script[], wanted: string): string {
   return scripts.find(({ name }) => name === wanted)?.text ?? "";
 }
 
-/** What /docs offers to begin with, with this address in the place of the one that it displays. */
+/** The first scripts of /docs, with the robot's address in place of the placeholder. */
 async function scriptsOfDocs(page: Page, address: string): Promise<string[]> {
   const docs = await page.context().newPage();
   const { origin, host, pathname, hash } = new URL(address);
@@ -130,7 +130,7 @@ const states = [
   },
 ];
 
-test("a first script with a misspelled action names it, and the actions that there are", async ({
+test("a first script with a misspelled action reports its name and the valid actions", async ({
   page,
 }) => {
   test.setTimeout(120_000);
@@ -140,7 +140,7 @@ test("a first script with a misspelled action names it, and the actions that the
   for (const { name, command, text } of scripts) {
     const misspelled = text.replace(/action(.{1,6})left 90/, "action$1turn left");
     if (misspelled === text) continue;
-    // Java reads a file and not its input.
+    // Java reads a file instead of its input.
     if (name === "Java") await writeFile(join(folder, "Robot.java"), misspelled);
     const { output } = await runScript([...command], misspelled);
     expect(output, name).toMatch(/found '?turn left'?, expected one of forward, reverse, stop/);
@@ -149,7 +149,7 @@ test("a first script with a misspelled action names it, and the actions that the
 });
 
 for (const { state, prepare, last } of states) {
-  test(`every first script ends with what to do: the page is ${state}`, async ({ page }) => {
+  test(`every first script ends with instructions when the page is ${state}`, async ({ page }) => {
     test.setTimeout(120_000);
     const folder = await mkdtemp(join(tmpdir(), "corridor-first-"));
     await page.goto("/");

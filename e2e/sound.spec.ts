@@ -7,7 +7,9 @@ declare global {
   }
 }
 
-/** Counts what the page asks of Web Audio, from its next opening on. */
+/**
+ * Counts the page's use of Web Audio after its next load. @returns a function that reads the counts
+ */
 async function countAudio(page: Page): Promise<() => Promise<Window["audio"]>> {
   await page.addInitScript(() => {
     const audio = { contexts: 0, tones: 0 };
@@ -26,7 +28,9 @@ async function countAudio(page: Page): Promise<() => Promise<Window["audio"]>> {
   return () => page.evaluate(() => window.audio);
 }
 
-test("is silent until sound is switched on, and stays on over a reload", async ({ corridor }) => {
+test("is silent until sound is turned on, and stores the choice across a reload", async ({
+  corridor,
+}) => {
   const { page } = corridor;
   const audio = await countAudio(page);
   await corridor.reload();

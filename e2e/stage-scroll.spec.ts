@@ -1,6 +1,5 @@
 /**
- * A maze that is larger than the stage leaves nothing behind: the next one is drawn where it is
- * edited.
+ * A maze larger than the stage has no effect on the next maze, which is drawn where it is edited.
  */
 import type { Locator } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
@@ -10,12 +9,12 @@ import { StageScreenshot } from "./pages/stage-screenshot.ts";
 import { phone, tab } from "./support/phone.ts";
 
 /**
- * Its goal is in the corner opposite the start, so the stage is scrolled when a robot has reached
- * it.
+ * seed of a maze with its goal far from the start, so that the stage scrolls until the goal is
+ * reached
  */
-const GOAL_FAR_AWAY = "358";
+const FAR_GOAL_SEED = "358";
 
-/** Where the presets are: behind a button of the bar, or in a tab of a phone. */
+/** Opens the presets: in a dialog on a desktop, in a tab on a phone. */
 async function openPresets(corridor: CorridorPage, isPhone: boolean): Promise<Locator> {
   const { page } = corridor;
   if (isPhone) await tab(page, "Presets").tap();
@@ -33,16 +32,15 @@ async function chooseSmall(corridor: CorridorPage, isPhone: boolean): Promise<vo
 async function chooseLarge(corridor: CorridorPage, isPhone: boolean): Promise<void> {
   const presets = await openPresets(corridor, isPhone);
   await presets.getByRole("slider", { name: "Size" }).fill("37");
-  await presets.getByRole("textbox", { name: "Seed" }).fill(GOAL_FAR_AWAY);
+  await presets.getByRole("textbox", { name: "Seed" }).fill(FAR_GOAL_SEED);
   await presets.getByRole("button", { name: "Use this maze" }).click();
-  await expect(corridor.mazeMenu).toHaveAccessibleName(`Tree 37, seed ${GOAL_FAR_AWAY}, Maze menu`);
+  await expect(corridor.mazeMenu).toHaveAccessibleName(`Tree 37, seed ${FAR_GOAL_SEED}, Maze menu`);
   await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "37");
   await corridor.dismissMessages();
 }
 
 /**
- * Turns the wheel over the stage: again, where the stage had not been laid out for the new maze
- * yet.
+ * Scrolls the stage with the wheel. Retries, as the stage may not be laid out for the new maze yet.
  */
 async function scrollToTheEnd({ page, maze }: CorridorPage): Promise<void> {
   const before = await maze.grid.boundingBox();
@@ -55,7 +53,7 @@ async function scrollToTheEnd({ page, maze }: CorridorPage): Promise<void> {
 }
 
 for (const isPhone of [false, true]) {
-  test(`a small maze is drawn where its squares are after a large one was scrolled, ${isPhone ? "on a phone" : "on a desktop"}`, async ({
+  test(`draws a small maze at its squares after a large one was scrolled, ${isPhone ? "on a phone" : "on a desktop"}`, async ({
     openWindow,
   }) => {
     const corridor = await openWindow(isPhone ? phone : {});
@@ -70,7 +68,7 @@ for (const isPhone of [false, true]) {
     await picture.expectSame(fresh);
     await expect(corridor.robotPose).toHaveText(/^Robot at /);
 
-    // A press edits the square that is drawn there.
+    // A press edits the square that is drawn at that place.
     const square = { column: 4, row: 1 };
     if (isPhone) await tab(corridor.page, "Program").tap();
     const before = await picture.capture();
@@ -80,9 +78,7 @@ for (const isPhone of [false, true]) {
   });
 }
 
-test("a mission is drawn whole after a large maze was driven at full speed", async ({
-  corridor,
-}) => {
+test("shows a whole mission after a large maze was driven at full speed", async ({ corridor }) => {
   const { page } = corridor;
   await chooseLarge(corridor, false);
   // A maze from the presets opens with an empty program.

@@ -1,4 +1,4 @@
-/** The maze larger and smaller, by button, key, wheel and two fingers. */
+/** Zooming the maze by button, key, wheel and two fingers. */
 import { expect, test } from "./fixtures.ts";
 import { TouchInput } from "./support/touch-input.ts";
 import { boxOf, phone } from "./support/phone.ts";
@@ -9,30 +9,30 @@ test("zooms by buttons, keys and the wheel, and fits the maze again", async ({
 }) => {
   const { grid } = corridor.maze;
   const width = async () => (await boxOf(grid)).width;
-  const opened = await width();
+  const initialWidth = await width();
   await page.getByRole("button", { name: "Zoom in" }).click();
-  await expect.poll(width).toBeGreaterThan(opened);
+  await expect.poll(width).toBeGreaterThan(initialWidth);
   await expect(page.locator("[data-map]")).toBeVisible();
   await page.getByRole("button", { name: "Fit the maze" }).click();
-  await expect.poll(width).toBe(opened);
+  await expect.poll(width).toBe(initialWidth);
   await expect(page.locator("[data-map]")).toBeHidden();
 
   await page.keyboard.press("+");
-  await expect.poll(width).toBeGreaterThan(opened);
+  await expect.poll(width).toBeGreaterThan(initialWidth);
   await page.keyboard.press("-");
-  await expect.poll(width).toBe(opened);
+  await expect.poll(width).toBe(initialWidth);
 
   const { x, y } = await boxOf(grid);
   await page.mouse.move(x + 10, y + 10);
   await page.keyboard.down("Control");
   await page.mouse.wheel(0, -300);
   await page.keyboard.up("Control");
-  await expect.poll(width).toBeGreaterThan(opened);
+  await expect.poll(width).toBeGreaterThan(initialWidth);
   await page.keyboard.press("0");
-  await expect.poll(width).toBe(opened);
+  await expect.poll(width).toBe(initialWidth);
 });
 
-test("leaves the keys alone where single keys are switched off, and lists them", async ({
+test("ignores the zoom keys where single keys are off, and lists them", async ({
   corridor,
   page,
 }) => {
@@ -52,21 +52,21 @@ test("zooms with two fingers on a phone, and edits nothing", async ({ openWindow
   await corridor.open();
   const { grid } = corridor.maze;
   const { x, y, width, height } = await boxOf(grid);
-  const [middleX, middleY] = [x + width / 2, y + height / 2];
-  const fingers = await TouchInput.of(corridor.page);
-  const at = (apart: number) =>
+  const [centreX, centreY] = [x + width / 2, y + height / 2];
+  const touch = await TouchInput.of(corridor.page);
+  const at = (distance: number) =>
     [
-      { x: middleX - apart, y: middleY },
-      { x: middleX + apart, y: middleY },
+      { x: centreX - distance, y: centreY },
+      { x: centreX + distance, y: centreY },
     ] as const;
-  await fingers.down(...at(30));
-  for (const apart of [40, 55, 70, 90]) await fingers.move(...at(apart));
-  await fingers.lift();
+  await touch.down(...at(30));
+  for (const distance of [40, 55, 70, 90]) await touch.move(...at(distance));
+  await touch.lift();
   await expect.poll(async () => (await boxOf(grid)).width).toBeGreaterThan(width * 1.5);
   await expect(corridor.maze.button("Undo")).toBeDisabled();
 });
 
-test("leaves the zoom buttons free of messages", async ({ corridor, page }) => {
+test("does not cover the zoom buttons with messages", async ({ corridor, page }) => {
   const zoom = page.getByRole("group", { name: "Zoom", exact: true });
   await expect(zoom).toBeVisible();
   await corridor.transport.getByRole("button", { name: "Write my own" }).click();

@@ -1,14 +1,13 @@
 /**
- * What the reader sees and measures on the stage. The picture is compared with itself, never with a
- * file.
+ * Painting and measuring on the stage. Screenshots are compared with each other, never with files.
  */
 import { expect, test } from "./fixtures.ts";
 import { StageScreenshot } from "./pages/stage-screenshot.ts";
 
-const text = (shown: { textContent: () => Promise<string | null> }) => shown.textContent();
+const text = (element: { textContent: () => Promise<string | null> }) => element.textContent();
 
 test.describe("measuring", () => {
-  test("a drag from point to point draws a tape and says its length; the maze stays as it is", async ({
+  test("draws a tape along a drag and announces its length without editing the maze", async ({
     corridor,
   }) => {
     const { maze } = corridor;
@@ -28,9 +27,7 @@ test.describe("measuring", () => {
     await expect(maze.announcement).not.toContainText("squares");
   });
 
-  test("the keyboard sets one square, walks to another and hears how far it is", async ({
-    corridor,
-  }) => {
+  test("measures by keyboard from one square to another", async ({ corridor }) => {
     const { maze, page } = corridor;
     await maze.tool("Measure").click();
     await maze.moveCursorTo({ column: 1, row: 6 });
@@ -43,7 +40,7 @@ test.describe("measuring", () => {
   });
 });
 
-test("the button for the full screen leads there and back", async ({ corridor }) => {
+test("enters and leaves full screen", async ({ corridor }) => {
   const { page } = corridor;
   const isFull = () => page.evaluate(() => document.fullscreenElement !== null);
   await corridor.maze.button("Full screen").click();
@@ -53,7 +50,7 @@ test("the button for the full screen leads there and back", async ({ corridor })
   await expect(corridor.maze.button("Full screen")).toBeVisible();
 });
 
-test("a delayed turn shows its way ahead of the robot", async ({ corridor }) => {
+test("draws the path of a delayed turn ahead of the robot", async ({ corridor }) => {
   const picture = new StageScreenshot(corridor.page);
   await corridor.run.click();
   await expect(corridor.robotPose).toHaveText(/facing up/);
@@ -62,23 +59,23 @@ test("a delayed turn shows its way ahead of the robot", async ({ corridor }) => 
   await expect(running).toContainText(/turns in \d+ cm/);
   await corridor.pause.click();
   await expect(corridor.run).toBeVisible();
-  const left = Number(/turns in (\d+)/.exec((await text(running)) ?? "")?.[1]);
-  const place = /Robot at (\d+), (\d+), facing up/.exec((await text(corridor.robotPose)) ?? "");
-  const x = Number(place?.[1]);
-  const y = Number(place?.[2]) - left;
-  // Out of the junction, to the right of the turning point, where nothing else is drawn.
-  const way = { x: x + 30, y: y - 8, width: 60, height: 16 };
-  const dashes = await picture.differingPixels(way, {
+  const remaining = Number(/turns in (\d+)/.exec((await text(running)) ?? "")?.[1]);
+  const pose = /Robot at (\d+), (\d+), facing up/.exec((await text(corridor.robotPose)) ?? "");
+  const x = Number(pose?.[1]);
+  const y = Number(pose?.[2]) - remaining;
+  // Beyond the junction, to the right of the turning point, where nothing else is drawn.
+  const path = { x: x + 30, y: y - 8, width: 60, height: 16 };
+  const dashes = await picture.differingPixels(path, {
     x: x + 30,
     y: y - 30,
     width: 60,
     height: 16,
   });
-  expect(left).toBeGreaterThan(0);
+  expect(remaining).toBeGreaterThan(0);
   expect(dashes).toBeGreaterThan(20);
 });
 
-test.describe("the stage is drawn again", () => {
+test.describe("repaints the stage", () => {
   test("in the colours of another theme", async ({ corridor }) => {
     const picture = new StageScreenshot(corridor.page);
     const light = await picture.capture();
@@ -90,7 +87,7 @@ test.describe("the stage is drawn again", () => {
     await picture.expectSame(light);
   });
 
-  test("where the browser cannot hand canvases to a worker", async ({ page, corridor }) => {
+  test("where the browser cannot transfer canvases to a worker", async ({ page, corridor }) => {
     const inWorker = await new StageScreenshot(page).capture();
     await page.addInitScript(() => Reflect.deleteProperty(window, "OffscreenCanvas"));
     await corridor.reload();

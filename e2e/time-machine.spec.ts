@@ -1,6 +1,5 @@
 /**
- * A run can be gone back in: to any moment, decision by decision, on from there, by link and by
- * file.
+ * Going back in a run: to any tick, decision by decision, resuming from there, by link and by file.
  */
 import { readFile } from "node:fs/promises";
 import { readRun } from "@corridor/recording";
@@ -8,7 +7,7 @@ import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
 
 /**
- * A program that turns too late: "otherwise" drives into the wall after about two seconds, and goes
+ * Runs a program that turns too late: "otherwise" hits the wall after about two seconds and drives
  * on.
  */
 async function bump(corridor: CorridorPage): Promise<void> {
@@ -17,14 +16,14 @@ async function bump(corridor: CorridorPage): Promise<void> {
   await corridor.speed.selectOption("4×");
   await corridor.run.click();
   await expect(corridor.bumps).toHaveText("1 bump");
-  // The robot waits where it bumped; told to, it runs on.
+  // The run pauses at the bump. A second Run continues.
   await corridor.run.click();
   await expect(corridor.clock).toHaveText(/0:(0[5-9]|[1-9]\d)/);
   await corridor.pause.click();
   await expect(corridor.run).toBeVisible();
 }
 
-/** Lets the right wall's program turn a few times, and pauses. */
+/** Runs the right-wall program for a few turns, and pauses. */
 async function turnSomeTimes(corridor: CorridorPage): Promise<void> {
   await corridor.speed.selectOption("8×");
   await corridor.run.click();
@@ -33,7 +32,7 @@ async function turnSomeTimes(corridor: CorridorPage): Promise<void> {
   await expect(corridor.run).toBeVisible();
 }
 
-test("scrubs back to the bump and sees the robot, sensors, truths and line of that moment", async ({
+test("scrubs back to the bump and shows the robot, sensors, truth values and line of that tick", async ({
   corridor,
 }) => {
   const { timeline, program } = corridor;
@@ -50,13 +49,13 @@ test("scrubs back to the bump and sees the robot, sensors, truths and line of th
   await expect(program.line(1)).toHaveAccessibleName(/Front is 25, false\./);
   await expect(program.region.locator("[aria-current=step]")).toContainText("otherwise");
   await timeline.expectValueText(/^2\.2 s, “otherwise” drives, bump$/);
-  // Before it there was room.
+  // Before the bump, the robot had space.
   await timeline.drag(0.07, 0.04);
   await expect(corridor.bumps).toHaveText("0 bumps");
   await expect(corridor.clock).toHaveText(/^Time 0:01\./);
 });
 
-test("reads no half of a word beside the way back to now", async ({ openWindow }) => {
+test("hides the scale completely beside the button that returns to now", async ({ openWindow }) => {
   const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
   await corridor.open();
   const scale = corridor.page.getByText("1 block = 100 cm");
@@ -69,7 +68,7 @@ test("reads no half of a word beside the way back to now", async ({ openWindow }
   await expect(scale).toBeVisible();
 });
 
-test("lays an earlier moment out by the maze that it had", async ({ corridor }) => {
+test("lays out an earlier tick by the maze of that tick", async ({ corridor }) => {
   const { maze, timeline } = corridor;
   await turnSomeTimes(corridor);
   const columns = Number(await maze.grid.getAttribute("aria-colcount"));
@@ -113,16 +112,16 @@ test("steps back one decision by keyboard", async ({ corridor, page }) => {
   await expect(timeline.pastLabel).toBeHidden();
 });
 
-test("steps back and on with the buttons", async ({ corridor }) => {
+test("steps back and forward with the buttons", async ({ corridor }) => {
   const { timeline } = corridor;
   await turnSomeTimes(corridor);
   const back = async (): Promise<string> => {
-    const shown = (await corridor.clock.textContent()) ?? "";
+    const before = (await corridor.clock.textContent()) ?? "";
     await timeline.previousDecision.click();
-    await expect(corridor.clock).not.toHaveText(shown);
+    await expect(corridor.clock).not.toHaveText(before);
     return (await corridor.clock.textContent()) ?? "";
   };
-  // The run may have stopped so soon after its newest decision that both show the same time.
+  // If the run stopped right after its newest decision, both have the same displayed time.
   await timeline.previousDecision.click();
   await expect(timeline.pastLabel).toBeVisible();
   const decision = await back();
@@ -132,7 +131,7 @@ test("steps back and on with the buttons", async ({ corridor }) => {
   await expect(timeline.pastLabel).toBeVisible();
 });
 
-test("runs from here with a mended line", async ({ corridor }) => {
+test("runs from an earlier tick with a fixed line", async ({ corridor }) => {
   const { timeline } = corridor;
   await bump(corridor);
   await timeline.drag(0.1, 0.04);
@@ -147,23 +146,23 @@ test("runs from here with a mended line", async ({ corridor }) => {
   await expect(timeline.mark("turn").first()).toBeVisible();
 });
 
-test("back to now", async ({ corridor }) => {
+test("returns to now", async ({ corridor }) => {
   const { timeline } = corridor;
   await turnSomeTimes(corridor);
-  const place = await corridor.robotPose.textContent();
+  const pose = await corridor.robotPose.textContent();
   const now = await corridor.clock.textContent();
   await timeline.drag(0.2, 0.1);
   await expect(timeline.pastLabel).toBeVisible();
   await expect(timeline.runFromHere).toBeVisible();
-  await expect(corridor.robotPose).not.toHaveText(place ?? "");
+  await expect(corridor.robotPose).not.toHaveText(pose ?? "");
   await timeline.backToNow.click();
   await expect(timeline.pastLabel).toBeHidden();
   await expect(corridor.clock).toHaveText(now ?? "");
-  await expect(corridor.robotPose).toHaveText(place ?? "");
+  await expect(corridor.robotPose).toHaveText(pose ?? "");
   await expect(corridor.run).toBeVisible();
 });
 
-test("watches the run again, and drives on by hand from the middle of it", async ({
+test("replays the run, and continues by manual driving from the middle of it", async ({
   corridor,
   page,
 }) => {
@@ -201,10 +200,10 @@ test("goes back with a finger on a phone", async ({ openWindow }) => {
   await expect(timeline.pastLabel).toBeHidden();
 });
 
-test("shares a run by link and another reader watches it", async ({ corridor, openWindow }) => {
+test("shares a run by link, and another user replays it", async ({ corridor, openWindow }) => {
   await turnSomeTimes(corridor);
   const now = (await corridor.clock.textContent()) ?? "";
-  const place = (await corridor.robotPose.textContent()) ?? "";
+  const pose = (await corridor.robotPose.textContent()) ?? "";
   await corridor.share.click();
   await corridor
     .dialog("Share this maze")
@@ -215,17 +214,17 @@ test("shares a run by link and another reader watches it", async ({ corridor, op
   const link = await dialog.getByRole("textbox", { name: "Link" }).inputValue();
   expect(link.length).toBeLessThan(200);
 
-  const reader = await openWindow();
-  await reader.open(link);
-  await expect(reader.message(/^This is a recorded run/)).toBeVisible();
-  await expect(reader.timeline.pastLabel).toBeVisible();
-  await expect(reader.clock).toHaveText("Time 0:00.0");
-  await reader.speed.selectOption("8×");
-  await reader.timeline.watch.click();
-  await expect(reader.timeline.pastLabel).toBeHidden();
-  await expect(reader.clock).toHaveText(now);
-  await expect(reader.robotPose).toHaveText(place);
-  await expect(reader.program.name).toHaveValue("Example: right wall");
+  const recipient = await openWindow();
+  await recipient.open(link);
+  await expect(recipient.message(/^This is a recorded run/)).toBeVisible();
+  await expect(recipient.timeline.pastLabel).toBeVisible();
+  await expect(recipient.clock).toHaveText("Time 0:00.0");
+  await recipient.speed.selectOption("8×");
+  await recipient.timeline.watch.click();
+  await expect(recipient.timeline.pastLabel).toBeHidden();
+  await expect(recipient.clock).toHaveText(now);
+  await expect(recipient.robotPose).toHaveText(pose);
+  await expect(recipient.program.name).toHaveValue("Example: right wall");
 });
 
 test("saves a run as a file", async ({ corridor, page }) => {

@@ -1,4 +1,4 @@
-/** The timeline is zoomed and scrolled. */
+/** Zooming and scrolling the timeline. */
 import { expect, test } from "./fixtures.ts";
 
 test("zooms by buttons, keys and the wheel, and scrolls", async ({ corridor, page }) => {
@@ -44,7 +44,7 @@ test("zooms by buttons, keys and the wheel, and scrolls", async ({ corridor, pag
   await expect(timeline.visiblePart).toBeHidden();
 });
 
-test("a phone zooms with two fingers, and the whole run comes back", async ({ openWindow }) => {
+test("zooms with two fingers on a phone, and returns to the whole run", async ({ openWindow }) => {
   const phone = await openWindow({
     viewport: { width: 390, height: 844 },
     hasTouch: true,
@@ -58,7 +58,7 @@ test("a phone zooms with two fingers, and the whole run comes back", async ({ op
   await phone.pause.click();
   const before = await timeline.mark("turn").first().boundingBox();
   const last = await timeline.mark("turn").nth(1).boundingBox();
-  const apart = (last?.x ?? 0) - (before?.x ?? 0);
+  const distance = (last?.x ?? 0) - (before?.x ?? 0);
   const { x, y } = await timeline.pointAt(0.1);
   await timeline.slider.evaluate(
     (slider, at) => {
@@ -82,9 +82,9 @@ test("a phone zooms with two fingers, and the whole run comes back", async ({ op
   );
   await expect
     .poll(async () => {
-      const one = await timeline.mark("turn").first().boundingBox();
-      const two = await timeline.mark("turn").nth(1).boundingBox();
-      return ((two?.x ?? 0) - (one?.x ?? 0)) / apart;
+      const first = await timeline.mark("turn").first().boundingBox();
+      const second = await timeline.mark("turn").nth(1).boundingBox();
+      return ((second?.x ?? 0) - (first?.x ?? 0)) / distance;
     })
     .toBeGreaterThan(1.5);
 });

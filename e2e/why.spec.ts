@@ -1,12 +1,12 @@
 /**
- * The lines say why: what is true though it was not read, how far a manoeuvre is, what bumped, what
- * to mend.
+ * Lines explain the robot's behaviour: true but not read, progress of a manoeuvre, bumps, and
+ * fixes.
  */
 import type { Locator } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 
-/** How much of a line is in sight, from 0 to 1: inside of all that scrolls around it. */
-async function shareInSight(line: Locator): Promise<number> {
+/** Visible fraction of a line, from 0 to 1, inside all its scroll containers. */
+async function visibleFraction(line: Locator): Promise<number> {
   return line.evaluate((element) => {
     const { top, bottom, height } = element.getBoundingClientRect();
     let [from, to] = [top, bottom];
@@ -20,7 +20,7 @@ async function shareInSight(line: Locator): Promise<number> {
   });
 }
 
-test("sees that line 2 is true but was not read", async ({ corridor }) => {
+test("shows that line 2 is true but was not read", async ({ corridor }) => {
   const { program } = corridor;
   await program.deleteAllLines();
   await program.addLine("right <", "60", "forward");
@@ -38,19 +38,22 @@ test("sees that line 2 is true but was not read", async ({ corridor }) => {
   await expect(program.line(3)).toHaveAccessibleName(/Left is 50, false, not read this time\.$/);
 });
 
-test("sees a delayed turn count down: the way, the turn and the way out", async ({ corridor }) => {
+test("counts down a delayed turn: the distance before it, the turn and the distance after it", async ({
+  corridor,
+}) => {
   const { program } = corridor;
   await corridor.choosePreset("Empty");
   await corridor.speed.selectOption("0.25");
   await program.deleteAllLines();
   await program.addLine("front >", "100", "delayed left 90");
   await corridor.run.click();
-  const note = (words: RegExp) => program.line(1).getByText(words);
+  const note = (text: RegExp) => program.line(1).getByText(text);
   await expect(note(/^turns in \d+ cm$/)).toBeVisible();
   const bar = program.line(1).getByRole("progressbar");
   await expect(bar).toHaveAccessibleName(/^turns in \d+ cm$/);
-  const left = async () => Number(/\d+/.exec((await bar.getAttribute("aria-label")) ?? "")?.[0]);
-  const begun = await left();
+  const remaining = async () =>
+    Number(/\d+/.exec((await bar.getAttribute("aria-label")) ?? "")?.[0]);
+  const first = await remaining();
   const filled = async () =>
     program.line(1).evaluate((line) => {
       const widths = [...line.querySelectorAll<HTMLElement>("[aria-hidden=true]")];
@@ -59,39 +62,39 @@ test("sees a delayed turn count down: the way, the turn and the way out", async 
       );
     });
   const filledFirst = await filled();
-  await expect.poll(left).toBeLessThan(begun);
+  await expect.poll(remaining).toBeLessThan(first);
   await expect.poll(filled).toBeGreaterThan(filledFirst);
   await expect(note(/^\d+ degrees? to go$/)).toBeVisible();
   await expect(note(/^\d+ cm to go$/)).toBeVisible();
 });
 
-test("sees the tick of a line stay in its place while its number changes", async ({ corridor }) => {
+test("keeps the tick mark of a line in place while its number changes", async ({ corridor }) => {
   const { program } = corridor;
   await program.deleteAllLines();
   await program.addLine("front >", "50", "forward");
   await corridor.run.click();
   const seen = await program.line(1).evaluate(
     (line) =>
-      new Promise<{ lengths: number[]; places: number[] }>((resolve) => {
+      new Promise<{ lengths: number[]; positions: number[] }>((resolve) => {
         const number = line.querySelector("[data-is] .live-box > span > span:last-child");
         const tick = line.querySelector("[data-is] svg");
-        const [lengths, places] = [new Set<number>(), new Set<number>()];
-        const look = (): void => {
+        const [lengths, positions] = [new Set<number>(), new Set<number>()];
+        const recordFrame = (): void => {
           lengths.add(number?.textContent.length ?? 0);
-          places.add(tick?.getBoundingClientRect().left ?? 0);
-          // As long as the line is true: its letters are lighter when it is not.
-          const isSeen = lengths.has(3) && lengths.has(5);
-          if (isSeen) resolve({ lengths: [...lengths], places: [...places] });
-          else requestAnimationFrame(look);
+          positions.add(tick?.getBoundingClientRect().left ?? 0);
+          // Both lengths occur while the line is true. A false line has a lighter font weight.
+          const isComplete = lengths.has(3) && lengths.has(5);
+          if (isComplete) resolve({ lengths: [...lengths], positions: [...positions] });
+          else requestAnimationFrame(recordFrame);
         };
-        look();
+        recordFrame();
       }),
   );
-  // "250", "241.7" or so.
-  expect(seen.places, `numbers of ${seen.lengths.join(", ")} signs`).toHaveLength(1);
+  // Such as "250" and "241.7".
+  expect(seen.positions, `numbers of ${seen.lengths.join(", ")} characters`).toHaveLength(1);
 });
 
-test("finds every line in its place, and no words at rest, while one after the other drives", async ({
+test("keeps every line in place, without notes on idle lines, while lines drive in turn", async ({
   corridor,
 }) => {
   const { program } = corridor;
@@ -99,31 +102,40 @@ test("finds every line in its place, and no words at rest, while one after the o
   await expect(corridor.clock).not.toHaveText("0:00.0");
   const seen = await program.region.evaluate(
     (region) =>
-      new Promise<{ drivers: string[]; places: string[]; atRest: string[] }>((resolve) => {
-        const [drivers, places, atRest] = [new Set<string>(), new Set<string>(), new Set<string>()];
-        const look = (): void => {
+      new Promise<{ drivers: string[]; positions: string[]; idleNotes: string[] }>((resolve) => {
+        const [drivers, positions, idleNotes] = [
+          new Set<string>(),
+          new Set<string>(),
+          new Set<string>(),
+        ];
+        const recordFrame = (): void => {
           const all = [...region.querySelectorAll("li:not([aria-hidden]), fieldset")];
-          places.add(all.map((each) => each.getBoundingClientRect().top).join(" "));
+          positions.add(all.map((each) => each.getBoundingClientRect().top).join(" "));
           drivers.add(all.map((each) => each.ariaCurrent ?? "-").join(" "));
           for (const line of all) {
-            const words = line.querySelector("progress")?.parentElement;
-            if (!words || line.ariaCurrent !== null) continue;
-            const isSeen = getComputedStyle(words).visibility === "visible";
-            if (isSeen) atRest.add(words.textContent);
+            const note = line.querySelector("progress")?.parentElement;
+            if (!note || line.ariaCurrent !== null) continue;
+            const isNoteVisible = getComputedStyle(note).visibility === "visible";
+            if (isNoteVisible) idleNotes.add(note.textContent);
           }
           // Line 1, line 2 and otherwise.
-          const isOver = drivers.size >= 3;
-          if (isOver) resolve({ drivers: [...drivers], places: [...places], atRest: [...atRest] });
-          else requestAnimationFrame(look);
+          const isComplete = drivers.size >= 3;
+          if (isComplete)
+            resolve({
+              drivers: [...drivers],
+              positions: [...positions],
+              idleNotes: [...idleNotes],
+            });
+          else requestAnimationFrame(recordFrame);
         };
-        look();
+        recordFrame();
       }),
   );
-  expect(seen.places, `while ${seen.drivers.join(", ")} drove`).toHaveLength(1);
-  expect(seen.atRest).toEqual([]);
+  expect(seen.positions, `while ${seen.drivers.join(", ")} drove`).toHaveLength(1);
+  expect(seen.idleNotes).toEqual([]);
 });
 
-test("sees how far the turn of otherwise is", async ({ corridor }) => {
+test("shows the progress of a turn of otherwise", async ({ corridor }) => {
   const { program } = corridor;
   await program.deleteAllLines();
   await program.otherwise.selectOption("left 90");
@@ -133,7 +145,7 @@ test("sees how far the turn of otherwise is", async ({ corridor }) => {
   await expect(otherwise.getByText(/^\d+ degrees? to go$/)).toBeVisible();
 });
 
-test("sees which line bumped, and how far it came", async ({ corridor }) => {
+test("shows which line bumped, and after what distance", async ({ corridor }) => {
   const { program } = corridor;
   await program.deleteAllLines();
   await program.addLine("front <", "50", "delayed left 90");
@@ -143,9 +155,7 @@ test("sees which line bumped, and how far it came", async ({ corridor }) => {
   await expect(program.line(1)).toHaveAccessibleName(/^Line 1, bumped: if front is less than 50/);
 });
 
-test("takes the advice on a line that can never decide, and takes it back", async ({
-  corridor,
-}) => {
+test("applies the advice on a line that can never decide, and undoes it", async ({ corridor }) => {
   const { program } = corridor;
   await program.deleteAllLines();
   await program.addLine("front >", "50", "forward");
@@ -172,59 +182,59 @@ test("takes the advice on a line that can never decide, and takes it back", asyn
   await expect(advice).toBeVisible();
 });
 
-const mends = [
+const advices = [
   {
-    what: "a distance that this maze does not have",
+    problem: "a distance that this maze does not have",
     condition: "front >",
     number: "5000",
     action: "turn 180",
     reason: /^front > 5000 is never true here: no sensor sees farther than \d+ cm in this maze\.$/,
-    mend: "Change to 50 cm",
+    fix: "Change to 50 cm",
     after: /if front is more than 50, turn 180\./,
   },
   {
-    what: "a delayed turn just before a wall",
+    problem: "a delayed turn right in front of a wall",
     condition: "front <",
     number: "50",
     action: "delayed left 90",
     reason: /^front < 50 leaves too little room: .* needs 75 cm ahead\.$/,
-    mend: "Change to left 90",
+    fix: "Change to left 90",
     after: /if front is less than 50, left 90\./,
   },
   {
-    what: "a delayed turn that asks only about the front",
+    problem: "a delayed turn with a condition only on the front",
     condition: "front >",
     number: "60",
     action: "delayed right 90",
     reason: /^This line turns right, but front > 60 does not check/,
-    mend: "Change to right > 60",
+    fix: "Change to right > 60",
     after: /if right is more than 60, delayed right 90\./,
   },
   {
-    what: "a turn into an opening",
+    problem: "a turn into an opening",
     condition: "right >",
     number: "60",
     action: "right 90",
     reason: /^right > 60 becomes true at the edge of an opening.* drives on for 50 cm first\.$/,
-    mend: "Change to delayed right 90",
+    fix: "Change to delayed right 90",
     after: /if right is more than 60, delayed right 90\./,
   },
 ] as const;
 
-for (const { what, condition, number, action, reason, mend, after } of mends) {
-  test(`is advised on ${what}, and mends it by one press`, async ({ corridor }) => {
+for (const { problem, condition, number, action, reason, fix, after } of advices) {
+  test(`shows advice on ${problem}, and fixes it with one press`, async ({ corridor }) => {
     const { program } = corridor;
     await program.deleteAllLines();
     await program.addLine(condition, number, action);
     await expect(program.line(1).getByText(reason)).toBeVisible();
-    await program.button(mend).click();
+    await program.button(fix).click();
     await expect(program.line(1)).toHaveAccessibleName(after);
     await expect(program.region.getByText(reason)).toHaveCount(0);
     await expect(program.line(1)).toBeFocused();
   });
 }
 
-test("runs a program in spite of its advice, hides the advice, and it stays away", async ({
+test("runs a program despite its advice, and keeps dismissed advice hidden", async ({
   corridor,
 }) => {
   const { program } = corridor;
@@ -240,7 +250,7 @@ test("runs a program in spite of its advice, hides the advice, and it stays away
   await expect(advice).toBeHidden();
   await expect(program.line(1)).toBeFocused();
 
-  // Only this line with these words: it comes for another number, and not for the old one.
+  // Dismissal applies to this line with this text: another number shows the advice again.
   await program.number(1).fill("70");
   await expect(advice).toBeVisible();
   await program.number(1).fill("60");
@@ -250,7 +260,7 @@ test("runs a program in spite of its advice, hides the advice, and it stays away
   await expect(advice).toBeHidden();
 });
 
-test("reaches otherwise and Add line below a long program, and sees the line that runs", async ({
+test("keeps otherwise and Add line visible below a long program, and scrolls to the running line", async ({
   corridor,
   page,
 }) => {
@@ -262,18 +272,21 @@ test("reaches otherwise and Add line below a long program, and sees the line tha
   await expect(program.otherwise).toBeInViewport({ ratio: 1 });
   await expect(program.button("Add line")).toBeInViewport({ ratio: 1 });
 
-  // The running line comes into sight, and the focus stays where it is.
+  // The running line scrolls into view, and the focus does not move.
   await program.line(1).focus();
   await program.name.focus();
-  await expect.poll(() => shareInSight(program.line(10))).toBe(0);
+  await expect.poll(() => visibleFraction(program.line(10))).toBe(0);
   await corridor.run.click();
   await expect(program.line(10)).toHaveAttribute("aria-current", "step");
-  await expect.poll(() => shareInSight(program.line(10))).toBe(1);
+  await expect.poll(() => visibleFraction(program.line(10))).toBe(1);
   await expect(corridor.pause).toBeFocused();
   await expect(program.otherwise).toBeInViewport({ ratio: 1 });
 });
 
-test("scrolls away from the line that runs, and is left alone", async ({ corridor, page }) => {
+test("does not scroll back to the running line after the user has scrolled away", async ({
+  corridor,
+  page,
+}) => {
   const { program } = corridor;
   await page.setViewportSize({ width: 1024, height: 768 });
   await program.deleteAllLines();
@@ -281,20 +294,20 @@ test("scrolls away from the line that runs, and is left alone", async ({ corrido
   await program.addLine("front <", "60", "turn 180");
   await program.otherwise.selectOption("forward");
   await program.line(1).scrollIntoViewIfNeeded();
-  await expect.poll(() => shareInSight(program.line(9))).toBe(0);
+  await expect.poll(() => visibleFraction(program.line(9))).toBe(0);
   await corridor.run.click();
-  await expect.poll(() => shareInSight(program.line(9))).toBe(1);
+  await expect.poll(() => visibleFraction(program.line(9))).toBe(1);
   await program.line(9).hover();
-  // Meanwhile otherwise drives: there is no running line that could be in sight.
+  // While otherwise drives, there is no running line to scroll to.
   await expect(program.region.getByRole("group", { name: "otherwise, running" })).toBeVisible();
   await page.mouse.wheel(0, -2000);
-  await expect.poll(() => shareInSight(program.line(1))).toBe(1);
+  await expect.poll(() => visibleFraction(program.line(1))).toBe(1);
   await expect(program.line(9)).toHaveAttribute("aria-current", "step");
   await corridor.waitForFrames(60);
-  expect(await shareInSight(program.line(1))).toBe(1);
+  expect(await visibleFraction(program.line(1))).toBe(1);
 });
 
-test("sees the line that runs in the sheet of a phone", async ({ openWindow }) => {
+test("scrolls to the running line in the sheet of a phone", async ({ openWindow }) => {
   const corridor = await openWindow({ viewport: { width: 390, height: 844 }, hasTouch: true });
   await corridor.open();
   const { program } = corridor;
@@ -303,5 +316,5 @@ test("sees the line that runs in the sheet of a phone", async ({ openWindow }) =
   await program.name.scrollIntoViewIfNeeded();
   await corridor.run.tap();
   await expect(program.line(7)).toHaveAttribute("aria-current", "step");
-  await expect.poll(() => shareInSight(program.line(7))).toBe(1);
+  await expect.poll(() => visibleFraction(program.line(7))).toBe(1);
 });

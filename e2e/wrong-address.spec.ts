@@ -1,13 +1,16 @@
-/** Somebody types a wrong address: the page says so in words and leads home. */
+/** The page for unknown addresses, with a link to the start page. */
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, test } from "./fixtures.ts";
 
-// Not a watched window: the browser itself notes the 404.
-test("shows a page in the reader's language, with a way home", async ({ browser, relay }) => {
+// Not an openWindow fixture: the browser logs an error for the 404.
+test("shows a page in the browser's language, with a link to the start page", async ({
+  browser,
+  relay,
+}) => {
   const context = await browser.newContext({ baseURL: relay, locale: "de-DE" });
   const page = await context.newPage();
-  const answer = await page.goto("/foo");
-  expect(answer?.status()).toBe(404);
+  const response = await page.goto("/foo");
+  expect(response?.status()).toBe(404);
   await expect(page.getByRole("heading", { name: "Diese Seite gibt es nicht" })).toBeVisible();
   await page.setViewportSize({ width: 320, height: 640 });
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);

@@ -1,17 +1,13 @@
 /**
- * Large letters, a page zoomed to 400 %, and the system's own colours: everything is there and can
- * be used.
+ * Large fonts, a page zoom of 400 % and forced colours: all content is visible and usable.
  */
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 import { horizontalOverflow, unreadableTexts } from "./support/layout.ts";
 
-/**
- * As a reader does in the browser's settings: its letters, and all that is measured in them, are
- * twice as large.
- */
-async function doubleLetters(page: Page): Promise<void> {
+/** Doubles the browser's default font size, as its settings do. */
+async function doubleFontSize(page: Page): Promise<void> {
   const browser = await page.context().newCDPSession(page);
   await browser.send("Page.enable");
   await browser.send("Page.setFontSizes", { fontSizes: { standard: 32, fixed: 26 } });
@@ -19,45 +15,47 @@ async function doubleLetters(page: Page): Promise<void> {
 
 for (const { width, height, isPhone } of [
   { width: 1440, height: 900, isPhone: false },
-  // As wide as a phone in letters, and low: the page scrolls as a whole.
+  // In units of the font as wide as a phone, and low: the page scrolls as a whole.
   { width: 1024, height: 768, isPhone: true },
   { width: 390, height: 844, isPhone: true },
 ]) {
-  test(`reads everything in letters of 200 % at ${width} x ${height}`, async ({ openWindow }) => {
+  test(`shows readable texts at a font size of 200 % at ${width} x ${height}`, async ({
+    openWindow,
+  }) => {
     const corridor = await openWindow({ viewport: { width, height } });
     const { page } = corridor;
-    await doubleLetters(page);
+    await doubleFontSize(page);
     await corridor.open();
     const faults: string[] = [];
-    const look = async (state: string): Promise<void> => {
+    const checkTexts = async (state: string): Promise<void> => {
       await waitForAnimations(page);
       const found = [...(await horizontalOverflow(page)), ...(await unreadableTexts(page))];
       faults.push(...found.map((fault) => `${state}: ${fault}`));
     };
-    const opened = async (state: string, open: () => Promise<void>): Promise<void> => {
+    const checkOverlay = async (state: string, open: () => Promise<void>): Promise<void> => {
       await open();
       await expect(page.locator("dialog[open], :popover-open")).not.toHaveCount(0);
-      await look(state);
+      await checkTexts(state);
       await page.keyboard.press("Escape");
     };
-    await look("first visit");
-    await opened("keys", () => page.keyboard.press("?"));
-    await opened("share", () => corridor.share.click());
-    await opened("view", () => page.getByRole("button", { name: "View" }).click());
-    await opened("maze", () => corridor.mazeMenu.click());
+    await checkTexts("first visit");
+    await checkOverlay("keys", () => page.keyboard.press("?"));
+    await checkOverlay("share", () => corridor.share.click());
+    await checkOverlay("view", () => page.getByRole("button", { name: "View" }).click());
+    await checkOverlay("maze", () => corridor.mazeMenu.click());
     await corridor.run.click();
     await expect(corridor.timeline.slider).toBeVisible();
     await expect(corridor.bumps).toBeAttached();
     await corridor.pause.click();
-    await look("after a run");
+    await checkTexts("after a run");
     await corridor.timeline.slider.press("Home");
     await expect(corridor.timeline.pastLabel).toBeVisible();
-    await look("past");
+    await checkTexts("past");
     await corridor.timeline.backToNow.click();
     if (isPhone) {
       for (const tab of ["Drive", "Presets", "Program"]) {
         await page.getByRole("tab", { name: tab }).click();
-        await look(tab);
+        await checkTexts(tab);
       }
     }
     expect(faults).toEqual([]);
@@ -76,9 +74,7 @@ for (const { width, height, isPhone } of [
   });
 }
 
-test("reads everything where a style of the reader's own doubles the letters", async ({
-  openWindow,
-}) => {
+test("shows readable texts where a user style doubles the font size", async ({ openWindow }) => {
   const corridor = await openWindow({ viewport: { width: 1440, height: 900 } });
   await corridor.open();
   const { page } = corridor;
@@ -90,7 +86,9 @@ test("reads everything where a style of the reader's own doubles the letters", a
   await expect(corridor.program.line(1)).toBeInViewport();
 });
 
-test("works at 400 %: a window of 1280 x 1024 has 320 x 256 px then", async ({ openWindow }) => {
+test("is usable at 400 %, when a window of 1280 x 1024 has 320 x 256 px", async ({
+  openWindow,
+}) => {
   const corridor = await openWindow({ viewport: { width: 320, height: 256 } });
   await corridor.open();
   const { page } = corridor;
@@ -111,7 +109,7 @@ test("works at 400 %: a window of 1280 x 1024 has 320 x 256 px then", async ({ o
   await expect(corridor.pause).toBeVisible();
 });
 
-test("shows focus, choice and state in forced colours", async ({ corridor, page }) => {
+test("shows focus, selection and state in forced colours", async ({ corridor, page }) => {
   await page.emulateMedia({ forcedColors: "active" });
   await page.keyboard.press("Tab");
   const outline = await page.evaluate(() => {
@@ -127,7 +125,7 @@ test("shows focus, choice and state in forced colours", async ({ corridor, page 
   await corridor.run.click();
   const card = corridor.bumpCard(2);
   await expect(card).toBeVisible();
-  // What is a surface without colours has an edge.
+  // A surface has a border where its background colour is removed.
   const edges = await card.evaluate((element) => {
     const { borderTopWidth, borderTopStyle, outlineStyle } = getComputedStyle(element);
     return Number.parseFloat(borderTopWidth) > 0 && borderTopStyle !== "none"
