@@ -104,6 +104,25 @@ test("asks before an algorithm replaces the user's lines", async ({ corridor, pa
   await expect(program.lines).toHaveCount(3);
 });
 
+test("shows the whole question before an algorithm replaces lines, and takes the answer by keys", async ({
+  corridor,
+  page,
+}) => {
+  await corridor.program.number(2).fill("40");
+  await page.getByRole("button", { name: "Presets", exact: true }).click();
+  const presets = corridor.dialog("Presets");
+  await presets.getByText("Show an algorithm").click();
+  await presets.getByRole("button", { name: /^Back and forth/ }).focus();
+  await page.keyboard.press("Enter");
+  await expect(presets.getByRole("button", { name: "Keep my lines" })).toBeInViewport({ ratio: 1 });
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Tab");
+  await expect(presets.getByRole("button", { name: "Keep my lines" })).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(presets.getByRole("button", { name: /^Back and forth/ })).toBeFocused();
+  await expect(corridor.program.number(2)).toHaveValue("40");
+});
+
 test("has no axe violations in the presets, in either theme", async ({ corridor, page }) => {
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   await expect(corridor.dialog("Presets").getByText("Random maze")).toBeVisible();

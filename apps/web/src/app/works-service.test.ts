@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { createScreenStore } from "../stores/screen-store.ts";
+import { createScreenStore, tell } from "../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze } from "../stores/workspace-store.ts";
 import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "../worker/first-work.ts";
@@ -166,6 +166,15 @@ describe("another work", () => {
     const { works, sent } = openTab(new MemoryStorage());
     works.beginShared({ ...firstMaze, name: "Recorded" }, firstProgram, true);
     expect(sent).not.toContain("reset");
+  });
+
+  it("takes no Undo along that is meant for the work before", () => {
+    const { works, screen, told } = openTab(new MemoryStorage());
+    const action = { label: "Undo", run: () => undefined };
+    tell(screen, { tone: "info", text: "Line 1 deleted.", action, isOfWork: true });
+    tell(screen, { tone: "bad", text: "Not saved." });
+    works.begin({ ...firstMaze, name: "Other" }, null);
+    expect(told()).toEqual(["Not saved."]);
   });
 
   it("takes no edits away that could not be saved, however it was opened", () => {

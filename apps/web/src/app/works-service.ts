@@ -6,7 +6,7 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { i18n } from "i18next";
-import { dismiss, tell, type ScreenStore } from "../stores/screen-store.ts";
+import { dismiss, dismissOfWork, tell, type ScreenStore } from "../stores/screen-store.ts";
 import { openWork, type WorkspaceStore } from "../stores/workspace-store.ts";
 import type { SimulatorClient } from "../worker/simulator-client.ts";
 import { startAutosave, type Autosave } from "./autosave.ts";
@@ -187,8 +187,9 @@ export class WorksService {
   }
 
   #put(maze: MazeDocument, program: ProgramDocument, isRobotThere = false): void {
-    const { workspace, simulator } = this.#ports;
+    const { workspace, simulator, screen } = this.#ports;
     openWork(workspace, maze, program);
+    dismissOfWork(screen);
     if (!isRobotThere) simulator.send({ type: "reset" });
   }
 

@@ -20,6 +20,8 @@ export interface Message {
   text: string;
   /** information that waits for an answer, however long; by itself it leaves after some seconds */
   stays?: boolean;
+  /** it takes back an edit of the open work, and leaves when another work opens */
+  isOfWork?: boolean;
   /** how much of what is waited for is done, from 0 to 1 */
   part?: number;
   /** one way to mend or take back, such as Undo */
@@ -102,6 +104,11 @@ function isRenewedBy(shown: Message, next: Omit<Message, "id">): boolean {
 
 export function dismiss(store: ScreenStore, id: number): void {
   store.setState((state) => ({ messages: state.messages.filter((each) => each.id !== id) }));
+}
+
+/** Another work opens: what takes back an edit of the one before would change this one. */
+export function dismissOfWork(store: ScreenStore): void {
+  store.setState((state) => ({ messages: state.messages.filter(({ isOfWork }) => !isOfWork) }));
 }
 
 /** What a message waits for is so far now, from 0 to 1. */

@@ -15,9 +15,10 @@ import { createStore } from "zustand/vanilla";
 import { firstWork } from "../../app/first-visit.ts";
 import { noChallenge } from "../../stores/challenge-store.ts";
 import { dismiss, tell } from "../../stores/screen-store.ts";
-import { newLineIds, setMaze, setProgram, undo } from "../../stores/workspace-store.ts";
+import { newLineIds, setMaze, setProgram } from "../../stores/workspace-store.ts";
 import type { CheckAnswer } from "../../worker/check-request.ts";
 import type { SolvedTrail } from "../../worker/project-request.ts";
+import { tellUndoable } from "../stage/tell-undoable.ts";
 import { readChallengeText, writeChallengeText } from "./challenge-text.ts";
 import { startChecker, type ChallengeChecker } from "./challenge-checker.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
@@ -187,24 +188,7 @@ export class LessonsService {
       return;
     }
     setProgram(workspace, start, newLineIds(start.rules.length));
-    const begun = workspace.getState().program;
-    const id = tell(screen, {
-      tone: "info",
-      text: words.t("missions:card.begun"),
-      action: {
-        label: words.t("missions:path.undo"),
-        run: () => {
-          dismiss(screen, id);
-          if (workspace.getState().program === begun) undo(workspace);
-        },
-      },
-    });
-    // It is about this mission alone.
-    const end = store.subscribe((next) => {
-      if (next.challenge === challenge) return;
-      end();
-      dismiss(screen, id);
-    });
+    tellUndoable({ screen, workspace }, words, words.t("missions:card.begun"));
   }
 
   /** Runs the program in all mazes of the challenge, without the page. */

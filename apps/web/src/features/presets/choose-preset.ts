@@ -23,6 +23,7 @@ export function chooseMaze(
   const after = workspace.getState();
   const message = tell(screen, {
     tone: "info",
+    isOfWork: true,
     text: words.t(program === null ? "presets.chosen" : "presets.chosenEmpty", { name: maze.name }),
     action: {
       label: words.t("presets.undo"),

@@ -3,7 +3,8 @@
  * in the same place.
  */
 import type { ProgramDocument } from "@corridor/program";
-import { useState, type ReactNode } from "react";
+import { useRef, useState, type ReactNode } from "react";
+import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
@@ -22,6 +23,7 @@ export function AlgorithmChoice({ onChosen, children }: AlgorithmChoiceProps) {
   const { t, i18n } = useTranslation();
   const services = useServices();
   const [asked, setAsked] = useState<ProgramDocument | null>(null);
+  const place = useRef<HTMLDivElement>(null);
 
   function load(program: ProgramDocument): void {
     setAsked(null);
@@ -29,22 +31,36 @@ export function AlgorithmChoice({ onChosen, children }: AlgorithmChoiceProps) {
     onChosen?.();
   }
 
+  function keep(): void {
+    flushSync(() => setAsked(null));
+    place.current?.querySelector("button")?.focus();
+  }
+
   if (asked !== null) {
     const count = services.workspace.getState().program.rules.length;
     return (
-      <div className={styles["question"]}>
+      <div className={styles["question"]} tabIndex={-1} ref={focus}>
         <p role="alert">{t("program.replace.question", { name: asked.name, count })}</p>
         <div className={styles["answers"]}>
           <Button kind="primary" onClick={() => load(asked)}>
             {t("program.replace.yes")}
           </Button>
-          <Button onClick={() => setAsked(null)}>{t("program.replace.no")}</Button>
+          <Button onClick={keep}>{t("program.replace.no")}</Button>
         </div>
       </div>
     );
   }
-  return children((program) => {
-    if (isOwnProgram(services.workspace.getState().program, i18n)) setAsked(program);
-    else load(program);
-  });
+  return (
+    <div className={styles["list"]} ref={place}>
+      {children((program) => {
+        if (isOwnProgram(services.workspace.getState().program, i18n)) setAsked(program);
+        else load(program);
+      })}
+    </div>
+  );
+}
+
+/** The pressed algorithm is gone, and its place may be half out of sight: the focus goes to the question. */
+function focus(question: HTMLElement | null): void {
+  question?.focus();
 }

@@ -74,6 +74,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
     const bringBack = deleteLine(workspace, index);
     tell(screen, {
       tone: "info",
+      isOfWork: true,
       text: t("program.deleted", { line }),
       action: { label: t("program.undo"), run: bringBack },
     });
