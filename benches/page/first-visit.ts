@@ -1,7 +1,7 @@
 /**
- * A first visit: from the start of the navigation until the page is told of the robot's first tick,
- * with Run pressed as soon as it can be; beside the first paint of a page that has React and one word.
- * Both pages are built, compressed and served alike.
+ * Measures a first visit: the time from the start of the navigation until the page receives the
+ * robot's first tick. Run is pressed as soon as it is enabled. The baseline is the first paint of a
+ * React page with one word. Both pages are built, compressed and served in the same way.
  */
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -17,9 +17,9 @@ import type { Section } from "./section.ts";
 const ROUNDS = 15;
 const page = fileURLToPath(new URL("../../apps/web/dist", import.meta.url));
 
-/** What `firstTick` leaves on the page, in milliseconds since the navigation. */
+/** Set by `pressRunAndRecordTick`, in milliseconds since the start of the navigation. */
 declare global {
-  var pressedAt: number | undefined;
+  var runPressedAt: number | undefined;
   var firstTickAt: number | undefined;
 }
 
@@ -29,15 +29,15 @@ export const firstVisit: Section = {
     const folder = await buildEmptyPage();
     const [empty, corridor] = await Promise.all([serveFolder(folder), serveFolder(page)]);
     const paints: number[] = [];
-    const visits: { paint: number; pressed: number; tick: number }[] = [];
+    const results: { paint: number; pressed: number; tick: number }[] = [];
     try {
-      // The first round warms the disk and the servers.
+      // The first round warms up the disk cache and the servers.
       for (let round = 0; round <= ROUNDS; round++) {
         const paint = await visit(browser, empty.url, firstPaint);
-        const seen = await visit(browser, corridor.url, firstTick);
+        const result = await visit(browser, corridor.url, firstTick);
         if (round === 0) continue;
         paints.push(paint);
-        visits.push(seen);
+        results.push(result);
       }
     } finally {
       await Promise.all([empty.stop(), corridor.stop()]);
@@ -45,15 +45,15 @@ export const firstVisit: Section = {
     }
     const rows = [
       ["empty React page, first paint", paints],
-      ["Corridor, first paint", visits.map(({ paint }) => paint)],
-      ["Corridor, Run can be pressed", visits.map(({ pressed }) => pressed)],
-      ["Corridor, first tick", visits.map(({ tick }) => tick)],
+      ["Corridor, first paint", results.map(({ paint }) => paint)],
+      ["Corridor, Run enabled", results.map(({ pressed }) => pressed)],
+      ["Corridor, first tick", results.map(({ tick }) => tick)],
     ] as const;
     for (const [label, times] of rows) console.log(`  ${label}: ${formatNumber(median(times))} ms`);
     return [
       {
-        label: "first tick against the first paint of an empty React page",
-        measured: median(visits.map(({ tick }, round) => tick / (paints[round] ?? Number.NaN))),
+        label: "first tick, relative to the first paint of an empty React page",
+        measured: median(results.map(({ tick }, round) => tick / (paints[round] ?? Number.NaN))),
         bound: { atMost: 1.5 },
         unit: "times",
       },
@@ -61,7 +61,7 @@ export const firstVisit: Section = {
   },
 };
 
-/** @returns the folder that it is in */
+/** Builds the baseline page. @returns the output folder */
 async function buildEmptyPage(): Promise<string> {
   const outDir = mkdtempSync(join(tmpdir(), "corridor-empty-"));
   await build({
@@ -75,28 +75,28 @@ async function buildEmptyPage(): Promise<string> {
   return outDir;
 }
 
-/** Opens an address as somebody who has never been there. */
-async function visit<Seen>(
+/** Opens a URL in a new browser context with empty caches, and evaluates `measure` in the page. */
+async function visit<Result>(
   browser: Browser,
   url: string,
-  until: () => Promise<Seen>,
-): Promise<Seen> {
+  measure: () => Promise<Result>,
+): Promise<Result> {
   const context = await browser.newContext({ serviceWorkers: "block" });
   try {
     const window = await context.newPage();
-    await window.addInitScript(pressRunAndHear);
+    await window.addInitScript(pressRunAndRecordTick);
     await window.goto(url, { waitUntil: "commit" });
-    return await window.evaluate(until);
+    return await window.evaluate(measure);
   } finally {
     await context.close();
   }
 }
 
 /**
- * Runs in the page before its own scripts: presses Run once it stands there, and hears the worker's
- * messages right before the page does.
+ * Runs in the page before its own scripts. Presses Run when it is enabled, and receives messages of
+ * the worker right before the page does.
  */
-function pressRunAndHear(): void {
+function pressRunAndRecordTick(): void {
   const PlainWorker = globalThis.Worker;
   globalThis.Worker = class extends PlainWorker {
     constructor(address: string | URL, options?: WorkerOptions) {
@@ -108,19 +108,19 @@ function pressRunAndHear(): void {
       });
     }
   };
-  const watch = new MutationObserver(() => {
+  const observer = new MutationObserver(() => {
     const run = [...document.querySelectorAll("button")].find(
       (button) => button.textContent.trim() === "Run" && !button.disabled,
     );
     if (run === undefined) return;
-    watch.disconnect();
-    globalThis.pressedAt = performance.now();
+    observer.disconnect();
+    globalThis.runPressedAt = performance.now();
     run.click();
   });
-  watch.observe(document, { subtree: true, childList: true });
+  observer.observe(document, { subtree: true, childList: true });
 }
 
-/** Runs in the page. @returns milliseconds since the navigation */
+/** Runs in the page. @returns milliseconds since the start of the navigation */
 async function firstPaint(): Promise<number> {
   return new Promise((resolve) => {
     new PerformanceObserver((list) => {
@@ -130,15 +130,15 @@ async function firstPaint(): Promise<number> {
   });
 }
 
-/** Runs in the page. */
+/** Runs in the page. @returns times in milliseconds since the start of the navigation */
 async function firstTick(): Promise<{ paint: number; pressed: number; tick: number }> {
   for (;;) {
     const paint = performance.getEntriesByName("first-contentful-paint")[0]?.startTime;
-    const { pressedAt: pressed, firstTickAt: tick } = globalThis;
+    const { runPressedAt: pressed, firstTickAt: tick } = globalThis;
     if (paint !== undefined && pressed !== undefined && tick !== undefined) {
       return { paint, pressed, tick };
     }
-    await new Promise((later) => setTimeout(later, 20));
+    await new Promise((resolve) => setTimeout(resolve, 20));
   }
 }
 

@@ -1,42 +1,43 @@
 /**
- * What a frame costs while a program runs: the product's page beside three variants of its stage, in one
- * run. The limit is the bare thing, three layers drawn by a worker and eight numbers in plain elements.
+ * Measures the cost of a frame while a program runs, for the product's page and three variants of
+ * its stage. The limit is a minimal variant: three layers drawn by a worker, and eight numbers in
+ * plain elements.
  */
 import type { Browser, Page } from "playwright";
 import type { Goal } from "../core/goals.ts";
 import { median, quantile, timesSlower } from "../core/measure.ts";
-import { watchPage, type Watched } from "./main-thread.ts";
-import { longProgram, openProduct, quietPanels } from "./product.ts";
+import { traceFrames, type FrameTimes } from "./frame-times.ts";
+import { longProgram, mutePanels, openProduct } from "./product.ts";
 import type { PageUnderTest, Section } from "./section.ts";
 import { serveVariants } from "./serve-variants.ts";
-import { STAGE_PX } from "./variants/scenery.ts";
+import { STAGE_PX } from "./variants/bench-run.ts";
 
 const sides = [33, 101] as const;
-const contenders = ["product", "worker-layers", "page-layers", "svg"] as const;
-type Contender = (typeof contenders)[number];
+const stageVariants = ["product", "worker-layers", "page-layers", "svg"] as const;
+type StageVariant = (typeof stageVariants)[number];
 
-/** As many as a program may have. */
-const MOST_LINES = 200;
+/** The maximum number of lines of a program. */
+const MAX_LINES = 200;
 
 const ROUNDS = 3;
-/** What a page does when it has just been slowed down, or its panels fell silent, is not measured. */
-const SETTLE_MS = 1000;
-/** A page that has fetched nothing for so long has all its parts: what comes late is the first visit's. */
-const QUIET_MS = 2000;
-const WATCH_MS = 3000;
-/** How many times slower the processor is made. */
+/** Delay before a trace, so that the effect of throttling or muting panels is not measured. */
+const STABILISE_MS = 1000;
+/** A page that fetches nothing for this long is loaded completely. */
+const IDLE_MS = 2000;
+const TRACE_MS = 3000;
+/** Factor by which Chromium slows down the processor. */
 const THROTTLE = 4;
 const FRAME_MS = 1000 / 60;
 
-/** One list of numbers for each round. */
+/** Times in milliseconds. Nested lists have one list per round. */
 interface Rounds {
   mainThread: number[][];
   script: number[][];
   workerFrames: number[];
-  /** processor slowed down: milliseconds of main thread in each frame */
+  /** main thread with a throttled processor */
   throttled: number[];
-  /** the stage without its panels */
-  alone: { mainThread: number[][]; script: number[][] };
+  /** the stage with muted panels */
+  stageOnly: { mainThread: number[][]; script: number[][] };
 }
 
 export const frames: Section = { title: "Frames", measure };
@@ -46,55 +47,57 @@ async function measure({ browser, url }: PageUnderTest): Promise<readonly Goal[]
   try {
     const goals: Goal[] = [];
     for (const side of sides) {
-      const open = (contender: Contender): Promise<Page> =>
-        contender === "product"
+      const open = (variant: StageVariant): Promise<Page> =>
+        variant === "product"
           ? openProduct(browser, url, side)
-          : openVariant(browser, variants.url, contender, side);
+          : openVariant(browser, variants.url, variant, side);
       const measured = await measureAll(browser, open);
-      print(side, measured);
+      printTable(side, measured);
       goals.push(...goalsOf(side, measured));
     }
-    goals.push(await manyLines(browser, url));
+    goals.push(await measureManyLines(browser, url));
     return goals;
   } finally {
     await variants.stop();
   }
 }
 
-/** One page at a time, in turns, so that one moment of the machine meets all of them. */
+/**
+ * Opens one page at a time, alternating, so that a slow period of the machine affects all variants.
+ */
 async function measureAll(
   browser: Browser,
-  open: (contender: Contender) => Promise<Page>,
-): Promise<Record<Contender, Rounds>> {
+  open: (variant: StageVariant) => Promise<Page>,
+): Promise<Record<StageVariant, Rounds>> {
   const empty = (): Rounds => ({
     mainThread: [],
     script: [],
     workerFrames: [],
     throttled: [],
-    alone: { mainThread: [], script: [] },
+    stageOnly: { mainThread: [], script: [] },
   });
-  const measured: Record<Contender, Rounds> = {
+  const measured: Record<StageVariant, Rounds> = {
     product: empty(),
     "worker-layers": empty(),
     "page-layers": empty(),
     svg: empty(),
   };
   for (let round = 0; round < ROUNDS; round++) {
-    for (const contender of contenders) {
-      const page = await open(contender);
-      await untilComplete(page);
-      const rounds = measured[contender];
-      const seen = await watchPage(browser, page, WATCH_MS);
-      rounds.mainThread.push(seen.mainThread);
-      rounds.script.push(seen.script);
-      rounds.workerFrames.push(...seen.workerFrames);
-      if (contender === "product") {
-        rounds.throttled.push(...(await watchThrottled(browser, page)).mainThread);
-        await quietPanels(page);
-        await page.waitForTimeout(SETTLE_MS);
-        const alone = await watchPage(browser, page, WATCH_MS);
-        rounds.alone.mainThread.push(alone.mainThread);
-        rounds.alone.script.push(alone.script);
+    for (const variant of stageVariants) {
+      const page = await open(variant);
+      await waitUntilLoaded(page);
+      const rounds = measured[variant];
+      const times = await traceFrames(browser, page, TRACE_MS);
+      rounds.mainThread.push(times.mainThread);
+      rounds.script.push(times.script);
+      rounds.workerFrames.push(...times.workerFrames);
+      if (variant === "product") {
+        rounds.throttled.push(...(await traceThrottled(browser, page)).mainThread);
+        await mutePanels(page);
+        await page.waitForTimeout(STABILISE_MS);
+        const stageOnly = await traceFrames(browser, page, TRACE_MS);
+        rounds.stageOnly.mainThread.push(stageOnly.mainThread);
+        rounds.stageOnly.script.push(stageOnly.script);
       }
       await page.close();
     }
@@ -102,49 +105,51 @@ async function measureAll(
   return measured;
 }
 
-/** The longest program, all of whose lines show their truths, at the machine's own speed. */
-async function manyLines(browser: Browser, url: string): Promise<Goal> {
+/**
+ * Measures the longest program, without throttling. All of its lines display their truth values.
+ */
+async function measureManyLines(browser: Browser, url: string): Promise<Goal> {
   const side = 33;
-  const page = await openProduct(browser, url, side, longProgram(MOST_LINES));
-  await untilComplete(page);
-  const { mainThread } = await watchPage(browser, page, ROUNDS * WATCH_MS);
+  const page = await openProduct(browser, url, side, longProgram(MAX_LINES));
+  await waitUntilLoaded(page);
+  const { mainThread } = await traceFrames(browser, page, ROUNDS * TRACE_MS);
   await page.close();
-  const inTime = mainThread.filter((milliseconds) => milliseconds <= FRAME_MS).length;
-  const [p99, most] = [quantile(mainThread, 0.99), Math.max(...mainThread)];
+  const onTime = mainThread.filter((milliseconds) => milliseconds <= FRAME_MS).length;
+  const [p99, max] = [quantile(mainThread, 0.99), Math.max(...mainThread)];
   console.log(
-    `  ${MOST_LINES} lines at ${side}: main mean ${mean(mainThread).toFixed(3)}, p99 ${p99.toFixed(2)}, most ${most.toFixed(1)}`,
+    `  ${MAX_LINES} lines at ${side}: main mean ${mean(mainThread).toFixed(3)}, p99 ${p99.toFixed(2)}, max ${max.toFixed(1)}`,
   );
   return {
-    label: `frames with ${MOST_LINES} lines whose main thread is done in time`,
-    measured: (100 * inTime) / mainThread.length,
+    label: `frames on time with ${MAX_LINES} lines`,
+    measured: (100 * onTime) / mainThread.length,
     bound: { atLeast: 99 },
     unit: "%",
   };
 }
 
-/** Waits until a page loads nothing more; a robot may drive in it meanwhile. */
-async function untilComplete(page: Page): Promise<void> {
-  await page.waitForFunction((quiet) => {
+/** Waits until a page loads nothing more. A running program does not matter. */
+async function waitUntilLoaded(page: Page): Promise<void> {
+  await page.waitForFunction((idle) => {
     const loaded = performance.getEntriesByType("resource") as PerformanceResourceTiming[];
     const last = Math.max(0, ...loaded.map(({ responseEnd }) => responseEnd));
-    return performance.now() - last >= quiet;
-  }, QUIET_MS);
+    return performance.now() - last >= idle;
+  }, IDLE_MS);
 }
 
-async function watchThrottled(browser: Browser, page: Page): Promise<Watched> {
+async function traceThrottled(browser: Browser, page: Page): Promise<FrameTimes> {
   const session = await page.context().newCDPSession(page);
   await session.send("Emulation.setCPUThrottlingRate", { rate: THROTTLE });
-  await page.waitForTimeout(SETTLE_MS);
-  const seen = await watchPage(browser, page, WATCH_MS);
+  await page.waitForTimeout(STABILISE_MS);
+  const times = await traceFrames(browser, page, TRACE_MS);
   await session.send("Emulation.setCPUThrottlingRate", { rate: 1 });
   await session.detach();
-  return seen;
+  return times;
 }
 
 async function openVariant(
   browser: Browser,
   url: string,
-  variant: Exclude<Contender, "product">,
+  variant: Exclude<StageVariant, "product">,
   side: number,
 ): Promise<Page> {
   const page = await browser.newPage({
@@ -157,55 +162,55 @@ async function openVariant(
 
 function goalsOf(
   side: number,
-  { product, "worker-layers": limit }: Record<Contender, Rounds>,
+  { product, "worker-layers": limit }: Record<StageVariant, Rounds>,
 ): Goal[] {
-  const script = product.alone.script.flat();
-  const inTime = product.throttled.filter((milliseconds) => milliseconds <= FRAME_MS).length;
-  const painted = product.workerFrames.filter(
+  const script = product.stageOnly.script.flat();
+  const onTime = product.throttled.filter((milliseconds) => milliseconds <= FRAME_MS).length;
+  const drawnOnTime = product.workerFrames.filter(
     (milliseconds) => milliseconds * THROTTLE <= FRAME_MS,
-  );
+  ).length;
   return [
     {
-      label: `script for the stage a frame at ${side}, p50`,
+      label: `script per frame for the stage at ${side}, p50`,
       measured: quantile(script, 0.5),
       bound: { atMost: 0.1 },
       unit: "ms",
     },
     {
-      label: `script for the stage a frame at ${side}, p99`,
+      label: `script per frame for the stage at ${side}, p99`,
       measured: quantile(script, 0.99),
       bound: { atMost: 0.5 },
       unit: "ms",
     },
     {
-      label: `main thread at ${side}, the stage alone, against the limit`,
-      measured: timesSlower(product.alone.mainThread.map(mean), limit.mainThread.map(mean)),
+      label: `main thread at ${side}, stage only, relative to the limit`,
+      measured: timesSlower(product.stageOnly.mainThread.map(mean), limit.mainThread.map(mean)),
       bound: { atMost: 1.3 },
       unit: "times",
     },
     {
-      label: `main thread at ${side}, panel included, against the limit`,
+      label: `main thread at ${side}, panel included, relative to the limit`,
       measured: timesSlower(product.mainThread.map(mean), limit.mainThread.map(mean)),
       bound: { atMost: 1.3 },
       unit: "times",
     },
     {
-      label: `frames at ${side} whose main thread is done in time, ${THROTTLE} times throttled`,
-      measured: (100 * inTime) / product.throttled.length,
+      label: `frames on time at ${side}, main thread throttled ${THROTTLE} times`,
+      measured: (100 * onTime) / product.throttled.length,
       bound: { atLeast: 99 },
       unit: "%",
     },
     {
-      label: `pictures at ${side} that a ${THROTTLE} times slower worker would draw in time`,
-      measured: (100 * painted.length) / product.workerFrames.length,
+      label: `worker frames on time at ${side}, calculated for a ${THROTTLE} times slower worker`,
+      measured: (100 * drawnOnTime) / product.workerFrames.length,
       bound: { atLeast: 99 },
       unit: "%",
     },
   ];
 }
 
-function print(side: number, measured: Record<Contender, Rounds>): void {
-  console.log(`\n${side} cells a side: milliseconds of processor time a frame`);
+function printTable(side: number, measured: Record<StageVariant, Rounds>): void {
+  console.log(`\n${side} cells per side: milliseconds of processor time per frame`);
   console.log(
     `  ${"".padEnd(16)}${[
       "main mean",
@@ -220,8 +225,8 @@ function print(side: number, measured: Record<Contender, Rounds>): void {
       .map((each) => each.padStart(12))
       .join("")}`,
   );
-  for (const contender of contenders) {
-    const { mainThread, script, workerFrames } = measured[contender];
+  for (const variant of stageVariants) {
+    const { mainThread, script, workerFrames } = measured[variant];
     const numbers = [
       median(mainThread.map(mean)),
       quantile(mainThread.flat(), 0.5),
@@ -233,9 +238,9 @@ function print(side: number, measured: Record<Contender, Rounds>): void {
       quantile(workerFrames, 0.99),
     ];
     const cells = numbers.map((number) => number.toFixed(3).padStart(12)).join("");
-    console.log(`  ${contender.padEnd(16)}${cells}`);
+    console.log(`  ${variant.padEnd(16)}${cells}`);
   }
-  const { mainThread, script } = measured.product.alone;
+  const { mainThread, script } = measured.product.stageOnly;
   const numbers = [
     median(mainThread.map(mean)),
     quantile(mainThread.flat(), 0.5),
@@ -245,7 +250,7 @@ function print(side: number, measured: Record<Contender, Rounds>): void {
     quantile(script.flat(), 0.99),
   ];
   const cells = numbers.map((number) => number.toFixed(3).padStart(12)).join("");
-  console.log(`  ${"stage alone".padEnd(16)}${cells}`);
+  console.log(`  ${"stage only".padEnd(16)}${cells}`);
 }
 
 function mean(numbers: readonly number[]): number {

@@ -1,7 +1,7 @@
 /**
- * `npm run bench:page`: what the built page costs in a browser, beside variants of it in the same run.
- * Prints tables and a line for each goal; exit code 1 when one is missed. Words on the command line
- * choose sections by their titles. What each number is: docs/performance.md.
+ * `npm run bench:page`: measures the built page in a browser and compares it with variants. Prints
+ * tables and one line per goal; exits with code 1 if a goal is missed. Arguments select sections by
+ * parts of their titles. docs/performance.md describes each number.
  */
 import { chromium } from "playwright";
 import { RelayProcess } from "../../e2e/support/relay-process.ts";
@@ -15,9 +15,10 @@ import type { Section } from "./section.ts";
 
 const sections: readonly Section[] = [frames, scrubbing, firstVisit, otherMazes];
 
-const wanted = process.argv.slice(2).map((word) => word.toLowerCase());
-const chosen = sections.filter(
-  ({ title }) => wanted.length === 0 || wanted.some((word) => title.toLowerCase().includes(word)),
+const filters = process.argv.slice(2).map((filter) => filter.toLowerCase());
+const selected = sections.filter(
+  ({ title }) =>
+    filters.length === 0 || filters.some((filter) => title.toLowerCase().includes(filter)),
 );
 
 const relay = await RelayProcess.start();
@@ -27,7 +28,7 @@ const browser = await chromium.launch({
 });
 const goals: Goal[] = [];
 try {
-  for (const { title, measure } of chosen) {
+  for (const { title, measure } of selected) {
     console.log(`\n${title}`);
     goals.push(...(await measure({ browser, url: relay.url })));
   }

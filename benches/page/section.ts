@@ -1,10 +1,10 @@
-/** A part of `npm run bench:page`: measures something of the built page, prints what it saw, and judges it. */
+/** A section of `npm run bench:page`: measures the built page, prints tables and returns goals. */
 import type { Browser } from "playwright";
 import type { Goal } from "../core/goals.ts";
 
 export interface PageUnderTest {
   browser: Browser;
-  /** address of the built page as the relay serves it, without a slash at its end */
+  /** URL of the built page at the relay, without a trailing slash */
   url: string;
 }
 

@@ -1,12 +1,12 @@
 /**
- * Serves a built page as the relay does: compressed files where the build has them, what is in assets
- * for ever, all else asked for each time. Pages that are compared get the same server, each its own.
+ * Serves a built page as the relay does: sends precompressed files if they exist, marks assets as
+ * immutable, and lets browsers revalidate all other files. Compared pages use one such server each.
  */
 import { existsSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
 import { extname, join } from "node:path";
-import type { Served } from "./serve-variants.ts";
+import type { PageServer } from "./serve-variants.ts";
 
 const types: Readonly<Record<string, string>> = {
   ".css": "text/css; charset=utf-8",
@@ -19,8 +19,8 @@ const types: Readonly<Record<string, string>> = {
   ".woff2": "font/woff2",
 };
 
-/** @param folder of a build, with an index.html */
-export async function serveFolder(folder: string): Promise<Served> {
+/** @param folder output folder of a build, with an index.html */
+export async function serveFolder(folder: string): Promise<PageServer> {
   const server = createServer((request, response) => {
     const { pathname } = new URL(request.url ?? "/", "http://localhost");
     const file = join(folder, pathname === "/" ? "index.html" : pathname);
@@ -28,22 +28,22 @@ export async function serveFolder(folder: string): Promise<Served> {
       response.writeHead(404).end();
       return;
     }
-    const isSmall = existsSync(`${file}.br`);
-    const isForEver = pathname.startsWith("/assets/");
+    const hasBrotli = existsSync(`${file}.br`);
+    const isImmutable = pathname.startsWith("/assets/");
     response
       .writeHead(200, {
         "Content-Type": types[extname(file)] ?? "application/octet-stream",
-        "Cache-Control": isForEver ? "public, max-age=31536000, immutable" : "no-cache",
-        ...(isSmall && { "Content-Encoding": "br" }),
+        "Cache-Control": isImmutable ? "public, max-age=31536000, immutable" : "no-cache",
+        ...(hasBrotli && { "Content-Encoding": "br" }),
       })
-      .end(readFileSync(isSmall ? `${file}.br` : file));
+      .end(readFileSync(hasBrotli ? `${file}.br` : file));
   });
-  await new Promise<void>((listening) => server.listen(0, "127.0.0.1", listening));
+  await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
   return {
     url: `http://127.0.0.1:${(server.address() as AddressInfo).port}`,
     stop: () =>
-      new Promise((stopped) => {
-        server.close(() => stopped());
+      new Promise((resolve) => {
+        server.close(() => resolve());
         server.closeAllConnections();
       }),
   };

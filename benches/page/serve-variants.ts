@@ -1,18 +1,18 @@
-/** Builds a page of variants as the product is built, and serves it on a free port. */
+/** Builds the page of the variants in the same way as the product, and serves it on a free port. */
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build, preview } from "vite";
 
-/** An address without a slash at its end, and how to stop serving it. */
-export interface Served {
+export interface PageServer {
+  /** without a trailing slash */
   url: string;
   stop: () => Promise<void>;
 }
 
-/** @param folder with an index.html, from here */
-export async function serveVariants(folder: string): Promise<Served> {
+/** @param folder folder with an index.html, relative to this file */
+export async function serveVariants(folder: string): Promise<PageServer> {
   const root = fileURLToPath(new URL(folder, import.meta.url));
   const outDir = mkdtempSync(join(tmpdir(), "corridor-variants-"));
   await build({
@@ -31,7 +31,9 @@ export async function serveVariants(folder: string): Promise<Served> {
     preview: { port: 0, host: "127.0.0.1" },
   });
   const address = server.httpServer.address();
-  if (address === null || typeof address === "string") throw new Error("the variants have no port");
+  if (address === null || typeof address === "string") {
+    throw new Error("The server of the variants has no port.");
+  }
   return {
     url: `http://127.0.0.1:${address.port}`,
     stop: async () => {

@@ -1,7 +1,10 @@
-/** The least that shows maze, trail, robot and beams: three layers, of which the last is wiped in part. */
+/**
+ * A minimal drawing of maze, trail, robot and beams in three layers. Only the dirty rectangles of
+ * the last layer are cleared.
+ */
 import { isBlock, sizeOf, type MazeDocument } from "@corridor/maze";
 import { sensorNames } from "@corridor/protocol";
-import { STAGE_PX, type Shot } from "./scenery.ts";
+import { STAGE_PX, type RunFrame } from "./bench-run.ts";
 
 type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
 
@@ -18,7 +21,7 @@ export class Drawing {
   readonly #scale: number;
   #x = 0;
   #y = 0;
-  #boxes: number[] = [];
+  #dirtyRectangles: number[] = [];
 
   constructor(layers: Layers, maze: MazeDocument, trail: readonly number[]) {
     this.#layers = layers;
@@ -44,7 +47,7 @@ export class Drawing {
     this.#y = trail.at(-1) ?? 0;
   }
 
-  draw({ pose, sensors }: Shot): void {
+  draw({ pose, sensors }: RunFrame): void {
     const { trail, live } = this.#layers;
     const scale = this.#scale;
     trail.beginPath();
@@ -54,11 +57,11 @@ export class Drawing {
     this.#x = pose.x;
     this.#y = pose.y;
 
-    for (let at = 0; at < this.#boxes.length; at += 4) {
-      const [x = 0, y = 0, width = 0, height = 0] = this.#boxes.slice(at, at + 4);
+    for (let at = 0; at < this.#dirtyRectangles.length; at += 4) {
+      const [x = 0, y = 0, width = 0, height = 0] = this.#dirtyRectangles.slice(at, at + 4);
       live.clearRect(x, y, width, height);
     }
-    this.#boxes = [];
+    this.#dirtyRectangles = [];
     const x = pose.x * scale;
     const y = pose.y * scale;
     live.font = "600 14px sans-serif";
@@ -73,23 +76,23 @@ export class Drawing {
       live.stroke();
       live.fillStyle = "#18212c";
       live.fillText(String(Math.round(sensors[sensor])), toX, toY);
-      this.#wipeNext(Math.min(x, toX), Math.min(y, toY), Math.abs(toX - x), Math.abs(toY - y));
+      this.#markDirty(Math.min(x, toX), Math.min(y, toY), Math.abs(toX - x), Math.abs(toY - y));
     });
     live.fillStyle = "#ef6a1a";
     live.beginPath();
     live.arc(x, y, 25 * scale, 0, 2 * Math.PI);
     live.fill();
-    this.#wipeNext(x - 25 * scale, y - 25 * scale, 50 * scale, 50 * scale);
+    this.#markDirty(x - 25 * scale, y - 25 * scale, 50 * scale, 50 * scale);
   }
 
-  /** With room for a number at its end. */
-  #wipeNext(x: number, y: number, width: number, height: number): void {
-    const room = 20;
-    this.#boxes.push(
-      Math.floor(x - room),
-      Math.floor(y - room),
-      Math.ceil(width + 4 * room),
-      Math.ceil(height + 2 * room),
+  /** Adds a dirty rectangle, with a margin for the number at the end of a beam. */
+  #markDirty(x: number, y: number, width: number, height: number): void {
+    const margin = 20;
+    this.#dirtyRectangles.push(
+      Math.floor(x - margin),
+      Math.floor(y - margin),
+      Math.ceil(width + 4 * margin),
+      Math.ceil(height + 2 * margin),
     );
   }
 }

@@ -1,6 +1,6 @@
 /**
- * The page of the variants: `?variant=worker-layers|page-layers|svg&side=33`. Says `data-ready` on the
- * body once the trail is there and the robot drives.
+ * The page of the variants: `?variant=worker-layers|page-layers|svg&side=33`. Sets `data-ready` on
+ * the body when the trail is complete and the robot drives.
  */
 import type { MazeDocument } from "@corridor/maze";
 import { createElement } from "react";
@@ -9,8 +9,8 @@ import { createRoot } from "react-dom/client";
 import { Drawing } from "./drawing.ts";
 import { createPanel } from "./panel.ts";
 import { PANEL_MS } from "./panel-rate.ts";
-import type { News } from "./run.worker.ts";
-import { STAGE_PX, type Shot } from "./scenery.ts";
+import type { WorkerMessage } from "./run.worker.ts";
+import { STAGE_PX, type RunFrame } from "./bench-run.ts";
 import { SvgStage, TrailPieces } from "./svg-stage.ts";
 
 const query = new URLSearchParams(location.search);
@@ -19,46 +19,46 @@ const side = Number(query.get("side"));
 const stage = document.createElement("div");
 stage.className = "stage";
 document.body.append(stage);
-const writePanel = createPanel();
+const updatePanel = createPanel();
 const worker = new Worker(new URL("./run.worker.ts", import.meta.url), { type: "module" });
 
-function newCanvas(): HTMLCanvasElement {
+function appendCanvas(): HTMLCanvasElement {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = STAGE_PX;
   stage.append(canvas);
   return canvas;
 }
 
-function listen(on: (news: News) => void): void {
-  worker.addEventListener("message", ({ data }: MessageEvent<News>) => {
+function onWorkerMessage(listener: (message: WorkerMessage) => void): void {
+  worker.addEventListener("message", ({ data }: MessageEvent<WorkerMessage>) => {
     if (data.type === "ready") document.body.dataset["ready"] = "yes";
-    on(data);
+    listener(data);
   });
 }
 
-/** Hands every frame's newest shot to the screen, and to the panel at its own rate. */
-function drawOnPage(draw: (shot: Shot) => void): (shot: Shot) => void {
-  let newest: Shot | null = null;
-  let writtenAt = 0;
+/** Draws the latest run frame in every animation frame, and updates the panel at its own rate. */
+function drawOnPage(draw: (frame: RunFrame) => void): (frame: RunFrame) => void {
+  let latest: RunFrame | null = null;
+  let panelUpdatedAt = 0;
   const paint = (): void => {
-    if (newest !== null) draw(newest);
-    if (newest !== null && performance.now() - writtenAt >= PANEL_MS) {
-      writtenAt = performance.now();
-      writePanel(newest);
+    if (latest !== null) draw(latest);
+    if (latest !== null && performance.now() - panelUpdatedAt >= PANEL_MS) {
+      panelUpdatedAt = performance.now();
+      updatePanel(latest);
     }
     requestAnimationFrame(paint);
   };
   requestAnimationFrame(paint);
-  return (shot) => (newest = shot);
+  return (frame) => (latest = frame);
 }
 
 switch (variant) {
   case "worker-layers": {
-    const [maze, trail, live] = [newCanvas(), newCanvas(), newCanvas()].map((canvas) =>
+    const [maze, trail, live] = [appendCanvas(), appendCanvas(), appendCanvas()].map((canvas) =>
       canvas.transferControlToOffscreen(),
     );
-    listen((news) => {
-      if (news.type === "shot") writePanel(news.shot);
+    onWorkerMessage((message) => {
+      if (message.type === "frame") updatePanel(message.frame);
     });
     worker.postMessage(
       { side, canvases: { maze, trail, live } },
@@ -67,15 +67,15 @@ switch (variant) {
     break;
   }
   case "page-layers": {
-    const [maze, trail, live] = [newCanvas(), newCanvas(), newCanvas()].map((canvas) =>
+    const [maze, trail, live] = [appendCanvas(), appendCanvas(), appendCanvas()].map((canvas) =>
       canvas.getContext("2d"),
     );
     let drawing: Drawing | null = null;
-    const show = drawOnPage((shot) => drawing?.draw(shot));
-    listen((news) => {
-      if (news.type === "shot") return show(news.shot);
+    const setFrame = drawOnPage((frame) => drawing?.draw(frame));
+    onWorkerMessage((message) => {
+      if (message.type === "frame") return setFrame(message.frame);
       if (!maze || !trail || !live) throw new Error("no 2D canvas");
-      drawing = new Drawing({ maze, trail, live }, news.maze, news.trail);
+      drawing = new Drawing({ maze, trail, live }, message.maze, message.trail);
     });
     worker.postMessage({ side, canvases: null });
     break;
@@ -83,17 +83,18 @@ switch (variant) {
   case "svg": {
     const root = createRoot(stage);
     let ready: { maze: MazeDocument; pieces: TrailPieces } | null = null;
-    const show = drawOnPage((shot) => {
+    const setFrame = drawOnPage((frame) => {
       if (ready === null) return;
       const { maze, pieces } = ready;
-      // oxlint-disable-next-line react/no-flush-sync -- a frame is a frame: React must not put it off
+      // oxlint-disable-next-line react/no-flush-sync -- React must render within this frame
       flushSync(() =>
-        root.render(createElement(SvgStage, { maze, pieces: pieces.grown(shot), shot })),
+        root.render(createElement(SvgStage, { maze, pieces: pieces.append(frame), frame })),
       );
     });
-    listen((news) => {
-      if (news.type === "ready") ready = { maze: news.maze, pieces: new TrailPieces(news.trail) };
-      else show(news.shot);
+    onWorkerMessage((message) => {
+      if (message.type === "ready")
+        ready = { maze: message.maze, pieces: new TrailPieces(message.trail) };
+      else setFrame(message.frame);
     });
     worker.postMessage({ side, canvases: null });
     break;

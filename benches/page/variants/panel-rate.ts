@@ -1,2 +1,2 @@
-/** How often a panel is written, in milliseconds. */
+/** Interval between two updates of the panel, in milliseconds. */
 export const PANEL_MS = 50;

@@ -1,8 +1,8 @@
-/** The least that shows numbers as the panel does: a few texts, written twenty times a second. */
+/** A minimal panel: eight texts, updated 20 times per second. */
 import { sensorNames } from "@corridor/protocol";
-import type { Shot } from "./scenery.ts";
+import type { RunFrame } from "./bench-run.ts";
 
-export function createPanel(): (shot: Shot) => void {
+export function createPanel(): (frame: RunFrame) => void {
   const panel = document.createElement("aside");
   const fields = Array.from({ length: 8 }, () => {
     const field = document.createElement("p");

@@ -1,26 +1,26 @@
 /**
- * Runs the robot for a variant. With canvases it draws them by itself and tells the page what its panel
- * shows; without, it sends every frame.
+ * Runs the robot for a variant. With canvases, it draws every frame and posts frames at the rate of
+ * the panel. Without canvases, it posts every frame.
  */
 import { Drawing } from "./drawing.ts";
 import { PANEL_MS } from "./panel-rate.ts";
-import { Scenery, type Shot } from "./scenery.ts";
+import { BenchRun, type RunFrame } from "./bench-run.ts";
 
-interface Order {
+interface StartMessage {
   side: number;
   canvases: { maze: OffscreenCanvas; trail: OffscreenCanvas; live: OffscreenCanvas } | null;
 }
 
-export type News =
-  | { type: "ready"; maze: Scenery["maze"]; trail: number[] }
-  | { type: "shot"; shot: Shot };
+export type WorkerMessage =
+  | { type: "ready"; maze: BenchRun["maze"]; trail: number[] }
+  | { type: "frame"; frame: RunFrame };
 
-const post = (news: News): void => self.postMessage(news);
+const post = (message: WorkerMessage): void => self.postMessage(message);
 
-self.addEventListener("message", ({ data }: MessageEvent<Order>) => {
-  const scenery = new Scenery(data.side);
-  const trail = scenery.runUp();
-  post({ type: "ready", maze: scenery.maze, trail });
+self.addEventListener("message", ({ data }: MessageEvent<StartMessage>) => {
+  const run = new BenchRun(data.side);
+  const trail = run.driveTrail();
+  post({ type: "ready", maze: run.maze, trail });
   const { canvases } = data;
   const drawing =
     canvases === null
@@ -31,16 +31,16 @@ self.addEventListener("message", ({ data }: MessageEvent<Order>) => {
             trail: contextOf(canvases.trail),
             live: contextOf(canvases.live),
           },
-          scenery.maze,
+          run.maze,
           trail,
         );
-  let toldAt = 0;
+  let postedAt = 0;
   const paint = (): void => {
-    const shot = scenery.step();
-    drawing?.draw(shot);
-    if (drawing === null || performance.now() - toldAt >= PANEL_MS) {
-      toldAt = performance.now();
-      post({ type: "shot", shot });
+    const frame = run.step();
+    drawing?.draw(frame);
+    if (drawing === null || performance.now() - postedAt >= PANEL_MS) {
+      postedAt = performance.now();
+      post({ type: "frame", frame });
     }
     requestAnimationFrame(paint);
   };

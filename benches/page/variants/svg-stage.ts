@@ -1,11 +1,11 @@
-/** The stage as SVG, by React on every frame: still parts are kept, the trail's end grows. */
+/** The stage as SVG, rendered by React in every frame. Only the last piece of the trail changes. */
 import { isBlock, sizeOf, type MazeDocument } from "@corridor/maze";
 import { sensorNames } from "@corridor/protocol";
 import { createElement, memo } from "react";
-import { STAGE_PX, type Shot } from "./scenery.ts";
+import { STAGE_PX, type RunFrame } from "./bench-run.ts";
 
 const CELL = 100;
-const PIECE = 100;
+const PIECE_POINTS = 100;
 
 const Walls = memo(function Walls({ maze }: { maze: MazeDocument }) {
   const { columns, rows } = sizeOf(maze);
@@ -24,35 +24,35 @@ const Piece = memo(function Piece({ points }: { points: string }) {
 
 interface SvgStageProps {
   maze: MazeDocument;
-  /** the trail in pieces of about a hundred points; all but the last stay as they are */
+  /** the trail in pieces of about 100 points; only the last piece changes */
   pieces: readonly string[];
-  shot: Shot;
+  frame: RunFrame;
 }
 
-/** The trail as texts that grow at their end. */
+/** The trail as values of the `points` attribute. */
 export class TrailPieces {
   #pieces: string[];
   #count = 0;
 
-  /** @param trail x and y by turns */
+  /** @param trail alternating x and y */
   constructor(trail: readonly number[]) {
-    this.#pieces = Array.from({ length: Math.ceil(trail.length / (2 * PIECE)) }, (_, at) =>
-      trail.slice(2 * PIECE * at, 2 * PIECE * (at + 1) + 2).join(" "),
+    this.#pieces = Array.from({ length: Math.ceil(trail.length / (2 * PIECE_POINTS)) }, (_, at) =>
+      trail.slice(2 * PIECE_POINTS * at, 2 * PIECE_POINTS * (at + 1) + 2).join(" "),
     );
   }
 
-  /** @returns all pieces, a new list */
-  grown({ pose }: Shot): readonly string[] {
+  /** Appends the robot's position. @returns a new list of all pieces */
+  append({ pose }: RunFrame): readonly string[] {
     const point = `${pose.x},${pose.y}`;
-    if (this.#count++ % PIECE === 0) this.#pieces.push(point);
+    if (this.#count++ % PIECE_POINTS === 0) this.#pieces.push(point);
     else this.#pieces.push(`${this.#pieces.pop()} ${point}`);
     return [...this.#pieces];
   }
 }
 
-export function SvgStage({ maze, pieces, shot }: SvgStageProps) {
+export function SvgStage({ maze, pieces, frame }: SvgStageProps) {
   const { columns } = sizeOf(maze);
-  const { x, y, heading } = shot.pose;
+  const { x, y, heading } = frame.pose;
   return createElement(
     "svg",
     { width: STAGE_PX, height: STAGE_PX, viewBox: `0 0 ${columns * CELL} ${columns * CELL}` },
@@ -60,8 +60,8 @@ export function SvgStage({ maze, pieces, shot }: SvgStageProps) {
     pieces.map((points, at) => createElement(Piece, { key: at, points })),
     sensorNames.map((sensor, at) => {
       const radians = ((heading + 90 * at) * Math.PI) / 180;
-      const toX = x + Math.sin(radians) * shot.sensors[sensor];
-      const toY = y - Math.cos(radians) * shot.sensors[sensor];
+      const toX = x + Math.sin(radians) * frame.sensors[sensor];
+      const toY = y - Math.cos(radians) * frame.sensors[sensor];
       return createElement(
         "g",
         { key: sensor },
@@ -73,7 +73,7 @@ export function SvgStage({ maze, pieces, shot }: SvgStageProps) {
           stroke: "#c8692f",
           strokeWidth: 3,
         }),
-        createElement("text", { x: toX, y: toY, fontSize: 45 }, Math.round(shot.sensors[sensor])),
+        createElement("text", { x: toX, y: toY, fontSize: 45 }, Math.round(frame.sensors[sensor])),
       );
     }),
     createElement("circle", { cx: x, cy: y, r: 25, fill: "#ef6a1a" }),

@@ -1,4 +1,4 @@
-/** The least that a page with React can do: one word. */
+/** A minimal React page that renders one word. */
 import { createElement } from "react";
 import { createRoot } from "react-dom/client";
 

@@ -1,25 +1,30 @@
-/** What an hour of running can be: by a program that decides now and then, by one that decides on every tick, by a hand. */
+/**
+ * Runs of one hour: a program that changes its action rarely, a program that changes it in every
+ * tick, and a person who presses keys.
+ */
 import { generateTree, type MazeDocument } from "@corridor/maze";
 import { programPresets, type ProgramDocument } from "@corridor/program";
 import { Recording } from "@corridor/recording";
 
-export const HOUR = 216_000;
+export const HOUR_TICKS = 216_000;
 const SIDE = 33;
-/** Ticks from one press to the next: faster than any hand, and as much as the file of an hour's run may hold. */
-const PRESS_EVERY = 3;
+/**
+ * Ticks between two key presses: faster than a person, and the maximum that the run file can store.
+ */
+const PRESS_INTERVAL = 3;
 
-export interface Hour {
-  /** what drives */
+export interface HourRun {
+  /** what drives the robot */
   name: string;
-  /** The first so many ticks of it. */
+  /** Records the first `ticks` ticks of the run. */
   record: (ticks: number) => Recording;
 }
 
-/** All drive in the same maze. */
-export function hours(): Hour[] {
+/** All runs are in the same maze. */
+export function hourRuns(): HourRun[] {
   const rightWall = programPresets.find(({ id }) => id === "right-wall")?.program;
   if (rightWall === undefined) throw new Error("no right-wall program among the presets");
-  const chattering: ProgramDocument = {
+  const alternating: ProgramDocument = {
     ...rightWall,
     rules: [{ when: { sensor: "front", is: "<", than: 120 }, do: "reverse" }],
     default: "forward",
@@ -30,9 +35,12 @@ export function hours(): Hour[] {
     { name: "right wall", record: (ticks) => drive(new Recording(maze, rightWall), ticks) },
     {
       name: "forward and back on every tick",
-      record: (ticks) => drive(new Recording(maze, chattering), ticks),
+      record: (ticks) => drive(new Recording(maze, alternating), ticks),
     },
-    { name: "20 keys a second", record: (ticks) => press(new Recording(maze, rightWall), ticks) },
+    {
+      name: "20 keys per second",
+      record: (ticks) => pressKeys(new Recording(maze, rightWall), ticks),
+    },
   ];
 }
 
@@ -41,12 +49,12 @@ function drive(recording: Recording, ticks: number): Recording {
   return recording;
 }
 
-function press(recording: Recording, ticks: number): Recording {
+function pressKeys(recording: Recording, ticks: number): Recording {
   const keys = ["forward", "left 90", "reverse", "right 90", "forward", "stop"] as const;
   recording.input({ do: "driver", driver: "me" });
-  for (let at = 0; at * PRESS_EVERY < ticks; at++) {
+  for (let at = 0; at * PRESS_INTERVAL < ticks; at++) {
     recording.input({ do: "command", command: { action: keys[at % keys.length] ?? "stop" } });
-    drive(recording, Math.min(ticks, (at + 1) * PRESS_EVERY));
+    drive(recording, Math.min(ticks, (at + 1) * PRESS_INTERVAL));
   }
   return recording;
 }
