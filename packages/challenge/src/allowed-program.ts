@@ -1,19 +1,19 @@
 /**
- * Whether a program keeps within what a challenge allows, apart from how it runs: the number of its
- * lines, what they ask and do, and what had to stay as it was given.
+ * Checks a program against the permissions of a challenge without running it: number of lines,
+ * conditions, actions, and unchanged parts of the starting program.
  */
 import { kindOf, numberOf, type ProgramDocument, type Rule } from "@corridor/program";
 import type { ChallengeDocument } from "./challenge-document.ts";
 import { rightsOf, type Rights } from "./rights.ts";
 import type { Failure, FailureCode } from "./verdict.ts";
 
-/** The program that a challenge begins with. */
+/** Returns the starting program of a challenge. */
 export function startingProgram({ name, program }: ChallengeDocument): ProgramDocument {
   return program ?? { format: "corridor/program", version: 1, name, default: "forward", rules: [] };
 }
 
-/** The first thing in a program that the challenge does not allow; null when there is none. */
-export function brokenRight(
+/** Returns the first part of a program that the challenge does not allow, or null. */
+export function findViolation(
   challenge: ChallengeDocument,
   program: ProgramDocument,
 ): Failure | null {
@@ -29,7 +29,7 @@ export function brokenRight(
   }
   const changed = changedLine(start.rules, program.rules, rights);
   if (changed !== null) return failure("changed", changed);
-  // What a challenge gives by itself is allowed, whatever its lists say.
+  // Conditions and actions of the starting program are always allowed, even if they are not listed.
   const givenActions = new Set([start.default, ...start.rules.map((rule) => rule.do)]);
   const givenKinds = new Set(start.rules.map(({ when }) => when && kindOf(when)));
   for (const [line, rule] of program.rules.entries()) {
@@ -47,7 +47,7 @@ export function brokenRight(
   return null;
 }
 
-/** The first line that differs in something that was to stay; null when none does. */
+/** Returns the first line with a change in a part that must not change, or null. */
 function changedLine(
   given: readonly Rule[],
   rules: readonly Rule[],
@@ -62,16 +62,16 @@ function changedLine(
     }
     return null;
   }
-  const left = given.map(fixed);
+  const unmatched = given.map(fixed);
   for (const [line, rule] of rules.entries()) {
-    const at = left.indexOf(fixed(rule));
+    const at = unmatched.indexOf(fixed(rule));
     if (at < 0) return line;
-    left.splice(at, 1);
+    unmatched.splice(at, 1);
   }
-  return left.length === 0 ? null : rules.length;
+  return unmatched.length === 0 ? null : rules.length;
 }
 
-/** What of a line may not be changed, as a text to compare. */
+/** Serialises the parts of a line that must not change, for comparison. */
 function fixedParts(rule: Rule | undefined, edits: Rights["edits"]): string {
   if (rule === undefined) return "none";
   const { when } = rule;

@@ -1,16 +1,15 @@
 /**
- * Follows one robot tick by tick, whoever drives it, and says when the challenge is met in its maze or can
- * no longer be. What `checkChallenge` says of a program that drives alone, this says of it too, at the
- * same tick.
+ * Judges one robot tick by tick, for any driver: whether the challenge is met in its maze, or has
+ * failed. For a program that drives alone, the result and its tick equal those of `checkChallenge`.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { DriverName, Pose, RobotReport } from "@corridor/protocol";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
 import type { ChallengeDocument, Goal } from "./challenge-document.ts";
-import { GoalWatch } from "./goal-watch.ts";
+import { GoalTracker } from "./goal-tracker.ts";
 import type { FailureCode } from "./verdict.ts";
 
-/** As much of a challenge as one robot in one of its mazes is judged by. */
+/** The parts of a challenge that apply to one robot in one of its mazes. */
 export interface AttemptTerms {
   goal: Goal;
   checks: ChallengeDocument["checks"];
@@ -18,25 +17,25 @@ export interface AttemptTerms {
   maze: MazeDocument;
 }
 
-/** How an attempt stands; `tick` is the one at whose end that was so. */
+/** State of an attempt. `tick` is the tick at whose end it was decided. */
 export type Judgement =
   | { kind: "open" }
   | { kind: "met"; driver: DriverName; tick: number; bumps: number }
   | { kind: "failed"; code: Extract<FailureCode, "driver" | "bump"> | "late"; tick: number };
 
-/** As much of a robot as a judge looks at. */
+/** The interface of a robot that a judge requires. */
 export interface JudgedRobot {
   readonly tick: number;
   readonly pose: Pose;
   readonly bumps: number;
-  /** units driven so far */
+  /** distance driven so far, in units */
   readonly distance: number;
-  /** who drives the next tick */
+  /** driver of the next tick */
   readonly driver: DriverName;
   report: () => RobotReport;
 }
 
-/** What one maze of a challenge asks. @param index of the maze; a RangeError where there is none */
+/** Returns the terms of one maze. @throws RangeError if the challenge has no maze with this index */
 export function termsOf(
   { goal, checks, allowed, mazes }: ChallengeDocument,
   index: number,
@@ -50,48 +49,49 @@ const open: Judgement = { kind: "open" };
 
 export class AttemptJudge {
   readonly #terms: AttemptTerms;
-  readonly #watch: GoalWatch;
+  readonly #tracker: GoalTracker;
   #judgement: Judgement = open;
-  /** before the tick that runs */
+  /** pose before the current tick */
   #pose: Pose | null = null;
   #driver: DriverName = "program";
-  /** whether somebody moved the robot who may not */
-  #isByStranger = false;
-  /** ticks in a row in which nothing moved the robot */
-  #standing = 0;
+  /** whether a driver moved the robot that the challenge does not allow */
+  #movedByDisallowedDriver = false;
+  /** number of consecutive ticks without motion */
+  #stillTicks = 0;
 
-  /** The robot stands at the maze's start. */
+  /** The robot must be at the maze's start. */
   constructor(terms: AttemptTerms) {
     this.#terms = terms;
-    this.#watch = new GoalWatch(terms.goal, terms.maze);
+    this.#tracker = new GoalTracker(terms.goal, terms.maze);
   }
 
-  /** Once met or failed it stays so. */
+  /** The current judgement. It does not change after "met" or "failed". */
   get judgement(): Judgement {
     return this.#judgement;
   }
 
-  /** A tick is about to run. */
+  /** Call it before each tick. */
   before(robot: JudgedRobot): void {
     if (this.#judgement !== open) return;
     this.#pose = robot.pose;
     this.#driver = robot.driver;
     if (this.#terms.goal.kind !== "stop") return;
-    this.#standing = robot.report().motion === "stop" ? this.#standing + 1 : 0;
+    this.#stillTicks = robot.report().motion === "stop" ? this.#stillTicks + 1 : 0;
   }
 
-  /** The tick has run. */
+  /** Call it after each tick. */
   after(robot: JudgedRobot): void {
     const before = this.#pose;
     if (this.#judgement !== open || before === null) return;
     const { x, y, heading } = robot.pose;
-    this.#watch.visitAt(x, y);
+    this.#tracker.visitAt(x, y);
     const hasMoved = x !== before.x || y !== before.y || heading !== before.heading;
-    if (hasMoved && !this.#terms.drivers.includes(this.#driver)) this.#isByStranger = true;
-    this.#judge(robot, this.#driver, this.#standing > 1);
+    if (hasMoved && !this.#terms.drivers.includes(this.#driver))
+      this.#movedByDisallowedDriver = true;
+    this.#judge(robot, this.#driver, this.#stillTicks > 1);
   }
 
-  /** Time stands still: a hand has let go of the robot, which stays where it is. */
+  /** Call it when simulated time stops after manual control ends and the robot stands still. */
   rest(robot: JudgedRobot): void {
     if (this.#judgement !== open || this.#terms.goal.kind !== "stop") return;
     if (robot.driver !== "me" || robot.report().motion !== "stop") return;
@@ -108,8 +108,8 @@ export class AttemptJudge {
     });
     if (checks.bumps !== null && bumps > checks.bumps) this.#judgement = failed("bump");
     else if (tick > checks.seconds * TICKS_PER_SECOND) this.#judgement = failed("late");
-    else if (this.#watch.isMet({ ...robot.report(), isStill }, distance)) {
-      this.#judgement = this.#isByStranger
+    else if (this.#tracker.isMet({ ...robot.report(), isStill }, distance)) {
+      this.#judgement = this.#movedByDisallowedDriver
         ? failed("driver")
         : { kind: "met", driver, tick, bumps };
     }

@@ -6,7 +6,7 @@ const { allowed, checks, goal, mazes, words } = sample;
 const [maze] = mazes;
 
 describe("reading a challenge", () => {
-  it("gives back what it was given", () => {
+  it("returns an equal document", () => {
     expect(parseChallenge(sample)).toEqual({ ok: true, value: sample });
     expect(readChallenge(JSON.stringify(sample))).toEqual({ ok: true, value: sample });
   });
@@ -23,35 +23,35 @@ describe("reading a challenge", () => {
       "an open cell, not a block",
     ],
     [
-      "nothing to reach",
+      "no goal to reach",
       { ...sample, mazes: [{ ...maze, goals: [] }] },
       "mazes[0].goals",
       "at least one goal",
     ],
     ["an unknown goal", { ...sample, goal: { kind: "fly" } }, "goal.kind", "one of reach"],
     [
-      "a place to stop that there is not",
+      "a stop goal with an empty range",
       { ...sample, goal: { kind: "stop", sensor: "front", from: 90, to: 80 } },
       "goal.from",
-      "at most what `to` says",
+      "at most the value of `to`",
     ],
     [
-      "a goal after the end of the time",
+      "a goal after the time limit",
       { ...sample, goal: { kind: "last", seconds: 40 } },
       "goal.seconds",
       "at most the seconds of the checks",
     ],
     [
-      "nobody to drive",
+      "no driver",
       { ...sample, allowed: { ...allowed, drivers: [] } },
       "allowed.drivers",
       "at least one",
     ],
     [
-      "a driver twice",
+      "a duplicate driver",
       { ...sample, allowed: { ...allowed, drivers: ["me", "me"] } },
       "allowed.drivers",
-      "each of them once",
+      "no duplicates",
     ],
     [
       "an unknown action",
@@ -60,7 +60,7 @@ describe("reading a challenge", () => {
       "one of forward",
     ],
     [
-      "fewer lines than it begins with",
+      "fewer lines than the starting program",
       { ...sample, allowed: { ...allowed, lines: 1 } },
       "allowed.lines",
       "at least the 2 lines",
@@ -78,20 +78,20 @@ describe("reading a challenge", () => {
       "at most 6 hints",
     ],
     [
-      "a field too many",
+      "an unknown field",
       { ...sample, goal: { ...goal, by: "noon" } },
       "goal.by",
       "no field of this name",
     ],
     ["a missing field", { ...sample, par: undefined }, "par", "a par"],
-  ])("refuses %s with path, found and expected", (_, input, path, expected) => {
+  ])("rejects %s with path, found and expected", (_, input, path, expected) => {
     const read = parseChallenge(input);
     expect(read.ok).toBe(false);
     const problem = read.ok ? undefined : read.problems.find((each) => each.path === path);
     expect(problem?.expected).toContain(expected);
   });
 
-  it("refuses a text that is far too long before it reads it", () => {
+  it("rejects a text over the maximum length without parsing it", () => {
     expect(readChallenge(" ".repeat(2_097_153))).toMatchObject({
       ok: false,
       problems: [{ expected: "at most 2097152 characters" }],

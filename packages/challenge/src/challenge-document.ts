@@ -1,6 +1,6 @@
 /**
- * The challenge document, `corridor/challenge` version 1: one or more mazes, a goal, what is allowed
- * on the way, what is checked, and the words that say so in one language.
+ * The challenge document, `corridor/challenge` version 1: one or more mazes, a goal, permissions,
+ * checks, and texts in one language.
  */
 import { mazeSchema } from "@corridor/maze";
 import { MAX_NAME_LENGTH, MAX_RULES, programSchema } from "@corridor/program";
@@ -39,23 +39,23 @@ const real = (min: number, max: number) => {
   return z.number({ error }).min(min, { error }).max(max, { error });
 };
 
-/** A list of words from a few, each at most once. */
-const someOf = <const Word extends string>(words: readonly Word[], what: string) =>
+/** Schema of a list of distinct strings from a fixed set. */
+const subsetOf = <const Name extends string>(names: readonly Name[], plural: string) =>
   z
-    .array(z.enum(words, { error: `one of ${words.join(", ")}` }), { error: `a list of ${what}` })
+    .array(z.enum(names, { error: `one of ${names.join(", ")}` }), { error: `a list of ${plural}` })
     .check((context) => {
       if (new Set(context.value).size === context.value.length) return;
-      context.issues.push({ code: "custom", input: context.value, message: "each of them once" });
+      context.issues.push({ code: "custom", input: context.value, message: "no duplicates" });
     })
     .meta({ uniqueItems: true });
 
 const words = z.strictObject(
   {
-    /** what to do, in a sentence or two */
+    /** the task in one or two sentences */
     task: textOf(MAX_TASK_LENGTH),
-    /** the same in a few words, for the line above the maze */
+    /** short form of the task, displayed above the maze */
     short: textOf(MAX_SHORT_LENGTH),
-    /** opened one after the other */
+    /** revealed one by one */
     hints: z
       .array(textOf(MAX_TASK_LENGTH), { error: "a list of texts" })
       .max(MAX_HINTS, { error: `at most ${MAX_HINTS} hints` }),
@@ -67,20 +67,20 @@ export type ChallengeWords = z.infer<typeof words>;
 const goal = z.discriminatedUnion(
   "kind",
   [
-    /** the whole robot stands in a goal cell */
+    /** the whole robot is inside a goal cell */
     z.strictObject({ kind: z.literal("reach") }),
-    /** the robot's centre has been in every open cell */
+    /** the robot's centre has visited every open cell */
     z.strictObject({ kind: z.literal("visit") }),
-    /** it has driven and stands still where a sensor reads from `from` to `to` units */
+    /** the robot has driven and stands still, with a sensor reading from `from` to `to` units */
     z.strictObject({
       kind: z.literal("stop"),
       sensor: z.enum(sensorNames, { error: `one of ${sensorNames.join(", ")}` }),
       from: real(0, MAX_GOAL_DISTANCE),
       to: real(0, MAX_GOAL_DISTANCE),
     }),
-    /** it has driven so many units, forward and backward */
+    /** the robot has driven this distance, forward and backward, in units */
     z.strictObject({ kind: z.literal("drive"), distance: real(1, MAX_GOAL_DISTANCE) }),
-    /** so many seconds pass and no check has failed */
+    /** no check fails for this time in seconds */
     z.strictObject({ kind: z.literal("last"), seconds: whole(1, MAX_CHECK_SECONDS) }),
   ],
   { error: 'a goal: {"kind": ...}, one of reach, visit, stop, drive, last' },
@@ -89,18 +89,18 @@ export type Goal = z.infer<typeof goal>;
 
 const allowed = z.strictObject(
   {
-    drivers: someOf(["me", "program", "remote"], "drivers").min(1, {
+    drivers: subsetOf(["me", "program", "remote"], "drivers").min(1, {
       error: "at least one driver",
     }),
-    /** most lines of a program, "otherwise" not counted */
+    /** maximum number of lines of a program, without "otherwise" */
     lines: whole(0, MAX_RULES),
-    /** null: all of the menu */
-    conditions: someOf(conditionNames, "conditions").nullable(),
-    /** null: all of the menu */
-    actions: someOf(plainActions, "actions").nullable(),
-    /** what may be changed in the program that the challenge begins with */
-    edits: someOf(editKinds, "edits"),
-    /** whether the maze may be changed */
+    /** null allows all conditions of the menu */
+    conditions: subsetOf(conditionNames, "conditions").nullable(),
+    /** null allows the actions of the paper */
+    actions: subsetOf(plainActions, "actions").nullable(),
+    /** parts of the starting program that can change */
+    edits: subsetOf(editKinds, "edits"),
+    /** whether the maze can change */
     maze: z.boolean({ error: "true or false" }),
   },
   {
@@ -111,9 +111,9 @@ const allowed = z.strictObject(
 
 const checks = z.strictObject(
   {
-    /** most bumps; null where they do not matter */
+    /** maximum number of bumps; null for no limit */
     bumps: whole(0, MAX_CHECK_BUMPS).nullable(),
-    /** most seconds of simulated time that a maze may take */
+    /** time limit per maze, in seconds of simulated time */
     seconds: whole(1, MAX_CHECK_SECONDS),
   },
   { error: 'checks: {"bumps": ..., "seconds": ...}' },
@@ -134,19 +134,19 @@ const shape = z.strictObject(
       .array(mazeSchema, { error: "a list of mazes" })
       .min(1, { error: "at least one maze" })
       .max(MAX_CHALLENGE_MAZES, { error: `at most ${MAX_CHALLENGE_MAZES} mazes` }),
-    /** what the reader begins with; null: an empty program that goes forward */
+    /** the starting program; null for an empty program that drives forward */
     program: programSchema.nullable(),
     goal,
     allowed,
     checks,
-    /** what a good solution takes; null where there is no such figure */
+    /** reference values of a good solution, or null */
     par: par.nullable(),
   },
   { error: "a challenge: an object" },
 );
 export type ChallengeDocument = z.infer<typeof shape>;
 
-/** The document with its rules between fields. */
+/** The schema with its cross-field rules. */
 export const challengeSchema = shape.check((context) => {
   const { mazes, goal: to, allowed: may, checks: checked, program } = context.value;
   const refuse = (path: (string | number)[], message: string): void => {
@@ -158,16 +158,16 @@ export const challengeSchema = shape.check((context) => {
         refuse(["mazes", number, "goals"], "at least one goal, to be reached");
     }
   }
-  if (to.kind === "stop" && to.from > to.to) refuse(["goal", "from"], "at most what `to` says");
+  if (to.kind === "stop" && to.from > to.to) refuse(["goal", "from"], "at most the value of `to`");
   if (to.kind === "last" && to.seconds > checked.seconds) {
     refuse(["goal", "seconds"], "at most the seconds of the checks");
   }
   if (program !== null && program.rules.length > may.lines) {
-    refuse(["allowed", "lines"], `at least the ${program.rules.length} lines that it begins with`);
+    refuse(["allowed", "lines"], `at least the ${program.rules.length} lines of its program`);
   }
 });
 
-/** The largest legal document with room for indentation. */
+/** Maximum text length in characters: the largest valid document plus indentation. */
 const MAX_TEXT_LENGTH = 2_097_152;
 
 /** Reads a challenge from a parsed value. */

@@ -16,15 +16,15 @@ function withEdits(...edits: EditKind[]): ChallengeDocument {
   return { ...sample, allowed: { ...sample.allowed, edits } };
 }
 
-describe("a check", () => {
-  it("passes a program that reaches the goal in every maze, and counts what it took", () => {
+describe("checkChallenge", () => {
+  it("passes a program that reaches the goal in every maze, and returns its counts", () => {
     const { passed, failure, mazes } = checkChallenge(sample, solution);
     expect({ passed, failure }).toEqual({ passed: true, failure: null });
     expect(mazes).toMatchObject([{ failure: null, bumps: 0, visited: 7, open: 7 }]);
     expect(mazes[0]?.distance).toBeCloseTo(577, -1);
   });
 
-  it("names a bump: when, where, by which line, and on what readings it decided", () => {
+  it("reports a bump with its tick, cell, line and the readings of the decision", () => {
     const delayed: Rule = { ...frontRight, do: "delayed right 90" };
     const { failure } = checkChallenge(sample, { ...given, rules: [delayed] });
     expect(failure).toMatchObject({
@@ -40,13 +40,13 @@ describe("a check", () => {
     expect(failure?.decision?.readings.front).toBeCloseTo(50);
   });
 
-  it("lets bumps pass where they do not matter", () => {
+  it("ignores bumps if the challenge has no bump limit", () => {
     const challenge = { ...sample, checks: { bumps: null, seconds: 5 } };
     const { failure } = checkChallenge(challenge, { ...given, rules: [] });
     expect(failure).toMatchObject({ code: "not-reached", tick: 300, line: "default", found: 5 });
   });
 
-  it("names the first maze that fails and still runs the others", () => {
+  it("reports the first maze that fails and still runs the others", () => {
     const [maze] = sample.mazes;
     if (maze === undefined) throw new Error("no maze");
     const mirrored = {
@@ -74,13 +74,13 @@ describe("a check", () => {
       false,
       { code: "not-stopped", needed: 60 },
     ],
-  ])("knows the goal %j", (goal, passes, failure) => {
+  ])("checks the goal %j", (goal, passes, failure) => {
     const verdict = checkChallenge({ ...sample, goal }, solution);
     expect(verdict.passed).toBe(passes);
     expect(verdict.failure ?? {}).toMatchObject(failure);
   });
 
-  it("takes a hand's drive where a hand may drive, and no other", () => {
+  it("accepts manual commands only if the challenge allows the driver", () => {
     const goal = { kind: "stop", sensor: "front", from: 140, to: 160 } as const;
     const byHand = {
       ...sample,
@@ -97,7 +97,7 @@ describe("a check", () => {
   });
 });
 
-describe("a program that leaves what is allowed", () => {
+describe("a program that the challenge does not allow", () => {
   const front = frontRight.when;
   it.each<[string, ChallengeDocument, Rule[], object]>([
     [
@@ -119,30 +119,30 @@ describe("a program that leaves what is allowed", () => {
       { code: "action-not-allowed", line: 1 },
     ],
     [
-      "a number where only actions may change",
+      "a changed number when only actions can change",
       withEdits("action"),
       given.rules.with(1, { when: { sensor: "right", is: ">", than: 61 }, do: "forward" }),
       { code: "changed", line: 1 },
     ],
     [
-      "lines in another order where they may not move",
+      "reordered lines when only numbers can change",
       withEdits("number"),
       given.rules.toReversed(),
       { code: "changed", line: 0 },
     ],
-    ["a line less", withEdits("number"), given.rules.slice(0, 1), { code: "changed", line: 1 }],
+    ["a removed line", withEdits("number"), given.rules.slice(0, 1), { code: "changed", line: 1 }],
     [
-      "a line less where only the order is free",
+      "removed lines when only the order can change",
       withEdits("order"),
       [],
       { code: "changed", line: 0 },
     ],
-  ])("is told: %s", (_, challenge, rules, failure) => {
+  ])("fails with a code: %s", (_, challenge, rules, failure) => {
     const verdict = checkChallenge(challenge, { ...given, rules });
     expect(verdict).toMatchObject({ passed: false, failure, mazes: [] });
   });
 
-  it("may do with its lines what is free: numbers, actions, their order", () => {
+  it("can change the allowed parts of its lines: numbers, actions, their order", () => {
     const [first, second] = given.rules;
     if (first === undefined || second === undefined) throw new Error("no lines");
     const changed = (program: Partial<ProgramDocument>, ...edits: EditKind[]) =>
@@ -163,7 +163,7 @@ describe("any program", () => {
     checks: { bumps: 0, seconds: 3 },
   };
 
-  it("gets the same verdict twice, within the time, with a reason when it fails", () => {
+  it("gets the same verdict twice, within the time limit, with a reason if it fails", () => {
     fc.assert(
       fc.property(arbitraryProgram, (program) => {
         const verdict = checkChallenge(free, program);
@@ -175,7 +175,7 @@ describe("any program", () => {
     );
   });
 
-  it("made of what the editor offers is never told that something is not allowed", () => {
+  it("made of the editor's menu entries never violates the permissions", () => {
     const { conditions, actions, maxLines } = rightsOf(sample);
     const anyRule = fc.record({
       kind: fc.constantFrom(...conditions),
@@ -198,7 +198,7 @@ describe("any program", () => {
 });
 
 describe("the rights of a challenge", () => {
-  it("are what it names, in the order of the menus", () => {
+  it("are its listed entries, in menu order", () => {
     const rights = rightsOf(sample);
     expect(rights.conditions.map(({ sensor, is }) => `${sensor} ${is}`)).toEqual([
       "front <",
@@ -208,7 +208,7 @@ describe("the rights of a challenge", () => {
     expect([...rights.edits].toSorted()).toEqual([...editKinds].toSorted());
   });
 
-  it("are all of the menus where it names none", () => {
+  it("are all menu entries if it lists none", () => {
     const rights = rightsOf({ allowed: { ...sample.allowed, conditions: null, actions: null } });
     expect(rights.conditions).toHaveLength(10);
     expect(rights.actions).toHaveLength(7);

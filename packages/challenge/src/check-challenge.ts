@@ -1,31 +1,33 @@
 /**
- * Checks an attempt at a challenge by running it in every maze, without a page. Deterministic: the
- * simulation is the one that the page runs, and each maze takes at most the seconds of the checks.
+ * Checks an attempt at a challenge by running it in every maze, without a page. The result is
+ * deterministic, because the page runs the same simulation. `checks.seconds` limits each maze.
  */
 import { sizeOf } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { LineRef, TimedCommand } from "@corridor/protocol";
 import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
-import { brokenRight } from "./allowed-program.ts";
+import { findViolation } from "./allowed-program.ts";
 import type { ChallengeDocument } from "./challenge-document.ts";
-import { GoalWatch } from "./goal-watch.ts";
+import { GoalTracker } from "./goal-tracker.ts";
 import type { Decision, Failure, FailureCode, MazeOutcome, Verdict } from "./verdict.ts";
 
-/** What drives: a program, or a hand's commands in the order of their ticks. */
+/** A program, or the commands of a manual driver in tick order. */
 export type Attempt = ProgramDocument | readonly TimedCommand[];
 
-/** Runs an attempt and says whether it passes; if not, what failed first. */
+/** Runs an attempt and returns whether it passes, with its first failure. */
 export function checkChallenge(challenge: ChallengeDocument, attempt: Attempt): Verdict {
-  const broken = isProgram(attempt) ? brokenRight(challenge, attempt) : brokenHand(challenge);
-  if (broken !== null) return { passed: false, failure: broken, mazes: [] };
+  const violation = isProgram(attempt)
+    ? findViolation(challenge, attempt)
+    : findHandViolation(challenge);
+  if (violation !== null) return { passed: false, failure: violation, mazes: [] };
   const mazes = challenge.mazes.map((_, maze) => runMaze(challenge, maze, attempt));
   const failure = mazes.find((each) => each.failure !== null)?.failure ?? null;
   return { passed: failure === null, failure, mazes };
 }
 
-/** Moves the robot by one tick and knows who decided. */
+/** Drives the robot tick by tick and stores the last decision. */
 interface Driver {
-  /** says what moves the robot in the tick that follows */
+  /** chooses the motion of the next tick */
   decide: () => void;
   step: () => void;
   line: () => LineRef | null;
@@ -40,43 +42,44 @@ function runMaze(challenge: ChallengeDocument, index: number, attempt: Attempt):
   const driver = isProgram(attempt)
     ? programDriver(simulation, attempt)
     : handDriver(simulation, attempt);
-  const watch = new GoalWatch(goal, maze);
+  const tracker = new GoalTracker(goal, maze);
   const { columns } = sizeOf(maze);
   const limit = checks.seconds * TICKS_PER_SECOND;
   let failure: Failure | null = null;
   let isMet = false;
-  /** ticks in a row in which nothing moved the robot */
-  let standing = 0;
+  /** number of consecutive ticks without motion */
+  let stillTicks = 0;
   while (!isMet && failure === null && simulation.tick < limit) {
     driver.decide();
-    if (goal.kind === "stop") standing = simulation.report().motion === "stop" ? standing + 1 : 0;
+    if (goal.kind === "stop")
+      stillTicks = simulation.report().motion === "stop" ? stillTicks + 1 : 0;
     driver.step();
-    watch.visit(simulation.cell);
+    tracker.visit(simulation.cell);
     if (checks.bumps !== null && simulation.bumps > checks.bumps) {
       failure = failed("bump", checks.bumps, simulation.bumps, driver.decision());
     } else {
-      const moment = { ...simulation.report(), isStill: standing > 1 };
-      isMet = watch.isMet(moment, simulation.distance);
+      const state = { ...simulation.report(), isStill: stillTicks > 1 };
+      isMet = tracker.isMet(state, simulation.distance);
     }
   }
-  if (!isMet) failure ??= missed();
+  if (!isMet) failure ??= timeout();
   return {
     failure,
     ticks: simulation.tick,
     bumps: simulation.bumps,
-    visited: watch.visited,
-    open: watch.open,
+    visited: tracker.visited,
+    open: tracker.open,
     distance: simulation.distance,
   };
 
-  /** The time is over. */
-  function missed(): Failure {
+  /** The failure when the time limit is reached. */
+  function timeout(): Failure {
     switch (goal.kind) {
       case "reach":
-        return failed("not-reached", watch.open, watch.visited);
+        return failed("not-reached", tracker.open, tracker.visited);
       case "visit":
       case "last":
-        return failed("not-visited", watch.open, watch.visited);
+        return failed("not-visited", tracker.open, tracker.visited);
       case "stop": {
         const reading = simulation.report().sensors[goal.sensor];
         return failed("not-stopped", reading < goal.from ? goal.from : goal.to, reading);
@@ -149,8 +152,8 @@ function isProgram(attempt: Attempt): attempt is ProgramDocument {
   return "rules" in attempt;
 }
 
-/** A hand may drive only where the challenge says so. */
-function brokenHand({ allowed }: ChallengeDocument): Failure | null {
+/** Manual control is a violation unless the challenge allows it. */
+function findHandViolation({ allowed }: ChallengeDocument): Failure | null {
   if (allowed.drivers.includes("me")) return null;
   return {
     code: "driver",

@@ -1,4 +1,4 @@
-export { brokenRight, startingProgram } from "./allowed-program.ts";
+export { findViolation, startingProgram } from "./allowed-program.ts";
 export {
   AttemptJudge,
   termsOf,
@@ -28,6 +28,6 @@ export {
   type EditKind,
 } from "./challenge-limits.ts";
 export { checkChallenge, type Attempt } from "./check-challenge.ts";
-export { GoalWatch } from "./goal-watch.ts";
+export { GoalTracker } from "./goal-tracker.ts";
 export { rightsOf, type Rights } from "./rights.ts";
 export type { Decision, Failure, FailureCode, MazeOutcome, Verdict } from "./verdict.ts";

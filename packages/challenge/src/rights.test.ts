@@ -9,17 +9,17 @@ const allowing = (actions: ChallengeDocument["allowed"]["actions"]) =>
     allowed: { drivers: ["program"], lines: 4, conditions: null, actions, edits: [], maze: false },
   }).actions;
 
-describe("what a challenge offers", () => {
-  it("is the paper's set of actions where it names none", () => {
+describe("the allowed actions of a challenge", () => {
+  it("are the actions of the paper if the challenge lists none", () => {
     expect(allowing(null)).toEqual(plainActions.filter((each) => each !== "stop").toSorted(byMenu));
   });
 
-  it("is stop too where it is named", () => {
+  it("include stop if the challenge lists it", () => {
     expect(allowing(["stop", "forward"])).toEqual(["forward", "stop"]);
   });
 });
 
-it("the menu of the editor has every action that a program may use", () => {
+it("the editor's menu contains every action that a program can use", () => {
   expect(menuActions.toSorted()).toEqual([...plainActions].toSorted());
 });
 

@@ -1,6 +1,4 @@
-/**
- * What the editor may offer while a challenge is open. Without a challenge, everything.
- */
+/** Permissions of the user while a challenge is open. Without a challenge, everything is allowed. */
 import {
   conditionKinds,
   MAX_RULES,
@@ -14,17 +12,17 @@ import { conditionNameOf, type EditKind } from "./challenge-limits.ts";
 
 export interface Rights {
   drivers: readonly DriverName[];
-  /** most lines of a program */
+  /** maximum number of lines of a program */
   maxLines: number;
   /** entries of `conditionKinds`, in the menu's order */
   conditions: readonly ConditionKind[];
-  /** entries of the menu, in its order; "stop" only where it is allowed by name */
+  /** entries of the menu, in its order; "stop" only if the challenge lists it */
   actions: readonly PlainAction[];
   edits: ReadonlySet<EditKind>;
   maze: boolean;
 }
 
-/** What a challenge leaves to the reader. */
+/** Returns the permissions of a challenge. */
 export function rightsOf({ allowed }: Pick<ChallengeDocument, "allowed">): Rights {
   const { conditions, actions } = allowed;
   return {

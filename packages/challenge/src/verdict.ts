@@ -1,69 +1,69 @@
-/** What a check of a challenge says: passed, or the first thing that failed, with its numbers. */
+/** Result of checking a challenge: passed, or the first failure with its numbers. */
 import type { Cell } from "@corridor/maze";
 import type { LineRef, PlainAction, SensorReadings } from "@corridor/protocol";
 
-/** Why an attempt does not pass. `needed` and `found` are counted in what stands behind each. */
+/** Reason for a failed attempt. Each comment states the meaning and unit of `needed` and `found`. */
 export type FailureCode =
-  /** somebody drives who may not; no numbers */
+  /** a driver that the challenge does not allow; no numbers */
   | "driver"
-  /** lines */
+  /** number of lines */
   | "too-many-lines"
-  /** the line asks what the challenge does not allow; no numbers */
+  /** a condition that the challenge does not allow; no numbers */
   | "condition-not-allowed"
-  /** the line does what the challenge does not allow; no numbers */
+  /** an action that the challenge does not allow; no numbers */
   | "action-not-allowed"
-  /** something was changed that had to stay as it was; no numbers */
+  /** a part of the given program changed that the challenge does not allow to change; no numbers */
   | "changed"
-  /** bumps: more than the challenge allows */
+  /** number of bumps, more than the challenge allows */
   | "bump"
-  /** open cells: so many were visited, and the goal was not among them in time */
+  /** number of open cells visited before the timeout, without the goal */
   | "not-reached"
-  /** open cells: so many were visited in time */
+  /** number of open cells visited before the timeout */
   | "not-visited"
-  /** units: what the sensor read at the end; `needed` is the nearer bound */
+  /** sensor reading at the timeout, in units; `needed` is the nearer bound */
   | "not-stopped"
-  /** units driven in time */
+  /** distance driven before the timeout, in units */
   | "too-short";
 
-/** When and on what readings the line decided that led to a bump. */
+/** The decision that led to a bump. */
 export interface Decision {
   tick: number;
-  /** null where a command and no program moved the robot */
+  /** null if a command moved the robot, not a program */
   action: PlainAction | null;
-  /** units */
+  /** readings on which the line decided, in units */
   readings: SensorReadings;
 }
 
 export interface Failure {
   code: FailureCode;
-  /** index of the maze; null where the program failed before it ran */
+  /** index of the maze; null if the attempt failed before it ran */
   maze: number | null;
   tick: number | null;
-  /** the line that is meant, or that decided at that tick; null where no program drove */
+  /** the violating line, or the line that decided at that tick; null if no program drove */
   line: LineRef | null;
-  /** where the robot's centre was */
+  /** the cell under the robot's centre */
   place: Cell | null;
   needed: number | null;
   found: number | null;
-  /** for "bump" only */
+  /** set for "bump" only */
   decision: Decision | null;
 }
 
-/** How one maze went, up to the tick at which it was decided. */
+/** Result of one maze, up to the tick at which the goal was met or the attempt failed. */
 export interface MazeOutcome {
   failure: Failure | null;
   ticks: number;
   bumps: number;
   visited: number;
   open: number;
-  /** units */
+  /** distance driven, in units */
   distance: number;
 }
 
 export interface Verdict {
   passed: boolean;
-  /** the first thing that failed; null when it passed */
+  /** the first failure; null if the attempt passed */
   failure: Failure | null;
-  /** one for each maze; none where the program itself is not allowed */
+  /** one result per maze; empty if the attempt itself is not allowed */
   mazes: readonly MazeOutcome[];
 }

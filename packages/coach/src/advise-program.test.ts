@@ -6,7 +6,7 @@ import {
   conditionOf,
   numberOf,
   programPresets,
-  truthOf,
+  evaluateCondition,
   type ProgramDocument,
 } from "@corridor/program";
 import { arbitraryProgram, paperPrograms } from "@corridor/program/testing";
@@ -316,7 +316,8 @@ describe("every advice", () => {
           for (let tick = 0; tick < 900; tick++) {
             run.step();
             const { sensors } = simulation.report();
-            for (const when of advised) if (truthOf(when, sensors)?.isTrue === true) wrong++;
+            for (const when of advised)
+              if (evaluateCondition(when, sensors)?.isTrue === true) wrong++;
           }
           expect(wrong).toBe(0);
         },

@@ -1,4 +1,9 @@
-import { CompiledProgram, programPresets, truthOf, type ProgramDocument } from "@corridor/program";
+import {
+  CompiledProgram,
+  programPresets,
+  evaluateCondition,
+  type ProgramDocument,
+} from "@corridor/program";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { ReachingReadings, type ReadingRange } from "./reaching-readings.ts";
@@ -18,7 +23,7 @@ function tried(program: ProgramDocument): { decide: Set<number>; true: Set<numbe
     const line = compiled.decide(Float64Array.of(front, right, back, left));
     decide.add(line === -1 ? program.rules.length : line);
     for (const [index, { when }] of program.rules.entries()) {
-      if (truthOf(when, readings)?.isTrue === true) isTrue.add(index);
+      if (evaluateCondition(when, readings)?.isTrue === true) isTrue.add(index);
     }
   }
   return { decide, true: isTrue };

@@ -1,6 +1,6 @@
 /**
- * A program document compiled for the loop: the conditions as flat tables, evaluated without
- * allocation. `[Do nothing]` lines are skipped; indices stay those of the document.
+ * A program document compiled to flat tables, which are evaluated without allocation.
+ * `[Do nothing]` lines are skipped. Indices refer to the document.
  */
 import { sensorNames, type PlainAction } from "@corridor/protocol";
 import type { ProgramDocument } from "./program-document.ts";
@@ -9,14 +9,14 @@ const RIGHT = sensorNames.indexOf("right");
 
 export class CompiledProgram {
   readonly #count: number;
-  /** index in the document of each condition */
+  /** document index of each condition */
   readonly #rules: Int32Array;
   readonly #sensors: Int32Array;
   readonly #isGreater: Uint8Array;
   readonly #numbers: Float64Array;
-  /** 1 where the right reading is added to the number */
+  /** 1 if the right reading is added to the number */
   readonly #addsRight: Uint8Array;
-  /** commands by rule index + 1; the default's at 0 */
+  /** commands by rule index + 1; the default command is at 0 */
   readonly #commands: readonly { action: PlainAction }[];
 
   constructor(program: ProgramDocument) {
@@ -34,9 +34,9 @@ export class CompiledProgram {
   }
 
   /**
-   * The first rule that is true for these readings.
+   * Finds the first rule that is true for these readings.
    * @param readings front, right, back, left in units
-   * @returns its index in the document, or -1 when none is true and the default decides
+   * @returns its index in the document, or -1 for the default if no rule is true
    */
   decide(readings: Float64Array): number {
     for (let i = 0; i < this.#count; i++) {
@@ -48,12 +48,12 @@ export class CompiledProgram {
     return -1;
   }
 
-  /** Rules of the document, those that do nothing included. */
+  /** Number of rules in the document, including `[Do nothing]`. */
   get ruleCount(): number {
     return this.#commands.length - 1;
   }
 
-  /** What a rule does, by its index in the document, or the default at -1. The same object each time. */
+  /** Returns the command of a rule, or of the default for -1. Always returns the same object. */
   commandOf(rule: number): { action: PlainAction } {
     const command = this.#commands[rule + 1];
     if (command === undefined) throw new RangeError(`The program has no rule ${rule}.`);

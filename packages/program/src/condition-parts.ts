@@ -1,32 +1,30 @@
-/**
- * A condition taken apart into what the menu shows, its kind and its number, and put together again.
- */
+/** Splits a condition into its kind and its number, which the menu displays, and combines them. */
 import type { Condition } from "./program-document.ts";
 import { conditionKinds, MAX_PLUS, MAX_THAN, type ConditionKind } from "./vocabulary.ts";
 
-/** The entry of `conditionKinds` that a condition was chosen from: the very object of that list. */
+/** Returns the entry of `conditionKinds` for a condition: the same object as in the list. */
 export function kindOf(condition: Condition): ConditionKind {
   const than = condition.than === "right" ? "right" : "number";
   const kind = conditionKinds.find(
     (each) => each.sensor === condition.sensor && each.is === condition.is && each.than === than,
   );
-  if (kind === undefined) throw new RangeError("expected a condition that the schema lets through");
+  if (kind === undefined) throw new RangeError("expected a condition that matches the schema");
   return kind;
 }
 
-/** The number beside the menu: what a sensor is compared with, or what is added to the right one. */
+/** The number of a condition: the compared number, or the number added to the right reading. */
 export function numberOf(condition: Condition): number {
   return condition.than === "right" ? condition.plus : condition.than;
 }
 
-/** A condition of a kind. The number has to be within `numberRange(kind)`. */
+/** Creates a condition. The number must be within `numberRange(kind)`. */
 export function conditionOf(kind: ConditionKind, number: number): Condition {
   return kind.than === "right"
     ? { sensor: kind.sensor, is: kind.is, than: "right", plus: number }
     : { sensor: kind.sensor, is: kind.is, than: number };
 }
 
-/** The smallest and the largest number that a kind of condition takes, in units. */
+/** The range of numbers of a condition kind, inclusive, in units. */
 export function numberRange(kind: ConditionKind): { min: number; max: number } {
   return kind.than === "right" ? { min: -MAX_PLUS, max: MAX_PLUS } : { min: 0, max: MAX_THAN };
 }

@@ -1,4 +1,4 @@
-/** A program without lines: the robot only does what "otherwise" says. */
+/** Creates a program without lines, which always runs the default action. */
 import type { ProgramDocument } from "./program-document.ts";
 import { DEFAULT_ACTION } from "./vocabulary.ts";
 

@@ -1,6 +1,6 @@
 export { conditionOf, kindOf, numberOf, numberRange } from "./condition-parts.ts";
 export { emptyProgram } from "./empty-program.ts";
-export { truthOf, type Truth } from "./explain.ts";
+export { evaluateCondition, type EvaluatedCondition } from "./evaluate-condition.ts";
 export { programPresets, type ProgramPreset, type ProgramPresetId } from "./presets.ts";
 export { CompiledProgram } from "./compiled-program.ts";
 export {

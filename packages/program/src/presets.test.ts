@@ -8,13 +8,13 @@ function presetOf(id: ProgramPresetId): ProgramDocument | undefined {
 }
 
 describe("program presets", () => {
-  it("have ids and names of their own", () => {
+  it("have unique ids and names", () => {
     const ids = programPresets.map(({ id }) => id);
     expect(new Set(ids).size).toBe(ids.length);
     expect(new Set(programPresets.map(({ program }) => program.name)).size).toBe(ids.length);
   });
 
-  it.each(programPresets)("$id is a legal program", ({ program }) => {
+  it.each(programPresets)("$id is a valid program", ({ program }) => {
     expect(parseProgram(program)).toEqual({ ok: true, value: program });
   });
 
@@ -28,7 +28,7 @@ describe("program presets", () => {
     expect(presetOf(id)?.default).toBe(paper?.default);
   });
 
-  it("left wall is right wall in the mirror", () => {
+  it("left wall is the mirror image of right wall", () => {
     const text = JSON.stringify(presetOf("right-wall")?.rules);
     const mirrored = text.replaceAll(/left|right/g, (side) => (side === "left" ? "right" : "left"));
     expect(JSON.stringify(presetOf("left-wall")?.rules)).toBe(mirrored);

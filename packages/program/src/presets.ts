@@ -1,6 +1,6 @@
 /**
- * Ready-made algorithms. The ids stay for ever: saved works, tests and the page's words refer to them.
- * Figures are those of the 2013 thesis.
+ * Preset programs. Never change an id: saved projects, tests and the page's translations refer to it.
+ * Figure numbers refer to the 2013 thesis.
  */
 import type { ProgramDocument, Rule } from "./program-document.ts";
 
@@ -25,7 +25,7 @@ function preset(id: ProgramPresetId, name: string, rules: Rule[]): ProgramPreset
   };
 }
 
-/** All algorithms of the menu, in its order. */
+/** All preset programs, in menu order. */
 export const programPresets: readonly ProgramPreset[] = [
   // Figure 19
   preset("back-and-forth", "Back and forth", [
@@ -36,7 +36,7 @@ export const programPresets: readonly ProgramPreset[] = [
     { when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" },
     { when: { sensor: "front", is: "<", than: 50 }, do: "left 90" },
   ]),
-  // Figure 22 in the mirror
+  // Figure 22, mirrored
   preset("left-wall", "Left wall", [
     { when: { sensor: "left", is: ">", than: 60 }, do: "delayed left 90" },
     { when: { sensor: "front", is: "<", than: 50 }, do: "right 90" },

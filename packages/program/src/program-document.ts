@@ -37,10 +37,10 @@ const againstRight = z.strictObject({
   plus,
 });
 
-/** `when`: a sensor against a number, or left against right plus a number (Figure 15). */
+/** Compares a sensor with a number, or left with right plus a number (Figure 15). */
 export type Condition = z.infer<typeof againstNumber> | z.infer<typeof againstRight>;
 
-// Not z.union: its errors name no field. Which of the two is meant shows in `than`.
+// Not z.union, whose errors name no field. `than` selects the schema.
 const condition = z
   .unknown()
   .transform((input, context): Condition => {
@@ -60,7 +60,7 @@ const condition = z
       }
     }
     return z.NEVER;
-    // What comes out is one of the two, for those who describe a program from its schema.
+    // The output schema lets generators of API descriptions read the shape.
   })
   .pipe(z.union([againstNumber, againstRight]));
 
@@ -88,7 +88,7 @@ export const programSchema = z.strictObject(
 );
 export type ProgramDocument = z.infer<typeof programSchema>;
 
-/** The longest text that can be a legal program, with room for indentation. */
+/** Maximum text length in characters: the largest valid document plus indentation. */
 const MAX_TEXT_LENGTH = 65_536;
 
 /** Reads a program from a parsed value. */

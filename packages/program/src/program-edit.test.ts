@@ -35,11 +35,11 @@ function edited(edit: ProgramEdit): ProgramDocument {
 }
 
 describe("lines", () => {
-  it("a new line does nothing, with forward chosen", () => {
+  it("a new line is [Do nothing] with the action forward", () => {
     expect(edited(addRule(program)).rules).toEqual([a, b, c, { when: null, do: "forward" }]);
   });
 
-  it("one goes and the others stay the objects they were", () => {
+  it("removing a line keeps the objects of the others", () => {
     const { rules } = edited(removeRule(program, 1));
     expect(rules).toEqual([a, c]);
     expect(rules[0]).toBe(a);
@@ -50,28 +50,28 @@ describe("lines", () => {
     [2, -2, [c, a, b]],
     [0, 99, [b, c, a]],
     [1, -99, [b, a, c]],
-  ])("line %i moves by %i, at most to an end", (index, by, rules) => {
+  ])("line %i moves by %i, at most to the first or last position", (index, by, rules) => {
     expect(edited(moveRule(program, index, by)).rules).toEqual(rules);
   });
 });
 
 describe("conditions", () => {
   it.each([
-    ["keeps the number between sensors", 0, frontLess, { sensor: "front", is: "<", than: 60 }],
+    ["retains the number between sensors", 0, frontLess, { sensor: "front", is: "<", than: 60 }],
     [
-      "keeps the number for left against right",
+      "retains the number for left compared with right",
       0,
       leftMore,
       { sensor: "left", is: ">", than: "right", plus: 60 },
     ],
     ["raises a negative number to 0", 1, frontLess, { sensor: "front", is: "<", than: 0 }],
-    ["starts with 50 on an empty line", 2, frontLess, { sensor: "front", is: "<", than: 50 }],
-    ["can be put back to [Do nothing]", 0, null, null],
-  ] as const)("a choice %s", (_, index, kind, when) => {
+    ["sets 50 on an empty line", 2, frontLess, { sensor: "front", is: "<", than: 50 }],
+    ["removes the condition for [Do nothing]", 0, null, null],
+  ] as const)("setCondition %s", (_, index, kind, when) => {
     expect(edited(setCondition(program, index, kind)).rules[index]?.when).toEqual(when);
   });
 
-  it("take numbers, fractions and, for left against right, negative ones", () => {
+  it("accept fractions and, for left compared with right, negative numbers", () => {
     expect(edited(setNumber(program, 0, 0.25)).rules[0]?.when).toEqual({ ...a.when, than: 0.25 });
     expect(edited(setNumber(program, 1, -99.5)).rules[1]?.when).toEqual({ ...b.when, plus: -99.5 });
   });
@@ -93,12 +93,12 @@ describe("an edit that changes nothing", () => {
       "the same condition",
       edited(setCondition(program, 0, { ...frontLess, sensor: "right", is: ">" })),
     ],
-    ["nothing for nothing", edited(setCondition(program, 2, null))],
+    ["[Do nothing] for [Do nothing]", edited(setCondition(program, 2, null))],
     ["the same number", edited(setNumber(program, 1, -7))],
     ["the same action", edited(setAction(program, 0, "delayed right 90"))],
     ["the same default", setDefault(program, "forward")],
     ["the same name", edited(rename(program, "Three"))],
-  ])("gives the very same document back: %s", (_, after) => {
+  ])("returns the same object: %s", (_, after) => {
     expect(after).toBe(program);
   });
 });
@@ -108,18 +108,18 @@ describe("a refused edit", () => {
   it.each<[string, ProgramEdit, string]>([
     ["line 201", addRule(full), "too-many-rules"],
     ["removing line 4 of 3", removeRule(program, 3), "no-such-rule"],
-    ["moving a line that is not there", moveRule(program, -1, 1), "no-such-rule"],
-    ["a condition for no line", setCondition(program, 3, null), "no-such-rule"],
-    ["an action for no line", setAction(program, 0.5, "stop"), "no-such-rule"],
-    ["a number for no line", setNumber(program, 3, 1), "no-such-rule"],
+    ["moving a missing line", moveRule(program, -1, 1), "no-such-rule"],
+    ["a condition for a missing line", setCondition(program, 3, null), "no-such-rule"],
+    ["an action for a missing line", setAction(program, 0.5, "stop"), "no-such-rule"],
+    ["a number for a missing line", setNumber(program, 3, 1), "no-such-rule"],
     ["a number for [Do nothing]", setNumber(program, 2, 1), "no-condition"],
     ["a negative distance", setNumber(program, 0, -1), "bad-number"],
     ["a distance above 100000", setNumber(program, 0, 100_001), "bad-number"],
     ["an addition below -100000", setNumber(program, 1, -100_001), "bad-number"],
-    ["no number at all", setNumber(program, 0, Number.NaN), "bad-number"],
-    ["an endless number", setNumber(program, 1, Number.POSITIVE_INFINITY), "bad-number"],
+    ["NaN", setNumber(program, 0, Number.NaN), "bad-number"],
+    ["Infinity", setNumber(program, 1, Number.POSITIVE_INFINITY), "bad-number"],
     ["a name of 101 characters", rename(program, "x".repeat(101)), "name-too-long"],
-  ])("says why: %s", (_, edit, code) => {
+  ])("returns a code: %s", (_, edit, code) => {
     expect(edit).toEqual({ ok: false, code });
   });
 });
@@ -167,7 +167,7 @@ describe("any sequence of edits", () => {
     { maxLength: 30 },
   );
 
-  it("keeps the document legal, leaves the one before as it was, and undoes to it", () => {
+  it("results in a valid document and never changes an earlier one", () => {
     fc.assert(
       fc.property(arbitraryProgram, edits, (first, sequence) => {
         const history: { document: ProgramDocument; text: string }[] = [];

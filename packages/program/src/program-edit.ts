@@ -1,8 +1,7 @@
 /**
- * Edits of a program: document in, document out. Pure, so that undo is keeping the old document;
- * untouched rules are shared between the two, and an edit that changes nothing gives back the very
- * same document. An edit that would break the document is refused with a code, never an exception:
- * the page turns the code into a sentence.
+ * Edits of a program as pure functions from document to document, so that undo restores the previous
+ * document. Both documents share unchanged rules. An edit without effect returns the same object.
+ * An edit that would make the document invalid returns a code, which the page translates.
  */
 import type { PlainAction } from "@corridor/protocol";
 import { conditionOf, numberOf, numberRange, kindOf } from "./condition-parts.ts";
@@ -17,52 +16,52 @@ import {
 
 /** Why an edit was refused. */
 export type ProgramRefusal =
-  /** the program has as many rules as a document can hold */
+  /** the program already has the maximum number of rules */
   | "too-many-rules"
-  /** there is no rule at this place */
+  /** no rule has this index */
   | "no-such-rule"
-  /** a line that does nothing has no number */
+  /** a `[Do nothing]` line has no number */
   | "no-condition"
-  /** the number is not one, or out of the range of its condition */
+  /** the number is NaN or outside the range of its condition */
   | "bad-number"
-  /** the name is longer than a document can hold */
+  /** the name exceeds the maximum length */
   | "name-too-long";
 
 export type ProgramEdit =
   | { ok: true; program: ProgramDocument }
   | { ok: false; code: ProgramRefusal };
 
-/** Adds a line `[Do nothing]` at the end; refused as "too-many-rules". */
+/** Appends a `[Do nothing]` line. Returns the code "too-many-rules" if the program is full. */
 export function addRule(program: ProgramDocument): ProgramEdit {
   if (program.rules.length >= MAX_RULES) return refuse("too-many-rules");
   return accept({ ...program, rules: [...program.rules, { when: null, do: DEFAULT_ACTION }] });
 }
 
-/** Takes a line away; refused as "no-such-rule". */
+/** Removes a line. Returns the code "no-such-rule" if the index does not exist. */
 export function removeRule(program: ProgramDocument, index: number): ProgramEdit {
   if (program.rules[index] === undefined) return refuse("no-such-rule");
   return accept({ ...program, rules: program.rules.filter((_, at) => at !== index) });
 }
 
 /**
- * Moves a line up or down, at most to the first or last place.
- * @param by places, negative is up
- * @returns refused as "no-such-rule"
+ * Moves a line up or down, at most to the first or last position.
+ * @param by number of positions, negative for up
+ * @returns the edit, or the code "no-such-rule"
  */
 export function moveRule(program: ProgramDocument, index: number, by: number): ProgramEdit {
   const rule = program.rules[index];
   if (rule === undefined) return refuse("no-such-rule");
-  const place = Math.max(0, Math.min(program.rules.length - 1, index + Math.trunc(by)));
-  if (place === index) return accept(program);
+  const target = Math.max(0, Math.min(program.rules.length - 1, index + Math.trunc(by)));
+  if (target === index) return accept(program);
   const others = program.rules.filter((_, at) => at !== index);
-  return accept({ ...program, rules: others.toSpliced(place, 0, rule) });
+  return accept({ ...program, rules: others.toSpliced(target, 0, rule) });
 }
 
 /**
- * Chooses another condition for a line and keeps its number as near as the new kind allows; a line
- * that did nothing starts with 50.
- * @param kind null is `[Do nothing]`
- * @returns refused as "no-such-rule"
+ * Changes the condition of a line. The number is clamped to the range of the new kind. A
+ * `[Do nothing]` line gets the number 50.
+ * @param kind null for `[Do nothing]`
+ * @returns the edit, or the code "no-such-rule"
  */
 export function setCondition(
   program: ProgramDocument,
@@ -78,19 +77,19 @@ export function setCondition(
   });
 }
 
-/** Changes the number of a line; refused as "no-such-rule", "no-condition" or "bad-number". */
+/** Changes the number of a line. Codes: "no-such-rule", "no-condition", "bad-number". */
 export function setNumber(program: ProgramDocument, index: number, number: number): ProgramEdit {
   return changeRule(program, index, (rule) => {
     if (rule.when === null) return "no-condition";
     const kind = kindOf(rule.when);
     const { min, max } = numberRange(kind);
-    // Written so that NaN is refused too.
+    // The negated form also refuses NaN.
     if (!(number >= min && number <= max)) return "bad-number";
     return numberOf(rule.when) === number ? rule : { ...rule, when: conditionOf(kind, number) };
   });
 }
 
-/** Changes what a line does; refused as "no-such-rule". */
+/** Changes the action of a line. Returns the code "no-such-rule" if the index does not exist. */
 export function setAction(
   program: ProgramDocument,
   index: number,
@@ -101,12 +100,12 @@ export function setAction(
   );
 }
 
-/** Changes what the robot does when no line is true. */
+/** Changes the default action, which runs when no line is true. */
 export function setDefault(program: ProgramDocument, action: PlainAction): ProgramDocument {
   return program.default === action ? program : { ...program, default: action };
 }
 
-/** Gives the program another name, which may be empty; refused as "name-too-long". */
+/** Renames the program. The name may be empty. Returns the code "name-too-long" if it is too long. */
 export function rename(program: ProgramDocument, name: string): ProgramEdit {
   if (name.length > MAX_NAME_LENGTH) return refuse("name-too-long");
   return accept(program.name === name ? program : { ...program, name });

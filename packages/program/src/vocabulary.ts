@@ -1,17 +1,17 @@
 /**
- * The one table of the menus: what a line may ask and what it may do.
+ * Conditions and actions of the menus.
  * Conditions: Figure 15 of the 2013 thesis; actions: Figure 16 and `stop`; defaults: Figure 14.
  */
 import type { PlainAction, SensorName } from "@corridor/protocol";
 
 export type Comparator = ">" | "<";
 
-/** A condition without its number: a sensor against a number, or left against right. */
+/** A condition without its number: compares a sensor with a number, or left with right. */
 export type ConditionKind =
   | { sensor: SensorName; is: Comparator; than: "number" }
   | { sensor: "left"; is: Comparator; than: "right" };
 
-/** The conditions of the menu in the order of Figure 15; `[Do nothing]` comes before and is null. */
+/** The conditions of the menu in the order of Figure 15, without `[Do nothing]`, which is null. */
 export const conditionKinds: readonly ConditionKind[] = [
   { sensor: "front", is: ">", than: "number" },
   { sensor: "front", is: "<", than: "number" },
@@ -25,7 +25,7 @@ export const conditionKinds: readonly ConditionKind[] = [
   { sensor: "left", is: ">", than: "right" },
 ];
 
-/** The actions of the paper in the order of Figure 16: what a challenge offers that names no others. */
+/** The actions of the paper in the order of Figure 16, the default of a challenge without a list. */
 export const paperActions: readonly PlainAction[] = [
   "forward",
   "reverse",
@@ -36,10 +36,10 @@ export const paperActions: readonly PlainAction[] = [
   "turn 180",
 ];
 
-/** The actions of the menu: those of the paper, and `stop`. */
+/** The actions of the menu: the actions of the paper, and `stop`. */
 export const menuActions: readonly PlainAction[] = [...paperActions, "stop"];
 
-/** The number that a new line starts with. */
+/** Number and action of a new line. */
 export const DEFAULT_NUMBER = 50;
 export const DEFAULT_ACTION: PlainAction = "forward";
 

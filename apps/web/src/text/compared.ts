@@ -3,14 +3,14 @@
  * 250.46 > 60 is "250 > 60", but 50.4 > 50 is "50.4 > 50", because "50 > 50" reads as false. Numbers that are
  * nearer than any ruler shows are told apart by the last digit: 49.9999999 < 50 is "49.99 < 50".
  */
-import type { Comparator, Truth } from "@corridor/program";
+import type { Comparator, EvaluatedCondition } from "@corridor/program";
 
 /** Digits after the point that the row of a line has room for. */
 const MOST_DECIMALS = 2;
 
 /** @param fewest digits after the point, of a number that has so many */
 export function roundedSides(
-  { left, is, right, isTrue }: Truth,
+  { left, is, right, isTrue }: EvaluatedCondition,
   fewest: number,
 ): { left: number; right: number } {
   for (let decimals = fewest; decimals <= MOST_DECIMALS; decimals++) {

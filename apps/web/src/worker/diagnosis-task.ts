@@ -1,8 +1,8 @@
 /** What a challenge asks of a run in one of its mazes, in the terms of the diagnosis. */
 import {
-  brokenRight,
+  findViolation,
   checkChallenge,
-  GoalWatch,
+  GoalTracker,
   type ChallengeDocument,
 } from "@corridor/challenge";
 import type { DiagnosisTask } from "@corridor/coach";
@@ -21,7 +21,7 @@ export function diagnosisTask(
   const maze = mazes[index];
   if (maze === undefined) throw new RangeError(`The challenge has no maze ${index}.`);
   const newSolvedCheck: DiagnosisTask["newSolvedCheck"] = () => {
-    const watch = new GoalWatch(goal, maze);
+    const watch = new GoalTracker(goal, maze);
     let standing = 0;
     return (robot) => {
       watch.visit(robot.cell);
@@ -34,7 +34,7 @@ export function diagnosisTask(
     until: checks.seconds * TICKS_PER_SECOND,
     bumps: checks.bumps,
     newSolvedCheck: isWhole || goal.kind === "reach" ? newSolvedCheck : null,
-    allows: (program) => brokenRight(challenge, program) === null,
+    allows: (program) => findViolation(challenge, program) === null,
     solvesAll: (program) => checkChallenge(challenge, program).passed,
   };
 }

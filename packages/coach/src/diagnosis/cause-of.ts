@@ -2,7 +2,7 @@
  * From a change that removes a failure to the cause that it shows: which line, when, on which readings.
  * Whatever is stated here is read from the trace.
  */
-import { numberOf, truthOf, type ProgramDocument } from "@corridor/program";
+import { numberOf, evaluateCondition, type ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
 import { DELAY_DISTANCE, ROBOT_RADIUS } from "@corridor/simulation";
 import type { Mend, Side } from "../advice.ts";
@@ -40,7 +40,7 @@ export function causeOf(trace: RunTrace, fix: Mend, from: number): Cause | null 
     case "move": {
       const when = program.rules[fix.line]?.when ?? null;
       // The line has to be true there, and another one decided.
-      if (when === null || truthOf(when, moment.readings)?.isTrue !== true) return null;
+      if (when === null || evaluateCondition(when, moment.readings)?.isTrue !== true) return null;
       return { kind: "order", line: fix.line, when, moment };
     }
     case "insert": {

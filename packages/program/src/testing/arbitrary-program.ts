@@ -1,4 +1,4 @@
-/** Random legal programs for property tests: any name, condition, action and number. */
+/** Random valid programs for property tests: any name, condition, action and number. */
 import { plainActions } from "@corridor/protocol";
 import fc from "fast-check";
 import { conditionOf, numberRange } from "../condition-parts.ts";
@@ -13,12 +13,12 @@ function numberFor(kind: ConditionKind): fc.Arbitrary<number> {
   );
 }
 
-/** Any legal condition. */
+/** Generates valid conditions. */
 export const arbitraryCondition: fc.Arbitrary<Condition> = fc
   .constantFrom(...conditionKinds)
   .chain((kind) => numberFor(kind).map((number) => conditionOf(kind, number)));
 
-/** Any legal program. */
+/** Generates valid programs. */
 export const arbitraryProgram: fc.Arbitrary<ProgramDocument> = fc.record({
   format: fc.constant("corridor/program" as const),
   version: fc.constant(1 as const),

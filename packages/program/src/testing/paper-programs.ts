@@ -1,8 +1,8 @@
-/** The six programs of the 2013 thesis, Figures 19 and 22 to 26, as its text gives them. */
+/** The six programs of the 2013 thesis, Figures 19 and 22 to 26. */
 import { readFileSync } from "node:fs";
 import { readProgram, type ProgramDocument } from "../program-document.ts";
 
-/** Which outcome the thesis gives for a program. */
+/** Outcome of a program according to the thesis. */
 export type PaperOutcome = "back and forth" | "correct" | "incorrect";
 
 export interface PaperProgram {
@@ -13,11 +13,11 @@ export interface PaperProgram {
 
 function read(figure: number, file: string, outcome: PaperOutcome): PaperProgram {
   const result = readProgram(readFileSync(new URL(`paper/${file}`, import.meta.url), "utf8"));
-  if (!result.ok) throw new Error(`${file} is not a legal program`);
+  if (!result.ok) throw new Error(`${file} is not a valid program`);
   return { figure, outcome, program: result.value };
 }
 
-/** In the order of the figures. */
+/** In figure order. */
 export const paperPrograms: readonly PaperProgram[] = [
   read(19, "figure-19-back-and-forth.json", "back and forth"),
   read(22, "figure-22-right-wall.json", "correct"),

@@ -8,7 +8,7 @@ import {
   type FailureEvent,
   type WrongNumber,
 } from "@corridor/coach";
-import { numberOf, truthOf, type Condition } from "@corridor/program";
+import { numberOf, evaluateCondition, type Condition } from "@corridor/program";
 import type { LineRef, SensorName } from "@corridor/protocol";
 import { ROBOT_RADIUS } from "@corridor/simulation";
 import type { TFunction } from "i18next";
@@ -246,9 +246,9 @@ function shownReadings(
     left: Math.round(left),
   };
   for (const condition of [when, asked]) {
-    const truth = truthOf(condition, readings);
+    const truth = evaluateCondition(condition, readings);
     if (condition === null || truth === null) continue;
-    if (truthOf(condition, shown)?.isTrue === truth.isTrue) continue;
+    if (evaluateCondition(condition, shown)?.isTrue === truth.isTrue) continue;
     const sides = roundedSides(truth, 1);
     shown[condition.sensor] = sides.left;
     if (condition.than === "right") shown.right = sides.right - condition.plus;

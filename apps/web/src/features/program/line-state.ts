@@ -1,6 +1,6 @@
 /** How the lines of the program stand at the shown moment. */
 import { causeLine, type Diagnosis } from "@corridor/coach";
-import { truthOf, type Condition } from "@corridor/program";
+import { evaluateCondition, type Condition } from "@corridor/program";
 import type { LineRef, Snapshot } from "@corridor/protocol";
 import type { RunState } from "../../stores/run-store.ts";
 import type { Moment } from "../../worker/worker-messages.ts";
@@ -31,7 +31,7 @@ export function shownTruth(
   snapshot: Snapshot | null,
 ): ShownTruth | null {
   if (snapshot === null) return null;
-  const truth = truthOf(condition, snapshot.sensors);
+  const truth = evaluateCondition(condition, snapshot.sensors);
   return truth === null ? null : { isTrue: truth.isTrue, ...truthText(truth) };
 }
 

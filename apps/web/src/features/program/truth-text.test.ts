@@ -1,17 +1,17 @@
-import { truthOf, type Truth } from "@corridor/program";
+import { evaluateCondition, type EvaluatedCondition } from "@corridor/program";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { truthText } from "./truth-text.ts";
 
 const at = (front: number) => ({ front, right: 50, back: 50, left: 250 });
 
-function shown(truth: Truth): string {
+function shown(truth: EvaluatedCondition): string {
   const { left, right } = truthText(truth);
   return `${left} ${right}`;
 }
 
 function text(front: number, is: ">" | "<", than: number): string {
-  const truth = truthOf({ sensor: "front", is, than }, at(front));
+  const truth = evaluateCondition({ sensor: "front", is, than }, at(front));
   if (truth === null) throw new Error("expected a condition");
   return shown(truth);
 }
@@ -32,7 +32,7 @@ describe("truthText", () => {
   });
 
   it("shows left against right with the line's number already added", () => {
-    const truth = truthOf({ sensor: "left", is: ">", than: "right", plus: 1 }, at(0));
+    const truth = evaluateCondition({ sensor: "left", is: ">", than: "right", plus: 1 }, at(0));
     expect(truth && shown(truth)).toBe("250 > 51");
   });
 

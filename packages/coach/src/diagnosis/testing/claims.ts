@@ -1,6 +1,6 @@
 /** Checks every claim of a diagnosis against the plain run, and says which do not hold. */
 import type { MazeDocument } from "@corridor/maze";
-import { numberOf, truthOf, type ProgramDocument } from "@corridor/program";
+import { numberOf, evaluateCondition, type ProgramDocument } from "@corridor/program";
 import type { SensorReadings } from "@corridor/protocol";
 import { applyMend } from "../../apply-mend.ts";
 import { causeLine, type Cause, type Diagnosis, type WrongNumber } from "../diagnosis.ts";
@@ -82,7 +82,7 @@ function falseReason(
   const { moment } = cause;
   const { readings } = moment;
   const isTrue = (line: number): boolean =>
-    truthOf(program.rules[line]?.when ?? null, readings)?.isTrue === true;
+    evaluateCondition(program.rules[line]?.when ?? null, readings)?.isTrue === true;
   const holds = ((): boolean => {
     switch (cause.kind) {
       case "not-delayed":

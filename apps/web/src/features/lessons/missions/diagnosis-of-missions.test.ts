@@ -1,5 +1,5 @@
 /** Wrong answers to all missions: each is told one cause, and a line is named only where its change can help. */
-import { brokenRight, checkChallenge, type ChallengeDocument } from "@corridor/challenge";
+import { findViolation, checkChallenge, type ChallengeDocument } from "@corridor/challenge";
 import { causeLine, type Diagnosis } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
@@ -58,7 +58,7 @@ function canHelp(
   for (const step of [...oneStepFrom(program), ...movesOf(program, line)]) {
     if (step.line !== line && step.line !== null) continue;
     if (step.line === null && step.name !== `without line ${Number(line) + 1}`) continue;
-    if (brokenRight(challenge, step.program) !== null) continue;
+    if (findViolation(challenge, step.program) !== null) continue;
     const { passed, failure } = checkChallenge(alone, step.program);
     const isPast = before?.code === "bump" && (failure?.tick ?? 0) > (before.tick ?? 0);
     if (passed || isPast) return true;

@@ -2,7 +2,7 @@
  * Wrong answers to the missions that need a program: every change of one or two things in a solution
  * that the mission allows and that does not pass. Enumerated, so that nobody chose them.
  */
-import { brokenRight, checkChallenge, type ChallengeDocument } from "@corridor/challenge";
+import { findViolation, checkChallenge, type ChallengeDocument } from "@corridor/challenge";
 import type { Condition, ProgramDocument, Rule } from "@corridor/program";
 import { menuActions } from "@corridor/program";
 
@@ -91,7 +91,7 @@ export function* twoStepAnswers(
   let at = 0;
   for (const first of oneStepFrom(solution)) {
     for (const second of oneStepFrom(first.program)) {
-      if (brokenRight(challenge, second.program) !== null || at++ % every !== 0) continue;
+      if (findViolation(challenge, second.program) !== null || at++ % every !== 0) continue;
       if (!isWrong(challenge, second.program)) continue;
       yield { ...second, name: `${first.name}, ${second.name}`, challenge };
     }
@@ -99,6 +99,6 @@ export function* twoStepAnswers(
 }
 
 function isWrong(challenge: ChallengeDocument, program: ProgramDocument): boolean {
-  if (brokenRight(challenge, program) !== null) return false;
+  if (findViolation(challenge, program) !== null) return false;
   return !checkChallenge(challenge, program).passed;
 }

@@ -1,27 +1,28 @@
-/** Watches for the goal of a challenge while the robot drives, tick by tick. */
+/** Tracks tick by tick whether the robot meets the goal of a challenge. */
 import { CELL, countOpenCells, isBlock, sizeOf, type MazeDocument } from "@corridor/maze";
 import type { SensorReadings } from "@corridor/protocol";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
 import type { Goal } from "./challenge-document.ts";
 
-/** What a goal may depend on at the end of a tick. */
-export interface GoalMoment {
+/** The values at the end of a tick that a goal depends on. */
+export interface GoalState {
   tick: number;
   sensors: SensorReadings;
-  /** whether the robot stands and stays: between two manoeuvres it stands for a tick as well */
+  /** whether the robot stands still; the single tick between two manoeuvres does not count */
   isStill: boolean;
   goalReached: boolean;
 }
 
-export class GoalWatch {
+export class GoalTracker {
   readonly #goal: Goal;
   readonly #visited: Uint8Array;
   readonly #columns: number;
   readonly #rows: number;
+  /** number of open cells of the maze */
   readonly open: number;
   #visitedCount = 0;
 
-  /** The robot stands at the maze's start. */
+  /** The robot must be at the maze's start. */
   constructor(goal: Goal, maze: MazeDocument) {
     const { columns, rows } = sizeOf(maze);
     this.#goal = goal;
@@ -33,19 +34,19 @@ export class GoalWatch {
     if (!isBlock(maze, column, row)) this.visit(row * columns + column);
   }
 
-  /** Open cells in which the robot's centre has been. */
+  /** Number of open cells that the robot's centre has visited. */
   get visited(): number {
     return this.#visitedCount;
   }
 
-  /** The robot's centre is in this cell, counted as `row * columns + column`. */
+  /** Marks the cell `row * columns + column` as visited. */
   visit(cell: number): void {
     if (this.#visited[cell] !== 0) return;
     this.#visited[cell] = 1;
     this.#visitedCount++;
   }
 
-  /** The robot's centre is here, in units; outside of the maze nothing is visited. */
+  /** Marks the cell at a position as visited, in units. Ignores positions outside the maze. */
   visitAt(x: number, y: number): void {
     const column = Math.floor(x / CELL);
     const row = Math.floor(y / CELL);
@@ -53,23 +54,23 @@ export class GoalWatch {
     if (isInside) this.visit(row * this.#columns + column);
   }
 
-  /** Whether the goal is met at the end of this tick. @param distance units driven so far */
-  isMet(moment: GoalMoment, distance: number): boolean {
+  /** Whether the goal is met at the end of this tick. @param distance distance driven, in units */
+  isMet(state: GoalState, distance: number): boolean {
     const goal = this.#goal;
     switch (goal.kind) {
       case "reach":
-        return moment.goalReached;
+        return state.goalReached;
       case "visit":
         return this.#visitedCount >= this.open;
       case "stop": {
-        const reading = moment.sensors[goal.sensor];
+        const reading = state.sensors[goal.sensor];
         const isThere = reading >= goal.from && reading <= goal.to;
-        return isThere && moment.isStill && distance > 0;
+        return isThere && state.isStill && distance > 0;
       }
       case "drive":
         return distance >= goal.distance;
       case "last":
-        return moment.tick >= goal.seconds * TICKS_PER_SECOND;
+        return state.tick >= goal.seconds * TICKS_PER_SECOND;
     }
   }
 }

@@ -1,11 +1,11 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { truthOf } from "./explain.ts";
+import { evaluateCondition } from "./evaluate-condition.ts";
 import { arbitraryCondition } from "./testing/arbitrary-program.ts";
 
 const readings = { front: 282, right: 250, back: 418, left: 50 };
 
-describe("the truth of a line", () => {
+describe("evaluateCondition", () => {
   it.each([
     [
       { sensor: "right", is: ">", than: 60 },
@@ -35,20 +35,20 @@ describe("the truth of a line", () => {
       { sensor: "left", is: ">", than: "right", plus: -201 },
       { isTrue: true, left: 50, is: ">", right: 49 },
     ],
-  ] as const)("of %j shows both numbers", (condition, truth) => {
-    expect(truthOf(condition, readings)).toEqual(truth);
+  ] as const)("returns both sides of %j", (condition, expected) => {
+    expect(evaluateCondition(condition, readings)).toEqual(expected);
   });
 
-  it("does not exist for a line that does nothing", () => {
-    expect(truthOf(null, readings)).toBeNull();
+  it("returns null for [Do nothing]", () => {
+    expect(evaluateCondition(null, readings)).toBeNull();
   });
 
-  it("is never claimed by > and < at once", () => {
+  it("is never true for both > and <", () => {
     fc.assert(
       fc.property(arbitraryCondition, (condition) => {
         const other = { ...condition, is: condition.is === ">" ? "<" : ">" } as typeof condition;
-        const both = [truthOf(condition, readings), truthOf(other, readings)];
-        expect(both.filter((truth) => truth?.isTrue).length).toBeLessThan(2);
+        const both = [evaluateCondition(condition, readings), evaluateCondition(other, readings)];
+        expect(both.filter((each) => each?.isTrue).length).toBeLessThan(2);
         expect(both[0]?.right).toBe(both[1]?.right);
       }),
     );

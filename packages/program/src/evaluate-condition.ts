@@ -1,22 +1,25 @@
 /**
- * Why a line did or did not fire: one condition with the numbers put in, such as "250 > 60".
- * The comparison is the one that the program runs with; for display only, one line at a time.
+ * Evaluates one condition with its numbers, such as "250 > 60", to display why a line was chosen or
+ * not. The comparison is the same as in `CompiledProgram`, which runs programs.
  */
 import type { SensorReadings } from "@corridor/protocol";
 import type { Condition } from "./program-document.ts";
 import type { Comparator } from "./vocabulary.ts";
 
-/** A comparison with both sides known, in units. */
-export interface Truth {
+/** A comparison with the values of both sides, in units. */
+export interface EvaluatedCondition {
   isTrue: boolean;
   left: number;
   is: Comparator;
-  /** the number of the line; for left against right, the right reading plus that number */
+  /** the number of the line; for a comparison with right, the right reading plus that number */
   right: number;
 }
 
 /** @returns null for `[Do nothing]`, which is neither true nor false */
-export function truthOf(condition: Condition | null, readings: SensorReadings): Truth | null {
+export function evaluateCondition(
+  condition: Condition | null,
+  readings: SensorReadings,
+): EvaluatedCondition | null {
   if (condition === null) return null;
   const left = readings[condition.sensor];
   const right = condition.than === "right" ? readings.right + condition.plus : condition.than;
