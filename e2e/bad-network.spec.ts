@@ -70,7 +70,7 @@ for (const language of ["Python", "Java"] as const) {
     test.skip(isMissing, "java is not installed");
     test.setTimeout(240_000);
     const target = Number(new URL(relay).port);
-    const network = await FaultProxy.start({ target: () => target, dice: new Dice(1) });
+    const network = await FaultProxy.start({ target: () => target, random: new Dice(1) });
     const baseline = await follow(browser, language, network, false);
     expect(baseline).toMatchObject({ code: 0, bumps: 0, cut: 0 });
     expect(baseline.output).toContain(`${cells} cells visited`);

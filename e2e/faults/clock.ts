@@ -1,14 +1,14 @@
 /**
- * One clock for all processes of this machine: when a command was sent here and begun there can be
- * compared.
+ * One clock for all processes of this machine, so that the times of sending and of starting a
+ * command can be compared.
  */
 
-/** ms by a clock that is never set back, the same in every process */
+/** ms of a monotonic clock that all processes share */
 export function machineNow(): number {
   return Number(process.hrtime.bigint()) / 1e6;
 }
 
-/** The same moment as `Date.now` has it, in this process and in others. */
+/** Converts a time of `machineNow` to the clock of `Date.now`. */
 export function wallClock(at: number): number {
   return at + Date.now() - machineNow();
 }
@@ -17,8 +17,8 @@ export function sleep(ms: number): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve, Math.max(0, ms)));
 }
 
-/** Calls once now and then so often a second, for so long; a call that is late is made up for. */
-export async function everyFor(
+/** Calls a function `perSecond` times a second for `ms`. Calls that are late are not dropped. */
+export async function callRepeatedly(
   perSecond: number,
   ms: number,
   call: (n: number) => void,
@@ -33,10 +33,10 @@ export async function everyFor(
 }
 
 /**
- * Waits until something is true.
- * @returns ms that it took; Infinity when it did not come in time
+ * Waits until a condition is true.
+ * @returns the ms waited, or Infinity when the condition was not true in time
  */
-export async function until(isTrue: () => boolean, withinMs: number): Promise<number> {
+export async function waitUntil(isTrue: () => boolean, withinMs: number): Promise<number> {
   const start = machineNow();
   while (!isTrue()) {
     if (machineNow() - start > withinMs) return Infinity;

@@ -1,11 +1,11 @@
 /**
- * `npm run test:faults`: breaks the real service in every way that it promises to stand, row by
- * row, with real processes and sockets. Prints a line for each goal; exit code 1 when one is
- * missed.
+ * `npm run test:faults`: injects each fault that the real service must survive, scenario by
+ * scenario, with real processes and sockets. Prints a line for each goal. The exit code is 1 when a
+ * goal is missed.
  *
  * npm run test:faults -- [--long] [--seed N] [--report FILE] [WORD ...]
  *
- * Words choose rows by their titles.
+ * A WORD selects the scenarios with that word in their titles.
  */
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, loadavg, tmpdir } from "node:os";
@@ -13,9 +13,9 @@ import { join } from "node:path";
 import { parseArgs } from "node:util";
 import { formatGoal } from "../../benches/core/goals.ts";
 import { machineNow } from "./clock.ts";
-import { holds, reportOf, type Judged } from "./report.ts";
-import { rows } from "./rows.ts";
-import type { Row, Terms } from "./row.ts";
+import { passes, reportOf, type Result } from "./report.ts";
+import { scenarios } from "./scenarios.ts";
+import type { Scenario, ScenarioContext } from "./scenario.ts";
 
 const { values, positionals } = parseArgs({
   allowPositionals: true,
@@ -27,28 +27,28 @@ const { values, positionals } = parseArgs({
 });
 const isLong = values.long;
 const seed = Number(values.seed);
-const wanted = positionals.map((word) => word.toLowerCase());
-const chosen = rows.filter(
-  ({ title }) => wanted.length === 0 || wanted.some((word) => title.toLowerCase().includes(word)),
+const words = positionals.map((word) => word.toLowerCase());
+const selected = scenarios.filter(
+  ({ title }) => words.length === 0 || words.some((word) => title.toLowerCase().includes(word)),
 );
 
-const judged: Judged[] = [];
-for (const row of chosen) {
-  judged.push(await judge(row));
-  // After each one: a long run may be ended before its time.
+const results: Result[] = [];
+for (const scenario of selected) {
+  results.push(await runScenario(scenario));
+  // The report is written after each scenario: a long run may be interrupted.
   if (values.report !== undefined) writeFileSync(values.report, report());
 }
 
-const held = judged.filter(holds).length;
-console.log(`\n${held} of ${judged.length} rows hold.`);
-if (held < judged.length || chosen.length === 0) process.exitCode = 1;
-// What a row has left open ends here.
+const passed = results.filter(passes).length;
+console.log(`\n${passed} of ${results.length} scenarios pass.`);
+if (passed < results.length || selected.length === 0) process.exitCode = 1;
+// Scenarios may leave handles open, so exit explicitly.
 process.exit();
 
 function report(): string {
   const [processor] = cpus();
   const kind = processor?.model.trim() || process.arch;
-  return reportOf(judged, {
+  return reportOf(results, {
     date: new Date().toISOString().slice(0, 10),
     machine: `${cpus().length} x ${kind}, ${process.platform}`,
     versions: `Node ${process.versions.node}`,
@@ -57,40 +57,44 @@ function report(): string {
   });
 }
 
-async function judge(row: Row): Promise<Judged> {
-  const { title } = row;
-  const does = row.does(isLong);
-  console.log(`\n${title}: ${does}`);
+async function runScenario(scenario: Scenario): Promise<Result> {
+  const { title } = scenario;
+  const description = scenario.describe(isLong);
+  console.log(`\n${title}: ${description}`);
   const folder = mkdtempSync(join(tmpdir(), "corridor-faults-"));
-  const cleaning: (() => unknown)[] = [];
-  const terms: Terms = {
+  const cleanups: (() => unknown)[] = [];
+  const context: ScenarioContext = {
     isLong,
     seed,
     folder,
-    say: (line) => console.log(`      ${line}`),
-    after: (clean) => void cleaning.push(clean),
+    log: (line) => console.log(`      ${line}`),
+    onCleanup: (clean) => void cleanups.push(clean),
   };
-  const began = machineNow();
-  const seconds = (): number => (machineNow() - began) / 1000;
+  const startedAt = machineNow();
+  const seconds = (): number => (machineNow() - startedAt) / 1000;
   try {
-    const goals = await row.run(terms);
+    const goals = await scenario.run(context);
     for (const goal of goals) console.log(formatGoal(goal));
-    return { title, does, goals, seconds: seconds(), load: loadOf() };
+    return { title, description: description, goals, seconds: seconds(), load: loadAverage() };
   } catch (error) {
     const fault = error instanceof Error ? (error.stack ?? error.message) : String(error);
     console.log(`FAIL  ${fault}`);
-    const [words = ""] = fault.split("\n");
-    return { title, does, goals: null, fault: words, seconds: seconds(), load: loadOf() };
+    const [message = ""] = fault.split("\n");
+    return {
+      title,
+      description: description,
+      goals: null,
+      fault: message,
+      seconds: seconds(),
+      load: loadAverage(),
+    };
   } finally {
-    for (const clean of cleaning.toReversed()) await clean();
+    for (const clean of cleanups.toReversed()) await clean();
     rmSync(folder, { recursive: true, force: true, maxRetries: 5 });
   }
 }
 
-/**
- * Of the whole machine in the last minute: more than it has processors means that others were at
- * work, too.
- */
-function loadOf(): number {
+/** The load average of the whole machine in the last minute. */
+function loadAverage(): number {
   return loadavg()[0] ?? NaN;
 }

@@ -1,26 +1,29 @@
 /**
- * What clients take from this machine, with the doors that a row leaves open and an ear on what is
- * said.
+ * Platforms for clients on this machine, restricted to some transports, and with a listener for all
+ * messages.
  */
 import { fetchedMessagesSchema, readJson, type SocketEvents } from "@corridor/protocol";
 import { globalPlatform, type Platform } from "../../packages/client/src/platform.ts";
-import type { Doors } from "./robots/page-messages.ts";
+import type { Transports } from "./robots/page-messages.ts";
 
-const MAX_ANSWER = 1024 * 1024;
-const nothing = (): void => undefined;
+const MAX_RESPONSE = 1024 * 1024;
+const noop = (): void => undefined;
 
-/** Hears each message of a client as it is sent for the first time or again, and as it comes. */
-export type Ear = (direction: "up" | "down", text: string) => void;
+/**
+ * Receives each message of a client whenever it is sent, including retries, and whenever one
+ * arrives.
+ */
+export type MessageListener = (direction: "up" | "down", text: string) => void;
 
-export function platformWith(doors: Doors): Platform {
+export function platformFor(transports: Transports): Platform {
   const { ask, ...rest } = globalPlatform();
-  if (doors === "websocket" || ask === undefined) return rest;
-  if (doors === "both") return { ...rest, ask };
-  return { ...rest, ask, connect: (_url, events) => closedDoor(events) };
+  if (transports === "websocket" || ask === undefined) return rest;
+  if (transports === "both") return { ...rest, ask };
+  return { ...rest, ask, connect: (_url, events) => blockedWebSocket(events) };
 }
 
-/** The same platform; all messages are heard, by WebSocket and by HTTPS. */
-export function overheard(platform: Platform, ear: Ear): Platform {
+/** The same platform with a listener for all messages, by WebSocket and by HTTPS. */
+export function withListener(platform: Platform, listener: MessageListener): Platform {
   const { connect, ask } = platform;
   return {
     ...platform,
@@ -30,13 +33,13 @@ export function overheard(platform: Platform, ear: Ear): Platform {
         opened: () => events.opened(),
         closed: (code) => events.closed(code),
         received: (text) => {
-          ear("down", text);
+          listener("down", text);
           events.received(text);
         },
       });
       return {
         send: (text) => {
-          ear("up", text);
+          listener("up", text);
           socket.send(text);
         },
         close: (code, reason) => socket.close(code, reason),
@@ -50,28 +53,28 @@ export function overheard(platform: Platform, ear: Ear): Platform {
     },
     ...(ask !== undefined && {
       ask: (request) => {
-        if (request.body !== null) hearBatch(request.body, ear);
-        const asked = ask(request);
-        const answer = asked.answer.then((got) => {
-          const fetched = readJson(fetchedMessagesSchema, got.body, MAX_ANSWER);
+        if (request.body !== null) reportBatch(request.body, listener);
+        const pending = ask(request);
+        const answer = pending.answer.then((response) => {
+          const fetched = readJson(fetchedMessagesSchema, response.body, MAX_RESPONSE);
           if (fetched.ok) {
-            for (const message of fetched.value.messages) ear("down", JSON.stringify(message));
+            for (const message of fetched.value.messages) listener("down", JSON.stringify(message));
           }
-          return got;
+          return response;
         });
-        return { answer, cancel: () => asked.cancel() };
+        return { answer, cancel: () => pending.cancel() };
       },
     }),
   };
 }
 
-function hearBatch(body: string, ear: Ear): void {
+function reportBatch(body: string, listener: MessageListener): void {
   const { messages } = JSON.parse(body) as { messages?: unknown[] };
-  for (const message of messages ?? []) ear("up", JSON.stringify(message));
+  for (const message of messages ?? []) listener("up", JSON.stringify(message));
 }
 
-/** A net that lets no WebSocket through. */
-function closedDoor(events: SocketEvents) {
+/** A WebSocket that a network blocks. */
+function blockedWebSocket(events: SocketEvents) {
   setTimeout(() => events.closed(1006), 1);
-  return { send: nothing, close: nothing, isOpen: false, waitingBytes: 0 };
+  return { send: noop, close: noop, isOpen: false, waitingBytes: 0 };
 }

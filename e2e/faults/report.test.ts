@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { holds, reportOf, type Judged } from "./report.ts";
+import { passes, reportOf, type Result } from "./report.ts";
 
 const about = {
   date: "2026-01-02",
@@ -9,21 +9,21 @@ const about = {
   seed: 1,
 };
 
-function row(measured: number): Judged {
+function row(measured: number): Result {
   const goal = { label: "back", measured, bound: { atMost: 2 }, unit: "s" };
-  return { title: "Killed", does: "kills it", goals: [goal], seconds: 61, load: 1 };
+  return { title: "Killed", description: "kills it", goals: [goal], seconds: 61, load: 1 };
 }
 
-it("a row holds when all of its goals are met, and it came to its end", () => {
-  expect(holds(row(2))).toBe(true);
-  expect(holds(row(2.1))).toBe(false);
-  expect(holds({ ...row(1), goals: null, fault: "no relay" })).toBe(false);
+it("passes a scenario when it ran to its end and met all goals", () => {
+  expect(passes(row(2))).toBe(true);
+  expect(passes(row(2.1))).toBe(false);
+  expect(passes({ ...row(1), goals: null, fault: "no relay" })).toBe(false);
 });
 
-it("says of every row what must hold, what was measured and whether it holds", () => {
-  const broken: Judged = {
+it("reports each goal, its measured value and its verdict", () => {
+  const broken: Result = {
     title: "Broken",
-    does: "falls",
+    description: "falls",
     goals: null,
     fault: "a | b",
     seconds: 1,
@@ -33,5 +33,5 @@ it("says of every row what must hold, what was measured and whether it holds", (
   expect(report).toContain("| Killed | back: at most 2 | 1.5 s | pass |");
   expect(report).toContain("| Killed | back: at most 2 | 3 s | FAIL |");
   expect(report).toContain("| Broken | runs to its end | a \\| b | FAIL |");
-  expect(report).toContain("1 of 3 rows hold");
+  expect(report).toContain("1 of 3 scenarios pass");
 });

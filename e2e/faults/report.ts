@@ -1,22 +1,21 @@
 /**
- * What a run of the rows found, as a table in Markdown: what was done, what must hold, what was
- * measured.
+ * Formats the results as a Markdown table: what was done, what must hold, what was measured.
  */
 import { formatNumber, isMet, type Goal } from "../../benches/core/goals.ts";
 
-export interface Judged {
+export interface Result {
   title: string;
-  does: string;
-  /** null where the row itself failed; then `fault` says how */
+  description: string;
+  /** null when the scenario itself failed; then `fault` is the reason */
   goals: readonly Goal[] | null;
   fault?: string;
   seconds: number;
-  /** average of the machine in its last minute */
+  /** load average of the machine in the last minute */
   load: number;
 }
 
-export interface Circumstances {
-  /** of the run, such as 2026-11-22 */
+export interface RunInfo {
+  /** date of the run, such as 2026-11-22 */
   date: string;
   machine: string;
   versions: string;
@@ -24,39 +23,39 @@ export interface Circumstances {
   seed: number;
 }
 
-/** Whether everything holds. */
-export function holds({ goals }: Judged): boolean {
+/** Whether the scenario ran to its end and met all goals. */
+export function passes({ goals }: Result): boolean {
   return goals !== null && goals.every(isMet);
 }
 
-export function reportOf(rows: readonly Judged[], about: Circumstances): string {
-  const lines = rows.flatMap(linesOf);
+export function reportOf(results: readonly Result[], about: RunInfo): string {
+  const lines = results.flatMap(linesOf);
   return `# What breaks, and what holds
 
 Written by \`npm run test:faults${about.isLong ? " -- --long" : ""}\`: real processes and sockets, with faults.
-Histories of scripts, relay and robots are compared: "lost", "doubled", "reordered", "ended twice" and "late" count
-commands for which they differ, or that a robot began more than 100 ms after their time to live. That is counted from
-the first try; what the try that was taken waited unread before its relay, as on a machine with too much to do, comes
-on top: a message says how old its command is, and nobody can say how long it was on its way. A load above the number of
-processors means that others were at work on the machine, which makes every time longer. How to add a row:
+The histories of scripts, relay and robots are compared. "lost", "doubled", "reordered", "ended twice" and "late" count
+the commands in which the histories differ, or that a robot started more than 100 ms after their time to live. The time
+to live starts with the first attempt. The time that the accepted attempt waited unread at its relay, as on an overloaded
+machine, is added: a message contains the age of its command, but not its transit time. A load above the number of
+processors means that other programs ran on the machine, which increases every time. How to add a scenario:
 [CONTRIBUTING.md](../CONTRIBUTING.md).
 
 ${about.date}, ${about.machine}; ${about.versions}; seed ${about.seed}; ${about.isLong ? "long" : "short"} run.
-${rows.filter(holds).length} of ${rows.length} rows hold.
+${results.filter(passes).length} of ${results.length} scenarios pass.
 
-| row | what must hold | measured | |
+| scenario | what must hold | measured | |
 | --- | --- | --- | --- |
 ${lines.join("\n")}
 
-${rows.map(lineAbout).join("\n")}
+${results.map(lineAbout).join("\n")}
 `;
 }
 
-function lineAbout({ title, does, seconds, load }: Judged): string {
+function lineAbout({ title, description: does, seconds, load }: Result): string {
   return `- **${title}** (${Math.round(seconds)} s, load ${load.toFixed(1)}): ${does}.`;
 }
 
-function linesOf({ title, goals, fault }: Judged): string[] {
+function linesOf({ title, goals, fault }: Result): string[] {
   if (goals === null) return [`| ${title} | runs to its end | ${cell(fault ?? "")} | FAIL |`];
   return goals.map((goal, n) => {
     const { label, measured, bound, unit } = goal;

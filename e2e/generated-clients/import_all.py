@@ -1,4 +1,4 @@
-"""Imports every module of the package whose folder is given, and prints the names of its operations."""
+"""Imports every module of the package in the given folder, and prints the names of its operations."""
 
 import importlib
 import pkgutil

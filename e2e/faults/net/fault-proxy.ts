@@ -1,137 +1,137 @@
 /**
- * A net that breaks: TCP connections to a relay that can be cut, held up, cut into small pieces and
- * left half open. What is said on them passes through byte by byte; chance is by a seed.
+ * A proxy that injects network faults: TCP connections to a relay can be cut, stalled, sliced into
+ * small pieces and left half open. Bytes pass unchanged. A seeded random source decides.
  */
 import { connect, createServer, type AddressInfo, type Server, type Socket } from "node:net";
 import type { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
 import { machineNow } from "../clock.ts";
 
-/** From the client to the relay, or back. */
+/** from the client to the relay, or back */
 export type Direction = "up" | "down";
 
-/** ms that a piece takes, by chance */
+/** delay of a piece in ms, at random between the bounds */
 export interface Delay {
-  least: number;
-  most: number;
+  min: number;
+  max: number;
 }
 
-const NO_DELAY: Delay = { least: 0, most: 0 };
+const NO_DELAY: Delay = { min: 0, max: 0 };
 
-/** A piece of a sliced stream has at most so many bytes. */
-const LARGEST_SLICE = 24;
+/** maximum size of a piece of a sliced stream, in bytes */
+const MAX_SLICE = 24;
 
 type Side = "client" | "relay";
 
 export interface FaultProxyOptions {
-  /** port of this machine to which connections go; asked for each one */
+  /** port of this machine to connect to, requested for each connection */
   target: () => number;
-  dice: Dice;
+  random: Dice;
 }
 
-/** Both sockets of a connection, and the way between them. */
-class Joint {
+/** Both sockets of a connection, and the pipes between them. */
+class ProxiedConnection {
   readonly #ends: Record<Side, Socket>;
-  readonly #lanes: Lane[];
+  readonly #pipes: Pipe[];
   isSilent = false;
 
-  constructor(client: Socket, relay: Socket, proxy: FaultProxy, dice: Dice) {
+  constructor(client: Socket, relay: Socket, proxy: FaultProxy, random: Dice) {
     this.#ends = { client, relay };
-    this.#lanes = [
-      new Lane(client, relay, { proxy, dice, direction: "up" }),
-      new Lane(relay, client, { proxy, dice, direction: "down" }),
+    this.#pipes = [
+      new Pipe(client, relay, { proxy, random, direction: "up" }),
+      new Pipe(relay, client, { proxy, random, direction: "down" }),
     ];
-    for (const end of [client, relay]) {
-      end.setNoDelay(true);
-      end.on("error", () => this.cut("quiet"));
+    for (const socket of [client, relay]) {
+      socket.setNoDelay(true);
+      socket.on("error", () => this.cut("quiet"));
     }
   }
 
   get isOpen(): boolean {
-    return Object.values(this.#ends).some((end) => !end.destroyed);
+    return Object.values(this.#ends).some((socket) => !socket.destroyed);
   }
 
-  /** Ends both sides, with a reset or as if the other side had closed. */
+  /** Closes both sides, with a reset or as if the peer had closed. */
   cut(how: "reset" | "quiet"): void {
-    for (const lane of this.#lanes) lane.close();
-    for (const end of Object.values(this.#ends)) {
-      if (how === "reset" && !end.destroyed) end.resetAndDestroy();
-      else end.destroy();
+    for (const pipe of this.#pipes) pipe.close();
+    for (const socket of Object.values(this.#ends)) {
+      if (how === "reset" && !socket.destroyed) socket.resetAndDestroy();
+      else socket.destroy();
     }
   }
 
-  /** One side is gone; the other is not told, and nothing that it says arrives. */
+  /** Disconnects one side. The other side gets no notice, and its data is discarded. */
   halfOpen(gone: Side): void {
     this.isSilent = true;
-    for (const lane of this.#lanes) lane.close();
+    for (const pipe of this.#pipes) pipe.close();
     this.#ends[gone].destroy();
     this.#ends[gone === "client" ? "relay" : "client"].resume();
   }
 }
 
-/** One direction of a connection; what is on its way keeps its order. */
-class Lane {
+/** One direction of a connection. Delayed pieces keep their order. */
+class Pipe {
   readonly #to: Socket;
-  /** pieces, and null for the end */
-  readonly #onTheWay: { at: number; piece: Buffer | null }[] = [];
+  /** delayed pieces, with null for the end of the stream */
+  readonly #inTransit: { at: number; piece: Buffer | null }[] = [];
   #timer: NodeJS.Timeout | null = null;
   #isClosed = false;
 
   constructor(
     from: Socket,
     to: Socket,
-    { proxy, dice, direction }: { proxy: FaultProxy; dice: Dice; direction: Direction },
+    { proxy, random, direction }: { proxy: FaultProxy; random: Dice; direction: Direction },
   ) {
     this.#to = to;
-    const put = (piece: Buffer | null): void => {
-      const { least, most } = proxy.delays[direction];
-      const soon = Date.now() + (most === 0 ? 0 : dice.between(least, most));
-      const last = this.#onTheWay.at(-1)?.at ?? 0;
-      this.#onTheWay.push({ at: Math.max(last, soon, proxy.heldUntil), piece });
+    const enqueue = (piece: Buffer | null): void => {
+      const { min, max } = proxy.delays[direction];
+      const earliest = Date.now() + (max === 0 ? 0 : random.between(min, max));
+      const last = this.#inTransit.at(-1)?.at ?? 0;
+      this.#inTransit.push({ at: Math.max(last, earliest, proxy.stalledUntil), piece });
     };
     from.on("data", (data: Buffer) => {
       if (this.#isClosed) return;
-      for (const piece of proxy.isSlicing ? slices(data, dice) : [data]) put(piece);
-      this.#pump();
-      // A reader that does not read holds up who writes to it, as a net does.
+      for (const piece of proxy.isSlicing ? slices(data, random) : [data]) enqueue(piece);
+      this.#deliver();
+      // Backpressure: a receiver that does not read stops the sender, as on a real network.
       if (!to.writableNeedDrain) return;
       from.pause();
       to.once("drain", () => from.resume());
     });
     from.on("end", () => {
-      put(null);
-      this.#pump();
+      enqueue(null);
+      this.#deliver();
     });
   }
 
   close(): void {
     this.#isClosed = true;
-    this.#onTheWay.length = 0;
+    this.#inTransit.length = 0;
   }
 
-  #pump(): void {
+  #deliver(): void {
     if (this.#timer !== null) return;
     for (;;) {
-      const [first] = this.#onTheWay;
+      const [first] = this.#inTransit;
       if (first === undefined || this.#isClosed || this.#to.destroyed) return;
       const wait = first.at - Date.now();
       if (wait > 0) {
         this.#timer = setTimeout(() => {
           this.#timer = null;
-          this.#pump();
+          this.#deliver();
         }, wait);
         return;
       }
-      this.#onTheWay.shift();
+      this.#inTransit.shift();
       if (first.piece === null) this.#to.end();
       else this.#to.write(first.piece);
     }
   }
 }
 
-function slices(data: Buffer, dice: Dice): Buffer[] {
+function slices(data: Buffer, random: Dice): Buffer[] {
   const pieces: Buffer[] = [];
   for (let at = 0; at < data.length;) {
-    const size = dice.between(1, LARGEST_SLICE);
+    const size = random.between(1, MAX_SLICE);
     pieces.push(data.subarray(at, at + size));
     at += size;
   }
@@ -141,18 +141,18 @@ function slices(data: Buffer, dice: Dice): Buffer[] {
 export class FaultProxy {
   readonly #options: FaultProxyOptions;
   readonly #server: Server;
-  readonly #joints = new Set<Joint>();
-  /** new connections are refused while it is not */
+  readonly #connections = new Set<ProxiedConnection>();
+  /** whether new connections are accepted */
   isUp = true;
-  /** ms that each piece takes in each direction, in order */
+  /** delay of each piece in ms, in each direction */
   readonly delays: Record<Direction, Delay> = { up: NO_DELAY, down: NO_DELAY };
-  /** Whether what passes is cut into small pieces. */
+  /** whether data is cut into small pieces */
   isSlicing = false;
-  /** nothing passes before; nothing is lost */
-  heldUntil = 0;
-  /** connections that were cut or left half open */
+  /** time before which nothing passes; nothing is lost */
+  stalledUntil = 0;
+  /** number of connections that were cut or left half open */
   cuts = 0;
-  /** when a connection that was opened last was first answered by the relay, by `machineNow` */
+  /** `machineNow` when the newest connection received its first response from the relay */
   answeredAt = 0;
 
   private constructor(options: FaultProxyOptions) {
@@ -168,54 +168,55 @@ export class FaultProxy {
     return proxy;
   }
 
-  /** such as http://127.0.0.1:41234 */
+  /** origin such as http://127.0.0.1:41234 */
   get origin(): string {
     return `http://127.0.0.1:${(this.#server.address() as AddressInfo).port}`;
   }
 
   get connections(): number {
-    return this.#joints.size;
+    return this.#connections.size;
   }
 
-  /** ms that each piece takes, either way */
+  /** Sets the delay of both directions. */
   set delay(delay: Delay) {
     this.delays.up = delay;
     this.delays.down = delay;
   }
 
-  /** Ends every connection. @returns how many there were */
+  /** Cuts every connection. @returns the number of cut connections */
   cut(): number {
-    const joints = [...this.#joints];
-    for (const joint of joints) joint.cut(this.#options.dice.isLucky(0.5) ? "reset" : "quiet");
-    this.cuts += joints.length;
-    return joints.length;
+    const connections = [...this.#connections];
+    for (const connection of connections)
+      connection.cut(this.#options.random.isLucky(0.5) ? "reset" : "quiet");
+    this.cuts += connections.length;
+    return connections.length;
   }
 
-  /** Cuts them all, and lets no new one in for so long. */
+  /** Cuts every connection, and refuses new ones for `ms`. */
   breakFor(ms: number): number {
     this.isUp = false;
     setTimeout(() => (this.isUp = true), ms);
     return this.cut();
   }
 
-  /** One side of every connection is gone; the other learns of it after so long. */
+  /** Leaves every connection half open: one side disconnects, and the other is reset after `ms`. */
   halfOpen(gone: Side, ms: number): number {
-    const joints = [...this.#joints].filter(({ isSilent }) => !isSilent);
-    for (const joint of joints) {
-      joint.halfOpen(gone);
-      setTimeout(() => joint.cut("reset"), ms);
+    const connections = [...this.#connections].filter(({ isSilent }) => !isSilent);
+    for (const connection of connections) {
+      connection.halfOpen(gone);
+      setTimeout(() => connection.cut("reset"), ms);
     }
-    this.cuts += joints.length;
-    return joints.length;
+    this.cuts += connections.length;
+    return connections.length;
   }
 
-  /** Nothing passes for so long; then it all comes. */
-  hold(ms: number): void {
-    this.heldUntil = Date.now() + ms;
+  /** Stalls all data for `ms`, then delivers it. */
+  stall(ms: number): void {
+    this.stalledUntil = Date.now() + ms;
   }
 
-  /** Does no harm any more to what comes from now on. */
-  mend(): void {
+  /** Removes all faults for data from now on. */
+  clearFaults(): void {
     this.isUp = true;
     this.isSlicing = false;
     this.delay = NO_DELAY;
@@ -223,7 +224,7 @@ export class FaultProxy {
 
   async close(): Promise<void> {
     this.isUp = false;
-    for (const joint of this.#joints) joint.cut("quiet");
+    for (const connection of this.#connections) connection.cut("quiet");
     await new Promise((resolve) => this.#server.close(resolve));
   }
 
@@ -244,12 +245,12 @@ export class FaultProxy {
     relay.once("connect", () => {
       relay.off("error", refuse);
       client.off("close", refuse);
-      const joint = new Joint(client, relay, this, this.#options.dice);
-      this.#joints.add(joint);
+      const connection = new ProxiedConnection(client, relay, this, this.#options.random);
+      this.#connections.add(connection);
       relay.once("data", () => (this.answeredAt = machineNow()));
-      for (const end of [client, relay]) {
-        end.on("close", () => {
-          if (!joint.isOpen) this.#joints.delete(joint);
+      for (const socket of [client, relay]) {
+        socket.on("close", () => {
+          if (!connection.isOpen) this.#connections.delete(connection);
         });
       }
       client.resume();

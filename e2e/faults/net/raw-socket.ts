@@ -1,39 +1,39 @@
-/** A WebSocket byte by byte, for what no client library would send. */
+/** A WebSocket at byte level, for frames that no client library sends. */
 import { randomBytes } from "node:crypto";
 import { once } from "node:events";
 import { connect, type Socket } from "node:net";
 
 export interface Frame {
   payload: Buffer;
-  /** 1 text, 2 binary, 8 close, 9 ping; 3 to 7 mean nothing */
+  /** 1 text, 2 binary, 8 close, 9 ping; 3 to 7 are reserved */
   opcode?: number;
-  /** clients have to mask what they send */
+  /** clients must mask their frames */
   isMasked?: boolean;
   isLast?: boolean;
-  /** bits that no extension has given a meaning, 1 to 7 */
+  /** reserved bits (RSV), 1 to 7 */
   reserved?: number;
-  /** what the frame says of its length; default: the truth */
+  /** length field of the frame; default: the real length */
   length?: number;
 }
 
-const KEPT_BYTES = 100_000;
+const MAX_STORED_BYTES = 100_000;
 
 export class RawSocket {
   readonly #socket: Socket;
-  #answer = "";
-  /** how many bytes came so far */
+  #response = "";
+  /** number of bytes received so far */
   received = 0;
 
   private constructor(socket: Socket) {
     this.#socket = socket;
     socket.on("data", (data: Buffer) => {
       this.received += data.length;
-      if (this.#answer.length < KEPT_BYTES) this.#answer += data.toString("latin1");
+      if (this.#response.length < MAX_STORED_BYTES) this.#response += data.toString("latin1");
     });
     socket.on("error", () => undefined);
   }
 
-  /** Opens one at a path and waits for the upgrade. */
+  /** Opens a WebSocket at a path and waits for the upgrade response. */
   static async open(origin: string, path: string): Promise<RawSocket> {
     const { hostname, port } = new URL(origin);
     const raw = new RawSocket(connect(Number(port), hostname));
@@ -46,9 +46,9 @@ export class RawSocket {
     return raw;
   }
 
-  /** what came at first, byte for byte */
-  get answer(): string {
-    return this.#answer;
+  /** the first bytes received */
+  get response(): string {
+    return this.#response;
   }
 
   get isOpen(): boolean {
@@ -67,16 +67,16 @@ export class RawSocket {
     if (this.#socket.writable) this.#socket.write(bytes);
   }
 
-  /** Reads nothing, as a program that sleeps. */
-  sleep(): void {
+  /** Stops reading, as a suspended program does. */
+  pause(): void {
     this.#socket.pause();
   }
 
-  wake(): void {
+  resume(): void {
     this.#socket.resume();
   }
 
-  /** Says that nothing more comes, and listens on. */
+  /** Closes the sending side and continues to receive. */
   halfClose(): void {
     this.#socket.end();
   }

@@ -1,27 +1,27 @@
-"""The rules between the fields of a body, which no JSON Schema can express: every correct client keeps them."""
+"""Rules between the fields of a body that JSON Schema cannot express. Every correct client follows them."""
 
 import copy
 
 DEFAULT_TTL = 10_000
-# The relay refuses a command that is older than its time to live: a client does not send it any more.
+# The relay rejects a command that is older than its time to live, so a client stops sending it.
 YOUNG = 0.5
 
 
-def keep_rules(body):
-    """A body like this one, which fulfils its schema, that fulfils the rules between its fields, too."""
+def apply_rules(body):
+    """Returns a copy of a body that fulfils its schema, changed to fulfil the rules between its fields."""
     if not isinstance(body, dict):
         return body
     body = copy.deepcopy(body)
     if body.get("format") == "corridor/maze":
-        keep_maze_rules(body)
+        apply_maze_rules(body)
     elif body.get("format") == "corridor/challenge":
-        keep_challenge_rules(body)
+        apply_challenge_rules(body)
     elif "action" in body and "age" in body:
         body["age"] = min(body["age"], YOUNG * body.get("ttl", DEFAULT_TTL))
     return body
 
 
-def keep_maze_rules(maze):
+def apply_maze_rules(maze):
     """Rows of one length; start and goals inside, on open cells."""
     width = len(maze["blocks"][0])
     rows = [list(row[:width].ljust(width, "#")) for row in maze["blocks"]]
@@ -32,11 +32,11 @@ def keep_maze_rules(maze):
     maze["blocks"] = ["".join(row) for row in rows]
 
 
-def keep_challenge_rules(challenge):
-    """What is to be done can be done in its mazes, in the time and with the lines that it gives."""
+def apply_challenge_rules(challenge):
+    """Makes the goal reachable in its mazes, within its time and with its lines."""
     goal, checks, program = challenge["goal"], challenge["checks"], challenge["program"]
     for maze in challenge["mazes"]:
-        keep_maze_rules(maze)
+        apply_maze_rules(maze)
         if goal["kind"] == "reach" and not maze["goals"]:
             maze["goals"] = [{name: maze["start"][name] for name in ("column", "row")}]
     if goal["kind"] == "stop":

@@ -1,7 +1,7 @@
-"""What schemathesis is told of the service: robots that are there, keys that count, and no patience.
+"""Hooks for schemathesis: existing robots, valid keys and short waits.
 
-It generates bodies, queries, headers and paths by itself, right and wrong ones. Where a path is right,
-most calls go to a robot that exists: nearly all others would end at "no such robot".
+schemathesis generates valid and invalid bodies, queries, headers and paths. Where a path is valid,
+most calls go to an existing robot: nearly all others would end with "no such robot".
 """
 
 import itertools
@@ -13,12 +13,12 @@ import time
 import urllib.request
 
 import schemathesis
-from documents import keep_rules
+from documents import apply_rules
 
 SERVICE = os.environ["CORRIDOR_URL"]
 ROBOTS = json.loads(os.environ["CORRIDOR_ROBOTS"])
 CHANCE = random.Random(int(os.environ["CORRIDOR_SEED"]))
-# Every call comes from an address of its own, as from many schools: limits of an address are not what is tried.
+# Every call has its own address, as from many schools: the limits of an address are not under test.
 ADDRESSES = (f"10.{n >> 16 & 255}.{n >> 8 & 255}.{n & 255}" for n in itertools.count(1))
 MISSES = 0.1
 WAIT = 0.02
@@ -38,7 +38,7 @@ SCRIPT_CLOCK = r"[A-Za-z0-9_-]{8,32} \d{1,15}"
 MAX_BODY = 16 * 1024
 MAX_DOCUMENT = 64 * 1024
 DOCUMENTS = ["/api/v1/mazes", "/api/v1/robots/{id}/maze"]
-# Calls after which a robot is gone, has as many keys or lines as it may have, or hears these hooks no more.
+# Calls that delete the robot, exhaust its keys or connections, or block these hooks.
 USES_UP = "deleteRobot makeKey revokeKey openLine leaveLine sendMessages fetchMessages sendScriptAway".split()
 STOP = {"action": "stop"}
 INTERNALS = re.compile(
@@ -46,7 +46,7 @@ INTERNALS = re.compile(
 )
 
 
-def ask(path, body=None, key=None, method=None):
+def call(path, body=None, key=None, method=None):
     headers = {"Content-Type": "application/json", "X-Forwarded-For": next(ADDRESSES)}
     if key is not None:
         headers["Authorization"] = f"Bearer {key}"
@@ -58,26 +58,26 @@ def ask(path, body=None, key=None, method=None):
 
 
 def fresh_robot():
-    return ask("/api/v1/robots", method="POST")
+    return call("/api/v1/robots", method="POST")
 
 
-def line_of(robot):
+def connection_of(robot):
     hello = {"type": "hello", "version": 1, "role": "drive", "key": robot["driverKey"]}
-    return ask(f"/api/v1/robots/{robot['id']}/line", hello)["line"]
+    return call(f"/api/v1/robots/{robot['id']}/line", hello)["line"]
 
 
 def pairing_code():
     robot = CHANCE.choice(ROBOTS)
-    return ask(f"/api/v1/robots/{robot['id']}/pairing", key=robot["ownerKey"], method="POST")["code"]
+    return call(f"/api/v1/robots/{robot['id']}/pairing", key=robot["ownerKey"], method="POST")["code"]
 
 
-def is_right(text, pattern):
+def is_valid(text, pattern):
     return isinstance(text, str) and re.fullmatch(pattern, text) is not None
 
 
 @schemathesis.auth()
 class Keys:
-    """Puts a robot, command, key or document that exists into a right path, and the key for it into the header."""
+    """Puts an existing robot, command, key or document into a valid path, and its key into the header."""
 
     def get(self, case, context):
         return "set with each call"
@@ -85,36 +85,36 @@ class Keys:
     def set(self, case, data, context):
         case.headers["X-Forwarded-For"] = next(ADDRESSES)
         if case.meta is not None and case.meta.generation.mode.is_positive:
-            case.body = keep_rules(case.body)
+            case.body = apply_rules(case.body)
         operation = case.operation.definition.raw.get("operationId", "")
         schemes = {name for each in case.operation.definition.raw.get("security", []) for name in each}
         path = case.path_parameters
         if "/mazes/{id}" in case.operation.path:
             self.document(case, operation)
-        elif is_right(path.get("id"), r"[A-Za-z0-9_-]{22}") and CHANCE.random() > MISSES:
+        elif is_valid(path.get("id"), r"[A-Za-z0-9_-]{22}") and CHANCE.random() > MISSES:
             self.robot(case, operation, schemes)
         elif operation == "askToPair" and isinstance(case.body, dict) and CHANCE.random() > MISSES:
-            if is_right(case.body.get("code"), CODE) and len(case.body["code"]) <= MAX_TYPED:
+            if is_valid(case.body.get("code"), CODE) and len(case.body["code"]) <= MAX_TYPED:
                 case.body["code"] = pairing_code()
         elif operation == "awaitPairing" and schemes and CHANCE.random() > MISSES:
-            asked = ask("/api/v1/pairing", {"code": pairing_code()})
+            asked = call("/api/v1/pairing", {"code": pairing_code()})
             case.headers["Authorization"] = f"Bearer {asked['key']}"
-        if is_right(str(case.query.get("wait")), r"\d{1,2}(\.\d{1,3})?"):
+        if is_valid(str(case.query.get("wait")), r"\d{1,2}(\.\d{1,3})?"):
             case.query["wait"] = WAIT
-        # Made-up times say that a request was held up on its way: a client sends those of a clock.
-        if is_right(case.headers.get("Script-Clock"), SCRIPT_CLOCK):
+        # Random times would mean that a request was delayed in transit, so send those of a real clock.
+        if is_valid(case.headers.get("Script-Clock"), SCRIPT_CLOCK):
             clock = case.headers["Script-Clock"].split(" ")[0]
             case.headers["Script-Clock"] = f"{clock} {int(time.monotonic() * 1000)}"
-        # A stream has no end to be checked; wrong queries are refused all the same.
+        # A stream has no end to check. Invalid queries are rejected all the same.
         if operation == "followEvents" and "wait" not in case.query:
             case.query["wait"] = WAIT
 
     def document(self, case, operation):
-        if not is_right(case.path_parameters.get("id"), LINK):
+        if not is_valid(case.path_parameters.get("id"), LINK):
             return
         if CHANCE.random() < MISSES:
             return
-        stored = ask("/api/v1/mazes", MAZE | {"name": f"Hall {CHANCE.random()}"})
+        stored = call("/api/v1/mazes", MAZE | {"name": f"Hall {CHANCE.random()}"})
         case.path_parameters["id"] = stored["id"]
         if operation == "deleteDocument":
             case.headers["Authorization"] = f"Bearer {stored['deleteKey']}"
@@ -124,31 +124,31 @@ class Keys:
         path = case.path_parameters
         path["id"] = robot["id"]
         api = f"/api/v1/robots/{robot['id']}"
-        if is_right(str(path.get("seq")), r"\d{1,15}"):
-            path["seq"] = ask(api + "/commands", STOP, robot["driverKey"])["seq"]
-        if "keyId" in path and is_right(path["keyId"], r"[A-Za-z0-9_-]{1,64}"):
-            path["keyId"] = ask(api + "/keys", key=robot["ownerKey"])["keys"][0]["id"]
+        if is_valid(str(path.get("seq")), r"\d{1,15}"):
+            path["seq"] = call(api + "/commands", STOP, robot["driverKey"])["seq"]
+        if "keyId" in path and is_valid(path["keyId"], r"[A-Za-z0-9_-]{1,64}"):
+            path["keyId"] = call(api + "/keys", key=robot["ownerKey"])["keys"][0]["id"]
         if operation == "openLine" and isinstance(case.body, dict):
-            if is_right(case.body.get("key"), KEY):
+            if is_valid(case.body.get("key"), KEY):
                 case.body["key"] = robot["driverKey"]
         if not schemes:
             return
         key = robot["ownerKey"] if "ownerKey" in schemes else robot["driverKey"]
         if "lineKey" in schemes:
-            key = line_of(robot)
+            key = connection_of(robot)
         case.headers["Authorization"] = f"Bearer {key}"
 
 
 @schemathesis.hook
 def filter_body(context, body):
-    """No schema can say how many bytes a body may have, and a larger one is refused for that alone."""
-    most = MAX_DOCUMENT if context.operation.path in DOCUMENTS else MAX_BODY
-    return len(json.dumps(body, default=str)) <= most
+    """JSON Schema cannot limit the bytes of a body, and the relay rejects larger ones."""
+    limit = MAX_DOCUMENT if context.operation.path in DOCUMENTS else MAX_BODY
+    return len(json.dumps(body, default=str)) <= limit
 
 
 @schemathesis.check
 def no_internals(context, response, case):
-    """No path of a file and no stack reaches a client."""
+    """No file path and no stack trace reaches a client."""
     found = INTERNALS.search(response.text)
     if found is not None:
         raise AssertionError(f"The body shows internals: {found.group()!r}")

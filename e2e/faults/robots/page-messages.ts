@@ -1,33 +1,33 @@
-/** What crosses between the runner and a process of pages. */
+/** Messages between the runner and a process of pages. */
 import type { RemoteSession, RemoteStatus } from "../../../apps/web/src/worker/worker-messages.ts";
 import type { CommandState } from "@corridor/protocol";
 
-/** Which ways to the relay a client tries. */
-export type Doors = "both" | "websocket" | "https";
+/** transports to the relay that a client tries */
+export type Transports = "both" | "websocket" | "https";
 
 export type ToPages =
   | {
-      do: "open";
-      /** a number that no other page has */
+      type: "open";
+      /** unique number of the page */
       page: number;
-      /** through which the page reaches its relay */
+      /** address at which the page reaches its relay */
       origin: string;
       session: RemoteSession;
-      doors: Doors;
+      transports: Transports;
     }
-  /** The tab is closed. */
-  | { do: "leave"; page: number };
+  /** Closes the tab. */
+  | { type: "close"; page: number };
 
-/** `at` is by `machineNow`. */
+/** times `at` are by `machineNow` */
 export type FromPages =
-  | { tells: "ready" }
-  | { tells: "deed"; page: number; seq: number; what: CommandState; at: number }
-  | { tells: "status"; page: number; status: RemoteStatus; at: number }
-  /** Its relay has given it a command, to be begun by then, by the relay's clock. */
-  | { tells: "given"; page: number; seq: number; deadline: number }
-  /** Its relay has given it the robot. */
-  | { tells: "taken"; page: number; at: number }
-  /** what the tab keeps over a reload */
-  | { tells: "session"; page: number; session: RemoteSession }
-  /** The robot has begun to move, or stands. */
-  | { tells: "motion"; page: number; isMoving: boolean; at: number };
+  | { type: "ready" }
+  | { type: "state"; page: number; seq: number; state: CommandState; at: number }
+  | { type: "status"; page: number; status: RemoteStatus; at: number }
+  /** The relay delivered a command, with the deadline for its start by the relay's clock. */
+  | { type: "delivered"; page: number; seq: number; deadline: number }
+  /** The relay assigned the robot to this page. */
+  | { type: "acquired"; page: number; at: number }
+  /** session that the tab stores across a reload */
+  | { type: "session"; page: number; session: RemoteSession }
+  /** The robot started to move, or stopped. */
+  | { type: "motion"; page: number; isMoving: boolean; at: number };

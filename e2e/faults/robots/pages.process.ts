@@ -1,26 +1,26 @@
 /**
- * A process of pages: each is a robot. It ends with the process that started it, or by `kill -9`,
- * which is how a tab goes that is closed or reloaded in the midst of whatever it does.
+ * A process of pages, each of which is a robot. It exits with its parent, or is killed with `kill
+ * -9`, like a tab that is closed or reloaded in the middle of its work.
  */
 import type { FromPages, ToPages } from "./page-messages.ts";
 import { RobotPage } from "./robot-page.ts";
 
-/** As the worker does it. */
+/** interval of the worker */
 const INTERVAL_MS = 8;
 
 const pages = new Map<number, RobotPage>();
-const tell = (message: FromPages): void => void process.send?.(message);
+const report = (message: FromPages): void => void process.send?.(message);
 
 process.on("message", (message: ToPages) => {
-  if (message.do === "open") {
-    pages.set(message.page, new RobotPage(message, tell));
+  if (message.type === "open") {
+    pages.set(message.page, new RobotPage(message, report));
     return;
   }
-  pages.get(message.page)?.leave();
+  pages.get(message.page)?.close();
   pages.delete(message.page);
 });
 process.on("disconnect", () => process.exit());
 setInterval(() => {
-  for (const page of pages.values()) page.turn();
+  for (const page of pages.values()) page.advance();
 }, INTERVAL_MS);
-tell({ tells: "ready" });
+report({ type: "ready" });

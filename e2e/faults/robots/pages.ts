@@ -1,4 +1,4 @@
-/** A process of pages, as the runner holds it. */
+/** The runner's handle of a process of pages. */
 import { fork, type ChildProcess } from "node:child_process";
 import { once } from "node:events";
 import { fileURLToPath } from "node:url";
@@ -13,14 +13,14 @@ export class Pages {
     this.#child = child;
   }
 
-  /** @param heard is told of all that the pages tell */
-  static async start(heard: (message: FromPages) => void): Promise<Pages> {
+  /** @param onMessage receives all messages of the pages */
+  static async start(onMessage: (message: FromPages) => void): Promise<Pages> {
     const child = fork(entry, { stdio: ["ignore", "inherit", "inherit", "ipc"] });
     const ready = new Promise<void>((resolve, reject) => {
       child.once("exit", () => reject(new Error("The process of pages has ended.")));
       child.on("message", (message: FromPages) => {
-        if (message.tells === "ready") resolve();
-        else heard(message);
+        if (message.type === "ready") resolve();
+        else onMessage(message);
       });
     });
     await ready;
@@ -31,11 +31,11 @@ export class Pages {
     if (this.#child.connected) this.#child.send(message);
   }
 
-  /** Ends the process at once, in the midst of whatever its pages do. */
+  /** Kills the process immediately, whatever its pages are doing. */
   async kill(): Promise<void> {
     const child = this.#child;
     if (child.exitCode !== null || child.signalCode !== null) return;
-    // What its pages have told is heard to the end.
+    // All messages that its pages have sent are still received.
     const ended = Promise.all([once(child, "close"), once(child, "disconnect")]);
     child.kill("SIGKILL");
     await ended;

@@ -1,11 +1,11 @@
-/** Scripts of other languages, as processes: the Python library and the example in Java. */
+/** Scripts in other languages as processes: the Python library and the Java example. */
 import { spawn, type ChildProcess } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { inPath } from "../../../scripts/programs.ts";
 import { exampleCommand } from "../../support/script.ts";
 
 const library = fileURLToPath(new URL("../../../packages/client-python/src", import.meta.url));
-/** A command, and another one when it is told to. */
+/** sends a command, and another one after a line of input */
 const PYTHON = `
 import sys
 from corridor import Robot
@@ -15,16 +15,16 @@ sys.stdin.readline()
 robot.right(5)
 `;
 
-/** What is on this machine of them. */
+/** Whether a program is installed. */
 export const hasProgram = (name: "python3" | "java"): boolean => inPath(name).length > 0;
 
 export class ExampleScript {
   readonly #process: ChildProcess;
-  /** what it has said, to be shown where it fails */
+  /** output so far, for error messages */
   output = "";
 
-  private constructor([command = "", ...words]: string[]) {
-    this.#process = spawn(command, words, {
+  private constructor([command = "", ...args]: string[]) {
+    this.#process = spawn(command, args, {
       stdio: ["pipe", "pipe", "pipe"],
       env: { ...process.env, PYTHONPATH: library },
     });
@@ -37,13 +37,13 @@ export class ExampleScript {
     return new ExampleScript([inPath("python3")[0] ?? "python3", "-c", PYTHON, address]);
   }
 
-  /** It makes two moves along the wall to its right. */
+  /** The Java example makes two moves along the wall to its right. */
   static java(address: string): ExampleScript {
     return new ExampleScript([...exampleCommand("Java"), address, "--moves", "2"]);
   }
 
-  /** Has it send the next command. */
-  goOn(): void {
+  /** Makes the script send its next command. */
+  sendNext(): void {
     this.#process.stdin?.write("\n");
   }
 

@@ -1,7 +1,6 @@
 /**
- * A script as robot libraries have it that know nothing of this service: it publishes without
- * waiting for answers, keeps what it cannot send while its line is down, and sends all of it once
- * the line is back.
+ * A script like robot libraries that are not written for this service: it publishes without waiting
+ * for answers, queues messages while disconnected, and sends the whole queue after a reconnect.
  */
 import {
   decodeFrame,
@@ -14,22 +13,22 @@ import {
 import { randomUUID } from "node:crypto";
 import { machineNow } from "../clock.ts";
 import type { Robot } from "../robots/robot.ts";
-import { Diary, type Script } from "./script.ts";
+import { CommandLog, type Script } from "./script.ts";
 
-const AGAIN_MS = 100;
+const RETRY_MS = 100;
 
 export class FlushingScript implements Script {
-  readonly diary: Diary;
+  readonly commands: CommandLog;
   readonly #url: string;
   readonly #hello: string;
-  #kept: string[] = [];
+  #queue: string[] = [];
   #socket: WebSocket | null = null;
   #isClosed = false;
-  heardAt = 0;
+  lastResponseAt = 0;
 
-  /** @param origin through which it reaches its relay */
+  /** @param origin the address at which it reaches its relay */
   constructor(robot: Robot, origin: string) {
-    this.diary = new Diary(robot, "flushing");
+    this.commands = new CommandLog(robot, "flushing");
     const { id, driverKey: key } = robot.registration;
     this.#url = `${origin.replace("http", "ws")}/api/v1/robots/${id}/socket`;
     this.#hello = encodeFrame({ type: "hello", version: PROTOCOL_VERSION, role: "drive", key });
@@ -38,9 +37,9 @@ export class FlushingScript implements Script {
 
   post(order: Order): void {
     const key = randomUUID();
-    this.diary.asked(key);
-    this.diary.tries(key, order.ttl ?? TTL_MS.default);
-    this.#kept.push(encodeFrame({ type: "command", key, command: order }));
+    this.commands.recordRequest(key);
+    this.commands.recordAttempt(key, order.ttl ?? TTL_MS.default);
+    this.#queue.push(encodeFrame({ type: "command", key, command: order }));
     this.#flush();
   }
 
@@ -57,23 +56,24 @@ export class FlushingScript implements Script {
       const read = decodeFrame(relayToDriverSchema, String(data));
       if (!read.ok) return;
       const message = read.value;
-      if (message.type === "ack") this.diary.isAnswered(message.record);
-      if (message.type === "state") this.diary.isTold(message.record);
-      if (message.type === "problem" && message.key !== null) this.diary.isRefused(message.key);
+      if (message.type === "ack") this.commands.recordAck(message.record);
+      if (message.type === "state") this.commands.recordState(message.record);
+      if (message.type === "problem" && message.key !== null)
+        this.commands.recordRejection(message.key);
       if (message.type !== "welcome") return;
-      this.heardAt = machineNow();
+      this.lastResponseAt = machineNow();
       this.#socket = socket;
       this.#flush();
     };
     socket.onclose = () => {
       this.#socket = null;
-      setTimeout(() => this.#connect(), AGAIN_MS);
+      setTimeout(() => this.#connect(), RETRY_MS);
     };
   }
 
   #flush(): void {
     if (this.#socket?.readyState !== WebSocket.OPEN) return;
-    for (const text of this.#kept) this.#socket.send(text);
-    this.#kept = [];
+    for (const text of this.#queue) this.#socket.send(text);
+    this.#queue = [];
   }
 }

@@ -1,6 +1,6 @@
 /**
- * Scripts that use our libraries and tell of each command when it was wished for and what they were
- * told of it.
+ * Scripts that use the client libraries and return, for each command, its request time and reported
+ * outcome.
  */
 import { spawn, type ChildProcess } from "node:child_process";
 import { createInterface } from "node:readline";
@@ -8,29 +8,29 @@ import { fileURLToPath } from "node:url";
 import { ClientError, RobotClient } from "@corridor/client";
 import { inPath } from "../../../scripts/programs.ts";
 import { machineNow } from "../clock.ts";
-import { platformWith } from "../platforms.ts";
-import type { Doors } from "../robots/page-messages.ts";
+import { platformFor } from "../platforms.ts";
+import type { Transports } from "../robots/page-messages.ts";
 
 const library = fileURLToPath(new URL("../../../packages/client-python/src", import.meta.url));
 
-/** One command, as its script sees it. */
+/** one command from its script's point of view */
 export interface Outcome {
   /** by `machineNow` */
   postedAt: number;
-  /** number of the command; null where the library told none */
+  /** number of the command, or null if the library reported none */
   seq: number | null;
-  /** the state of its record, or the code of the error */
+  /** state of the record, or code of the error */
   state: string;
 }
 
 export interface TimedScript {
-  /** Turns by a few degrees, and waits for the outcome. */
+  /** Turns by a few degrees and waits for the outcome. */
   turn(): Promise<Outcome>;
   close(): void;
 }
 
 /**
- * A turn for each line that it is sent, and a line of JSON for each turn; its clock is that of
+ * Makes a turn for each line of input and prints a line of JSON for each turn. Its clock is
  * `machineNow`.
  */
 const PYTHON = `
@@ -82,9 +82,9 @@ export function pythonScript(address: string, ttl: number): TimedScript {
 export async function typeScriptScript(
   address: string,
   ttl: number,
-  doors: Doors,
+  transports: Transports,
 ): Promise<TimedScript> {
-  const client = await RobotClient.connect(address, { ttl, platform: platformWith(doors) });
+  const client = await RobotClient.connect(address, { ttl, platform: platformFor(transports) });
   return {
     turn: async () => {
       const postedAt = machineNow();

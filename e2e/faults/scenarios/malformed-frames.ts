@@ -1,45 +1,45 @@
 /**
- * Two thousand frames that no client should send: the relay lives, and who drives beside them
- * notices nothing.
+ * Two thousand frames that no client should send: the relay survives, and clients of other robots
+ * are not affected.
  */
 import { badCommands } from "../../../apps/relay/src/testing/bad-commands.ts";
 import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { sleep } from "../clock.ts";
 import { RawSocket, type Frame } from "../net/raw-socket.ts";
-import type { Row } from "../row.ts";
-import { Scene } from "../scene.ts";
-import { LineScript } from "../scripts/line-script.ts";
+import type { Scenario } from "../scenario.ts";
+import { TestBed } from "../test-bed.ts";
+import { BareSocketScript } from "../scripts/bare-socket-script.ts";
 
 const FRAMES = { short: 2_000, long: 40_000 };
-/** as many as one robot lets be connected at once, by far */
-const AT_ONCE = 3;
+/** parallel attackers, far below the connection limit of a robot */
+const PARALLEL = 3;
 const INTERNALS = /node:|node_modules|file:\/\/|\/src\/|\bat \w+ \(|SQLITE_/;
 
-export const malformedFrames: Row = {
+export const malformedFrames: Scenario = {
   title: "Malformed frames",
-  does: (isLong) =>
-    `${isLong ? FRAMES.long : FRAMES.short} broken frames and messages before, as and after the greeting of pages and scripts, while another robot is driven`,
-  run: async (terms) => {
-    const dice = new Dice(terms.seed);
+  describe: (isLong) =>
+    `${isLong ? FRAMES.long : FRAMES.short} broken frames and messages before, as and after the hello of pages and scripts, while another robot is driven`,
+  run: async (context) => {
+    const random = new Dice(context.seed);
     const relay = await RelayProcess.start();
-    terms.after(() => relay.stop());
+    context.onCleanup(() => relay.stop());
     const pid = relay.pid;
-    const scene = new Scene(terms);
-    await scene.register(relay.url, 2);
-    const pages = await scene.startPages();
-    for (const robot of scene.robots) scene.open(robot, pages, relay.url, "websocket");
-    await scene.allConnected();
-    const [victim, bystander] = scene.robots;
+    const testBed = new TestBed(context);
+    await testBed.register(relay.url, 2);
+    const pages = await testBed.startPages();
+    for (const robot of testBed.robots) testBed.open(robot, pages, relay.url, "websocket");
+    await testBed.waitUntilConnected();
+    const [victim, bystander] = testBed.robots;
     if (victim === undefined || bystander === undefined) throw new Error("no robots");
     const { id, driverKey, ownerKey } = victim.registration;
     const path = `/api/v1/robots/${id}/socket`;
     const other = bystander.registration;
-    const script = await LineScript.connect(relay.url, other.id, other.driverKey);
-    terms.after(() => script.close());
+    const script = await BareSocketScript.connect(relay.url, other.id, other.driverKey);
+    context.onCleanup(() => script.close());
     const connectedAt = bystander.connectedAt;
 
-    const wanted = terms.isLong ? FRAMES.long : FRAMES.short;
+    const count = context.isLong ? FRAMES.long : FRAMES.short;
     let sent = 0;
     let shown = 0;
     const ends: string[] = [];
@@ -51,52 +51,52 @@ export const malformedFrames: Row = {
       }
     })();
     const attack = async (): Promise<void> => {
-      while (sent < wanted) {
+      while (sent < count) {
         const socket = await RawSocket.open(relay.url, path);
-        const role = dice.pick(["own", "drive", "watch", "none"] as const);
+        const role = random.pick(["own", "drive", "watch", "none"] as const);
         const key = role === "own" ? ownerKey : driverKey;
         if (role !== "none") socket.text(JSON.stringify({ type: "hello", version: 1, role, key }));
-        if (role === "own" && dice.isLucky(0.5)) {
+        if (role === "own" && random.isLucky(0.5)) {
           socket.text('{"type":"resume","lastApplied":0,"fresh":false,"endings":[]}');
         }
-        for (let n = dice.between(1, 12); n > 0 && socket.isOpen; n--) {
-          socket.frame(brokenFrame(dice));
+        for (let n = random.between(1, 12); n > 0 && socket.isOpen; n--) {
+          socket.frame(brokenFrame(random));
           sent += 1;
-          await sleep(dice.between(0, 16));
+          await sleep(random.between(0, 16));
         }
-        if (dice.isLucky(0.2)) socket.halfClose();
-        await sleep(dice.between(0, 20));
-        if (INTERNALS.test(socket.answer)) shown += 1;
+        if (random.isLucky(0.2)) socket.halfClose();
+        await sleep(random.between(0, 20));
+        if (INTERNALS.test(socket.response)) shown += 1;
         socket.destroy();
       }
     };
-    await Promise.all(Array.from({ length: AT_ONCE }, attack));
+    await Promise.all(Array.from({ length: PARALLEL }, attack));
     isOver = true;
     await driving;
     const health = await fetch(`${relay.url}/healthz`);
     return [
-      { label: "broken frames sent", measured: sent, bound: { atLeast: wanted }, unit: "frames" },
+      { label: "broken frames sent", measured: sent, bound: { atLeast: count }, unit: "frames" },
       {
-        label: "the relay is the same process, and well",
+        label: "the relay is the same process, and healthy",
         measured: health.ok && relay.pid === pid ? 1 : 0,
         bound: { atLeast: 1 },
         unit: "",
       },
       {
-        label: "lines of the bystander that were lost, its page's or its script's",
+        label: "lost connections of the bystander's page or script",
         measured: Number(script.isClosed) + Number(bystander.connectedAt !== connectedAt),
         bound: { atMost: 0 },
         unit: "",
       },
       {
         label: "commands of the bystander that did not complete",
-        // One that never ended is not in the list, but the row waits for it to its own end.
+        // A command that never ends is missing here, but then the scenario itself does not end.
         measured: ends.length === 0 ? NaN : ends.filter((state) => state !== "completed").length,
         bound: { atMost: 0 },
         unit: `of ${ends.length}`,
       },
       {
-        label: "answers with a path or a stack in them",
+        label: "responses with a path or a stack trace",
         measured: shown,
         bound: { atMost: 0 },
         unit: "",
@@ -105,10 +105,10 @@ export const malformedFrames: Row = {
   },
 };
 
-function brokenFrame(dice: Dice): Frame {
-  const command = (): string => dice.pick(badCommands).body;
+function brokenFrame(random: Dice): Frame {
+  const command = (): string => random.pick(badCommands).body;
   const bytes = (most: number): Buffer =>
-    Buffer.from(Array.from({ length: dice.between(0, most) }, () => dice.between(0, 255)));
+    Buffer.from(Array.from({ length: random.between(0, most) }, () => random.between(0, 255)));
   const kinds: (() => Frame)[] = [
     () => ({ payload: bytes(200) }),
     () => ({ payload: bytes(200), opcode: 2 }),
@@ -124,14 +124,14 @@ function brokenFrame(dice: Dice): Frame {
     () => ({ payload: Buffer.alloc(20_000, "x") }),
     () => ({ payload: Buffer.from([0x22, 0xc3, 0x28, 0x22]) }),
     () => ({ payload: Buffer.from("{"), isLast: false }),
-    () => ({ payload: Buffer.from("{}"), opcode: dice.between(3, 7) }),
-    () => ({ payload: Buffer.from("{}"), opcode: dice.between(11, 15) }),
-    () => ({ payload: Buffer.from("{}"), reserved: dice.between(1, 7) }),
+    () => ({ payload: Buffer.from("{}"), opcode: random.between(3, 7) }),
+    () => ({ payload: Buffer.from("{}"), opcode: random.between(11, 15) }),
+    () => ({ payload: Buffer.from("{}"), reserved: random.between(1, 7) }),
     () => ({ payload: Buffer.from("{}"), isMasked: false }),
-    () => ({ payload: Buffer.from("{}"), length: dice.between(126, 4_000_000_000) }),
+    () => ({ payload: Buffer.from("{}"), length: random.between(126, 4_000_000_000) }),
     () => ({ payload: bytes(3), opcode: 8 }),
     () => ({ payload: bytes(300), opcode: 9 }),
     () => ({ payload: Buffer.from("a continuation of nothing"), opcode: 0 }),
   ];
-  return dice.pick(kinds)();
+  return random.pick(kinds)();
 }

@@ -1,36 +1,36 @@
 /**
- * A page that is hidden drives on as if it were seen; one that is frozen is known to be, and runs
- * nothing old.
+ * A hidden page keeps driving. A frozen page is reported as paused, and does not run stale commands
+ * when it resumes.
  */
 import { commandRecordSchema, type CommandRecord } from "@corridor/protocol";
 import { RawChromium } from "../../support/devtools.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
-import { machineNow, sleep, until } from "../clock.ts";
+import { machineNow, sleep, waitUntil } from "../clock.ts";
 import { percentile } from "../percentile.ts";
-import type { Row } from "../row.ts";
-import { LineScript } from "../scripts/line-script.ts";
+import type { Scenario } from "../scenario.ts";
+import { BareSocketScript } from "../scripts/bare-socket-script.ts";
 
 const HIDDEN_MS = 60_000;
-/** Longer than the time to live of what is sent meanwhile. */
+/** longer than the time to live of the commands sent during the freeze */
 const FROZEN_MS = 8_000;
 const STALE = 5;
 
-export const hiddenPage: Row = {
+export const hiddenPage: Scenario = {
   title: "Hidden, frozen",
-  does: () =>
+  describe: () =>
     `a real tab hidden for ${HIDDEN_MS / 1000} s gets commands one by one; then it is frozen for ${FROZEN_MS / 1000} s and gets ${STALE} with a time to live of 2 s`,
-  run: async (terms) => {
+  run: async (context) => {
     const relay = await RelayProcess.start();
-    terms.after(() => relay.stop());
+    context.onCleanup(() => relay.stop());
     const browser = await RawChromium.start();
-    terms.after(() => browser.close());
+    context.onCleanup(() => browser.close());
     const page = await browser.open(`${relay.url}/`);
     await page.waitFor(`document.querySelector('input[value="remote"]') !== null`);
     await page.evaluate(`document.querySelector('input[value="remote"]').click()`);
     const text = await page.waitFor(`sessionStorage.getItem("corridor.remote")`);
     const { id, driverKey } = JSON.parse(String(text));
-    const script = await LineScript.connect(relay.url, id, driverKey);
-    terms.after(() => script.close());
+    const script = await BareSocketScript.connect(relay.url, id, driverKey);
+    context.onCleanup(() => script.close());
 
     await browser.open("about:blank");
     await page.waitFor(`document.visibilityState === "hidden"`);
@@ -40,18 +40,18 @@ export const hiddenPage: Row = {
       starts.push(script.startedMs(record.seq));
     }
     const state = await page.evaluate("document.visibilityState");
-    terms.say(`half of the commands began within ${percentile(starts, 50).toFixed(1)} ms`);
+    context.log(`half of the commands started within ${percentile(starts, 50).toFixed(1)} ms`);
 
     const frozenAt = machineNow();
     await page.setFrozen(true);
-    const toldMs = await until(() => script.robotState === "paused", 20_000);
+    const notifiedMs = await waitUntil(() => script.robotState === "paused", 20_000);
     const stale: number[] = [];
     for (let n = 0; n < STALE; n++) {
       stale.push(await script.post({ action: "move", distance: 50, ttl: 2_000 }));
     }
     await sleep(FROZEN_MS - (machineNow() - frozenAt));
     await page.setFrozen(false);
-    await until(() => script.robotState === "running", 20_000);
+    await waitUntil(() => script.robotState === "running", 20_000);
     await sleep(2_000);
     const robot = `${relay.url}/api/v1/robots/${id}/commands/`;
     const records: CommandRecord[] = [];
@@ -74,19 +74,19 @@ export const hiddenPage: Row = {
         unit: "ms",
       },
       {
-        label: "from the freezing until scripts are told",
-        measured: toldMs,
+        label: "from the freeze until scripts are notified",
+        measured: notifiedMs,
         bound: { atMost: 5_000 },
         unit: "ms",
       },
       {
-        label: "commands from meanwhile that ran on thawing",
+        label: "commands sent during the freeze that ran after it",
         measured: records.filter((each) => each.state !== "expired").length,
         bound: { atMost: 0 },
         unit: `of ${records.length}`,
       },
       {
-        label: "commands from meanwhile that were begun",
+        label: "commands sent during the freeze that started",
         measured: stale.filter((seq) => Number.isFinite(script.startedMs(seq))).length,
         bound: { atMost: 0 },
         unit: `of ${stale.length}`,

@@ -1,15 +1,15 @@
 /**
- * The net of a script delays what it sends, or what it is sent: from the first byte on, and later
- * on a net that was quick. Nothing starts late, nothing that started is told as expired, and on a
- * quick net nothing expires.
+ * The network delays what a script sends, or what it receives: from the first byte on, and later on
+ * a fast network. No command starts late, no started command is reported as expired, and on a fast
+ * network no command expires.
  */
 import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { sleep } from "../clock.ts";
 import { FaultProxy, type Delay, type Direction } from "../net/fault-proxy.ts";
 import type { Robot } from "../robots/robot.ts";
-import type { Row } from "../row.ts";
-import { Scene } from "../scene.ts";
+import type { Scenario } from "../scenario.ts";
+import { TestBed } from "../test-bed.ts";
 import { hasProgram } from "../scripts/example-script.ts";
 import {
   pythonScript,
@@ -23,9 +23,9 @@ const TOLERANCE_MS = 100;
 const timesOf = (isLong: boolean): number => (isLong ? 20 : 3);
 
 const delays: readonly (Delay & { name: string })[] = [
-  { name: "1 s", least: 1_000, most: 1_000 },
-  { name: "3 s", least: 3_000, most: 3_000 },
-  { name: "jitter", least: 0, most: 1_500 },
+  { name: "1 s", min: 1_000, max: 1_000 },
+  { name: "3 s", min: 3_000, max: 3_000 },
+  { name: "jitter", min: 0, max: 1_500 },
 ];
 const directions: readonly Direction[] = ["up", "down"];
 
@@ -43,7 +43,7 @@ const libraries: readonly Library[] = [
   { name: "Python by HTTPS", connect: (address) => pythonScript(address, TTL_MS) },
 ];
 
-/** One script behind its own net. */
+/** one script with its own network */
 interface Case {
   name: string;
   library: Library;
@@ -51,24 +51,24 @@ interface Case {
   delay: Delay;
 }
 
-interface Seen extends Outcome {
+interface Observation extends Outcome {
   of: Case;
   robot: Robot;
   isDelayed: boolean;
 }
 
-export const oneWayDelay: Row = {
+export const oneWayDelay: Scenario = {
   title: "One-way delay",
-  does: (isLong) =>
-    `Python and TypeScript scripts send ${timesOf(isLong)} turns (ttl ${TTL_MS} ms) in each phase: with 1 s, 3 s or up to 1.5 s of delay there or back from the first byte on, without, with, without`,
-  run: async (terms) => {
+  describe: (isLong) =>
+    `Python and TypeScript scripts send ${timesOf(isLong)} turns (ttl ${TTL_MS} ms) in each phase: with a delay of 1 s, 3 s or up to 1.5 s in one direction from the first byte on, without, with, without`,
+  run: async (context) => {
     const relay = await RelayProcess.start();
-    terms.after(() => relay.stop());
+    context.onCleanup(() => relay.stop());
     const offered = libraries.filter(
       ({ name }) => !name.startsWith("Python") || hasProgram("python3"),
     );
     if (offered.length < libraries.length)
-      terms.say("Python is left out: there is no python3 here");
+      context.log("Python is skipped: python3 is not installed");
     const cases = offered.flatMap((library) =>
       directions.flatMap((direction) =>
         delays.map(({ name, ...delay }) => ({
@@ -79,31 +79,31 @@ export const oneWayDelay: Row = {
         })),
       ),
     );
-    const scene = new Scene(terms);
-    await scene.register(relay.url, cases.length);
-    const pages = await scene.startPages();
-    for (const robot of scene.robots) scene.open(robot, pages, relay.url, "websocket");
-    await scene.allConnected();
-    const dice = new Dice(terms.seed);
+    const testBed = new TestBed(context);
+    await testBed.register(relay.url, cases.length);
+    const pages = await testBed.startPages();
+    for (const robot of testBed.robots) testBed.open(robot, pages, relay.url, "websocket");
+    await testBed.waitUntilConnected();
+    const random = new Dice(context.seed);
 
-    const run = async (of: Case, robot: Robot): Promise<Seen[]> => {
-      const proxy = await FaultProxy.start({ target: () => relay.port, dice });
-      terms.after(() => proxy.close());
+    const run = async (of: Case, robot: Robot): Promise<Observation[]> => {
+      const proxy = await FaultProxy.start({ target: () => relay.port, random });
+      context.onCleanup(() => proxy.close());
       const { id, driverKey } = robot.registration;
-      const seen: Seen[] = [];
+      const seen: Observation[] = [];
       const turns = async (script: TimedScript, isDelayed: boolean): Promise<void> => {
-        for (let n = 0; n < timesOf(terms.isLong); n++)
+        for (let n = 0; n < timesOf(context.isLong); n++)
           seen.push({ ...(await script.turn()), of, robot, isDelayed });
       };
       proxy.delays[of.direction] = of.delay;
       const script = await of.library.connect(`${proxy.origin}/r/${id}#${driverKey}`);
-      terms.after(() => script.close());
+      context.onCleanup(() => script.close());
       for (let phase = 0; phase < 2; phase++) {
         proxy.delays[of.direction] = of.delay;
         await turns(script, true);
-        proxy.mend();
-        // What is under way still takes its time.
-        await sleep(of.delay.most + 500);
+        proxy.clearFaults();
+        // Data in transit is still delayed.
+        await sleep(of.delay.max + 500);
         await turns(script, false);
       }
       return seen;
@@ -111,18 +111,18 @@ export const oneWayDelay: Row = {
     const seen = (
       await Promise.all(
         cases.map(async (of, n) => {
-          const robot = scene.robots[n];
+          const robot = testBed.robots[n];
           if (robot === undefined) throw new Error("a script has no robot");
           return run(of, robot);
         }),
       )
     ).flat();
-    const compared = await scene.compare(relay.url);
+    const compared = await testBed.compare(relay.url);
 
-    const wrong = (label: string, isWrong: (each: Seen) => boolean, among = seen) => {
+    const wrong = (label: string, isWrong: (each: Observation) => boolean, among = seen) => {
       const found = among.filter(isWrong);
       for (const { of, state, seq } of found.slice(0, 5))
-        terms.say(`${label}: ${of.name}, command ${seq ?? "without a number"}, ${state}`);
+        context.log(`${label}: ${of.name}, command ${seq ?? "without a number"}, ${state}`);
       return {
         label,
         measured: found.length,
@@ -130,20 +130,20 @@ export const oneWayDelay: Row = {
         unit: `of ${among.length}`,
       };
     };
-    const slowThere = seen.filter(
-      ({ of, isDelayed }) => isDelayed && of.direction === "up" && of.delay.least > TTL_MS,
+    const delayedUp = seen.filter(
+      ({ of, isDelayed }) => isDelayed && of.direction === "up" && of.delay.min > TTL_MS,
     );
     const started = new Set(
       seen.flatMap(({ robot, seq }) => (seq === null ? [] : [`${robot.page} ${seq}`])),
     );
-    const unknown = scene.robots.flatMap(({ page, starts }) =>
+    const unknown = testBed.robots.flatMap(({ page, starts }) =>
       starts.filter(({ seq }) => !started.has(`${page} ${seq}`)),
     );
     return [
       wrong(`started later than ttl + ${TOLERANCE_MS} ms`, isLate),
-      wrong("held up for longer than ttl and not told as expired", isNotExpired, slowThere),
+      wrong("delayed for longer than ttl and not reported as expired", isNotExpired, delayedUp),
       {
-        label: "started and told as expired",
+        label: "started and reported as expired",
         measured: unknown.length,
         bound: { atMost: 0 },
         unit: `of ${seen.length}`,
@@ -162,11 +162,11 @@ export const oneWayDelay: Row = {
   },
 };
 
-function isNotExpired({ state }: Seen): boolean {
+function isNotExpired({ state }: Observation): boolean {
   return state !== "expired";
 }
 
-function isLate({ robot, seq, postedAt }: Seen): boolean {
+function isLate({ robot, seq, postedAt }: Observation): boolean {
   const start = robot.starts.find((each) => each.seq === seq);
   return start !== undefined && start.at - postedAt > TTL_MS + TOLERANCE_MS;
 }

@@ -1,18 +1,18 @@
 /**
- * What it costs that an ending is sent only once its world is stored: beside a page that cannot
- * store it.
+ * The cost of storing the world before an ending is sent, measured against a page that cannot store
+ * it.
  */
 import { RawChromium } from "../../support/devtools.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { machineNow } from "../clock.ts";
 import { percentile } from "../percentile.ts";
-import { RealRobot } from "../robots/real-robot.ts";
-import type { Row } from "../row.ts";
+import { BrowserRobot } from "../robots/browser-robot.ts";
+import type { Scenario } from "../scenario.ts";
 
 const SHORT_TIMES = 100;
 const LONG_TIMES = 500;
 
-/** The tab notes no key, so that nothing is stored and endings are sent at once. */
+/** Storing the run fails in this tab, so that endings are sent immediately. */
 const STORES_NOTHING = `
   const setItem = Storage.prototype.setItem;
   Storage.prototype.setItem = function (key, text) {
@@ -21,17 +21,17 @@ const STORES_NOTHING = `
   };
 `;
 
-export const savedEndings: Row = {
+export const savedEndings: Scenario = {
   title: "Saved endings",
-  does: (isLong) =>
-    `${isLong ? LONG_TIMES : SHORT_TIMES} turns by turns in a tab that stores its world and in one that cannot`,
-  run: async (terms) => {
+  describe: (isLong) =>
+    `${isLong ? LONG_TIMES : SHORT_TIMES} alternating turns in a tab that stores its world and in one that cannot`,
+  run: async (context) => {
     const relay = await RelayProcess.start();
-    terms.after(() => relay.stop());
+    context.onCleanup(() => relay.stop());
     const browser = await RawChromium.start();
-    terms.after(() => browser.close());
-    const storing = await RealRobot.open(browser, relay.url);
-    const other = await RealRobot.open(browser, relay.url, STORES_NOTHING);
+    context.onCleanup(() => browser.close());
+    const storing = await BrowserRobot.open(browser, relay.url);
+    const other = await BrowserRobot.open(browser, relay.url, STORES_NOTHING);
     const robots = [
       { robot: storing, took: new Array<number>() },
       { robot: other, took: new Array<number>() },
@@ -40,7 +40,7 @@ export const savedEndings: Row = {
       await robot.setSpeed("16");
       await robot.run({ action: "turn", degrees: 11 });
     }
-    for (let n = 0; n < (terms.isLong ? LONG_TIMES : SHORT_TIMES); n++) {
+    for (let n = 0; n < (context.isLong ? LONG_TIMES : SHORT_TIMES); n++) {
       for (const { robot, took } of robots) {
         const from = machineNow();
         await robot.run({ action: "turn", degrees: 11 });
@@ -50,18 +50,18 @@ export const savedEndings: Row = {
     const [saved = Infinity, unsaved = 0] = robots.map(({ took }) => percentile(took, 50));
     const key = `sessionStorage.getItem("corridor.run") !== null`;
     const isStored = [await storing.page.evaluate(key), await other.page.evaluate(key)];
-    terms.say(
-      `half of the turns took ${saved.toFixed(1)} ms, and ${unsaved.toFixed(1)} ms unsaved`,
+    context.log(
+      `the median turn took ${saved.toFixed(1)} ms, and ${unsaved.toFixed(1)} ms without storing`,
     );
     return [
       {
         label: "tabs that store their world",
         measured: isStored[0] === true && isStored[1] === false ? 1 : 0,
         bound: { atLeast: 1 },
-        unit: "of 2, as meant",
+        unit: "of 2, as intended",
       },
       {
-        label: "later that half of the endings come because they are saved",
+        label: "increase of the median time by storing",
         measured: saved - unsaved,
         bound: { atMost: 10 },
         unit: "ms",

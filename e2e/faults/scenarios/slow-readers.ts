@@ -1,6 +1,6 @@
 /**
- * Scripts that sleep while their robots move: they cost the relay little, and nobody else waits for
- * them.
+ * Scripts stop reading while their robots move: they use little memory of the relay, and do not
+ * delay other clients.
  */
 import { spawnSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
@@ -8,68 +8,68 @@ import { RelayProcess } from "../../support/relay-process.ts";
 import { machineNow, sleep } from "../clock.ts";
 import { RawSocket } from "../net/raw-socket.ts";
 import { percentile } from "../percentile.ts";
-import type { Row } from "../row.ts";
-import { Scene } from "../scene.ts";
-import { LineScript } from "../scripts/line-script.ts";
+import type { Scenario } from "../scenario.ts";
+import { TestBed } from "../test-bed.ts";
+import { BareSocketScript } from "../scripts/bare-socket-script.ts";
 
 const BUSY = 5;
-/** as many as one key lets connect, less the one that drives */
+/** connection limit of a key, minus the script that drives */
 const READERS_EACH = 4;
 const BYSTANDERS = 3;
 const BEFORE_MS = 20_000;
 const SLEEP_MS = 60_000;
-/** what has gathered comes at once; what is new meanwhile is next to nothing */
+/** long enough to receive the backlog, and short enough to receive almost no new messages */
 const WAKING_MS = 150;
 
-export const slowReaders: Row = {
+export const slowReaders: Scenario = {
   title: "Slow readers",
-  does: () =>
+  describe: () =>
     `${BUSY * READERS_EACH} scripts of ${BUSY} robots that drive without a pause read nothing for ${SLEEP_MS / 1000} s, beside ${BYSTANDERS} that are driven`,
-  run: async (terms) => {
+  run: async (context) => {
     const relay = await RelayProcess.start();
-    terms.after(() => relay.stop());
-    const scene = new Scene(terms);
-    await scene.register(relay.url, BUSY + BYSTANDERS);
-    const pages = await scene.startPages();
-    for (const robot of scene.robots) scene.open(robot, pages, relay.url, "websocket");
-    await scene.allConnected();
+    context.onCleanup(() => relay.stop());
+    const testBed = new TestBed(context);
+    await testBed.register(relay.url, BUSY + BYSTANDERS);
+    const pages = await testBed.startPages();
+    for (const robot of testBed.robots) testBed.open(robot, pages, relay.url, "websocket");
+    await testBed.waitUntilConnected();
 
     let isOver = false;
-    const busy = scene.robots.slice(0, BUSY).map(async ({ registration: { id, ownerKey } }) => {
+    const busy = testBed.robots.slice(0, BUSY).map(async ({ registration: { id, ownerKey } }) => {
       const robot = `${relay.url}/api/v1/robots/${id}`;
-      const made = await fetch(`${robot}/keys`, {
+      const created = await fetch(`${robot}/keys`, {
         method: "POST",
         headers: { authorization: `Bearer ${ownerKey}`, "content-type": "application/json" },
         body: '{"kind":"drive"}',
       });
-      const { key } = await made.json();
-      const script = await LineScript.connect(relay.url, id, key);
-      terms.after(() => script.close());
+      const { key } = await created.json();
+      const script = await BareSocketScript.connect(relay.url, id, key);
+      context.onCleanup(() => script.close());
       for (let n = 0; !isOver; n++) await script.run({ action: n % 2 ? "left 90" : "right 90" });
     });
     const waits: { at: number; ms: number }[] = [];
-    const others = scene.robots.slice(BUSY).map(async ({ registration: { id, driverKey } }) => {
-      const script = await LineScript.connect(relay.url, id, driverKey);
-      terms.after(() => script.close());
+    const others = testBed.robots.slice(BUSY).map(async ({ registration: { id, driverKey } }) => {
+      const script = await BareSocketScript.connect(relay.url, id, driverKey);
+      context.onCleanup(() => script.close());
       while (!isOver) {
         const at = machineNow();
         await script.post({ action: "stop" });
         waits.push({ at, ms: machineNow() - at });
-        // As often as one key may stop.
+        // The rate limit for stop commands of one key.
         await sleep(250);
       }
     });
     const readers: RawSocket[] = [];
-    for (const { registration } of scene.robots.slice(0, BUSY)) {
+    for (const { registration } of testBed.robots.slice(0, BUSY)) {
       for (let n = 0; n < READERS_EACH; n++) {
         const { id, driverKey: key } = registration;
         const reader = await RawSocket.open(relay.url, `/api/v1/robots/${id}/socket`);
-        terms.after(() => reader.destroy());
+        context.onCleanup(() => reader.destroy());
         reader.text(JSON.stringify({ type: "hello", version: 1, role: "drive", key }));
         readers.push(reader);
       }
     }
-    // While they are awake they say that they have read all.
+    // While awake, they acknowledge all snapshots.
     const seen = `{"type":"seen","seq":${Number.MAX_SAFE_INTEGER}}`;
     const reading = setInterval(() => {
       for (const reader of readers) reader.text(seen);
@@ -78,7 +78,7 @@ export const slowReaders: Row = {
     clearInterval(reading);
     const memoryBefore = memoryMib(relay.pid);
     const asleepAt = machineNow();
-    for (const reader of readers) reader.sleep();
+    for (const reader of readers) reader.pause();
     let memory = memoryBefore;
     while (machineNow() - asleepAt < SLEEP_MS) {
       await sleep(1_000);
@@ -86,7 +86,7 @@ export const slowReaders: Row = {
     }
     const wokeAt = machineNow();
     const read = readers.map(({ received }) => received);
-    for (const reader of readers) reader.wake();
+    for (const reader of readers) reader.resume();
     await sleep(WAKING_MS);
     const backlogs = readers.map(({ received }, n) => received - (read[n] ?? 0));
     isOver = true;
@@ -99,24 +99,24 @@ export const slowReaders: Row = {
       );
     const before = p99(asleepAt - BEFORE_MS, asleepAt);
     const during = p99(asleepAt, wokeAt);
-    terms.say(
-      `p99 of a stop until it is stored: ${before.toFixed(1)} ms before, ${during.toFixed(1)} ms meanwhile`,
+    context.log(
+      `p99 of a stop until it is stored: ${before.toFixed(1)} ms before, ${during.toFixed(1)} ms during the pause`,
     );
     return [
       {
-        label: "memory of the relay, more than before",
+        label: "memory of the relay, increase",
         measured: memory - memoryBefore,
         bound: { atMost: 48 },
         unit: "MiB",
       },
       {
-        label: "p99 of the others, times that before",
+        label: "p99 of the other clients, relative to before",
         measured: during / before,
         bound: { atMost: 1.5 },
         unit: "times",
       },
       {
-        label: "what a reader finds on waking, at most",
+        label: "backlog of a reader on resuming, at most",
         measured: Math.max(...backlogs) / 1024,
         bound: { atMost: 64 },
         unit: "KiB",
@@ -125,7 +125,9 @@ export const slowReaders: Row = {
   },
 };
 
-/** Read from a file where there is one: to start a program would hold up the clocks of this one. */
+/**
+ * Reads the memory from a file where possible: starting a program would disturb the measurement.
+ */
 function memoryMib(pid: number): number {
   const file = `/proc/${pid}/status`;
   if (existsSync(file)) {

@@ -1,6 +1,5 @@
 /**
- * What most rows begin with: robots at a relay, each with a page, and a process of pages that may
- * go.
+ * The setup of most scenarios: robots at a relay, each with a page in a process that can be killed.
  */
 import { registerRobot } from "../../packages/client/src/register-robot.ts";
 import {
@@ -10,84 +9,84 @@ import {
 } from "../../apps/relay/src/testing/faults/history.ts";
 import type { CommandRecord } from "@corridor/protocol";
 import type { Goal } from "../../benches/core/goals.ts";
-import { until } from "./clock.ts";
-import type { Doors, FromPages } from "./robots/page-messages.ts";
+import { waitUntil } from "./clock.ts";
+import type { Transports, FromPages } from "./robots/page-messages.ts";
 import { Pages } from "./robots/pages.ts";
 import { Robot } from "./robots/robot.ts";
-import type { Terms } from "./row.ts";
+import type { ScenarioContext } from "./scenario.ts";
 import { RequestScript } from "./scripts/request-script.ts";
 import type { Script } from "./scripts/script.ts";
-import { SocketScript } from "./scripts/socket-script.ts";
+import { ClientScript } from "./scripts/client-script.ts";
 
-/** Pages connect, and commands end, within this; nothing is judged by it. */
+/** limit for connecting pages and for the end of commands; no goal depends on it */
 const LONG_MS = 60_000;
-const SHOWN_FAULTS = 12;
+const MAX_PRINTED_FAULTS = 12;
 
-export class Scene {
-  readonly #terms: Terms;
+export class TestBed {
+  readonly #context: ScenarioContext;
   readonly #byPage = new Map<number, Robot>();
   #newestPage = 0;
   readonly robots: Robot[] = [];
 
-  constructor(terms: Terms) {
-    this.#terms = terms;
+  constructor(context: ScenarioContext) {
+    this.#context = context;
   }
 
-  /** A process of pages; it ends with the row. */
+  /** Starts a process of pages, which is killed after the scenario. */
   async startPages(): Promise<Pages> {
-    const pages = await Pages.start((message) => this.#heard(message));
-    this.#terms.after(() => pages.kill());
+    const pages = await Pages.start((message) => this.#receive(message));
+    this.#context.onCleanup(() => pages.kill());
     return pages;
   }
 
-  /** Registers so many robots. @param origin of their relay, which nothing disturbs yet */
+  /** Registers robots. @param origin of their relay, without faults so far */
   async register(origin: string, count: number): Promise<void> {
     for (let n = 0; n < count; n++) {
       this.robots.push(new Robot(await registerRobot(origin, fetch)));
     }
   }
 
-  /** Opens a page, or a further one, that is the robot from now on. */
-  open(robot: Robot, pages: Pages, origin: string, doors: Doors): number {
+  /** Opens a page that is the robot from now on, in place of any earlier page. */
+  open(robot: Robot, pages: Pages, origin: string, transports: Transports): number {
     const page = (this.#newestPage += 1);
     this.#byPage.set(page, robot);
     robot.page = page;
     robot.status = { kind: "off" };
     const session = { ...robot.session };
-    pages.send({ do: "open", page, origin, session, doors });
+    pages.send({ type: "open", page, origin, session, transports });
     return page;
   }
 
-  /** Waits until every robot has its page at the relay. */
-  async allConnected(withinMs = LONG_MS): Promise<number> {
-    return until(() => this.robots.every(({ isConnected }) => isConnected), withinMs);
+  /** Waits until every robot's page is connected to the relay. */
+  async waitUntilConnected(withinMs = LONG_MS): Promise<number> {
+    return waitUntil(() => this.robots.every(({ isConnected }) => isConnected), withinMs);
   }
 
   /**
-   * A script for each robot, of each kind in turn.
-   * @param originOf through which the script of a robot reaches its relay
+   * Connects a script for each robot, with the kinds in turn.
+   * @param originOf the address at which the script of a robot reaches its relay
    */
-  async scripts(
+  async connectScripts(
     originOf: (robot: Robot) => string,
-    kinds: readonly (Doors | "requests")[] = ["both", "https", "requests"],
+    kinds: readonly (Transports | "requests")[] = ["both", "https", "requests"],
   ): Promise<Script[]> {
-    const scripts: Script[] = [];
+    const connectScripts: Script[] = [];
     for (const [n, robot] of this.robots.entries()) {
       const kind = kinds[n % kinds.length] ?? "both";
       const origin = originOf(robot);
       const script =
         kind === "requests"
           ? new RequestScript(robot, origin)
-          : await SocketScript.connect(robot, origin, kind);
-      this.#terms.after(() => script.close());
-      scripts.push(script);
+          : await ClientScript.connect(robot, origin, kind);
+      this.#context.onCleanup(() => script.close());
+      connectScripts.push(script);
     }
-    return scripts;
+    return connectScripts;
   }
 
   /**
-   * Compares what scripts, robots and relay have seen.
-   * @param origin of a relay that nothing disturbs any more
+   * Compares the histories of scripts, robots and relay.
+   * @param origin of a relay without any remaining fault
    */
   async compare(origin: string): Promise<Comparison> {
     const logs = new Map<Robot, CommandRecord[]>();
@@ -97,18 +96,18 @@ export class Scene {
       logs.set(robot, compared.log);
       faults.push(...compared.faults);
     }
-    const ways = this.robots.map(({ history }) => history.longestWay);
-    this.#terms.say(
-      `a command was on its way to the relay for ${Math.round(Math.max(...ways))} ms at most`,
+    const transitTimes = this.robots.map(({ history }) => history.longestWay);
+    this.#context.log(
+      `a command needed at most ${Math.round(Math.max(...transitTimes))} ms to reach the relay`,
     );
-    for (const { kind, words } of faults.slice(0, SHOWN_FAULTS)) {
-      this.#terms.say(`${kind}: ${words}`);
+    for (const { kind, words } of faults.slice(0, MAX_PRINTED_FAULTS)) {
+      this.#context.log(`${kind}: ${words}`);
     }
     return new Comparison(faults, logs);
   }
 
-  #heard(message: FromPages): void {
-    if (message.tells !== "ready") this.#byPage.get(message.page)?.heard(message);
+  #receive(message: FromPages): void {
+    if (message.type !== "ready") this.#byPage.get(message.page)?.receive(message);
   }
 }
 
@@ -125,7 +124,7 @@ export class Comparison {
     return [...this.logs.values()].reduce((sum, { length }) => sum + length, 0);
   }
 
-  /** None of any kind of fault. */
+  /** Goals that require zero faults of each kind. */
   goals(kinds: readonly FaultKind[] = faultKinds): Goal[] {
     return kinds.map((kind) => ({
       label: `${kind} commands`,

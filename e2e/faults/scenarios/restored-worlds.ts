@@ -1,22 +1,22 @@
 /**
- * What scripts were told, and where the robot stands, never disagree: tabs are reloaded and crash
- * at any moment, also with their relay, and the poses of all endings are summed up.
+ * Reported endings always agree with the robot's pose. Tabs are reloaded and crash at any moment,
+ * also together with their relay, and the poses of all endings are added up.
  */
 import type { CommandRecord, Order, Pose } from "@corridor/protocol";
 import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
 import { RawChromium } from "../../support/devtools.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
-import { sleep, until } from "../clock.ts";
-import { RealRobot } from "../robots/real-robot.ts";
-import type { Row, Terms } from "../row.ts";
+import { sleep, waitUntil } from "../clock.ts";
+import { BrowserRobot } from "../robots/browser-robot.ts";
+import type { Scenario, ScenarioContext } from "../scenario.ts";
 
 const SPEEDS = ["1", "4", "16"];
 const SHORT_TIMES = 28;
 const LONG_TIMES = 200;
-const PATIENCE_MS = 30_000;
+const TIMEOUT_MS = 30_000;
 const TURN = 11;
 const MOVE = 5;
-/** Rounding of sums, in cm and degrees. */
+/** tolerance of sums, in cm and degrees */
 const EPSILON = 0.01;
 
 const timesOf = (isLong: boolean): number => (isLong ? LONG_TIMES : SHORT_TIMES);
@@ -31,31 +31,33 @@ interface Findings {
   contradictions: string[];
 }
 
-export const restoredWorlds: Row = {
+export const restoredWorlds: Scenario = {
   title: "Restored worlds",
-  does: (isLong) =>
+  describe: (isLong) =>
     `${timesOf(isLong) * SPEEDS.length} reloads and crashes of real tabs at ${SPEEDS.join(", ")} times the speed while scripts turn and move their robots, every third with a kill -9 of the relay`,
-  run: async (terms) => {
-    const lanes = await Promise.all(SPEEDS.map((speed, lane) => disturbed(terms, speed, lane)));
+  run: async (context) => {
+    const results = await Promise.all(
+      SPEEDS.map((speed, result) => disturbed(context, speed, result)),
+    );
     const sum = (what: "reloads" | "crashes" | "relayKills" | "commands" | "cancelled") =>
-      lanes.reduce((total, lane) => total + lane[what], 0);
-    for (const { contradictions } of lanes) for (const each of contradictions) terms.say(each);
+      results.reduce((total, result) => total + result[what], 0);
+    for (const { contradictions } of results) for (const each of contradictions) context.log(each);
     return [
       {
         label: "reloads and crashes",
         measured: sum("reloads") + sum("crashes"),
-        bound: { atLeast: timesOf(terms.isLong) * SPEEDS.length },
+        bound: { atLeast: timesOf(context.isLong) * SPEEDS.length },
         unit: `(${sum("crashes")} crashes, ${sum("relayKills")} with the relay)`,
       },
       {
         label: "completed commands at each speed",
-        measured: Math.min(...lanes.map(({ completed }) => completed)),
-        bound: { atLeast: timesOf(terms.isLong) },
+        measured: Math.min(...results.map(({ completed }) => completed)),
+        bound: { atLeast: timesOf(context.isLong) },
         unit: `(${sum("cancelled")} of ${sum("commands")} were cancelled)`,
       },
       {
         label: "endings that contradict the robot's pose",
-        measured: lanes.reduce((total, { contradictions }) => total + contradictions.length, 0),
+        measured: results.reduce((total, { contradictions }) => total + contradictions.length, 0),
         bound: { atMost: 0 },
         unit: `of ${sum("commands")}`,
       },
@@ -63,14 +65,18 @@ export const restoredWorlds: Row = {
   },
 };
 
-/** One robot at one speed. */
-async function disturbed(terms: Terms, speed: string, lane: number): Promise<Findings> {
-  const dice = new Dice(terms.seed + lane);
+/** Runs one robot at one speed. */
+async function disturbed(
+  context: ScenarioContext,
+  speed: string,
+  result: number,
+): Promise<Findings> {
+  const random = new Dice(context.seed + result);
   const relay = await RelayProcess.start();
-  terms.after(() => relay.stop());
+  context.onCleanup(() => relay.stop());
   const browser = await RawChromium.start();
-  terms.after(() => browser.close());
-  const robot = await RealRobot.open(browser, relay.url);
+  context.onCleanup(() => browser.close());
+  const robot = await BrowserRobot.open(browser, relay.url);
   await robot.setSpeed(speed);
   const findings: Findings = {
     reloads: 0,
@@ -87,7 +93,7 @@ async function disturbed(terms: Terms, speed: string, lane: number): Promise<Fin
     let pose = (await robot.run({ action: "turn", degrees: TURN })).pose;
     const home = pose;
     while (!isOver && pose !== null && home !== null) {
-      const order = orderFrom(pose, home, dice);
+      const order = orderFrom(pose, home, random);
       const record = await robot.run(order);
       findings.commands += 1;
       if (record.state === "completed") findings.completed += 1;
@@ -102,21 +108,21 @@ async function disturbed(terms: Terms, speed: string, lane: number): Promise<Fin
     }
   };
   const disturb = async (): Promise<void> => {
-    for (let n = 0; n < timesOf(terms.isLong); n++) {
-      // Mostly the robot is back by then and has ended something.
+    for (let n = 0; n < timesOf(context.isLong); n++) {
+      // Usually, the robot has reconnected and ended a command by then.
       const { commands } = findings;
-      if (dice.isLucky(0.8)) await until(() => findings.commands > commands, PATIENCE_MS);
-      await sleep(dice.between(50, 1_500));
+      if (random.isLucky(0.8)) await waitUntil(() => findings.commands > commands, TIMEOUT_MS);
+      await sleep(random.between(50, 1_500));
       const isWithRelay = n % 3 === 2;
       if (isWithRelay) findings.relayKills += 1;
       const killed = isWithRelay ? relay.kill() : Promise.resolve();
-      if (dice.isLucky(0.5)) findings.reloads += 1;
+      if (random.isLucky(0.5)) findings.reloads += 1;
       else {
         findings.crashes += 1;
         await robot.page.crash();
       }
       await killed;
-      // The service worker has the page's files, but a crash may come before it has all.
+      // The service worker caches the page's files, but a crash may interrupt the caching.
       if (isWithRelay) await relay.restart();
       await robot.page.reload();
       await robot.setSpeed(speed);
@@ -124,28 +130,28 @@ async function disturbed(terms: Terms, speed: string, lane: number): Promise<Fin
   };
   const driving = drive();
   await Promise.race([disturb(), driving.then(() => Promise.reject(new Error("No pose.")))]);
-  // A last ending shows that the robot stands where the others had left it.
+  // One more command shows that the robot is where the earlier endings left it.
   await sleep(2_000);
   isOver = true;
   await driving;
   return findings;
 }
 
-/** A turn, or a small move that does not lead away from home. */
-function orderFrom(pose: Pose, home: Pose, dice: Dice): Order {
-  if (dice.isLucky(0.6)) return { action: "turn", degrees: dice.isLucky(0.7) ? TURN : -TURN };
+/** A turn, or a small move that does not lead away from the start. */
+function orderFrom(pose: Pose, home: Pose, random: Dice): Order {
+  if (random.isLucky(0.6)) return { action: "turn", degrees: random.isLucky(0.7) ? TURN : -TURN };
   const [dx, dy] = ahead(pose);
-  const isAway = (pose.x - home.x) * dx + (pose.y - home.y) * dy > 0;
-  return { action: "move", distance: isAway ? -MOVE : MOVE };
+  const leadsAway = (pose.x - home.x) * dx + (pose.y - home.y) * dy > 0;
+  return { action: "move", distance: leadsAway ? -MOVE : MOVE };
 }
 
-/** Unit vector of a heading: degrees clockwise from north, y grows to the south. */
+/** unit vector of a heading: degrees clockwise from north, y grows to the south */
 function ahead({ heading }: Pose): [number, number] {
   const angle = (heading * Math.PI) / 180;
   return [Math.sin(angle), -Math.cos(angle)];
 }
 
-/** Why an ending cannot follow the one before it; null where it can. */
+/** Why an ending contradicts the one before it, or null if it does not. */
 function contradiction(before: Pose, order: Order, record: CommandRecord): string | null {
   const { state, pose, distance } = record;
   if (pose === null || distance === null) return "an ending without pose or distance";
@@ -154,20 +160,20 @@ function contradiction(before: Pose, order: Order, record: CommandRecord): strin
   const turned = ((pose.heading - before.heading + 540) % 360) - 180;
   const moved = (pose.x - before.x) * dx + (pose.y - before.y) * dy;
   const aside = (pose.x - before.x) * -dy + (pose.y - before.y) * dx;
-  if (Math.abs(aside) > EPSILON) return "the robot stands beside its way";
-  const wishes = {
+  if (Math.abs(aside) > EPSILON) return "the robot is beside its path";
+  const requested = {
     turned: order.action === "turn" ? order.degrees : 0,
     moved: order.action === "move" ? order.distance : 0,
   };
-  if (!reaches(turned, wishes.turned, state === "completed")) return `turned by ${turned}`;
-  if (!reaches(moved, wishes.moved, state === "completed")) return `moved by ${moved}`;
+  if (!reaches(turned, requested.turned, state === "completed")) return `turned by ${turned}`;
+  if (!reaches(moved, requested.moved, state === "completed")) return `moved by ${moved}`;
   const isMove = order.action === "move";
   if (isMove && Math.abs(Math.abs(moved) - distance) > EPSILON) return "another distance";
   return null;
 }
 
-/** Whether something was done whole, or, where it was cancelled, up to there. */
-function reaches(done: number, wished: number, isWhole: boolean): boolean {
-  if (isWhole) return Math.abs(done - wished) <= EPSILON;
-  return Math.abs(done) <= Math.abs(wished) + EPSILON && done * Math.sign(wished) >= -EPSILON;
+/** Whether a distance was covered fully, or at most partly when cancelled. */
+function reaches(covered: number, target: number, isComplete: boolean): boolean {
+  if (isComplete) return Math.abs(covered - target) <= EPSILON;
+  return Math.abs(covered) <= Math.abs(target) + EPSILON && covered * Math.sign(target) >= -EPSILON;
 }

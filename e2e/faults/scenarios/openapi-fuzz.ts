@@ -1,52 +1,52 @@
 /**
- * Requests that schemathesis makes up from `/openapi.json`, right and wrong ones: every answer is
- * as described.
+ * Valid and invalid requests that schemathesis generates from `/openapi.json`: every response is as
+ * described.
  */
 import { spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { requireEnvironment, requirePython } from "../../../scripts/python.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
-import type { Row, Terms } from "../row.ts";
-import { Scene } from "../scene.ts";
+import type { Scenario, ScenarioContext } from "../scenario.ts";
+import { TestBed } from "../test-bed.ts";
 
 const HERE = fileURLToPath(new URL("../openapi/", import.meta.url));
 const ROBOTS = 12;
 const CASES = { short: 10_000, long: 100_000 };
 /**
- * of each call in a round, right and wrong ones; a round has some hundred cases more for every
- * bound of a field
+ * valid and invalid examples of each call in a round; a round has some hundred more for field
+ * bounds
  */
 const EXAMPLES = 30;
 const ROUND_MS = 300_000;
 
-export const openApiFuzz: Row = {
+export const openApiFuzz: Scenario = {
   title: "OpenAPI fuzz",
-  does: (isLong) =>
+  describe: (isLong) =>
     `${(isLong ? CASES.long : CASES.short).toLocaleString("en")} requests by schemathesis to ${ROBOTS} robots with their pages, each from another address`,
-  run: async (terms) => {
+  run: async (context) => {
     requirePython();
     const python = requireEnvironment("schemathesis", `${HERE}requirements.txt`);
     const relay = await RelayProcess.start({ environment: { TRUSTED_PROXIES: "1" } });
-    terms.after(() => relay.stop());
-    const scene = new Scene(terms);
-    await scene.register(relay.url, ROBOTS);
-    const pages = await scene.startPages();
-    for (const robot of scene.robots) scene.open(robot, pages, relay.url, "both");
-    await scene.allConnected();
-    const robots = JSON.stringify(scene.robots.map(({ session }) => session));
-    const wanted = terms.isLong ? CASES.long : CASES.short;
+    context.onCleanup(() => relay.stop());
+    const testBed = new TestBed(context);
+    await testBed.register(relay.url, ROBOTS);
+    const pages = await testBed.startPages();
+    for (const robot of testBed.robots) testBed.open(robot, pages, relay.url, "both");
+    await testBed.waitUntilConnected();
+    const robots = JSON.stringify(testBed.robots.map(({ session }) => session));
+    const count = context.isLong ? CASES.long : CASES.short;
     let cases = 0;
     let findings = 0;
-    for (let round = 0; cases < wanted && findings === 0; round++) {
-      const found = fuzz(python, relay.url, robots, terms.seed + round, terms);
+    for (let round = 0; cases < count && findings === 0; round++) {
+      const found = fuzz(python, relay.url, robots, context.seed + round, context);
       cases += found.cases;
       findings += found.findings;
     }
     return [
-      { label: "cases", measured: cases, bound: { atLeast: wanted }, unit: "requests" },
+      { label: "cases", measured: cases, bound: { atLeast: count }, unit: "requests" },
       { label: "findings", measured: findings, bound: { atMost: 0 }, unit: "" },
       {
-        label: "requests that the relay failed at, by its log",
+        label: "failed requests in the relay's log",
         measured: relay.log.split("a request failed").length - 1,
         bound: { atMost: 0 },
         unit: "",
@@ -55,12 +55,12 @@ export const openApiFuzz: Row = {
   },
 };
 
-/** One round. What was found is shown. @throws Error when it did not come to its end */
-function fuzz(python: string, url: string, robots: string, seed: number, terms: Terms) {
+/** Runs one round and prints its findings. @throws Error when it did not finish */
+function fuzz(python: string, url: string, robots: string, seed: number, context: ScenarioContext) {
   const options = `--max-examples ${EXAMPLES} --seed ${seed} --continue-on-failure --generation-database none --warnings off --no-color`;
   const run = ["run", `${url}/openapi.json`, ...options.split(" ")];
   const { stdout, stderr } = spawnSync(python, ["-m", "schemathesis.cli", ...run], {
-    cwd: terms.folder,
+    cwd: context.folder,
     encoding: "utf8",
     timeout: ROUND_MS,
     env: {
@@ -76,7 +76,7 @@ function fuzz(python: string, url: string, robots: string, seed: number, terms: 
   const summary = /Test cases:\s+(\d+) generated, (?:(\d+) found|\d+ passed)/.exec(stdout);
   if (summary === null) throw new Error(`schemathesis did not end: ${stdout}${stderr}`);
   const findings = Number(summary[2] ?? 0) + (stdout.includes(" ERRORS ") ? 1 : 0);
-  if (findings > 0) terms.say(stdout);
-  terms.say(`seed ${seed}: ${summary[0].replaceAll(/\s+/g, " ")}`);
+  if (findings > 0) context.log(stdout);
+  context.log(`seed ${seed}: ${summary[0].replaceAll(/\s+/g, " ")}`);
   return { cases: Number(summary[1]), findings };
 }

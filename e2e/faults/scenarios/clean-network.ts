@@ -1,63 +1,63 @@
 /**
- * Twenty robots, ten commands a second each, on a net without faults: nothing is lost, and all is
- * quick.
+ * Twenty robots with ten commands a second each on a network without faults: no command is lost,
+ * and all are fast.
  */
 import { RelayProcess } from "../../support/relay-process.ts";
-import { everyFor, sleep, until } from "../clock.ts";
+import { callRepeatedly, sleep, waitUntil } from "../clock.ts";
 import { percentile } from "../percentile.ts";
-import type { Row } from "../row.ts";
-import { Scene } from "../scene.ts";
+import type { Scenario } from "../scenario.ts";
+import { TestBed } from "../test-bed.ts";
 import { RequestScript } from "../scripts/request-script.ts";
 import type { Script } from "../scripts/script.ts";
-import { SocketScript } from "../scripts/socket-script.ts";
-import { shortOrder } from "../orders.ts";
+import { ClientScript } from "../scripts/client-script.ts";
+import { shortCommand } from "../commands.ts";
 
 const ROBOTS = 20;
 const PER_SECOND = 10;
 const SHORT_MS = 60_000;
 const LONG_MS = 600_000;
 
-export const cleanNet: Row = {
-  title: "Clean net",
-  does: (isLong) =>
+export const cleanNetwork: Scenario = {
+  title: "Clean network",
+  describe: (isLong) =>
     `${ROBOTS} robots x ${PER_SECOND} commands a second, half by WebSocket, half by single requests, for ${length(isLong) / 1000} s`,
-  run: async (terms) => {
+  run: async (context) => {
     const relay = await RelayProcess.start();
-    terms.after(() => relay.stop());
-    const scene = new Scene(terms);
-    await scene.register(relay.url, ROBOTS);
-    const pages = await scene.startPages();
-    for (const robot of scene.robots) scene.open(robot, pages, relay.url, "both");
-    await scene.allConnected();
+    context.onCleanup(() => relay.stop());
+    const testBed = new TestBed(context);
+    await testBed.register(relay.url, ROBOTS);
+    const pages = await testBed.startPages();
+    for (const robot of testBed.robots) testBed.open(robot, pages, relay.url, "both");
+    await testBed.waitUntilConnected();
     const scripts: Script[] = [];
-    for (const [n, robot] of scene.robots.entries()) {
+    for (const [n, robot] of testBed.robots.entries()) {
       const script =
         n % 2 === 0
-          ? await SocketScript.connect(robot, relay.url, "both")
+          ? await ClientScript.connect(robot, relay.url, "both")
           : new RequestScript(robot, relay.url);
-      terms.after(() => script.close());
+      context.onCleanup(() => script.close());
       scripts.push(script);
     }
     await sleep(1_000);
 
-    // Not all in the same moment: scripts know nothing of each other.
+    // Requests are spread evenly: scripts are independent of each other.
     const total = ROBOTS * PER_SECOND;
-    await everyFor(total, length(terms.isLong), (n) => {
-      scripts[n % ROBOTS]?.post(shortOrder(Math.floor(n / ROBOTS)));
+    await callRepeatedly(total, length(context.isLong), (n) => {
+      scripts[n % ROBOTS]?.post(shortCommand(Math.floor(n / ROBOTS)));
     });
-    await until(() => scripts.every(({ diary }) => diary.unanswered === 0), 10_000);
+    await waitUntil(() => scripts.every(({ commands: diary }) => diary.unanswered === 0), 10_000);
     await sleep(2_000);
 
-    const compared = await scene.compare(relay.url);
-    const waits = scene.robots.flatMap((robot, n) => {
+    const compared = await testBed.compare(relay.url);
+    const waits = testBed.robots.flatMap((robot, n) => {
       const starts = new Map(robot.starts.map(({ seq, at }) => [seq, at]));
       return (compared.logs.get(robot) ?? []).flatMap(({ seq, key }) => {
         const start = starts.get(seq);
-        const posted = scripts[n]?.diary.postedAt(key);
+        const posted = scripts[n]?.commands.postedAt(key);
         return start === undefined || posted === undefined ? [] : [start - posted];
       });
     });
-    const posted = scripts.reduce((sum, { diary }) => sum + diary.posted, 0);
+    const posted = scripts.reduce((sum, { commands: diary }) => sum + diary.posted, 0);
     return [
       {
         label: "posted commands that did not start",
