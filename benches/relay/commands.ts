@@ -1,40 +1,46 @@
 /**
- * As many commands as are taken, 64 on their way. The product answers once a command is on disk, which is what is
- * judged: at robots that are busy, so that those that come wait. With everybody else a command goes to the page, and
- * the page's answer back. And its whole life: brought to the page as well, which begins and ends it, both on disk again.
+ * Measures the maximum rate of commands with 64 in flight. The goal is for answered commands: the
+ * product answers when a command is stored on disk, and the robots are busy, so that commands wait
+ * in the queue. With the peers, a command travels to the page and its answer back. A second table
+ * measures the full lifecycle: the product also delivers each command to the page, which starts and
+ * ends it, and stores both on disk.
  */
 import type { Goal } from "../core/goals.ts";
-import { contenderNames, type ContenderName } from "./contenders/contender.ts";
-import type { Seen } from "./load/jobs.ts";
-import { whenQuiet } from "./quiet.ts";
-import { costEach, measureInTurn, quantileOf, rate, timesAsMuch, typical } from "./rounds.ts";
-import { printRow, withContenders, type Crowd, type Section } from "./section.ts";
+import type { LoadResult } from "./load/jobs.ts";
+import { peerNames, type PeerName } from "./peers/peer.ts";
+import { costPerItem, measureAlternately, medianOf, quantileOf, rate, ratioOf } from "./rounds.ts";
+import { printRow, withPeers, type LoadSize, type Section } from "./section.ts";
+import { waitUntilIdle } from "./wait-until-idle.ts";
 
-/** A key sends 20 commands a second, so it takes many to keep the relay busy. */
-const FREE = { robots: 400, scripts: 400 };
 /**
- * A busy robot's page has as many as it may have, so that what comes is kept and waits. Of these there may be 64, and
- * a round is to bring no robot as many: a refusal ends it all.
+ * The rate limit is 20 commands per second and key, so many scripts are needed to saturate the
+ * relay.
  */
-const BUSY = { robots: 1500, scripts: 1500, isBusy: true };
+const FULL_LIFECYCLE = { robots: 400, scripts: 400 };
+/**
+ * The page of a busy robot holds the maximum number of commands, so that further commands wait in
+ * the queue of the relay. The limit is 64 per robot. A round must not reach it, because a rejection
+ * aborts the benchmark.
+ */
+const ANSWER_ONLY = { robots: 1500, scripts: 1500, isBusy: true };
 const IN_FLIGHT = 64;
 const SECONDS = 2;
-/** The first ones are slower, while new code is compiled: these are some 100,000 commands. */
-const FIRST_ROUNDS = 4;
+/** Unmeasured rounds, in which V8 compiles the code; about 100,000 commands. */
+const WARM_UP_ROUNDS = 4;
 const ROUNDS = 7;
 
 export const commands: Section = {
   title: "Commands",
   measure: async (): Promise<readonly Goal[]> => {
-    const head = ["a second", "against bare", "p50, us", "p99, us", "us of cpu each"];
-    printRow(`${IN_FLIGHT} on their way`, head);
-    const answered = await flooded(["bare", "corridor"], BUSY);
-    printRow("whole lives", head);
-    await flooded(contenderNames, FREE);
+    const header = ["per second", "against bare", "p50, us", "p99, us", "us of cpu each"];
+    printRow(`${IN_FLIGHT} in flight`, header);
+    const answered = await measureFlood(["bare", "corridor"], ANSWER_ONLY);
+    printRow("full lifecycle", header);
+    await measureFlood(peerNames, FULL_LIFECYCLE);
     return [
       {
-        label: "commands answered after their commit, against the bare forwarder's round trips",
-        measured: timesAsMuch(answered.get("corridor") ?? [], answered.get("bare") ?? [], rate),
+        label: "commands answered after their commit, relative to bare round trips",
+        measured: ratioOf(answered.get("corridor") ?? [], answered.get("bare") ?? [], rate),
         bound: { atLeast: 0.55 },
         unit: "times",
       },
@@ -42,34 +48,34 @@ export const commands: Section = {
   },
 };
 
-/** A row for each contender. @returns what each round saw */
-function flooded(
-  names: readonly ContenderName[],
-  crowd: Crowd,
-): Promise<ReadonlyMap<ContenderName, Seen[]>> {
-  return withContenders(names, { ...crowd, isDurable: true }, async (entered, load) => {
-    const flood = { of: "commands", inFlight: IN_FLIGHT, seconds: SECONDS } as const;
-    const all = entered.flatMap(({ running }) => running.pids);
-    const contenders = new Map(
-      entered.map(({ name, fleet, running: { pids } }) => [
+/** Prints a row for each peer. @returns the results of each round */
+function measureFlood(
+  names: readonly PeerName[],
+  size: LoadSize,
+): Promise<ReadonlyMap<PeerName, LoadResult[]>> {
+  return withPeers(names, { ...size, isDurable: true }, async (peers, load) => {
+    const job = { of: "commands", inFlight: IN_FLIGHT, seconds: SECONDS } as const;
+    const all = peers.flatMap(({ running }) => running.pids);
+    const measurements = new Map(
+      peers.map(({ name, fleet, running: { pids } }) => [
         name,
         async () => {
-          await whenQuiet(all);
-          return load.flood({ fleet, pids, ...flood });
+          await waitUntilIdle(all);
+          return load.flood({ fleet, pids, ...job });
         },
       ]),
     );
-    // What it costs to compile the code that is used now for the first time is not what a command costs.
-    await measureInTurn(contenders, FIRST_ROUNDS);
-    const rounds = await measureInTurn(contenders, ROUNDS);
+    // The compilation of new code is not part of the cost of a command.
+    await measureAlternately(measurements, WARM_UP_ROUNDS);
+    const rounds = await measureAlternately(measurements, ROUNDS);
     const bare = rounds.get("bare") ?? [];
-    for (const [name, seen] of rounds) {
+    for (const [name, results] of rounds) {
       printRow(name, [
-        typical(seen, rate),
-        timesAsMuch(seen, bare, rate),
-        typical(seen, quantileOf("answers", 0.5)),
-        typical(seen, quantileOf("answers", 0.99)),
-        typical(seen, costEach),
+        medianOf(results, rate),
+        ratioOf(results, bare, rate),
+        medianOf(results, quantileOf("answers", 0.5)),
+        medianOf(results, quantileOf("answers", 0.99)),
+        medianOf(results, costPerItem),
       ]);
     }
     return rounds;

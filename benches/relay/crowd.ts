@@ -1,113 +1,119 @@
 /**
- * 500 robots, 30 snapshots a second each, each with a reader; then the same while some of the readers, which are
- * scripts, command. Then as many snapshots as are taken.
+ * Measures 500 robots with one reader each: 30 snapshots per second and robot, then the same while
+ * scripts send commands, then the maximum rate of snapshots.
  */
 import type { Goal } from "../core/goals.ts";
-import type { ContenderName } from "./contenders/contender.ts";
-import type { Seen } from "./load/jobs.ts";
+import type { LoadResult } from "./load/jobs.ts";
+import type { PeerName } from "./peers/peer.ts";
 import {
   coreShare,
-  costEach,
-  measureInTurn,
-  passedShare,
+  costPerItem,
+  forwardedShare,
+  measureAlternately,
+  medianOf,
   quantileOf,
   rate,
-  timesAsMuch,
-  typical,
+  ratioOf,
 } from "./rounds.ts";
-import { printRow, withContenders, type Section } from "./section.ts";
+import { printRow, withPeers, type Section } from "./section.ts";
 
-const NAMES: readonly ContenderName[] = ["bare", "corridor", "socket.io"];
+const NAMES: readonly PeerName[] = ["bare", "corridor", "socket.io"];
 const CROWD = { robots: 500, scripts: 50, isDurable: true };
-const PACE = { aSecond: 30, seconds: 4 };
-const COMMANDS_A_SECOND = 100;
+const PACE = { snapshotsPerSecond: 30, seconds: 4 };
+const COMMANDS_PER_SECOND = 100;
 const FLOOD = { of: "snapshots", inFlight: 64, seconds: 2 } as const;
 const ROUNDS = 5;
 
-type Rounds = ReadonlyMap<ContenderName, Seen[]>;
+type Rounds = ReadonlyMap<PeerName, LoadResult[]>;
 
 export const crowd: Section = {
   title: "Crowd",
   measure: () =>
-    withContenders(NAMES, CROWD, async (entered, load) => {
-      const measured = async (
-        measure: (fleet: number, pids: readonly number[]) => Promise<Seen>,
+    withPeers(NAMES, CROWD, async (peers, load) => {
+      const measureRounds = async (
+        measure: (fleet: number, pids: readonly number[]) => Promise<LoadResult>,
       ): Promise<Rounds> => {
-        const each = entered.map(
+        const each = peers.map(
           ({ name, fleet, running }) => [name, () => measure(fleet, running.pids)] as const,
         );
-        return measureInTurn(new Map(each), ROUNDS);
+        return measureAlternately(new Map(each), ROUNDS);
       };
-      const paced = (commandsASecond: number): Promise<Rounds> =>
-        measured((fleet, pids) => load.paced({ fleet, pids, ...PACE, commandsASecond }));
-      const alone = await paced(0);
-      const commanded = await paced(COMMANDS_A_SECOND);
-      const flood = await measured((fleet, pids) => load.flood({ fleet, pids, ...FLOOD }));
-      printPaced("500 robots, 30/s each", alone);
-      printPaced(`and ${COMMANDS_A_SECOND} commands a second`, commanded);
+      const measurePaced = (commandsPerSecond: number): Promise<Rounds> =>
+        measureRounds((fleet, pids) => load.paced({ fleet, pids, ...PACE, commandsPerSecond }));
+      const withoutCommands = await measurePaced(0);
+      const withCommands = await measurePaced(COMMANDS_PER_SECOND);
+      const flood = await measureRounds((fleet, pids) => load.flood({ fleet, pids, ...FLOOD }));
+      printPaced("500 robots, 30/s each", withoutCommands);
+      printPaced(`and ${COMMANDS_PER_SECOND} commands/s`, withCommands);
       printFlood(flood);
-      return judged(alone, commanded, flood);
+      return goalsOf(withoutCommands, withCommands, flood);
     }),
 };
 
-function printPaced(title: string, paced: Rounds): void {
+function printPaced(title: string, rounds: Rounds): void {
   printRow(title, [
     "% of a core",
     "us of cpu each",
     "against bare",
-    "passed on, %",
+    "forwarded, %",
     "command p50",
     "p99, us",
   ]);
-  const bare = paced.get("bare") ?? [];
-  for (const [name, seen] of paced) {
+  const bare = rounds.get("bare") ?? [];
+  for (const [name, results] of rounds) {
     printRow(name, [
-      typical(seen, coreShare),
-      typical(seen, costEach),
-      timesAsMuch(seen, bare, costEach),
-      typical(seen, passedShare),
-      typical(seen, quantileOf("answers", 0.5)),
-      typical(seen, quantileOf("answers", 0.99)),
+      medianOf(results, coreShare),
+      medianOf(results, costPerItem),
+      ratioOf(results, bare, costPerItem),
+      medianOf(results, forwardedShare),
+      medianOf(results, quantileOf("answers", 0.5)),
+      medianOf(results, quantileOf("answers", 0.99)),
     ]);
   }
 }
 
 function printFlood(flood: Rounds): void {
-  printRow("as many as are taken", ["a second", "against bare", "us of cpu each", "passed on, %"]);
-  for (const [name, seen] of flood) {
+  printRow("maximum rate", ["per second", "against bare", "us of cpu each", "forwarded, %"]);
+  for (const [name, results] of flood) {
     printRow(name, [
-      typical(seen, rate),
-      timesAsMuch(seen, flood.get("bare") ?? [], rate),
-      typical(seen, costEach),
-      typical(seen, passedShare),
+      medianOf(results, rate),
+      ratioOf(results, flood.get("bare") ?? [], rate),
+      medianOf(results, costPerItem),
+      medianOf(results, forwardedShare),
     ]);
   }
 }
 
-function judged(alone: Rounds, commanded: Rounds, flood: Rounds): readonly Goal[] {
-  const product = commanded.get("corridor") ?? [];
+function goalsOf(withoutCommands: Rounds, withCommands: Rounds, flood: Rounds): readonly Goal[] {
+  const product = withCommands.get("corridor") ?? [];
   return [
     {
-      label: "snapshots that a core takes, against the bare forwarder, at 30/s of each robot",
-      measured: 1 / timesAsMuch(alone.get("corridor") ?? [], alone.get("bare") ?? [], costEach),
+      label: "snapshots per core at 30/s per robot, relative to bare",
+      measured:
+        1 /
+        ratioOf(
+          withoutCommands.get("corridor") ?? [],
+          withoutCommands.get("bare") ?? [],
+          costPerItem,
+        ),
       bound: { atLeast: 0.75 },
       unit: "times",
     },
     {
-      label: "snapshots a second, as many as are taken, against the bare forwarder",
-      measured: timesAsMuch(flood.get("corridor") ?? [], flood.get("bare") ?? [], rate),
+      label: "maximum snapshots per second, relative to bare",
+      measured: ratioOf(flood.get("corridor") ?? [], flood.get("bare") ?? [], rate),
       bound: { atLeast: 0.75 },
       unit: "times",
     },
     {
-      label: "500 robots with a reader each, 30 snapshots a second",
-      measured: typical(product, coreShare),
+      label: "500 robots with one reader each, 30 snapshots and 100 commands per second",
+      measured: medianOf(product, coreShare),
       bound: { atMost: 60 },
       unit: "% of a core",
     },
     {
-      label: "from a command to the news that it has begun, there, p99",
-      measured: typical(product, quantileOf("beginnings", 0.99)) / 1000,
+      label: "from a command to its started event under this load, p99",
+      measured: medianOf(product, quantileOf("starts", 0.99)) / 1000,
       bound: { atMost: 10 },
       unit: "ms",
     },

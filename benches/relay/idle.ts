@@ -1,34 +1,36 @@
-/** Memory of connections on which nothing happens: robots with a page and a reader each. */
+/** Measures the memory of idle connections: robots with one page and one reader each. */
 import type { Goal } from "../core/goals.ts";
-import type { ContenderName } from "./contenders/contender.ts";
-import { start } from "./contenders/start.ts";
+import { delay } from "./load/load-recorder.ts";
 import { Load } from "./load/load.ts";
-import { pause } from "./load/watch.ts";
-import { residentKiB } from "./process-figures.ts";
+import type { PeerName } from "./peers/peer.ts";
+import { startPeer } from "./peers/start-peer.ts";
+import { residentKiB } from "./process-metrics.ts";
 import { printRow, type Section } from "./section.ts";
 
-const NAMES: readonly ContenderName[] = ["bare", "corridor", "socket.io"];
-/** What a process needs once, and what its first visitors make it compile, is not counted. */
-const FIRST_ROBOTS = 100;
-const FOLLOWED = { robots: 100, onlookers: 56 };
-const ALONE = { robots: 1000, onlookers: 0 };
-/** The garbage of their coming is collected only once it has been quiet for a while. */
-const SETTLE_MS = 12_000;
+const NAMES: readonly PeerName[] = ["bare", "corridor", "socket.io"];
+/** Unmeasured robots, so that memory for startup and compiled code is not counted. */
+const WARM_UP_ROBOTS = 100;
+const WITH_VIEWERS = { robots: 100, viewers: 56 };
+const WITHOUT_VIEWERS = { robots: 1000, viewers: 0 };
+/**
+ * Delay until the process has been idle long enough to collect the garbage of opening connections.
+ */
+const GARBAGE_COLLECTION_MS = 12_000;
 
 export const idle: Section = {
   title: "Idle",
   measure: async (): Promise<readonly Goal[]> => {
-    const figures = new Map<ContenderName, number>();
-    printRow("KiB of memory", ["a connection", "a robot"]);
+    const connectionKiB = new Map<PeerName, number>();
+    printRow("KiB of memory", ["per connection", "per robot"]);
     for (const name of NAMES) {
       const { connection, robot } = await measureIdle(name);
-      figures.set(name, connection);
+      connectionKiB.set(name, connection);
       printRow(name, [connection, robot]);
     }
     return [
       {
         label: "memory of an idle connection",
-        measured: figures.get("corridor") ?? Number.NaN,
+        measured: connectionKiB.get("corridor") ?? Number.NaN,
         bound: { atMost: 12 },
         unit: "KiB",
       },
@@ -36,25 +38,28 @@ export const idle: Section = {
   },
 };
 
-/** A connection: of 100 robots that 56 look on at each. A robot: with its page and a reader. */
-async function measureIdle(name: ContenderName): Promise<{ connection: number; robot: number }> {
-  const running = await start(name, false);
+/**
+ * @returns KiB per connection, measured with 100 robots that have 56 viewers each, and KiB per
+ * robot with one page and one reader
+ */
+async function measureIdle(name: PeerName): Promise<{ connection: number; robot: number }> {
+  const running = await startPeer(name, false);
   const [pid] = running?.pids ?? [];
   if (running === null || pid === undefined) return { connection: Number.NaN, robot: Number.NaN };
   const load = Load.start();
   const { pages, readers } = running;
-  const where = { contender: name, pages, readers, scripts: 0 };
-  const growth = async (crowd: { robots: number; onlookers: number }): Promise<number> => {
+  const target = { peer: name, pages, readers, scripts: 0 };
+  const growth = async (size: { robots: number; viewers: number }): Promise<number> => {
     const before = residentKiB(pid);
-    await load.open({ ...where, ...crowd });
-    await pause(SETTLE_MS);
+    await load.open({ ...target, ...size });
+    await delay(GARBAGE_COLLECTION_MS);
     return residentKiB(pid) - before;
   };
   try {
-    await growth({ robots: FIRST_ROBOTS, onlookers: 0 });
-    const connections = FOLLOWED.robots * (2 + FOLLOWED.onlookers);
-    const connection = (await growth(FOLLOWED)) / connections;
-    return { connection, robot: (await growth(ALONE)) / ALONE.robots };
+    await growth({ robots: WARM_UP_ROBOTS, viewers: 0 });
+    const connections = WITH_VIEWERS.robots * (2 + WITH_VIEWERS.viewers);
+    const connection = (await growth(WITH_VIEWERS)) / connections;
+    return { connection, robot: (await growth(WITHOUT_VIEWERS)) / WITHOUT_VIEWERS.robots };
   } finally {
     await load.stop();
     await running.stop();

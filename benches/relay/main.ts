@@ -1,7 +1,8 @@
 /**
- * `npm run bench:relay`: what the relay costs and how much it takes, beside other ways of passing messages
- * between a robot and its reader, in the same run. Prints tables and a line for each goal; exit code 1 when one
- * is missed. Words on the command line choose sections by their titles. What each number is: docs/performance.md.
+ * `npm run bench:relay`: measures the cost and the capacity of the relay, and compares it with
+ * peers: other systems that forward messages between a robot's page and its reader. Prints tables
+ * and one line per goal; exits with code 1 if a goal is missed. Arguments select sections by parts
+ * of their titles. docs/performance.md describes each number.
  */
 import { availableParallelism, cpus } from "node:os";
 import { formatGoal, isMet, type Goal } from "../core/goals.ts";
@@ -13,18 +14,19 @@ import { snapshots } from "./snapshots.ts";
 import { twoRelays } from "./two-relays.ts";
 
 if (process.platform !== "linux") {
-  console.error("npm run bench:relay reads what processes cost from /proc, which only Linux has.");
+  console.error("npm run bench:relay requires Linux, because it reads process metrics from /proc.");
   process.exit(2);
 }
 
 const sections: readonly Section[] = [snapshots, commands, crowd, idle, twoRelays];
-const wanted = process.argv.slice(2).map((word) => word.toLowerCase());
-const chosen = sections.filter(
-  ({ title }) => wanted.length === 0 || wanted.some((word) => title.toLowerCase().includes(word)),
+const filters = process.argv.slice(2).map((filter) => filter.toLowerCase());
+const selected = sections.filter(
+  ({ title }) =>
+    filters.length === 0 || filters.some((filter) => title.toLowerCase().includes(filter)),
 );
 
 const goals: Goal[] = [];
-for (const { title, measure } of chosen) {
+for (const { title, measure } of selected) {
   console.log(`\n${title}`);
   goals.push(...(await measure()));
 }

@@ -1,54 +1,54 @@
 import { describe, expect, it } from "vitest";
-import type { Seen } from "./load/jobs.ts";
+import type { LoadResult } from "./load/jobs.ts";
 import {
   coreShare,
-  costEach,
-  measureInTurn,
-  passedShare,
+  costPerItem,
+  forwardedShare,
+  measureAlternately,
+  medianOf,
   quantileOf,
   rate,
-  timesAsMuch,
-  typical,
+  ratioOf,
 } from "./rounds.ts";
 
-function seen(some: Partial<Seen> = {}): Seen {
+function result(overrides: Partial<LoadResult> = {}): LoadResult {
   return {
     seconds: 2,
     done: 1000,
-    passed: 600,
+    forwarded: 600,
     processorMs: [300, 100],
-    ways: [],
+    latencies: [],
     answers: [],
-    beginnings: [],
-    ...some,
+    starts: [],
+    ...overrides,
   };
 }
 
 describe("rounds", () => {
-  it("run every contender once in each, from another one on", async () => {
+  it("run every peer once and rotate the order", async () => {
     const order: string[] = [];
     const measurements = ["a", "b", "c"].map(
-      (name) => [name, async () => (order.push(name), seen({ done: order.length }))] as const,
+      (name) => [name, async () => (order.push(name), result({ done: order.length }))] as const,
     );
-    const rounds = await measureInTurn(new Map(measurements), 3);
+    const rounds = await measureAlternately(new Map(measurements), 3);
     expect(order.join("")).toBe("abcbcacab");
     expect(rounds.get("a")?.map(({ done }) => done)).toEqual([1, 6, 8]);
   });
 
   it("are compared round by round", () => {
-    const slow = [seen({ done: 10 }), seen({ done: 40 }), seen({ done: 30 })];
-    const fast = [seen({ done: 10 }), seen({ done: 20 }), seen({ done: 10 })];
-    expect(timesAsMuch(slow, fast, rate)).toBe(2);
-    expect(typical(slow, rate)).toBe(15);
+    const slow = [result({ done: 10 }), result({ done: 40 }), result({ done: 30 })];
+    const fast = [result({ done: 10 }), result({ done: 20 }), result({ done: 10 })];
+    expect(ratioOf(slow, fast, rate)).toBe(2);
+    expect(medianOf(slow, rate)).toBe(15);
   });
 });
 
-describe("what one round says", () => {
-  it("is told for each thing done, and for a core", () => {
-    expect(rate(seen())).toBe(500);
-    expect(costEach(seen())).toBe(400);
-    expect(coreShare(seen())).toBe(20);
-    expect(passedShare(seen())).toBe(60);
-    expect(quantileOf("ways", 0.5)(seen({ ways: [0.3, 0.1, 0.2] }))).toBe(200);
+describe("the metrics of a round", () => {
+  it("are rates, costs per item, shares and quantiles", () => {
+    expect(rate(result())).toBe(500);
+    expect(costPerItem(result())).toBe(400);
+    expect(coreShare(result())).toBe(20);
+    expect(forwardedShare(result())).toBe(60);
+    expect(quantileOf("latencies", 0.5)(result({ latencies: [0.3, 0.1, 0.2] }))).toBe(200);
   });
 });

@@ -1,59 +1,66 @@
 /**
- * Contenders measured in turn, round after round, so that a slow moment of the machine meets all of them;
- * and what their rounds come to.
+ * Measures peers alternately in rounds, so that a slow period of the machine affects all of them,
+ * and computes metrics of the rounds.
  */
 import { median, quantile, timesSlower } from "../core/measure.ts";
-import type { Seen } from "./load/jobs.ts";
+import type { LoadResult } from "./load/jobs.ts";
 
-/** Runs every measurement once in each round. The order turns: nobody is always the one after the loudest. */
-export async function measureInTurn<K>(
-  measurements: ReadonlyMap<K, () => Promise<Seen>>,
+/**
+ * Runs every measurement once per round. The order rotates, so that a measurement does not always
+ * follow the same other one.
+ */
+export async function measureAlternately<K>(
+  measurements: ReadonlyMap<K, () => Promise<LoadResult>>,
   rounds: number,
-): Promise<Map<K, Seen[]>> {
-  const seen = new Map<K, Seen[]>([...measurements.keys()].map((name) => [name, []]));
+): Promise<Map<K, LoadResult[]>> {
+  const results = new Map<K, LoadResult[]>([...measurements.keys()].map((name) => [name, []]));
   const all = [...measurements];
   for (let round = 0; round < rounds; round++) {
     const from = round % all.length;
     for (const [name, measure] of [...all.slice(from), ...all.slice(0, from)]) {
-      seen.get(name)?.push(await measure());
+      results.get(name)?.push(await measure());
     }
   }
-  return seen;
+  return results;
 }
 
-/** How many times as much as the other, by this figure: the median of the rounds' ratios. */
-export function timesAsMuch(
-  one: readonly Seen[],
-  other: readonly Seen[],
-  figure: (seen: Seen) => number,
+/** The ratio of a metric of two peers: the median of the ratios of all rounds. */
+export function ratioOf(
+  numerator: readonly LoadResult[],
+  denominator: readonly LoadResult[],
+  metric: (result: LoadResult) => number,
 ): number {
-  return timesSlower(one.map(figure), other.map(figure));
+  return timesSlower(numerator.map(metric), denominator.map(metric));
 }
 
-/** The median of the rounds. */
-export function typical(rounds: readonly Seen[], figure: (seen: Seen) => number): number {
-  return median(rounds.map(figure));
+/** The median of a metric of all rounds. */
+export function medianOf(
+  rounds: readonly LoadResult[],
+  metric: (result: LoadResult) => number,
+): number {
+  return median(rounds.map(metric));
 }
 
-export const rate = ({ done, seconds }: Seen): number => done / seconds;
+/** Processed snapshots or answered commands per second. */
+export const rate = ({ done, seconds }: LoadResult): number => done / seconds;
 
-/** Microseconds of processor time for each that was done, of all processes together. */
-export const costEach = (seen: Seen): number => (totalMs(seen) * 1000) / seen.done;
+/** Microseconds of processor time of all processes, per processed snapshot or answered command. */
+export const costPerItem = (result: LoadResult): number => (totalMs(result) * 1000) / result.done;
 
-/** Percent of one core. */
-export const coreShare = (seen: Seen): number => totalMs(seen) / seen.seconds / 10;
+/** Processor time of all processes in percent of one core. */
+export const coreShare = (result: LoadResult): number => totalMs(result) / result.seconds / 10;
 
-/** The share of snapshots that was passed on to readers, in percent. */
-export const passedShare = ({ passed, done }: Seen): number => (100 * passed) / done;
+/** The share of snapshots that were forwarded to readers, in percent. */
+export const forwardedShare = ({ forwarded, done }: LoadResult): number => (100 * forwarded) / done;
 
-export type Times = "ways" | "answers" | "beginnings";
+export type Times = "latencies" | "answers" | "starts";
 
-/** Microseconds. */
+/** A metric: the quantile of a list of times, in microseconds. */
 export const quantileOf =
   (times: Times, share: number) =>
-  (seen: Seen): number =>
-    quantile(seen[times], share) * 1000;
+  (result: LoadResult): number =>
+    quantile(result[times], share) * 1000;
 
-function totalMs({ processorMs }: Seen): number {
+function totalMs({ processorMs }: LoadResult): number {
   return processorMs.reduce((sum, ms) => sum + ms, 0);
 }

@@ -1,50 +1,53 @@
-/** A part of `npm run bench:relay`: measures something of the relay, prints what it saw, and judges it. */
+/** A section of `npm run bench:relay`: measures the relay, prints tables and returns goals. */
 import { formatNumber, type Goal } from "../core/goals.ts";
-import type { ContenderName, Running } from "./contenders/contender.ts";
-import { start } from "./contenders/start.ts";
 import { Load } from "./load/load.ts";
+import type { PeerName, RunningPeer } from "./peers/peer.ts";
+import { startPeer } from "./peers/start-peer.ts";
 
 export interface Section {
   title: string;
   measure: () => Promise<readonly Goal[]>;
 }
 
-/** A contender with its robots, connected. */
-export interface Entered {
-  name: ContenderName;
-  running: Running;
+/** A running peer with its connected robots. */
+export interface ConnectedPeer {
+  name: PeerName;
+  running: RunningPeer;
+  /** number of the fleet in the load process */
   fleet: number;
 }
 
-export interface Crowd {
+export interface LoadSize {
   robots: number;
-  /** of so many the reader may command */
+  /** number of robots whose reader may send commands */
   scripts: number;
-  /** pages do not end what they have begun; default: they do */
+  /** whether pages start commands without ending them; default: false */
   isBusy?: boolean;
 }
 
-/** Starts what is there of these, connects robots to each, and ends all of it afterwards. */
-export async function withContenders<T>(
-  names: readonly ContenderName[],
-  crowd: Crowd & { isDurable: boolean },
-  measure: (entered: readonly Entered[], load: Load) => Promise<T>,
+/**
+ * Starts all peers that are installed, connects robots to each, and stops all of them afterwards.
+ */
+export async function withPeers<T>(
+  names: readonly PeerName[],
+  size: LoadSize & { isDurable: boolean },
+  measure: (peers: readonly ConnectedPeer[], load: Load) => Promise<T>,
 ): Promise<T> {
-  const { isDurable, ...count } = crowd;
+  const { isDurable, ...count } = size;
   const load = Load.start();
-  const entered: Entered[] = [];
+  const peers: ConnectedPeer[] = [];
   try {
     for (const name of names) {
-      const running = await start(name, isDurable);
+      const running = await startPeer(name, isDurable);
       if (running === null) continue;
       const { pages, readers } = running;
-      const fleet = await load.open({ contender: name, pages, readers, ...count });
-      entered.push({ name, running, fleet });
+      const fleet = await load.open({ peer: name, pages, readers, ...count });
+      peers.push({ name, running, fleet });
     }
-    return await measure(entered, load);
+    return await measure(peers, load);
   } finally {
     await load.stop();
-    for (const { running } of entered) await running.stop();
+    for (const { running } of peers) await running.stop();
   }
 }
 

@@ -1,60 +1,65 @@
 /**
- * A snapshot's way from the page over the relay to the reader, and what it costs the relay. 15 a second of
- * each robot: the relay passes 20 a second on, so every one arrives, as with everybody else.
+ * Measures the latency of a snapshot from the page through the relay to the reader, and its cost
+ * for the relay. Each robot sends 15 snapshots per second: below the relay's limit of 20 per
+ * second, so that the relay forwards all of them, as the peers do.
  */
 import type { Goal } from "../core/goals.ts";
-import { contenderNames } from "./contenders/contender.ts";
+import { peerNames } from "./peers/peer.ts";
 import {
-  costEach,
-  measureInTurn,
-  passedShare,
+  costPerItem,
+  forwardedShare,
+  measureAlternately,
+  medianOf,
   quantileOf,
-  timesAsMuch,
-  typical,
+  ratioOf,
 } from "./rounds.ts";
-import { printRow, withContenders, type Section } from "./section.ts";
+import { printRow, withPeers, type Section } from "./section.ts";
 
-const CROWD = { robots: 100, scripts: 0, isDurable: false };
-const A_SECOND = 15;
+const LOAD = { robots: 100, scripts: 0, isDurable: false };
+const SNAPSHOTS_PER_SECOND = 15;
 const SECONDS = 2;
 const ROUNDS = 5;
 
 export const snapshots: Section = {
   title: "Snapshots",
   measure: () =>
-    withContenders(contenderNames, CROWD, async (entered, load): Promise<readonly Goal[]> => {
-      const rounds = await measureInTurn(
+    withPeers(peerNames, LOAD, async (peers, load): Promise<readonly Goal[]> => {
+      const rounds = await measureAlternately(
         new Map(
-          entered.map(({ name, fleet, running: { pids } }) => {
-            const pace = { aSecond: A_SECOND, commandsASecond: 0, seconds: SECONDS };
+          peers.map(({ name, fleet, running: { pids } }) => {
+            const pace = {
+              snapshotsPerSecond: SNAPSHOTS_PER_SECOND,
+              commandsPerSecond: 0,
+              seconds: SECONDS,
+            };
             return [name, () => load.paced({ fleet, pids, ...pace })];
           }),
         ),
         ROUNDS,
       );
       const bare = rounds.get("bare") ?? [];
-      printRow(`${CROWD.robots} robots, ${A_SECOND}/s each`, [
-        "way p50, us",
+      printRow(`${LOAD.robots} robots, ${SNAPSHOTS_PER_SECOND}/s each`, [
+        "p50, us",
         "against bare",
         "p99, us",
         "us of cpu each",
         "against bare",
-        "passed on, %",
+        "forwarded, %",
       ]);
-      for (const [name, seen] of rounds) {
+      for (const [name, results] of rounds) {
         printRow(name, [
-          typical(seen, quantileOf("ways", 0.5)),
-          timesAsMuch(seen, bare, quantileOf("ways", 0.5)),
-          typical(seen, quantileOf("ways", 0.99)),
-          typical(seen, costEach),
-          timesAsMuch(seen, bare, costEach),
-          typical(seen, passedShare),
+          medianOf(results, quantileOf("latencies", 0.5)),
+          ratioOf(results, bare, quantileOf("latencies", 0.5)),
+          medianOf(results, quantileOf("latencies", 0.99)),
+          medianOf(results, costPerItem),
+          ratioOf(results, bare, costPerItem),
+          medianOf(results, forwardedShare),
         ]);
       }
       return [
         {
-          label: "a snapshot's way, p50, against the bare forwarder",
-          measured: timesAsMuch(rounds.get("corridor") ?? [], bare, quantileOf("ways", 0.5)),
+          label: "latency of a snapshot, p50, relative to bare",
+          measured: ratioOf(rounds.get("corridor") ?? [], bare, quantileOf("latencies", 0.5)),
           bound: { atMost: 1.2 },
           unit: "times",
         },

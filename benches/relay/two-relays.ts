@@ -1,16 +1,24 @@
 /**
- * What it costs that a robot's page and its reader are at different relays. Each relay has as many of both as the one
- * has in the other case: two serve twice as many robots, and what is compared is the time for one.
+ * Measures the cost of a robot whose page and reader are connected to different relays, compared
+ * with one relay. Two relays serve twice as many robots, so that each relay has the same number of
+ * pages and readers in both cases. The goal compares the processor time per robot.
  */
 import type { Goal } from "../core/goals.ts";
-import { startTwoRelays } from "./contenders/start.ts";
 import { Load } from "./load/load.ts";
-import { coreShare, costEach, measureInTurn, quantileOf, timesAsMuch, typical } from "./rounds.ts";
+import { startTwoRelays } from "./peers/start-peer.ts";
+import {
+  coreShare,
+  costPerItem,
+  measureAlternately,
+  medianOf,
+  quantileOf,
+  ratioOf,
+} from "./rounds.ts";
 import { printRow, type Section } from "./section.ts";
 
 const ROBOTS = 200;
-const CROWD = { contender: "corridor", scripts: 0 } as const;
-const PACE = { aSecond: 30, commandsASecond: 0, seconds: 4 };
+const LOAD = { peer: "corridor", scripts: 0 } as const;
+const PACE = { snapshotsPerSecond: 30, commandsPerSecond: 0, seconds: 4 };
 const ROUNDS = 5;
 
 export const twoRelays: Section = {
@@ -18,38 +26,38 @@ export const twoRelays: Section = {
   measure: async (): Promise<readonly Goal[]> => {
     const relays = await startTwoRelays();
     if (relays === null) return [goal(Number.NaN)];
-    const { one, apart } = relays;
+    const { one, split } = relays;
     const load = Load.start();
     try {
       const { pids } = one;
-      const [together, split] = [
-        await load.open({ ...CROWD, robots: ROBOTS, pages: one.pages, readers: one.readers }),
+      const [oneFleet, splitFleet] = [
+        await load.open({ ...LOAD, robots: ROBOTS, pages: one.pages, readers: one.readers }),
         await load.open({
-          ...CROWD,
+          ...LOAD,
           robots: 2 * ROBOTS,
-          pages: `${apart.pages},${apart.readers}`,
-          readers: `${apart.readers},${apart.pages}`,
+          pages: `${split.pages},${split.readers}`,
+          readers: `${split.readers},${split.pages}`,
         }),
       ];
-      // The second relay has done nothing yet: what it costs to compile its code is not what a robot costs.
-      await load.paced({ fleet: split, pids, ...PACE });
-      const rounds = await measureInTurn(
+      // A warm-up, because the second relay has not compiled its code yet.
+      await load.paced({ fleet: splitFleet, pids, ...PACE });
+      const rounds = await measureAlternately(
         new Map([
-          ["one", () => load.paced({ fleet: together, pids, ...PACE })],
-          ["apart", () => load.paced({ fleet: split, pids, ...PACE })],
+          ["one", () => load.paced({ fleet: oneFleet, pids, ...PACE })],
+          ["split", () => load.paced({ fleet: splitFleet, pids, ...PACE })],
         ]),
         ROUNDS,
       );
-      printRow("30/s each", ["% of a core", "us of cpu each", "way p50, us", "p99, us"]);
-      for (const [name, seen] of rounds) {
-        printRow(name === "one" ? `${ROBOTS} robots at one` : `${2 * ROBOTS} at two, apart`, [
-          typical(seen, coreShare),
-          typical(seen, costEach),
-          typical(seen, quantileOf("ways", 0.5)),
-          typical(seen, quantileOf("ways", 0.99)),
+      printRow("30/s each", ["% of a core", "us of cpu each", "p50, us", "p99, us"]);
+      for (const [name, results] of rounds) {
+        printRow(name === "one" ? `${ROBOTS} robots at one` : `${2 * ROBOTS} at two, split`, [
+          medianOf(results, coreShare),
+          medianOf(results, costPerItem),
+          medianOf(results, quantileOf("latencies", 0.5)),
+          medianOf(results, quantileOf("latencies", 0.99)),
         ]);
       }
-      return [goal(timesAsMuch(rounds.get("apart") ?? [], rounds.get("one") ?? [], costEach))];
+      return [goal(ratioOf(rounds.get("split") ?? [], rounds.get("one") ?? [], costPerItem))];
     } finally {
       await load.stop();
       await one.stop();
@@ -59,7 +67,7 @@ export const twoRelays: Section = {
 
 function goal(measured: number): Goal {
   return {
-    label: "processor time of a robot with its reader at another relay, against one relay",
+    label: "processor time per robot with its reader at another relay, relative to one relay",
     measured,
     bound: { atMost: 1.3 },
     unit: "times",

@@ -1,29 +1,33 @@
-/** A fleet at the bare forwarder: the page answers each command itself. */
+/** A fleet at the baseline server. The page answers each command itself. */
 import { openAll, type Fleet, type FleetOptions } from "./fleet.ts";
-import { answerText, commandText, numberIn, snapshotText } from "./messages.ts";
-import { TextWire } from "./text-wire.ts";
+import { answerText, commandText, parseSeq, snapshotText } from "./messages.ts";
+import { TextSocket } from "./text-socket.ts";
 
 export async function openBare(options: FleetOptions): Promise<Fleet> {
-  const { pages, readers, robots, onlookers, ears } = options;
+  const { pages, readers, robots, viewers, listener } = options;
   let commands = 0;
   const all = await openAll(robots, async (robot) => {
-    const end = (port: string, role: string, hear: (text: string) => void): Promise<TextWire> =>
-      TextWire.open({ port: Number(port), path: `/${robot}/${role}`, headers: {}, hear });
-    const page: TextWire = await end(pages, "page", () => page.send(answerText(1)));
-    const reader = await end(readers, "reader", (text) => {
-      if (text.startsWith('{"type":"snapshot"')) ears.snapshot(robot, numberIn(text));
-      else ears.answered(robot);
+    const connect = (
+      port: string,
+      role: string,
+      onMessage: (text: string) => void,
+    ): Promise<TextSocket> =>
+      TextSocket.open({ port: Number(port), path: `/${robot}/${role}`, headers: {}, onMessage });
+    const page: TextSocket = await connect(pages, "page", () => page.send(answerText(1)));
+    const reader = await connect(readers, "reader", (text) => {
+      if (text.startsWith('{"type":"snapshot"')) listener.onSnapshot(robot, parseSeq(text));
+      else listener.onAnswer(robot);
     });
-    const more = await openAll(onlookers, (n) => end(readers, `onlooker${n}`, () => undefined));
+    const more = await openAll(viewers, (n) => connect(readers, `viewer${n}`, () => undefined));
     return [page, reader, ...more] as const;
   });
   return {
-    report: (robot, n) => all[robot]?.[0].send(snapshotText(n, 1)),
-    command: (robot) => all[robot]?.[1].send(commandText(commands++)),
-    taken: null,
-    rest: null,
+    sendSnapshot: (robot, n) => all[robot]?.[0].send(snapshotText(n, 1)),
+    sendCommand: (robot) => all[robot]?.[1].send(commandText(commands++)),
+    whenProcessed: null,
+    reset: null,
     close: async () => {
-      for (const wire of all.flat()) wire.close();
+      for (const socket of all.flat()) socket.close();
     },
   };
 }

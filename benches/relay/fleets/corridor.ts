@@ -1,33 +1,38 @@
 /**
- * A fleet at the product: robots are registered, pages and readers say hello with their keys, readers say
- * what they have seen as those of the client do, pages begin and end each command at once, or
- * are busy with the first and have as many more as they may, until they are stopped.
+ * A fleet at the product. Registers robots; pages and readers send `hello` with their keys, and
+ * readers send `seen` at the same rate as the client library. Pages start and end each command
+ * immediately. Busy pages start only their first command and hold the maximum number of further
+ * commands until a stop.
  */
 import type { Registration } from "@corridor/protocol";
 import { SeenPace } from "../../../packages/client/src/seen-pace.ts";
 import { limits } from "../../../apps/relay/src/sessions/limits.ts";
 import { openAll, type Fleet, type FleetOptions } from "./fleet.ts";
-import { commandText, numberIn, snapshotText } from "./messages.ts";
-import { TextWire } from "./text-wire.ts";
+import { commandText, parseSeq, snapshotText } from "./messages.ts";
+import { TextSocket } from "./text-socket.ts";
 
-/** So many robots share an address: as many as may, with all who look on. */
-const A_CLASS = 6;
+/** Number of robots that share a client address: the maximum, including all viewers. */
+const ROBOTS_PER_ADDRESS = 6;
 
-/** What a busy page has: the one that it runs, and as many as it may have next. */
-const AT_HAND = 1 + limits.deliveredWindow;
+/**
+ * Number of commands that a busy page holds: the running one, and the maximum number of next ones.
+ */
+const BUSY_COMMANDS = 1 + limits.deliveredWindow;
 
 const STOP = '{"type":"command","command":{"action":"stop"}}';
 const IS_STOP = '"action":"stop"';
 
 interface Robot {
-  page: TextWire;
-  reader: TextWire;
-  onlookers: TextWire[];
+  page: TextSocket;
+  reader: TextSocket;
+  viewers: TextSocket[];
   epoch: number;
-  /** who waits for the relay's time: then it has taken all that was said before */
-  asking: (() => void)[];
-  /** stops the robot, which is busy again after that */
-  rest(): Promise<void>;
+  /**
+   * resolvers of pending `time` requests; the answer proves that all earlier messages are processed
+   */
+  timeRequests: (() => void)[];
+  /** Stops the robot and makes it busy again. */
+  reset(): Promise<void>;
 }
 
 export async function openCorridor(options: FleetOptions): Promise<Fleet> {
@@ -35,21 +40,21 @@ export async function openCorridor(options: FleetOptions): Promise<Fleet> {
   const nextCommand = (): string => commandText(commands++);
   const all = await openAll(options.robots, (robot) => openRobot(robot, options, nextCommand));
   return {
-    report: (robot, n) => {
+    sendSnapshot: (robot, n) => {
       const at = all[robot];
       at?.page.send(snapshotText(n, at.epoch));
     },
-    command: (robot) => all[robot]?.reader.send(nextCommand()),
-    taken: (robot) =>
+    sendCommand: (robot) => all[robot]?.reader.send(nextCommand()),
+    whenProcessed: (robot) =>
       new Promise((resolve) => {
         const at = all[robot];
-        at?.asking.push(resolve);
+        at?.timeRequests.push(resolve);
         at?.page.send(`{"type":"time","epoch":${at.epoch}}`);
       }),
-    rest: options.isBusy ? async (robot) => all[robot]?.rest() : null,
+    reset: options.isBusy ? async (robot) => all[robot]?.reset() : null,
     close: async () => {
-      for (const { page, reader, onlookers } of all) {
-        for (const wire of [page, reader, ...onlookers]) wire.close();
+      for (const { page, reader, viewers } of all) {
+        for (const socket of [page, reader, ...viewers]) socket.close();
       }
     },
   };
@@ -60,23 +65,23 @@ async function openRobot(
   options: FleetOptions,
   nextCommand: () => string,
 ): Promise<Robot> {
-  const { scripts, onlookers, ears } = options;
-  const [pages, readers] = [options.pages, options.readers].map((ports) => turnOf(ports, robot));
-  const headers = { "X-Forwarded-For": `10.1.0.${Math.floor(robot / A_CLASS) + 1}` };
+  const { scripts, viewers, listener } = options;
+  const [pages, readers] = [options.pages, options.readers].map((ports) => portFor(ports, robot));
+  const headers = { "X-Forwarded-For": `10.1.0.${Math.floor(robot / ROBOTS_PER_ADDRESS) + 1}` };
   const api = `http://127.0.0.1:${pages}/api/v1/robots`;
   const { id, ownerKey, driverKey } = (await post(api, { headers })) as Registration;
   const path = `/api/v1/robots/${id}/socket`;
-  const asking: (() => void)[] = [];
+  const timeRequests: (() => void)[] = [];
 
   const welcomed = Promise.withResolvers<number>();
-  const page = await TextWire.open({
+  const page = await TextSocket.open({
     port: Number(pages),
     path,
     headers,
-    hear: (text) => {
-      if (text.startsWith('{"type":"command"')) doCommand(numberIn(text));
-      else if (text.startsWith('{"type":"stop"')) standStill(numberIn(text));
-      else if (text.startsWith('{"type":"time"')) asking.shift()?.();
+    onMessage: (text) => {
+      if (text.startsWith('{"type":"command"')) onCommand(parseSeq(text));
+      else if (text.startsWith('{"type":"stop"')) onStop(parseSeq(text));
+      else if (text.startsWith('{"type":"time"')) timeRequests.shift()?.();
       else if (text.startsWith('{"type":"welcome"')) {
         welcomed.resolve((JSON.parse(text) as { epoch: number }).epoch);
       }
@@ -85,90 +90,91 @@ async function openRobot(
   page.send(JSON.stringify({ type: "hello", version: 1, role: "own", key: ownerKey }));
   page.send(JSON.stringify({ type: "resume", lastApplied: 0, fresh: true, endings: [] }));
   const epoch = await welcomed.promise;
-  /** what a busy page has and has not ended, the first of them begun */
+  /** commands that a busy page has received and not ended; only the first is started */
   const open: number[] = [];
-  const begin = (seq: number): void =>
+  const sendStarted = (seq: number): void =>
     page.send(`{"type":"started","epoch":${epoch},"seq":${seq}}`);
-  const end = (seq: number, state: "completed" | "cancelled"): void =>
+  const sendEnded = (seq: number, state: "completed" | "cancelled"): void =>
     page.send(
       `{"type":"ended","epoch":${epoch},"seq":${seq},"state":"${state}","reason":null,"pose":{"x":150,"y":150,"heading":90},"distance":120}`,
     );
-  const doCommand = (seq: number): void => {
+  const onCommand = (seq: number): void => {
     if (!options.isBusy) {
-      begin(seq);
-      end(seq, "completed");
-    } else if (open.push(seq) === 1) begin(seq);
+      sendStarted(seq);
+      sendEnded(seq, "completed");
+    } else if (open.push(seq) === 1) sendStarted(seq);
   };
-  const standStill = (seq: number): void => {
-    for (const before of open.splice(0)) end(before, "cancelled");
-    begin(seq);
-    end(seq, "completed");
+  const onStop = (seq: number): void => {
+    for (const before of open.splice(0)) sendEnded(before, "cancelled");
+    sendStarted(seq);
+    sendEnded(seq, "completed");
   };
 
-  const enter = async (
+  const join = async (
     role: "drive" | "watch",
     key: string,
-    hear: (text: string) => void,
-  ): Promise<TextWire> => {
+    onMessage: (text: string) => void,
+  ): Promise<TextSocket> => {
     const joined = Promise.withResolvers<void>();
-    const wire = await TextWire.open({
+    const socket = await TextSocket.open({
       port: Number(readers),
       path,
       headers,
-      hear: (text) => (text.startsWith('{"type":"welcome"') ? joined.resolve() : hear(text)),
+      onMessage: (text) =>
+        text.startsWith('{"type":"welcome"') ? joined.resolve() : onMessage(text),
     });
-    wire.send(JSON.stringify({ type: "hello", version: 1, role, key }));
+    socket.send(JSON.stringify({ type: "hello", version: 1, role, key }));
     await joined.promise;
-    return wire;
+    return socket;
   };
-  const seen = new SeenPace();
-  const resting: (() => void)[] = [];
-  /** how many of those that are to keep the robot busy are not answered yet, and who waits for that */
-  const filling = { left: 0, done: (): void => undefined };
-  const hear = (text: string): void => {
+  const seenPace = new SeenPace();
+  const pendingResets: (() => void)[] = [];
+  /** number of unanswered commands that fill the queue of a busy robot, and their resolver */
+  const pendingFill = { left: 0, done: (): void => undefined };
+  const onMessage = (text: string): void => {
     if (text.startsWith('{"type":"snapshot"')) {
-      const n = numberIn(text);
-      ears.snapshot(robot, n);
-      if (seen.read(performance.now())) reader.send(`{"type":"seen","seq":${n}}`);
+      const n = parseSeq(text);
+      listener.onSnapshot(robot, n);
+      if (seenPace.read(performance.now())) reader.send(`{"type":"seen","seq":${n}}`);
     } else if (text.startsWith('{"type":"ack"')) {
       if (text.includes(IS_STOP)) return;
-      if (filling.left === 0) ears.answered(robot);
-      else if (--filling.left === 0) filling.done();
+      if (pendingFill.left === 0) listener.onAnswer(robot);
+      else if (--pendingFill.left === 0) pendingFill.done();
     } else if (text.startsWith('{"type":"state"')) {
       if (text.includes(IS_STOP)) {
-        if (text.includes('"state":"completed"')) resting.shift()?.();
-      } else if (text.includes('"state":"started"')) ears.began(robot);
+        if (text.includes('"state":"completed"')) pendingResets.shift()?.();
+      } else if (text.includes('"state":"started"')) listener.onStarted(robot);
     } else if (text.startsWith('{"type":"problem"')) throw new Error(text);
   };
   const isScript = robot < scripts;
-  const watch =
-    isScript && onlookers === 0 ? "" : await watchKey(`${api}/${id}/keys`, ownerKey, headers);
-  const reader: TextWire = isScript
-    ? await enter("drive", driverKey, hear)
-    : await enter("watch", watch, hear);
-  const occupy = (): Promise<void> =>
+  const watchKey =
+    isScript && viewers === 0 ? "" : await createWatchKey(`${api}/${id}/keys`, ownerKey, headers);
+  const reader: TextSocket = isScript
+    ? await join("drive", driverKey, onMessage)
+    : await join("watch", watchKey, onMessage);
+  const fillQueue = (): Promise<void> =>
     new Promise((resolve) => {
-      Object.assign(filling, { left: AT_HAND, done: resolve });
-      for (let n = 0; n < AT_HAND; n++) reader.send(nextCommand());
+      Object.assign(pendingFill, { left: BUSY_COMMANDS, done: resolve });
+      for (let n = 0; n < BUSY_COMMANDS; n++) reader.send(nextCommand());
     });
-  const rest = async (): Promise<void> => {
+  const reset = async (): Promise<void> => {
     await new Promise<void>((resolve) => {
-      resting.push(resolve);
+      pendingResets.push(resolve);
       reader.send(STOP);
     });
-    await occupy();
+    await fillQueue();
   };
-  if (options.isBusy === true) await occupy();
-  const more = await openAll(onlookers, () => enter("watch", watch, () => undefined));
-  return { page, reader, onlookers: more, epoch, asking, rest };
+  if (options.isBusy === true) await fillQueue();
+  const viewerSockets = await openAll(viewers, () => join("watch", watchKey, () => undefined));
+  return { page, reader, viewers: viewerSockets, epoch, timeRequests, reset };
 }
 
-async function watchKey(
+async function createWatchKey(
   url: string,
   ownerKey: string,
   headers: Record<string, string>,
 ): Promise<string> {
-  const made = await post(url, {
+  const created = await post(url, {
     headers: {
       ...headers,
       Authorization: `Bearer ${ownerKey}`,
@@ -176,7 +182,7 @@ async function watchKey(
     },
     body: '{"kind":"watch"}',
   });
-  return (made as { key: string }).key;
+  return (created as { key: string }).key;
 }
 
 async function post(url: string, init: RequestInit): Promise<unknown> {
@@ -185,7 +191,7 @@ async function post(url: string, init: RequestInit): Promise<unknown> {
   return response.json();
 }
 
-function turnOf(ports: string, robot: number): string {
+function portFor(ports: string, robot: number): string {
   const all = ports.split(",");
   return all[robot % all.length] ?? ports;
 }

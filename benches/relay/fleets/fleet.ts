@@ -1,51 +1,60 @@
 /**
- * Many robots at one contender: each has a page, which reports snapshots and does commands, and a reader.
- * The same for all contenders, so that one load drives them all.
+ * A fleet: many robots at one peer. Each robot has a page, which sends snapshots and executes
+ * commands, and a reader. The interface is the same for all peers, so that one load can drive all
+ * of them.
  */
-export interface Ears {
-  /** The robot's reader got the page's snapshot of this number, or one of the relay's numbering. */
-  snapshot(robot: number, n: number): void;
+
+/** Receives the events of a fleet's readers. */
+export interface FleetListener {
+  /** The robot's reader received a snapshot. @param n number of the snapshot */
+  onSnapshot(robot: number, n: number): void;
   /** The reader's oldest unanswered command was answered. */
-  answered(robot: number): void;
-  /** The reader was told that its oldest command that had not begun has begun. Contenders that tell no such thing never say so. */
-  began(robot: number): void;
+  onAnswer(robot: number): void;
+  /** The reader's oldest pending command was started. Only the product reports this. */
+  onStarted(robot: number): void;
 }
 
 export interface FleetOptions {
-  /** port; or several, among which robots take turns */
+  /** port, or comma-separated ports, over which robots are distributed */
   pages: string;
   readers: string;
   robots: number;
-  /** of so many robots the reader is a script that may command; the others' only look on */
+  /** number of robots whose reader is a script that may send commands */
   scripts: number;
-  /** more readers of each robot, which only look on */
-  onlookers: number;
-  /** a page begins its first command and does not end it before `rest`; of no effect where pages only answer */
+  /** number of additional readers per robot, which send no commands */
+  viewers: number;
+  /**
+   * Whether a page starts its first command and does not end it before `reset`. No effect for peers
+   * whose pages only answer.
+   */
   isBusy: boolean;
-  ears: Ears;
+  listener: FleetListener;
 }
 
 export interface Fleet {
-  /** The page reports. Numbers rise, by one each. */
-  report(robot: number, n: number): void;
-  /** The script commands. */
-  command(robot: number): void;
-  /** Once the contender has taken all that this page has reported; null: its reader gets each, and that tells. */
-  taken: ((robot: number) => Promise<void>) | null;
-  /** Stops a robot, so that nothing of it runs or waits; null: nothing ever does. */
-  rest: ((robot: number) => Promise<void>) | null;
+  /** Sends a snapshot from the page. @param n number of the snapshot; rises by 1 */
+  sendSnapshot(robot: number, n: number): void;
+  /** Sends a command from the script. */
+  sendCommand(robot: number): void;
+  /**
+   * Resolves when the peer has processed all snapshots of a page; null if the reader receives every
+   * snapshot.
+   */
+  whenProcessed: ((robot: number) => Promise<void>) | null;
+  /** Stops a robot and clears its queue; null if the peer has no queue. */
+  reset: ((robot: number) => Promise<void>) | null;
   close(): Promise<void>;
 }
 
 export type OpenFleet = (options: FleetOptions) => Promise<Fleet>;
 
-/** Opens some at a time: a thousand at once would wait for each other and count as lost. */
+/** Opens connections in batches: a thousand concurrent handshakes would time out. */
 export async function openAll<T>(count: number, open: (at: number) => Promise<T>): Promise<T[]> {
   const opened: T[] = [];
-  const AT_ONCE = 20;
-  for (let at = 0; at < count; at += AT_ONCE) {
-    const some = Array.from({ length: Math.min(AT_ONCE, count - at) }, (_, i) => open(at + i));
-    opened.push(...(await Promise.all(some)));
+  const BATCH_SIZE = 20;
+  for (let at = 0; at < count; at += BATCH_SIZE) {
+    const batch = Array.from({ length: Math.min(BATCH_SIZE, count - at) }, (_, i) => open(at + i));
+    opened.push(...(await Promise.all(batch)));
   }
   return opened;
 }

@@ -5,19 +5,19 @@ import {
   pageToRelaySchema,
 } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { answerText, commandText, numberIn, snapshotText } from "./messages.ts";
+import { answerText, commandText, parseSeq, snapshotText } from "./messages.ts";
 
-describe("what the load says", () => {
-  it("is what the relay takes", () => {
+describe("the messages of the load", () => {
+  it("are valid for the relay", () => {
     expect(decodeFrame(pageToRelaySchema, snapshotText(7, 3)).ok).toBe(true);
     expect(decodeFrame(driverToRelaySchema, commandText(7)).ok).toBe(true);
     const { record } = JSON.parse(answerText(7)) as { record: unknown };
     expect(commandRecordSchema.safeParse(record).success).toBe(true);
   });
 
-  it("finds the number of a snapshot wherever it stands", () => {
-    expect(numberIn(snapshotText(120, 3))).toBe(120);
-    expect(numberIn('{"tick":4,"seq":17}')).toBe(17);
-    expect(numberIn("{}")).toBeNaN();
+  it("have a number that is parsed in any field order", () => {
+    expect(parseSeq(snapshotText(120, 3))).toBe(120);
+    expect(parseSeq('{"tick":4,"seq":17}')).toBe(17);
+    expect(parseSeq("{}")).toBeNaN();
   });
 });

@@ -1,14 +1,19 @@
-/** What pages and scripts say, to every contender the same: messages of the product, of their usual size. */
+/**
+ * The messages of pages and scripts, the same for all peers: messages of the product of usual size.
+ */
 const TAIL =
   ',"state":"running","driver":"program","sensors":{"front":250.5,"right":49.62,"back":349.5,"left":50.38},"pose":{"x":149.62,"y":1150.25,"heading":90},"motion":"forward","bumps":0,"bumping":false,"goalReached":false,"line":0,"command":null}}';
 
-/** A page's snapshot. Ticks rise: a robot whose ticks stand still sleeps. */
+/**
+ * A snapshot of a page. Its tick rises, because the relay treats a robot with constant ticks as
+ * asleep.
+ */
 export function snapshotText(n: number, epoch: number): string {
   return `{"type":"snapshot","epoch":${epoch},"snapshot":{"seq":${n},"tick":${n * 2}${TAIL}`;
 }
 
-/** The number of a snapshot, wherever its fields stand. */
-export function numberIn(text: string): number {
+/** Reads `seq` from a message in any field order. @returns NaN if there is none */
+export function parseSeq(text: string): number {
   const at = text.indexOf('"seq":');
   let n = 0;
   for (let i = at + 6; i < text.length; i++) {
@@ -19,12 +24,12 @@ export function numberIn(text: string): number {
   return at < 0 ? Number.NaN : n;
 }
 
-/** A script's command. The key makes it a command of its own: a retry would be another matter. */
+/** A command of a script. Its unique key makes it a new command, not a retry. */
 export function commandText(n: number): string {
   return `{"type":"command","key":"bench-${String(n).padStart(9, "0")}","command":{"action":"move","distance":120,"ttl":10000}}`;
 }
 
-/** A page's answer where the contender has no words for it: as long as the product's record. */
+/** An answer of a page, for peers without their own answers; as long as the product's record. */
 export function answerText(n: number): string {
   return `{"type":"ack","record":{"seq":${n},"key":"bench-000000001","action":"move","command":{"action":"move","distance":120},"state":"accepted","reason":null,"acceptedAt":"2026-01-01T00:00:00.000Z","pose":null,"distance":null,"duplicate":false}}`;
 }

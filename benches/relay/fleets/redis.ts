@@ -1,13 +1,16 @@
-/** A fleet over Redis streams: each end appends to one and waits at the other, by a connection for each. */
+/**
+ * A fleet over Redis streams. Page and reader append to one stream and block on the other, with one
+ * connection for each.
+ */
 import { createClient } from "@redis/client";
 import { openAll, type Fleet, type FleetOptions } from "./fleet.ts";
-import { answerText, commandText, numberIn, snapshotText } from "./messages.ts";
+import { answerText, commandText, parseSeq, snapshotText } from "./messages.ts";
 
-/** A robot's stream is no archive. */
-const KEEP = 16;
+/** Approximate maximum length of a stream. */
+const MAX_ENTRIES = 16;
 
 export async function openRedis(options: FleetOptions): Promise<Fleet> {
-  const { pages, readers, robots, ears } = options;
+  const { pages, readers, robots, listener } = options;
   let commands = 0;
   const all = await openAll(robots, async (robot) => {
     const page = await open(pages);
@@ -15,8 +18,8 @@ export async function openRedis(options: FleetOptions): Promise<Fleet> {
     const closers = [
       await follow(pages, `{${robot}}down`, () => append(page, `{${robot}}up`, answerText(1))),
       await follow(readers, `{${robot}}up`, (text) => {
-        if (text.startsWith('{"type":"snapshot"')) ears.snapshot(robot, numberIn(text));
-        else ears.answered(robot);
+        if (text.startsWith('{"type":"snapshot"')) listener.onSnapshot(robot, parseSeq(text));
+        else listener.onAnswer(robot);
       }),
     ];
     const close = (): void => {
@@ -27,24 +30,26 @@ export async function openRedis(options: FleetOptions): Promise<Fleet> {
     return { page, reader, close };
   });
   return {
-    report: (robot, n) => {
+    sendSnapshot: (robot, n) => {
       const page = all[robot]?.page;
       if (page !== undefined) append(page, `{${robot}}up`, snapshotText(n, 1));
     },
-    command: (robot) => {
+    sendCommand: (robot) => {
       const reader = all[robot]?.reader;
       if (reader !== undefined) append(reader, `{${robot}}down`, commandText(commands++));
     },
-    taken: null,
-    rest: null,
+    whenProcessed: null,
+    reset: null,
     close: async () => {
       for (const { close } of all) close();
     },
   };
 }
 
-/** By stream, what was appended: its id, and names and values one after the other. */
-type Found = [string, [string, [string, string]][]][] | null;
+/**
+ * The reply of XREAD: for each stream, entries with an id, and alternating field names and values.
+ */
+type ReadReply = [string, [string, [string, string]][]][] | null;
 
 type Client = Awaited<ReturnType<typeof open>>;
 
@@ -56,29 +61,32 @@ async function open(port: string) {
 }
 
 function append(client: Client, stream: string, text: string): void {
-  const words = ["XADD", stream, "MAXLEN", "~", String(KEEP), "*", "text", text];
-  client.sendCommand(words).catch(() => undefined);
+  const args = ["XADD", stream, "MAXLEN", "~", String(MAX_ENTRIES), "*", "text", text];
+  client.sendCommand(args).catch(() => undefined);
 }
 
-/** Waits at a stream for all that comes. @returns what ends it */
+/**
+ * Reads a stream and calls `onEntry` with each entry.
+ * @returns a function that closes the connection
+ */
 async function follow(
   port: string,
   stream: string,
-  hear: (text: string) => void,
+  onEntry: (text: string) => void,
 ): Promise<() => void> {
   const client = await open(port);
-  let from = "0";
-  const listen = async (): Promise<never> => {
+  let lastId = "0";
+  const readEntries = async (): Promise<never> => {
     for (;;) {
-      const words = ["XREAD", "COUNT", "100", "BLOCK", "0", "STREAMS", stream, from];
-      const found = (await client.sendCommand(words)) as unknown as Found;
-      for (const [id, [, text]] of found?.[0]?.[1] ?? []) {
-        from = id;
-        hear(text);
+      const args = ["XREAD", "COUNT", "100", "BLOCK", "0", "STREAMS", stream, lastId];
+      const reply = (await client.sendCommand(args)) as unknown as ReadReply;
+      for (const [id, [, text]] of reply?.[0]?.[1] ?? []) {
+        lastId = id;
+        onEntry(text);
       }
     }
   };
   // Ends when the connection is closed.
-  listen().catch(() => undefined);
+  readEntries().catch(() => undefined);
   return () => client.destroy();
 }

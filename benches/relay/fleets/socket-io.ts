@@ -1,40 +1,47 @@
-/** A fleet at socket.io, by its own client. */
+/** A fleet at socket.io, with the client of socket.io. */
 import { io, type Socket } from "socket.io-client";
 import { openAll, type Fleet, type FleetOptions } from "./fleet.ts";
 import { answerText, commandText, snapshotText } from "./messages.ts";
 
-interface Said {
+interface SnapshotMessage {
   snapshot: { seq: number };
 }
 
 export async function openSocketIo(options: FleetOptions): Promise<Fleet> {
-  const { pages, readers, robots, onlookers, ears } = options;
+  const { pages, readers, robots, viewers, listener } = options;
   const command: unknown = JSON.parse(commandText(1));
   const answer: unknown = JSON.parse(answerText(1));
   const all = await openAll(robots, async (robot) => {
     const page = await open(pages, { robot: String(robot), role: "page" });
     page.on("command", () => page.emit("answer", answer));
     const reader = await open(readers, { robot: String(robot), role: "reader" });
-    reader.on("snapshot", ({ snapshot }: Said) => ears.snapshot(robot, snapshot.seq));
-    reader.on("answer", () => ears.answered(robot));
-    const more = await openAll(onlookers, () =>
-      open(readers, { robot: String(robot), role: "onlooker" }),
+    reader.on("snapshot", ({ snapshot }: SnapshotMessage) =>
+      listener.onSnapshot(robot, snapshot.seq),
     );
-    return { page, reader, more, said: JSON.parse(snapshotText(1, 1)) as Said };
+    reader.on("answer", () => listener.onAnswer(robot));
+    const viewerSockets = await openAll(viewers, () =>
+      open(readers, { robot: String(robot), role: "viewer" }),
+    );
+    return {
+      page,
+      reader,
+      viewerSockets,
+      message: JSON.parse(snapshotText(1, 1)) as SnapshotMessage,
+    };
   });
   return {
-    report: (robot, n) => {
+    sendSnapshot: (robot, n) => {
       const at = all[robot];
       if (at === undefined) return;
-      at.said.snapshot.seq = n;
-      at.page.emit("snapshot", at.said);
+      at.message.snapshot.seq = n;
+      at.page.emit("snapshot", at.message);
     },
-    command: (robot) => all[robot]?.reader.emit("command", command),
-    taken: null,
-    rest: null,
+    sendCommand: (robot) => all[robot]?.reader.emit("command", command),
+    whenProcessed: null,
+    reset: null,
     close: async () => {
-      for (const { page, reader, more } of all) {
-        for (const socket of [page, reader, ...more]) socket.disconnect();
+      for (const { page, reader, viewerSockets } of all) {
+        for (const socket of [page, reader, ...viewerSockets]) socket.disconnect();
       }
     },
   };

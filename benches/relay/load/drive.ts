@@ -1,118 +1,118 @@
-/** The two kinds of load: at a steady pace, and as much as is taken. */
+/** Drives a fleet with one of two kinds of load: a steady rate, or the maximum rate. */
 import type { Fleet } from "../fleets/fleet.ts";
-import type { FloodJob, PacedJob, Seen } from "./jobs.ts";
-import { pause, type Watch } from "./watch.ts";
+import type { FloodJob, PacedJob, LoadResult } from "./jobs.ts";
+import { delay, type LoadRecorder } from "./load-recorder.ts";
 
-/** Longest that a flood's last messages may take. */
-const DRAIN_MS = 5_000;
+/** Maximum time to wait for the last messages of a flood. */
+const MAX_DRAIN_MS = 5_000;
 
 /**
- * Snapshots that a robot of a flood reports before it is waited until they are taken: the product is asked
- * whether they are, and to ask after each would cost it more than a snapshot does.
+ * Snapshots that a robot of a flood sends before it waits until they are processed. The product
+ * confirms this by answering a `time` request, which costs more than a snapshot.
  */
-const AT_A_TIME = 4;
+const BATCH_SIZE = 4;
 
-export interface Driven {
+export interface DrivenFleet {
   fleet: Fleet;
-  watch: Watch;
+  recorder: LoadRecorder;
   robots: number;
   scripts: number;
 }
 
-/** Robots take turns, so that each has the same time between two snapshots, and no two come at once. */
-export async function drivePaced(driven: Driven, job: PacedJob): Promise<Seen> {
-  const { fleet, watch, robots, scripts } = driven;
-  const began = performance.now();
-  let reported = 0;
-  let commanded = 0;
+/** Sends snapshots and commands at a steady rate, evenly distributed over time and robots. */
+export async function drivePaced(drivenFleet: DrivenFleet, job: PacedJob): Promise<LoadResult> {
+  const { fleet, recorder, robots, scripts } = drivenFleet;
+  const startedAt = performance.now();
+  let snapshots = 0;
+  let commands = 0;
   const timer = setInterval(() => {
-    const seconds = (performance.now() - began) / 1000;
-    for (; reported < seconds * job.aSecond * robots; reported++) {
-      const robot = reported % robots;
-      fleet.report(robot, watch.reports(robot));
-      watch.done();
+    const seconds = (performance.now() - startedAt) / 1000;
+    for (; snapshots < seconds * job.snapshotsPerSecond * robots; snapshots++) {
+      const robot = snapshots % robots;
+      fleet.sendSnapshot(robot, recorder.nextSnapshot(robot));
+      recorder.countDone();
     }
-    for (; commanded < seconds * job.commandsASecond; commanded++) {
-      const robot = commanded % scripts;
-      watch.commands(robot);
-      fleet.command(robot);
+    for (; commands < seconds * job.commandsPerSecond; commands++) {
+      const robot = commands % scripts;
+      recorder.recordCommand(robot);
+      fleet.sendCommand(robot);
     }
   }, 1);
-  const seen = await watch.during(job.seconds, job.pids);
+  const result = await recorder.record(job.seconds, job.pids);
   clearInterval(timer);
-  await pause(100);
-  return seen;
+  await delay(100);
+  return result;
 }
 
-/** Each of the messages on their way is followed by the next robot's as soon as it has come. */
-export async function driveFlood(driven: Driven, job: FloodJob): Promise<Seen> {
-  const { watch, robots, scripts } = driven;
-  const isOfCommands = job.of === "commands";
-  const count = isOfCommands ? scripts : robots;
-  const once = isOfCommands ? commander(driven) : reporter(driven);
-  const each = isOfCommands ? 1 : AT_A_TIME;
+/** Keeps a constant number of messages in flight: sends the next message when one is processed. */
+export async function driveFlood(drivenFleet: DrivenFleet, job: FloodJob): Promise<LoadResult> {
+  const { recorder, robots, scripts } = drivenFleet;
+  const sendsCommands = job.of === "commands";
+  const count = sendsCommands ? scripts : robots;
+  const sendAndWait = sendsCommands ? commandSender(drivenFleet) : snapshotSender(drivenFleet);
+  const itemsPerSend = sendsCommands ? 1 : BATCH_SIZE;
   let isOver = false;
-  let turn = 0;
-  const lane = async (): Promise<void> => {
+  let next = 0;
+  const sendLoop = async (): Promise<void> => {
     while (!isOver) {
-      await once(turn++ % count);
-      for (let n = 0; n < each; n++) watch.done();
+      await sendAndWait(next++ % count);
+      for (let n = 0; n < itemsPerSend; n++) recorder.countDone();
     }
   };
-  const lanes = Array.from({ length: job.inFlight / each }, lane);
-  const seen = await watch.during(job.seconds, job.pids);
+  const loops = Array.from({ length: job.inFlight / itemsPerSend }, sendLoop);
+  const result = await recorder.record(job.seconds, job.pids);
   isOver = true;
-  await Promise.race([Promise.all(lanes), pause(DRAIN_MS)]);
-  // The next one finds robots that are as free as this one did.
-  const { rest } = driven.fleet;
-  if (rest !== null && isOfCommands) {
-    for (let robot = 0; robot < count; robot++) await rest(robot);
+  await Promise.race([Promise.all(loops), delay(MAX_DRAIN_MS)]);
+  // The next flood must start with the same state of the robots.
+  const { reset } = drivenFleet.fleet;
+  if (reset !== null && sendsCommands) {
+    for (let robot = 0; robot < count; robot++) await reset(robot);
   }
-  return seen;
+  return result;
 }
 
-function commander({ fleet, watch }: Driven): (robot: number) => Promise<void> {
+function commandSender({ fleet, recorder }: DrivenFleet): (robot: number) => Promise<void> {
   const waiting = new Map<number, (() => void)[]>();
-  watch.heardAnswer = (robot) => waiting.get(robot)?.shift()?.();
+  recorder.answerObserver = (robot) => waiting.get(robot)?.shift()?.();
   return (robot) =>
     new Promise((resolve) => {
-      const ofRobot = waiting.get(robot) ?? [];
-      waiting.set(robot, ofRobot);
-      ofRobot.push(resolve);
-      watch.commands(robot);
-      fleet.command(robot);
+      const pending = waiting.get(robot) ?? [];
+      waiting.set(robot, pending);
+      pending.push(resolve);
+      recorder.recordCommand(robot);
+      fleet.sendCommand(robot);
     });
 }
 
-function reporter(driven: Driven): (robot: number) => Promise<void> {
-  const { watch } = driven;
-  const { taken } = driven.fleet;
-  if (taken !== null) {
+function snapshotSender(drivenFleet: DrivenFleet): (robot: number) => Promise<void> {
+  const { recorder } = drivenFleet;
+  const { whenProcessed } = drivenFleet.fleet;
+  if (whenProcessed !== null) {
     return async (robot) => {
-      await reportSome(driven, robot);
-      return taken(robot);
+      await sendBatch(drivenFleet, robot);
+      return whenProcessed(robot);
     };
   }
   const waiting = new Map<number, { n: number; resolve: () => void }[]>();
-  watch.heardSnapshot = (robot, n) => {
-    const ofRobot = waiting.get(robot) ?? [];
-    while (ofRobot[0] !== undefined && ofRobot[0].n <= n) ofRobot.shift()?.resolve();
+  recorder.snapshotObserver = (robot, n) => {
+    const pending = waiting.get(robot) ?? [];
+    while (pending[0] !== undefined && pending[0].n <= n) pending.shift()?.resolve();
   };
   return async (robot) => {
-    const n = await reportSome(driven, robot);
+    const n = await sendBatch(drivenFleet, robot);
     return new Promise((resolve) => {
-      const ofRobot = waiting.get(robot) ?? [];
-      waiting.set(robot, ofRobot);
-      ofRobot.push({ n, resolve });
+      const pending = waiting.get(robot) ?? [];
+      waiting.set(robot, pending);
+      pending.push({ n, resolve });
     });
   };
 }
 
-/** Each by itself, as a page sends them. @returns the number of the last */
-async function reportSome({ fleet, watch }: Driven, robot: number): Promise<number> {
-  for (let left = AT_A_TIME; ; left--) {
-    const n = watch.reports(robot);
-    fleet.report(robot, n);
+/** Sends a batch of snapshots, one per event-loop turn as a page does. @returns the last number */
+async function sendBatch({ fleet, recorder }: DrivenFleet, robot: number): Promise<number> {
+  for (let left = BATCH_SIZE; ; left--) {
+    const n = recorder.nextSnapshot(robot);
+    fleet.sendSnapshot(robot, n);
     if (left === 1) return n;
     await new Promise((resolve) => void setImmediate(resolve));
   }

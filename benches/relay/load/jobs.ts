@@ -1,33 +1,33 @@
-/** What the load process is asked to do, and what it tells of it. */
-import type { ContenderName } from "../contenders/contender.ts";
+/** Messages to the load process (jobs) and its replies. */
+import type { PeerName } from "../peers/peer.ts";
 
 export interface OpenJob {
   kind: "open";
-  contender: ContenderName;
+  peer: PeerName;
   pages: string;
   readers: string;
   robots: number;
   scripts: number;
   /** default: 0 */
-  onlookers?: number;
-  /** default: no */
+  viewers?: number;
+  /** default: false */
   isBusy?: boolean;
 }
 
-/** Pages report at a steady pace, scripts command at another. */
+/** Pages send snapshots and scripts send commands, both at a steady rate. */
 export interface PacedJob {
   kind: "paced";
   fleet: number;
-  /** snapshots of each robot */
-  aSecond: number;
-  /** of all scripts together */
-  commandsASecond: number;
+  /** snapshots per robot */
+  snapshotsPerSecond: number;
+  /** commands of all scripts */
+  commandsPerSecond: number;
   seconds: number;
-  /** processes whose time is counted meanwhile */
+  /** processes whose processor time is measured */
   pids: readonly number[];
 }
 
-/** As many as the contender takes, with so many on their way. */
+/** Messages at the maximum rate, with a constant number in flight. */
 export interface FloodJob {
   kind: "flood";
   of: "snapshots" | "commands";
@@ -44,24 +44,24 @@ export interface CloseJob {
 
 export type Job = OpenJob | PacedJob | FloodJob | CloseJob;
 
-/** What a paced or flooding job saw. Times in ms. */
-export interface Seen {
+/** The result of a paced or flood job. Times are in milliseconds. */
+export interface LoadResult {
   seconds: number;
-  /** snapshots that were taken, or commands that were answered */
+  /** number of processed snapshots or answered commands */
   done: number;
-  /** snapshots that came to readers */
-  passed: number;
+  /** number of snapshots that readers received */
+  forwarded: number;
   /** processor time of each process */
   processorMs: number[];
-  /** from a page to its reader */
-  ways: number[];
+  /** from sending a snapshot at the page until its reader receives it */
+  latencies: number[];
   /** from a command to its answer */
   answers: number[];
-  /** from a command to the news that it has begun */
-  beginnings: number[];
+  /** from a command to its `started` event */
+  starts: number[];
 }
 
-export interface Answer {
+export interface LoadReply {
   fleet: number;
-  seen: Seen | null;
+  result: LoadResult | null;
 }

@@ -1,16 +1,16 @@
-/** The load, in a process of its own, so that it does not take part in what it measures. Told what to do by messages. */
-import type { ContenderName } from "../contenders/contender.ts";
+/** The load process, separate from the measured processes. Receives jobs as messages. */
 import { openBare } from "../fleets/bare.ts";
 import { openCorridor } from "../fleets/corridor.ts";
 import type { OpenFleet } from "../fleets/fleet.ts";
 import { openMosquitto } from "../fleets/mosquitto.ts";
 import { openRedis } from "../fleets/redis.ts";
 import { openSocketIo } from "../fleets/socket-io.ts";
-import { driveFlood, drivePaced, type Driven } from "./drive.ts";
-import type { Answer, Job, OpenJob } from "./jobs.ts";
-import { Watch } from "./watch.ts";
+import type { PeerName } from "../peers/peer.ts";
+import { driveFlood, drivePaced, type DrivenFleet } from "./drive.ts";
+import type { Job, LoadReply, OpenJob } from "./jobs.ts";
+import { LoadRecorder } from "./load-recorder.ts";
 
-const openers: Record<ContenderName, OpenFleet> = {
+const openers: Record<PeerName, OpenFleet> = {
   bare: openBare,
   corridor: openCorridor,
   "socket.io": openSocketIo,
@@ -18,11 +18,11 @@ const openers: Record<ContenderName, OpenFleet> = {
   redis: openRedis,
 };
 
-const fleets: (Driven | null)[] = [];
+const fleets: (DrivenFleet | null)[] = [];
 
 process.on("message", (job: Job) => {
   run(job).then(
-    (answer) => process.send?.(answer),
+    (reply) => process.send?.(reply),
     (error: unknown) => {
       console.error(error);
       process.exit(1);
@@ -31,36 +31,36 @@ process.on("message", (job: Job) => {
 });
 process.on("disconnect", () => process.exit(0));
 
-async function run(job: Job): Promise<Answer> {
-  if (job.kind === "open") return { fleet: fleets.push(await open(job)) - 1, seen: null };
-  const driven = fleets[job.fleet] ?? null;
-  if (driven === null) throw new Error("no such fleet");
+async function run(job: Job): Promise<LoadReply> {
+  if (job.kind === "open") return { fleet: fleets.push(await open(job)) - 1, result: null };
+  const drivenFleet = fleets[job.fleet] ?? null;
+  if (drivenFleet === null) throw new Error(`no fleet ${job.fleet}`);
   const { fleet } = job;
-  if (job.kind === "paced") return { fleet, seen: await drivePaced(driven, job) };
-  if (job.kind === "flood") return { fleet, seen: await driveFlood(driven, job) };
-  await driven.fleet.close();
+  if (job.kind === "paced") return { fleet, result: await drivePaced(drivenFleet, job) };
+  if (job.kind === "flood") return { fleet, result: await driveFlood(drivenFleet, job) };
+  await drivenFleet.fleet.close();
   fleets[fleet] = null;
-  return { fleet, seen: null };
+  return { fleet, result: null };
 }
 
 async function open({
-  contender,
+  peer,
   robots,
   scripts,
-  onlookers = 0,
+  viewers = 0,
   isBusy = false,
   pages,
   readers,
-}: OpenJob): Promise<Driven> {
-  const watch = new Watch(robots);
-  const fleet = await openers[contender]({
+}: OpenJob): Promise<DrivenFleet> {
+  const recorder = new LoadRecorder(robots);
+  const fleet = await openers[peer]({
     pages,
     readers,
     robots,
     scripts,
-    onlookers,
+    viewers,
     isBusy,
-    ears: watch,
+    listener: recorder,
   });
-  return { fleet, watch, robots, scripts };
+  return { fleet, recorder, robots, scripts };
 }

@@ -1,8 +1,8 @@
-/** The load process, as those see it who measure. */
+/** Client of the load process. */
 import { fork, type ChildProcess } from "node:child_process";
 import { once } from "node:events";
 import { join } from "node:path";
-import type { Answer, FloodJob, Job, OpenJob, PacedJob, Seen } from "./jobs.ts";
+import type { LoadReply, FloodJob, Job, OpenJob, PacedJob, LoadResult } from "./jobs.ts";
 
 export class Load {
   readonly #child: ChildProcess;
@@ -17,21 +17,21 @@ export class Load {
     );
   }
 
-  /** @returns the number of the fleet */
+  /** Connects a fleet. @returns its number */
   async open(job: Omit<OpenJob, "kind">): Promise<number> {
-    return (await this.#ask({ kind: "open", ...job })).fleet;
+    return (await this.#request({ kind: "open", ...job })).fleet;
   }
 
-  async paced(job: Omit<PacedJob, "kind">): Promise<Seen> {
-    return this.#see({ kind: "paced", ...job });
+  async paced(job: Omit<PacedJob, "kind">): Promise<LoadResult> {
+    return this.#run({ kind: "paced", ...job });
   }
 
-  async flood(job: Omit<FloodJob, "kind">): Promise<Seen> {
-    return this.#see({ kind: "flood", ...job });
+  async flood(job: Omit<FloodJob, "kind">): Promise<LoadResult> {
+    return this.#run({ kind: "flood", ...job });
   }
 
   async close(fleet: number): Promise<void> {
-    await this.#ask({ kind: "close", fleet });
+    await this.#request({ kind: "close", fleet });
   }
 
   async stop(): Promise<void> {
@@ -40,22 +40,22 @@ export class Load {
     await ended;
   }
 
-  async #see(job: Job): Promise<Seen> {
-    const { seen } = await this.#ask(job);
-    if (seen === null) throw new Error("the load saw nothing");
-    return seen;
+  async #run(job: Job): Promise<LoadResult> {
+    const { result } = await this.#request(job);
+    if (result === null) throw new Error("the load process returned no result");
+    return result;
   }
 
-  async #ask(job: Job): Promise<Answer> {
+  async #request(job: Job): Promise<LoadReply> {
     const waiting = new AbortController();
     const ended = once(this.#child, "exit", { signal: waiting.signal }).then(() => {
-      throw new Error("the load process ended; its own words stand above");
+      throw new Error("the load process ended; see its error above");
     });
-    const answered = once(this.#child, "message", { signal: waiting.signal });
+    const replied = once(this.#child, "message", { signal: waiting.signal });
     this.#child.send(job);
     try {
-      const [answer] = (await Promise.race([answered, ended])) as [Answer];
-      return answer;
+      const [reply] = (await Promise.race([replied, ended])) as [LoadReply];
+      return reply;
     } finally {
       waiting.abort();
       ended.catch(() => undefined);

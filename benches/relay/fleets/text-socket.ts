@@ -1,28 +1,28 @@
-/** The smallest WebSocket client that can carry texts. Whatever goes wrong ends the measurement. */
+/** A minimal WebSocket client for text messages. Errors abort the benchmark. */
 import { connect, type Socket } from "node:net";
-import { CLOSE, frameOf, PING, PONG, takeFrames, TEXT, type Frame } from "./frames.ts";
+import { CLOSE, decodeFrames, encodeFrame, PING, PONG, TEXT, type Frame } from "./frames.ts";
 
-export interface WireOptions {
+export interface TextSocketOptions {
   port: number;
   path: string;
   headers: Record<string, string>;
-  hear: (text: string) => void;
+  onMessage: (text: string) => void;
 }
 
-export class TextWire {
+export class TextSocket {
   readonly #socket: Socket;
-  readonly #hear: (text: string) => void;
+  readonly #onMessage: (text: string) => void;
   #isClosed = false;
 
-  private constructor(socket: Socket, hear: (text: string) => void) {
+  private constructor(socket: Socket, onMessage: (text: string) => void) {
     this.#socket = socket;
-    this.#hear = hear;
+    this.#onMessage = onMessage;
   }
 
-  static async open({ port, path, headers, hear }: WireOptions): Promise<TextWire> {
+  static async open({ port, path, headers, onMessage }: TextSocketOptions): Promise<TextSocket> {
     const socket = connect({ port, host: "127.0.0.1", noDelay: true });
-    const wire = new TextWire(socket, hear);
-    const words = {
+    const textSocket = new TextSocket(socket, onMessage);
+    const headerFields = {
       Host: `127.0.0.1:${port}`,
       Connection: "Upgrade",
       Upgrade: "websocket",
@@ -30,7 +30,7 @@ export class TextWire {
       "Sec-WebSocket-Key": "dGhlIHNhbXBsZSBub25jZQ==",
       ...headers,
     };
-    const lines = Object.entries(words).map(([name, value]) => `${name}: ${value}`);
+    const lines = Object.entries(headerFields).map(([name, value]) => `${name}: ${value}`);
     socket.write(`GET ${path} HTTP/1.1\r\n${lines.join("\r\n")}\r\n\r\n`);
     await new Promise<void>((resolve, reject) => {
       socket.once("error", reject);
@@ -47,15 +47,15 @@ export class TextWire {
           bytes = bytes.subarray(end + 4);
           resolve();
         }
-        bytes = takeFrames(bytes, (frame) => wire.#take(frame));
+        bytes = decodeFrames(bytes, (frame) => textSocket.#onFrame(frame));
       });
     });
-    socket.on("close", () => wire.#lost("a connection was cut"));
-    return wire;
+    socket.on("close", () => textSocket.#fail("a connection was closed"));
+    return textSocket;
   }
 
   send(text: string): void {
-    this.#socket.write(frameOf(TEXT, Buffer.from(text)));
+    this.#socket.write(encodeFrame(TEXT, Buffer.from(text)));
   }
 
   close(): void {
@@ -63,15 +63,15 @@ export class TextWire {
     this.#socket.destroy();
   }
 
-  #take({ opcode, payload }: Frame): void {
-    if (opcode === TEXT) this.#hear(payload.toString("latin1"));
-    else if (opcode === PING) this.#socket.write(frameOf(PONG, payload));
+  #onFrame({ opcode, payload }: Frame): void {
+    if (opcode === TEXT) this.#onMessage(payload.toString("latin1"));
+    else if (opcode === PING) this.#socket.write(encodeFrame(PONG, payload));
     else if (opcode === CLOSE) {
-      this.#lost(`closed with ${payload.readUInt16BE(0)}: ${payload.subarray(2).toString()}`);
+      this.#fail(`closed with ${payload.readUInt16BE(0)}: ${payload.subarray(2).toString()}`);
     }
   }
 
-  #lost(words: string): void {
-    if (!this.#isClosed) throw new Error(words);
+  #fail(reason: string): void {
+    if (!this.#isClosed) throw new Error(reason);
   }
 }

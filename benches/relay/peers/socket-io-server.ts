@@ -1,4 +1,7 @@
-/** socket.io as its guide does it: a room for each end of a robot, messages as objects, nothing stored or checked. */
+/**
+ * socket.io as in its guide: one room for a robot's page and one for its reader. Messages are
+ * objects, without storage or validation.
+ */
 import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
 import { Server } from "socket.io";

@@ -1,6 +1,6 @@
 /**
- * The limit: forwards the bytes of each message as they came, from a robot's page to its reader and back.
- * It looks at nothing, asks nobody and keeps nothing.
+ * The baseline: forwards the bytes of each message unchanged between a robot's page and its reader.
+ * Lower bound of the cost: no parsing, no authorisation, no storage.
  */
 import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
@@ -8,7 +8,7 @@ import { WebSocketServer, type WebSocket } from "ws";
 
 const server = createServer();
 const sockets = new WebSocketServer({ server, perMessageDeflate: false });
-/** by path: /ROBOT/page and /ROBOT/reader */
+/** Sockets by path: /ROBOT/page and /ROBOT/reader. */
 const ends = new Map<string, WebSocket>();
 
 sockets.on("connection", (socket, request) => {

@@ -1,35 +1,38 @@
-/** Starts contenders. One whose program is not on this machine says how to get it. */
+/** Starts peers. A peer whose program is not installed is skipped with a message. */
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { freePort } from "../../../scripts/free-port.ts";
 import { inPath } from "../../../scripts/programs.ts";
 import { findRedis, startRedis } from "../../../scripts/redis-server.ts";
-import type { ContenderName, Running } from "./contender.ts";
+import type { PeerName, RunningPeer } from "./peer.ts";
 import { startServer, type ServerProcess } from "./server-process.ts";
 
 const RELAY = join(import.meta.dirname, "../../../apps/relay/src/main.ts");
 
-/** @returns null and says so when the program is missing */
-export async function start(name: ContenderName, isDurable: boolean): Promise<Running | null> {
+/** @returns null, after printing a message, if the program is not installed */
+export async function startPeer(name: PeerName, isDurable: boolean): Promise<RunningPeer | null> {
   switch (name) {
     case "bare":
-      return one(await startNode("bare-server.ts"));
+      return singlePort(await startNode("bare-server.ts"));
     case "socket.io":
-      return one(await startNode("socket-io-server.ts"));
+      return singlePort(await startNode("socket-io-server.ts"));
     case "corridor":
-      return one(await startRelay());
+      return singlePort(await startRelay());
     case "mosquitto":
       return startMosquitto();
     case "redis":
-      return startStreams(isDurable);
+      return startRedisStreams(isDurable);
   }
 }
 
-/** Two relays that share one Redis; `one` has all at the first, `apart` each reader at the second. */
-export async function startTwoRelays(): Promise<{ one: Running; apart: Running } | null> {
+/**
+ * Starts two relays that share one Redis. `one` connects pages and readers to the first relay,
+ * `split` connects readers to the second relay.
+ */
+export async function startTwoRelays(): Promise<{ one: RunningPeer; split: RunningPeer } | null> {
   const folder = mkdtempSync(join(tmpdir(), "corridor-bench-"));
-  if (findRedis() === null) return missing("redis", "install redis-server");
+  if (findRedis() === null) return skip("redis", "install redis-server");
   const redis = await startRedis(folder);
   const environment = { STORE_URL: redis.url };
   const [first, second] = [await startRelay(environment), await startRelay(environment)];
@@ -41,27 +44,30 @@ export async function startTwoRelays(): Promise<{ one: Running; apart: Running }
   const pids = [first.pid, second.pid];
   return {
     one: { pages: first.ready, readers: first.ready, pids, stop },
-    apart: { pages: first.ready, readers: second.ready, pids, stop },
+    split: { pages: first.ready, readers: second.ready, pids, stop },
   };
 }
 
-function one({ ready, pid, stop }: ServerProcess): Running {
+function singlePort({ ready, pid, stop }: ServerProcess): RunningPeer {
   return { pages: ready, readers: ready, pids: [pid], stop };
 }
 
 function startNode(file: string): Promise<ServerProcess> {
   return startServer({
     command: process.execPath,
-    words: () => [join(import.meta.dirname, file)],
+    args: () => [join(import.meta.dirname, file)],
     ready: /^ready (\d+)$/,
   });
 }
 
-/** The product, as `npm start` runs it. Load comes from one machine, so each robot names an address of its own. */
+/**
+ * Starts the product in the same way as `npm start`. It trusts one proxy, so that robots of one
+ * load process can send different client addresses.
+ */
 function startRelay(settings: Record<string, string> = {}): Promise<ServerProcess> {
   return startServer({
     command: process.execPath,
-    words: () => [...relayOptions(), RELAY],
+    args: () => [...nodeOptions(), RELAY],
     environment: (folder) => ({
       HOST: "127.0.0.1",
       PORT: "0",
@@ -73,34 +79,37 @@ function startRelay(settings: Record<string, string> = {}): Promise<ServerProces
   });
 }
 
-/** For finding out where the time goes: BENCH_RELAY_OPTIONS="--cpu-prof --cpu-prof-dir=/tmp/profile". */
-function relayOptions(): string[] {
-  return (process.env["BENCH_RELAY_OPTIONS"] ?? "").split(" ").filter((word) => word !== "");
+/**
+ * Node.js options for profiling, such as BENCH_RELAY_OPTIONS="--cpu-prof
+ * --cpu-prof-dir=/tmp/profile".
+ */
+function nodeOptions(): string[] {
+  return (process.env["BENCH_RELAY_OPTIONS"] ?? "").split(" ").filter((option) => option !== "");
 }
 
-async function startMosquitto(): Promise<Running | null> {
+async function startMosquitto(): Promise<RunningPeer | null> {
   const program = [...inPath("mosquitto"), "/usr/sbin/mosquitto"].find((path) => existsSync(path));
-  if (program === undefined) return missing("mosquitto", "install mosquitto");
+  if (program === undefined) return skip("mosquitto", "install mosquitto");
   const port = await freePort();
   const server = await startServer({
     command: program,
-    words: (folder) => {
+    args: (folder) => {
       const file = join(folder, "mosquitto.conf");
-      // No more than it delivers anyway: QoS 1 in memory, nothing on disk.
+      // QoS 1 in memory, without persistence.
       const lines = [`listener ${port} 127.0.0.1`, "allow_anonymous true", "persistence false"];
       writeFileSync(file, [...lines, "max_queued_messages 0", "set_tcp_nodelay true"].join("\n"));
       return ["-c", file];
     },
     ready: /mosquitto version \S+ running/,
-    from: "stderr",
+    stream: "stderr",
   });
-  return one({ ...server, ready: String(port) });
+  return singlePort({ ...server, ready: String(port) });
 }
 
-async function startStreams(isDurable: boolean): Promise<Running | null> {
-  if (findRedis() === null) return missing("redis", "install redis-server");
+async function startRedisStreams(isDurable: boolean): Promise<RunningPeer | null> {
+  if (findRedis() === null) return skip("redis", "install redis-server");
   const folder = mkdtempSync(join(tmpdir(), "corridor-bench-"));
-  // Commands are answered after they are on disk, as the relay does it; snapshots need no disk.
+  // As in the relay, commands are stored on disk before the answer, and snapshots are not stored.
   const settings = isDurable ? ["--appendfsync", "always"] : ["--appendonly", "no"];
   const redis = await startRedis(folder, { settings: [...settings, "--maxclients", "20000"] });
   return {
@@ -114,7 +123,7 @@ async function startStreams(isDurable: boolean): Promise<Running | null> {
   };
 }
 
-function missing(name: string, remedy: string): null {
-  console.log(`  ${name}: not measured, ${remedy}`);
+function skip(name: string, remedy: string): null {
+  console.log(`  ${name}: skipped, ${remedy}`);
   return null;
 }
