@@ -51,9 +51,9 @@ function drive(recording: Recording, ticks: number): Recording {
 
 function pressKeys(recording: Recording, ticks: number): Recording {
   const keys = ["forward", "left 90", "reverse", "right 90", "forward", "stop"] as const;
-  recording.input({ do: "driver", driver: "me" });
+  recording.addInput({ do: "driver", driver: "me" });
   for (let at = 0; at * PRESS_INTERVAL < ticks; at++) {
-    recording.input({ do: "command", command: { action: keys[at % keys.length] ?? "stop" } });
+    recording.addInput({ do: "command", command: { action: keys[at % keys.length] ?? "stop" } });
     drive(recording, Math.min(ticks, (at + 1) * PRESS_INTERVAL));
   }
   return recording;

@@ -35,9 +35,9 @@ export function scrubRecording({ name, record }: HourRun): RecordingScrubReport 
     // The same ticks in each run of the benchmark, spread over the hour in pseudorandom order.
     const tick = (index * 7_919_777) % HOUR_TICKS;
     const durations = Array.from({ length: REPETITIONS }, () => {
-      playback.goTo(0);
+      playback.seek(0);
       const start = performance.now();
-      playback.goTo(tick);
+      playback.seek(tick);
       return performance.now() - start;
     });
     // The minimum excludes delays by other processes.

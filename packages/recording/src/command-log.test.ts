@@ -31,7 +31,7 @@ function scripted(): Recording {
     },
     { format: "corridor/program", version: 1, name: "any", rules: [], default: "stop" },
   );
-  recording.input({ do: "driver", driver: "remote" });
+  recording.addInput({ do: "driver", driver: "remote" });
   return recording;
 }
 
@@ -42,20 +42,20 @@ function run(recording: Recording, ticks: number): void {
 describe("the commands of a script", () => {
   it("are there with their results", () => {
     const recording = scripted();
-    recording.input({ do: "command", command: { action: "move", distance: 20 }, seq: 4 });
+    recording.addInput({ do: "command", command: { action: "move", distance: 20 }, seq: 4 });
     run(recording, 60);
-    recording.input({ do: "command", command: { action: "forward" }, seq: 5 });
+    recording.addInput({ do: "command", command: { action: "forward" }, seq: 5 });
     run(recording, 10);
-    recording.input({ do: "command", command: { action: "stop" }, seq: 6 });
-    recording.input({ do: "command", command: { action: "forward" }, seq: 7 });
+    recording.addInput({ do: "command", command: { action: "stop" }, seq: 6 });
+    recording.addInput({ do: "command", command: { action: "forward" }, seq: 7 });
     run(recording, 10);
-    recording.input({ do: "cancel", superseded: true });
-    recording.input({ do: "command", command: { action: "turn", degrees: 90 }, seq: 8 });
+    recording.addInput({ do: "cancel", superseded: true });
+    recording.addInput({ do: "command", command: { action: "turn", degrees: 90 }, seq: 8 });
     run(recording, 2);
-    recording.input({ do: "cancel" });
-    recording.input({ do: "command", command: { action: "reverse" }, seq: 9 });
+    recording.addInput({ do: "cancel" });
+    recording.addInput({ do: "command", command: { action: "reverse" }, seq: 9 });
     run(recording, 2);
-    recording.input({ do: "driver", driver: "me" });
+    recording.addInput({ do: "driver", driver: "me" });
     const [first, ...rest] = resultsOf(recording);
     expect(first?.slice(0, 2)).toEqual([4, 0]);
     expect(first?.[2]).toBeLessThan(60);
@@ -71,7 +71,7 @@ describe("the commands of a script", () => {
 
   it("that ran into a wall say so, and one that runs has no result yet", () => {
     const recording = scripted();
-    recording.input({ do: "command", command: { action: "move", distance: 500 }, seq: 1 });
+    recording.addInput({ do: "command", command: { action: "move", distance: 500 }, seq: 1 });
     run(recording, 10);
     expect(resultsOf(recording)).toEqual([[1, 0, null, null]]);
     run(recording, 600);
@@ -80,8 +80,8 @@ describe("the commands of a script", () => {
 
   it("of a hand are none", () => {
     const recording = scripted();
-    recording.input({ do: "driver", driver: "me" });
-    recording.input({ do: "command", command: { action: "forward" } });
+    recording.addInput({ do: "driver", driver: "me" });
+    recording.addInput({ do: "command", command: { action: "forward" } });
     run(recording, 10);
     expect(resultsOf(recording)).toEqual([]);
     expect(recording.timeline.commands.waitedUpTo(10)).toBe(0);
@@ -92,9 +92,9 @@ describe("waiting", () => {
   it("is the time in which a script has the robot and gives no command", () => {
     const recording = scripted();
     run(recording, 100);
-    recording.input({ do: "command", command: { action: "forward" }, seq: 1 });
+    recording.addInput({ do: "command", command: { action: "forward" }, seq: 1 });
     run(recording, 30);
-    recording.input({ do: "command", command: { action: "stop" }, seq: 2 });
+    recording.addInput({ do: "command", command: { action: "stop" }, seq: 2 });
     run(recording, 50);
     const { commands } = recording.timeline;
     expect([0, 60, 100, 130, 150, 180].map((tick) => commands.waitedUpTo(tick))).toEqual([
@@ -117,10 +117,10 @@ it("is the same on the page, in an opened file and after another way was gone", 
         const recording = new Recording(maze, program);
         const page = new Timeline();
         const tell = () => {
-          const news = recording.timeline.take();
-          if (news !== null) page.merge(structuredClone(news));
+          const delta = recording.timeline.takeDelta();
+          if (delta !== null) page.applyDelta(structuredClone(delta));
         };
-        recording.input({ do: "driver", driver: "remote" });
+        recording.addInput({ do: "driver", driver: "remote" });
         let waited = 0;
         const perTick = [0];
         let isWaiting = true;

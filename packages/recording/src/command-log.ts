@@ -19,12 +19,12 @@ export interface TimelineCommand {
 }
 
 /** What a command log gained or lost since the last `take`. */
-export interface CommandNews {
+export interface CommandDelta {
   /** commands that stay as they were; those after them are replaced */
-  keptCommands: number;
+  unchangedCommands: number;
   commands: TimelineCommand[];
   /** changes between driving and waiting that stay as they were */
-  keptWaits: number;
+  unchangedWaits: number;
   waitTicks: Int32Array<ArrayBuffer>;
   waitSums: Int32Array<ArrayBuffer>;
 }
@@ -39,10 +39,10 @@ export class CommandLog {
   /** Ticks waited up to each of them. */
   readonly #waitSums = new GrowingArray("int32");
   /** commands and changes that are as they were at the last `take`, and how many there were then */
-  #sameCommands = 0;
-  #sameWaits = 0;
-  #takenCommands = 0;
-  #takenWaits = 0;
+  #unchangedCommands = 0;
+  #unchangedWaits = 0;
+  #sentCommands = 0;
+  #sentWaits = 0;
 
   get count(): number {
     return this.#commands.length;
@@ -80,67 +80,67 @@ export class CommandLog {
     return isWaiting ? sum + tick - this.#waitTicks.at(count - 1) : sum;
   }
 
-  began(seq: number, command: Command, tick: number): void {
+  recordStart(seq: number, command: Command, tick: number): void {
     this.#commands.push({ seq, command, from: tick, to: null, ending: null });
   }
 
   /** The command that runs is over; nothing where none runs. */
-  ended(tick: number, ending: EndingState): void {
+  recordEnd(tick: number, ending: EndingState): void {
     const index = this.#commands.length - 1;
     const last = this.#commands[index];
     if (last?.to !== null) return;
     this.#commands[index] = { ...last, to: tick, ending };
-    this.#sameCommands = Math.min(this.#sameCommands, index);
+    this.#unchangedCommands = Math.min(this.#unchangedCommands, index);
   }
 
   /** From the end of `tick` on, the robot waits for a command, or does not. */
-  waits(tick: number, isWaiting: boolean): void {
+  setWaiting(tick: number, isWaiting: boolean): void {
     if (isWaiting === (this.#waitTicks.length % 2 === 1)) return;
     this.#waitSums.push(this.waitedUpTo(tick));
     this.#waitTicks.push(tick);
   }
 
   /** Forgets what came after the end of `tick`; a command that ended after it runs again. */
-  forgetAfter(tick: number): void {
+  truncateAfter(tick: number): void {
     this.#commands.length = this.countUpTo(tick);
     const index = this.#commands.length - 1;
     const last = this.#commands[index];
-    this.#sameCommands = Math.min(this.#sameCommands, index + 1);
+    this.#unchangedCommands = Math.min(this.#unchangedCommands, index + 1);
     if (last !== undefined && last.to !== null && last.to > tick) {
       this.#commands[index] = { ...last, to: null, ending: null };
-      this.#sameCommands = Math.min(this.#sameCommands, index);
+      this.#unchangedCommands = Math.min(this.#unchangedCommands, index);
     }
     const waits = this.#waitTicks.countUpTo(tick - 1);
     this.#waitTicks.truncate(waits);
     this.#waitSums.truncate(waits);
-    this.#sameWaits = Math.min(this.#sameWaits, waits);
+    this.#unchangedWaits = Math.min(this.#unchangedWaits, waits);
   }
 
   /** What changed since the last call; null when nothing did. */
-  take(): CommandNews | null {
+  takeDelta(): CommandDelta | null {
     const isSame =
-      this.#sameCommands === this.count &&
-      this.#takenCommands === this.count &&
-      this.#sameWaits === this.#waitTicks.length &&
-      this.#takenWaits === this.#waitTicks.length;
+      this.#unchangedCommands === this.count &&
+      this.#sentCommands === this.count &&
+      this.#unchangedWaits === this.#waitTicks.length &&
+      this.#sentWaits === this.#waitTicks.length;
     if (isSame) return null;
-    const news: CommandNews = {
-      keptCommands: this.#sameCommands,
-      commands: this.#commands.slice(this.#sameCommands),
-      keptWaits: this.#sameWaits,
-      waitTicks: this.#waitTicks.copyFrom(this.#sameWaits),
-      waitSums: this.#waitSums.copyFrom(this.#sameWaits),
+    const delta: CommandDelta = {
+      unchangedCommands: this.#unchangedCommands,
+      commands: this.#commands.slice(this.#unchangedCommands),
+      unchangedWaits: this.#unchangedWaits,
+      waitTicks: this.#waitTicks.copyFrom(this.#unchangedWaits),
+      waitSums: this.#waitSums.copyFrom(this.#unchangedWaits),
     };
-    this.#sameCommands = this.#takenCommands = this.count;
-    this.#sameWaits = this.#takenWaits = this.#waitTicks.length;
-    return news;
+    this.#unchangedCommands = this.#sentCommands = this.count;
+    this.#unchangedWaits = this.#sentWaits = this.#waitTicks.length;
+    return delta;
   }
 
   /** Takes in what another log gained or lost. */
-  merge(news: CommandNews): void {
-    this.#commands.length = Math.min(this.count, news.keptCommands);
-    for (const command of news.commands) this.#commands.push(command);
-    this.#waitTicks.replaceFrom(news.keptWaits, news.waitTicks);
-    this.#waitSums.replaceFrom(news.keptWaits, news.waitSums);
+  applyDelta(delta: CommandDelta): void {
+    this.#commands.length = Math.min(this.count, delta.unchangedCommands);
+    for (const command of delta.commands) this.#commands.push(command);
+    this.#waitTicks.replaceFrom(delta.unchangedWaits, delta.waitTicks);
+    this.#waitSums.replaceFrom(delta.unchangedWaits, delta.waitSums);
   }
 }

@@ -1,8 +1,8 @@
 export { CommandLog, type TimelineCommand } from "./command-log.ts";
 export { openRun, Replay } from "./open-run.ts";
-export type { PlaceLog } from "./place-log.ts";
+export type { PositionLog } from "./position-log.ts";
 export type { Playback } from "./playback.ts";
-export { Recording, type RunMark, type RunUpdate, type WrittenRun } from "./recording.ts";
+export { Recording, type RunCheckpoint, type RunUpdate, type WrittenRun } from "./recording.ts";
 export { type RunDocument } from "./run-document.ts";
 export { type RunInput, type TimedInput } from "./run-input.ts";
 export { MAX_RUN_INPUTS, MAX_RUN_NAME_LENGTH, MAX_RUN_TEXT_LENGTH } from "./run-limits.ts";
@@ -12,7 +12,7 @@ export {
   Timeline,
   turnNames,
   type TimelineEvent,
-  type TimelineNews,
+  type TimelineDelta,
   type TurnName,
-  type Who,
+  type TimelineDriver,
 } from "./timeline.ts";

@@ -19,7 +19,7 @@ const RULE_BYTES = 160;
 export class Inputs {
   readonly #inputs: TimedInput[] = [];
   #revision = 0;
-  #edition = 0;
+  #generation = 0;
 
   get length(): number {
     return this.#inputs.length;
@@ -31,8 +31,8 @@ export class Inputs {
   }
 
   /** Rises when inputs are removed or the start changes: until then, inputs only follow the ones before. */
-  get edition(): number {
-    return this.#edition;
+  get generation(): number {
+    return this.#generation;
   }
 
   at(index: number): TimedInput | undefined {
@@ -40,9 +40,9 @@ export class Inputs {
   }
 
   /** What the run began with is another: documents written before are out of date. */
-  touch(): void {
+  invalidate(): void {
     this.#revision++;
-    this.#edition++;
+    this.#generation++;
   }
 
   add(tick: number, input: RunInput): void {
@@ -56,7 +56,7 @@ export class Inputs {
    */
   dropEdits(from: number, kind: "program" | "maze"): TimedInput[] {
     const left = this.#inputs.slice(from).filter((input) => input.do !== kind);
-    this.#edition++;
+    this.#generation++;
     this.#inputs.length = from;
     this.#inputs.push(...left);
     return left;
@@ -74,9 +74,9 @@ export class Inputs {
     return low;
   }
 
-  forgetAfter(tick: number): void {
+  truncateAfter(tick: number): void {
     this.#revision++;
-    this.#edition++;
+    this.#generation++;
     this.#inputs.length = this.indexAt(tick + 1);
   }
 
@@ -107,7 +107,7 @@ export class Inputs {
  * The input, with each line or row that an edit leaves alone taken from the documents before it: a
  * thousand edits of a long program are not a thousand long programs in memory.
  */
-export function sharing(input: RunInput, before: Documents): RunInput {
+export function shareUnchanged(input: RunInput, before: Documents): RunInput {
   if (input.do === "program") {
     const rules = input.program.rules.map((rule, index) => {
       const same = before.program.rules[index];

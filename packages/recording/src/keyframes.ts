@@ -11,15 +11,15 @@ export interface Keyframe {
   pen: PenState;
 }
 
-const FIRST_GAP = 600;
-const MOST = 512;
+const INITIAL_GAP = 600;
+const MAX_KEYFRAMES = 512;
 /** Numbers and small objects of a keyframe beside its arrays, in bytes: measured, rounded up. */
 const PLAIN_BYTES = 2560;
 
 export class Keyframes {
   #frames: Keyframe[];
-  #gap = FIRST_GAP;
-  #dueAt = FIRST_GAP;
+  #gap = INITIAL_GAP;
+  #dueAt = INITIAL_GAP;
 
   /** @param first the run's beginning */
   constructor(first: Keyframe) {
@@ -43,7 +43,7 @@ export class Keyframes {
 
   add(frame: Keyframe): void {
     this.#frames.push(frame);
-    if (this.#frames.length > MOST) {
+    if (this.#frames.length > MAX_KEYFRAMES) {
       this.#frames = this.#frames.filter((_, index) => index % 2 === 0);
       this.#gap *= 2;
     }
@@ -61,7 +61,7 @@ export class Keyframes {
     return this.#frames[count - 1] ?? this.#first();
   }
 
-  forgetAfter(tick: number): void {
+  truncateAfter(tick: number): void {
     this.#frames.length = Math.max(
       1,
       this.#count((frame) => tickOf(frame) <= tick),

@@ -37,15 +37,15 @@ const driving: {
     name: "a script that drives in arcs",
     program: program([], "stop"),
     begin: (recording) => {
-      recording.input({ do: "driver", driver: "remote" });
+      recording.addInput({ do: "driver", driver: "remote" });
       const command = { action: "drive" as const, left: 0.5, right: 0.3 };
-      recording.input({ do: "command", command, seq: 1 });
+      recording.addInput({ do: "command", command, seq: 1 });
     },
   },
   {
     name: "a hand that presses a key every tenth of a second",
     program: program([], "stop"),
-    begin: (recording) => void recording.input({ do: "driver", driver: "me" }),
+    begin: (recording) => void recording.addInput({ do: "driver", driver: "me" }),
   },
 ];
 
@@ -56,7 +56,7 @@ describe("an hour of running", () => {
     for (let tick = 0; tick < HOUR; tick++) {
       if (name.startsWith("a hand") && tick % 6 === 0) {
         const action = tick % 12 === 0 ? ("forward" as const) : ("reverse" as const);
-        recording.input({ do: "command", command: { action } });
+        recording.addInput({ do: "command", command: { action } });
       }
       recording.step();
     }
@@ -77,7 +77,7 @@ describe("an hour of running", () => {
     }
     expect(Math.max(...sizes)).toBeLessThan(MOST_BYTES);
     const playback = recording.playback();
-    playback.goTo(5 * HOUR + 1234);
+    playback.seek(5 * HOUR + 1234);
     expect(playback.run.tick).toBe(5 * HOUR + 1234);
   });
 });
@@ -89,7 +89,7 @@ describe("edits", () => {
     const recording = new Recording(large, program([], "stop"));
     for (let edit = 1; edit <= 50; edit++) {
       recording.step();
-      recording.input({ do: "maze", maze: { ...large, blocks: blocksAt(edit) } });
+      recording.addInput({ do: "maze", maze: { ...large, blocks: blocksAt(edit) } });
     }
     return recording.byteLength;
   }

@@ -25,7 +25,10 @@ function recorded(ticks: number): RunDocument {
   const recording = new Recording(maze, program);
   while (recording.run.tick < ticks) {
     if (recording.run.tick % 500 === 250) {
-      recording.input({ do: "program", program: { ...program, name: `at ${recording.run.tick}` } });
+      recording.addInput({
+        do: "program",
+        program: { ...program, name: `at ${recording.run.tick}` },
+      });
     }
     recording.step();
   }
@@ -39,7 +42,7 @@ function replaySlowly(run: RunDocument, until?: number) {
   const replay = new Replay(run, until);
   const reached = [replay.tick];
   for (;;) {
-    const end = replay.goOn(() => false);
+    const end = replay.advance(() => false);
     reached.push(replay.tick);
     if (end !== null) return { end, reached, ticks: replay.ticks };
   }

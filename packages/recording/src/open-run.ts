@@ -5,7 +5,7 @@ import type { RunDocument } from "./run-document.ts";
 import { MAX_RUN_TICKS } from "./run-limits.ts";
 
 /** So many ticks are run between two looks at whether there is time for more. */
-const TICKS_AT_ONCE = 64;
+const TICKS_PER_CHECK = 64;
 
 /**
  * A document that is run again, a stretch at a time: a few characters can ask for a day, which takes
@@ -34,26 +34,26 @@ export class Replay {
 
   /**
    * Runs on, and checks that the document ends in the same bits.
-   * @param mayGoOn asked now and then whether there is time for more
+   * @param hasTime asked now and then whether there is time for more
    * @returns null while it is not done; then the recording, or the problem where an input cannot be at
    * its tick or the digest is another
    */
-  goOn(mayGoOn: () => boolean): ReadResult<Recording> | null {
+  advance(hasTime: () => boolean): ReadResult<Recording> | null {
     const { inputs, ticks } = this.#run;
     const { run } = this.#recording;
     do {
       const input = inputs[this.#next];
       const target = input?.tick ?? (this.#isChecked ? this.ticks : ticks);
-      for (let i = 0; i < TICKS_AT_ONCE && run.tick < target; i++) this.#recording.step();
+      for (let i = 0; i < TICKS_PER_CHECK && run.tick < target; i++) this.#recording.step();
       if (run.tick < target) continue;
-      const end = input === undefined ? this.#atEnd() : this.#take(input);
+      const end = input === undefined ? this.#finish() : this.#applyInput(input);
       if (end !== null) return end;
-    } while (mayGoOn());
+    } while (hasTime());
     return null;
   }
 
-  #take({ tick: _tick, ...input }: RunDocument["inputs"][number]): ReadResult<never> | null {
-    if (this.#recording.input(input)) {
+  #applyInput({ tick: _tick, ...input }: RunDocument["inputs"][number]): ReadResult<never> | null {
+    if (this.#recording.addInput(input)) {
       this.#next++;
       return null;
     }
@@ -65,7 +65,7 @@ export class Replay {
     );
   }
 
-  #atEnd(): ReadResult<Recording> | null {
+  #finish(): ReadResult<Recording> | null {
     if (this.#isChecked) return { ok: true, value: this.#recording };
     const digest = this.#recording.run.digest();
     if (digest !== this.#run.digest) {
@@ -83,7 +83,7 @@ export class Replay {
 export function openRun(run: RunDocument, until = run.ticks): ReadResult<Recording> {
   const replay = new Replay(run, until);
   for (;;) {
-    const end = replay.goOn(() => true);
+    const end = replay.advance(() => true);
     if (end !== null) return end;
   }
 }

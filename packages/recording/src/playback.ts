@@ -15,7 +15,7 @@ export class Playback {
     this.#keyframes = keyframes;
     const { maze, program } = keyframes.before(0).state;
     this.#run = new Run(maze, program);
-    this.#takeInputs();
+    this.#applyInputs();
   }
 
   /** The run at the moment that was gone to; not to be changed. */
@@ -24,13 +24,13 @@ export class Playback {
   }
 
   /** Goes to the moment at the end of a tick of the recording, with all inputs that came there. */
-  goTo(tick: number): void {
+  seek(tick: number): void {
     const { state } = this.#keyframes.before(tick);
     const isAhead = tick >= this.#run.tick && this.#run.tick >= state.simulation.tick;
     if (!isAhead) {
       this.#run.restore(state);
       this.#next = this.#inputs.indexAt(this.#run.tick);
-      this.#takeInputs();
+      this.#applyInputs();
     }
     while (this.#run.tick < tick) this.step();
   }
@@ -38,10 +38,10 @@ export class Playback {
   /** One tick of the recording. */
   step(): void {
     this.#run.step();
-    this.#takeInputs();
+    this.#applyInputs();
   }
 
-  #takeInputs(): void {
+  #applyInputs(): void {
     const { tick } = this.#run;
     for (
       let input = this.#inputs.at(this.#next);

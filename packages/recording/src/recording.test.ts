@@ -78,7 +78,7 @@ describe("a run of any operations", () => {
           const playback = recording.playback();
           for (const moment of moments) {
             const tick = moment % (recording.run.tick + 1);
-            playback.goTo(tick);
+            playback.seek(tick);
             expect(shownOf(playback.run)).toEqual(live.get(tick));
           }
         },
@@ -108,7 +108,7 @@ describe("a run of any operations", () => {
           for (const log of ["corners", "bumps"] as const) {
             const count = recording[log].countUpTo(end);
             expect(fresh[log].countUpTo(end)).toBe(count);
-            expect(fresh[log].between(0, count)).toEqual(recording[log].between(0, count));
+            expect(fresh[log].slice(0, count)).toEqual(recording[log].slice(0, count));
           }
         },
       ),
@@ -199,7 +199,7 @@ describe("a run as a file", () => {
     for (let edits = 1; edits <= 900; edits++) {
       recording.step();
       const blocks = open.blocks.with(100, `${".".repeat(edits % 101)}#`.padEnd(101, "."));
-      recording.input({ do: "maze", maze: { ...open, blocks } });
+      recording.addInput({ do: "maze", maze: { ...open, blocks } });
       if (edits % 100 !== 0 && edits < 750) continue;
       const written = recording.toDocument("Hall");
       refusal = written.ok ? null : written.reason;

@@ -8,9 +8,9 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { Command } from "@corridor/protocol";
-import { Inputs, sharing, type Documents } from "./inputs.ts";
+import { Inputs, shareUnchanged, type Documents } from "./inputs.ts";
 import { Keyframes } from "./keyframes.ts";
-import { PlaceLog } from "./place-log.ts";
+import { PositionLog } from "./position-log.ts";
 import { Playback } from "./playback.ts";
 import type { RunDocument } from "./run-document.ts";
 import type { RunInput, TimedInput } from "./run-input.ts";
@@ -25,8 +25,8 @@ export type WrittenRun =
   | { ok: false; reason: "too-long" | "too-many-inputs" };
 
 /** How much of a run is stored already. */
-export interface RunMark {
-  edition: number;
+export interface RunCheckpoint {
+  generation: number;
   inputs: number;
 }
 
@@ -38,7 +38,7 @@ export interface RunUpdate {
   ticks: number;
   digest: string;
   /** what is stored once this is */
-  mark: RunMark;
+  checkpoint: RunCheckpoint;
 }
 
 /** Edits of one tick: the index of the first, and the run before it. */
@@ -50,9 +50,9 @@ interface EditsOfTick {
 export class Recording {
   readonly timeline = new Timeline();
   /** corners of the trail */
-  readonly corners = new PlaceLog();
+  readonly corners = new PositionLog();
   /** where the robot's centre was at each bump */
-  readonly bumps = new PlaceLog();
+  readonly bumps = new PositionLog();
   readonly #run: Run;
   readonly #inputs = new Inputs();
   readonly #pen: TrailPen;
@@ -84,17 +84,17 @@ export class Recording {
    * @param stored how much it has already; null for nothing
    * @returns null for a run that is longer than a document may be
    */
-  updateSince(stored: RunMark | null): RunUpdate | null {
+  updateSince(stored: RunCheckpoint | null): RunUpdate | null {
     const { tick } = this.#run;
-    const { edition, length } = this.#inputs;
+    const { generation, length } = this.#inputs;
     if (tick > MAX_RUN_TICKS || length > MAX_RUN_INPUTS) return null;
-    const follows = stored?.edition === edition;
+    const follows = stored?.generation === generation;
     return {
       first: follows ? null : this.#first,
       inputs: this.#inputs.list(follows ? stored.inputs : 0),
       ticks: tick,
       digest: this.#run.digest(),
-      mark: { edition, inputs: length },
+      checkpoint: { generation, inputs: length },
     };
   }
 
@@ -120,22 +120,27 @@ export class Recording {
    * those of an edit, not the same objects.
    * @returns false where it cannot be: then nothing has changed
    */
-  input(given: RunInput): boolean {
+  addInput(given: RunInput): boolean {
     const run = this.#run;
-    const input = sharing(given, run);
+    const input = shareUnchanged(given, run);
     if (input.do === "program" && run.tick === 0 && this.#inputs.length === 0) {
-      this.#beginWith(input.program);
+      this.#replaceStartProgram(input.program);
       return true;
     }
     const isEdit = input.do === "program" || input.do === "maze";
     const edits = isEdit ? this.#editsOfThisTick() : null;
     if (!run.apply(input)) return false;
-    if (isEdit && edits !== null) this.#redo(edits, input);
+    if (isEdit && edits !== null) this.#reapplyEdits(edits, input);
     this.#edits = edits;
     this.#inputs.add(run.tick, input);
-    this.#noteCommand(input);
+    this.#recordCommand(input);
     if (isEdit) {
-      this.timeline.happened({ kind: "edit", what: input.do, tick: run.tick, who: run.who });
+      this.timeline.recordEvent({
+        kind: "edit",
+        what: input.do,
+        tick: run.tick,
+        driver: run.timelineDriver,
+      });
     }
     return true;
   }
@@ -148,7 +153,10 @@ export class Recording {
   }
 
   /** Of the edits of one tick only the last of each kind counts: the run is as if the others never came. */
-  #redo({ from, before }: EditsOfTick, last: Extract<RunInput, { do: "program" | "maze" }>): void {
+  #reapplyEdits(
+    { from, before }: EditsOfTick,
+    last: Extract<RunInput, { do: "program" | "maze" }>,
+  ): void {
     if (from === this.#inputs.length) return;
     this.#run.restore(before);
     for (const input of this.#inputs.dropEdits(from, last.do)) this.#run.apply(input);
@@ -156,56 +164,56 @@ export class Recording {
   }
 
   /** A program that is edited before anything happened is the one that the run begins with. */
-  #beginWith(program: ProgramDocument): void {
+  #replaceStartProgram(program: ProgramDocument): void {
     this.#first = { ...this.#first, program };
     this.#run.restore(new Run(this.#first.maze, program).save());
     this.#keyframes = new Keyframes({ state: this.#run.save(), pen: this.#pen.save() });
-    this.#inputs.touch();
+    this.#inputs.invalidate();
   }
 
   /** One tick. */
   step(): void {
     const { timeline } = this;
     const run = this.#run;
-    const { who, bumps, goalTick } = run;
+    const { timelineDriver: driver, bumps, goalTick } = run;
     const from = run.tick;
-    timeline.commands.waits(from, run.driver === "remote" && run.command === null);
+    timeline.commands.setWaiting(from, run.driver === "remote" && run.command === null);
     if (run.decidedAt === from) {
-      timeline.drives(from, who);
+      timeline.recordDriver(from, driver);
       const turn = turnOf(run.decision);
-      if (turn !== null) timeline.happened({ kind: "turn", turn, tick: from, who });
+      if (turn !== null) timeline.recordEvent({ kind: "turn", turn, tick: from, driver });
     }
     run.step();
     const { tick } = run;
-    timeline.reachedTick(tick);
-    if (run.command === null) timeline.commands.ended(tick, run.commandEnding ?? "completed");
+    timeline.advanceTo(tick);
+    if (run.command === null) timeline.commands.recordEnd(tick, run.commandEnding ?? "completed");
     const pen = this.#pen;
-    if (pen.follow(run.x, run.y)) this.corners.push(tick, pen.cornerX, pen.cornerY);
+    if (pen.moveTo(run.x, run.y)) this.corners.push(tick, pen.cornerX, pen.cornerY);
     if (run.bumps !== bumps) {
       this.bumps.push(tick, run.x, run.y);
-      timeline.happened({ kind: "bump", tick, who });
+      timeline.recordEvent({ kind: "bump", tick, driver });
     }
-    if (run.goalTick !== goalTick) timeline.happened({ kind: "goal", tick, who });
+    if (run.goalTick !== goalTick) timeline.recordEvent({ kind: "goal", tick, driver });
     if (tick >= this.#keyframes.dueAt) {
       this.#keyframes.add({ state: run.save(), pen: this.#pen.save() });
     }
   }
 
   /** What an input that was taken began or ended of a script's commands. */
-  #noteCommand(input: RunInput): void {
+  #recordCommand(input: RunInput): void {
     const { commands } = this.timeline;
     const { tick, command: running, commandEnding } = this.#run;
     switch (input.do) {
       case "command":
-        commands.ended(tick, "completed");
+        commands.recordEnd(tick, "completed");
         if (input.seq === undefined) return;
-        commands.began(input.seq, input.command, tick);
-        if (running === null) commands.ended(tick, commandEnding ?? "completed");
+        commands.recordStart(input.seq, input.command, tick);
+        if (running === null) commands.recordEnd(tick, commandEnding ?? "completed");
         return;
       case "cancel":
-        return commands.ended(tick, input.superseded === true ? "superseded" : "cancelled");
+        return commands.recordEnd(tick, input.superseded === true ? "superseded" : "cancelled");
       case "driver":
-        return commands.ended(tick, "cancelled");
+        return commands.recordEnd(tick, "cancelled");
       case "program":
       case "maze":
         return;
@@ -222,11 +230,11 @@ export class Recording {
     const run = this.#run;
     const { state, pen } = this.#keyframes.before(tick);
     this.#edits = null;
-    this.#inputs.forgetAfter(tick);
-    this.#keyframes.forgetAfter(tick);
-    this.timeline.forgetAfter(tick);
-    this.corners.forgetAfter(tick);
-    this.bumps.forgetAfter(tick);
+    this.#inputs.truncateAfter(tick);
+    this.#keyframes.truncateAfter(tick);
+    this.timeline.truncateAfter(tick);
+    this.corners.truncateAfter(tick);
+    this.bumps.truncateAfter(tick);
     this.#pen.restore(pen);
     run.restore(state);
     let next = this.#inputs.indexAt(run.tick);
@@ -240,14 +248,14 @@ export class Recording {
       }
       if (run.tick >= tick) return;
       run.step();
-      this.#pen.follow(run.x, run.y);
+      this.#pen.moveTo(run.x, run.y);
     }
   }
 
   /** Tick of the last decision before the one that holds at `tick`; 0 where that is the first. */
   decisionBefore(tick: number, playback: Playback): number {
     if (tick <= 0) return 0;
-    playback.goTo(tick - 1);
+    playback.seek(tick - 1);
     return playback.run.decidedAt;
   }
 
@@ -255,7 +263,7 @@ export class Recording {
   decisionAfter(tick: number, playback: Playback): number | null {
     const { run } = playback;
     const skipped = this.#keyframes.decidedBefore(tick).state.simulation.tick;
-    playback.goTo(Math.max(tick, skipped));
+    playback.seek(Math.max(tick, skipped));
     while (run.decidedAt <= tick && run.tick < this.#run.tick) playback.step();
     return run.decidedAt > tick ? run.decidedAt : null;
   }

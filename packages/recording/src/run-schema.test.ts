@@ -24,8 +24,8 @@ const program = {
 function written(): RunDocument {
   const recording = new Recording(maze, program);
   for (let tick = 0; tick < 30; tick++) recording.step();
-  recording.input({ do: "driver", driver: "me" });
-  recording.input({ do: "command", command: { action: "left 90" } });
+  recording.addInput({ do: "driver", driver: "me" });
+  recording.addInput({ do: "command", command: { action: "left 90" } });
   for (let tick = 0; tick < 30; tick++) recording.step();
   const result = recording.toDocument("a run");
   if (!result.ok) throw new Error(result.reason);

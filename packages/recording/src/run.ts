@@ -22,7 +22,7 @@ import {
   type SimulationState,
 } from "@corridor/simulation";
 import type { RunInput } from "./run-input.ts";
-import type { Who } from "./timeline.ts";
+import type { TimelineDriver } from "./timeline.ts";
 
 /** Once a simulated second, a snapshot goes into the digest. */
 const DIGEST_TICKS = 60;
@@ -91,8 +91,8 @@ export class Run {
     return this.#driver === "program" ? this.#decisions.line : null;
   }
 
-  /** Who drives the next tick. */
-  get who(): Exclude<Who, "mixed"> {
+  /** TimelineDriver drives the next tick. */
+  get timelineDriver(): Exclude<TimelineDriver, "mixed"> {
     return this.#driver === "program" ? this.#decisions.line : this.#driver;
   }
 
@@ -192,15 +192,15 @@ export class Run {
     if (isCommand && this.#driver === "program") return false;
     switch (input.do) {
       case "driver":
-        this.#end();
+        this.#stop();
         this.#decisions.reconsider();
         this.#driver = input.driver;
         break;
       case "command":
-        this.#begin(input.command, input.seq ?? null);
+        this.#startCommand(input.command, input.seq ?? null);
         break;
       case "cancel":
-        this.#end();
+        this.#stop();
         break;
       case "program":
         this.#program = input.program;
@@ -261,7 +261,7 @@ export class Run {
     this.#cause = null;
   }
 
-  #begin(command: Command, seq: number | null): void {
+  #startCommand(command: Command, seq: number | null): void {
     const simulation = this.#simulation;
     simulation.apply(command);
     this.#approach.recordDecision(simulation, command);
@@ -269,27 +269,27 @@ export class Run {
     this.#command = seq;
     this.#commandEnding = null;
     // Nothing to drive (stop, or a move of 0) is done at once.
-    if (simulation.ending !== null || command.action === "stop") this.#finish("completed");
+    if (simulation.ending !== null || command.action === "stop") this.#finishCommand("completed");
   }
 
   /** Ends the script's command whose manoeuvre is over or that ran into a wall. */
   #closeCommand(): void {
     const simulation = this.#simulation;
     if (simulation.ending !== null) {
-      this.#finish(simulation.ending);
+      this.#finishCommand(simulation.ending);
     } else if (!simulation.isManoeuvring && simulation.isStopped) {
-      this.#finish("collided");
+      this.#finishCommand("collided");
       simulation.apply({ action: "stop" });
     }
   }
 
-  #finish(ending: MotionEnding): void {
+  #finishCommand(ending: MotionEnding): void {
     if (this.#command !== null) this.#commandEnding = ending;
     this.#command = null;
   }
 
   /** Whatever runs is over, and the robot stands. */
-  #end(): void {
+  #stop(): void {
     const stop: Command = { action: "stop" };
     this.#simulation.apply(stop);
     this.#approach.recordDecision(this.#simulation, stop);

@@ -1,20 +1,20 @@
 /**
- * What a run was, for the eye: who or which line drove from when on, and what happened when.
+ * What a run was, for the eye: driver or which line drove from when on, and what happened when.
  *
  * Packed into typed arrays, because an hour has 216,000 ticks and a program may choose anew on each of
  * them. Neighbouring stretches shorter than a tenth of a second are one, "mixed", and events of one
  * kind closer than that are one mark; where a run of many hours has too many all the same, that
  * shortest time doubles.
  *
- * The end that records calls `drives`, `happened` and `forgetAfter`; what changed crosses to another
+ * The end that records calls `drives`, `happened` and `truncateAfter`; what changed crosses to another
  * thread by `take` and `merge`.
  */
 import type { LineRef } from "@corridor/protocol";
-import { CommandLog, type CommandNews } from "./command-log.ts";
+import { CommandLog, type CommandDelta } from "./command-log.ts";
 import { GrowingArray } from "./growing-array.ts";
 
-/** Who drove: a hand, a script, a program's line; "mixed" where they changed too fast to tell. */
-export type Who = "me" | "remote" | "mixed" | LineRef;
+/** TimelineDriver drove: a hand, a script, a program's line; "mixed" where they changed too fast to tell. */
+export type TimelineDriver = "me" | "remote" | "mixed" | LineRef;
 
 /** How the robot turned. */
 export const turnNames = [
@@ -28,8 +28,8 @@ export const turnNames = [
 ] as const;
 export type TurnName = (typeof turnNames)[number];
 
-/** Something that happened, at the end of tick `tick`; `who` drove. */
-export type TimelineEvent = { tick: number; who: Who } & (
+/** Something that happened, at the end of tick `tick`; `driver` drove. */
+export type TimelineEvent = { tick: number; driver: TimelineDriver } & (
   | { kind: "turn"; turn: TurnName }
   | { kind: "bump" }
   | { kind: "goal" }
@@ -37,22 +37,22 @@ export type TimelineEvent = { tick: number; who: Who } & (
 );
 
 /** What a timeline gained or lost since the last `take`; typed arrays, cheap to send. */
-export interface TimelineNews {
+export interface TimelineDelta {
   /** stretches that stay as they were; those after them are replaced */
-  keptStretches: number;
+  unchangedSegments: number;
   ticks: Int32Array<ArrayBuffer>;
-  whos: Int16Array<ArrayBuffer>;
+  drivers: Int16Array<ArrayBuffer>;
   /** events that stay as they were; those after them are replaced */
-  keptEvents: number;
+  unchangedEvents: number;
   eventTicks: Int32Array<ArrayBuffer>;
   eventCodes: Int16Array<ArrayBuffer>;
-  eventWhos: Int16Array<ArrayBuffer>;
+  eventDrivers: Int16Array<ArrayBuffer>;
   /** null where nothing changed in them */
-  commands: CommandNews | null;
+  commands: CommandDelta | null;
   endTick: number;
 }
 
-/** Codes of who drove: a line by its index, the others below 0. */
+/** Codes of driver drove: a line by its index, the others below 0. */
 const OTHERWISE = -1;
 const ME = -2;
 const REMOTE = -3;
@@ -65,30 +65,30 @@ const EDITED_MAZE = 18;
 const EDITED_PROGRAM = 19;
 
 /** A tenth of a second: shorter stretches, and shorter gaps between events of one kind, are not told apart. */
-const SHORTEST = 6;
+const MIN_TICKS = 6;
 /** Above so many stretches or events, the shortest time doubles: more than a screen has pixels by far. */
-const MOST = 50_000;
+const MAX_ENTRIES = 50_000;
 
 export class Timeline {
   /** the commands of scripts, and the waits between them */
   readonly commands = new CommandLog();
   readonly #ticks = new GrowingArray("int32");
-  readonly #whos = new GrowingArray("int16");
+  readonly #drivers = new GrowingArray("int16");
   readonly #eventTicks = new GrowingArray("int32");
   readonly #eventCodes = new GrowingArray("int16");
-  readonly #eventWhos = new GrowingArray("int16");
+  readonly #eventDrivers = new GrowingArray("int16");
   #endTick = 0;
   /** as they were at the last `take`: what was cut since then leaves nothing new behind */
-  #takenEndTick = -1;
-  #takenStretches = 0;
-  #takenEvents = 0;
-  #shortest = SHORTEST;
+  #sentEndTick = -1;
+  #sentSegments = 0;
+  #sentEvents = 0;
+  #minTicks = MIN_TICKS;
   /** stretches and events that are as they were at the last `take` */
-  #sameStretches = 0;
-  #sameEvents = 0;
+  #unchangedSegments = 0;
+  #unchangedEvents = 0;
 
   /** Stretches, in the order of time; each lasts until the next begins, the last until `endTick`. */
-  get stretchCount(): number {
+  get segmentCount(): number {
     return this.#ticks.length;
   }
 
@@ -105,10 +105,10 @@ export class Timeline {
   get byteLength(): number {
     return (
       this.#ticks.byteLength +
-      this.#whos.byteLength +
+      this.#drivers.byteLength +
       this.#eventTicks.byteLength +
       this.#eventCodes.byteLength +
-      this.#eventWhos.byteLength +
+      this.#eventDrivers.byteLength +
       this.commands.byteLength
     );
   }
@@ -118,13 +118,13 @@ export class Timeline {
     return this.#ticks.at(index);
   }
 
-  /** Who drove in stretch `index`. */
-  whoOf(index: number): Who {
-    return whoOfCode(this.#whos.at(index));
+  /** TimelineDriver drove in stretch `index`. */
+  driverOf(index: number): TimelineDriver {
+    return driverOfCode(this.#drivers.at(index));
   }
 
   /** Index of the stretch that holds the moment at the end of `tick`; -1 before the first one. */
-  stretchAt(tick: number): number {
+  segmentAt(tick: number): number {
     return this.#ticks.countUpTo(tick) - 1;
   }
 
@@ -132,14 +132,14 @@ export class Timeline {
   eventAt(index: number): TimelineEvent {
     const tick = this.#eventTicks.at(index);
     const code = this.#eventCodes.at(index);
-    const who = whoOfCode(this.#eventWhos.at(index));
-    if (code === BUMP) return { kind: "bump", tick, who };
-    if (code === GOAL) return { kind: "goal", tick, who };
-    if (code === EDITED_MAZE) return { kind: "edit", what: "maze", tick, who };
-    if (code === EDITED_PROGRAM) return { kind: "edit", what: "program", tick, who };
+    const driver = driverOfCode(this.#eventDrivers.at(index));
+    if (code === BUMP) return { kind: "bump", tick, driver };
+    if (code === GOAL) return { kind: "goal", tick, driver };
+    if (code === EDITED_MAZE) return { kind: "edit", what: "maze", tick, driver };
+    if (code === EDITED_PROGRAM) return { kind: "edit", what: "program", tick, driver };
     const turn = turnNames[code];
     if (turn === undefined) throw new RangeError(`The timeline has no event ${index}.`);
-    return { kind: "turn", turn, tick, who };
+    return { kind: "turn", turn, tick, driver };
   }
 
   /** How many events happened up to the end of `tick`: the index of the first one after it. */
@@ -147,140 +147,140 @@ export class Timeline {
     return this.#eventTicks.countUpTo(tick);
   }
 
-  /** From the end of `tick` on, `who` drives. */
-  drives(tick: number, who: Exclude<Who, "mixed">): void {
-    const code = codeOfWho(who);
+  /** From the end of `tick` on, `driver` drives. */
+  recordDriver(tick: number, driver: Exclude<TimelineDriver, "mixed">): void {
+    const code = codeOfDriver(driver);
     const last = this.#ticks.length - 1;
-    if (last >= 0 && this.#whos.at(last) === code) return;
+    if (last >= 0 && this.#drivers.at(last) === code) return;
     // Nobody drove in a stretch without a tick.
     const from = last >= 0 && this.#ticks.at(last) === tick ? last : last + 1;
-    this.#cutStretches(from);
+    this.#truncateSegments(from);
     const before = this.#ticks.length - 1;
-    if (before >= 0 && this.#whos.at(before) === code) return;
+    if (before >= 0 && this.#drivers.at(before) === code) return;
     this.#mergeShort(tick);
     this.#ticks.push(tick);
-    this.#whos.push(code);
-    if (this.#ticks.length > MOST) this.#coarsen();
+    this.#drivers.push(code);
+    if (this.#ticks.length > MAX_ENTRIES) this.#coarsen();
   }
 
   /** Notes an event; one soon after another of its kind by the same driver is the same mark. */
-  happened(event: TimelineEvent): void {
+  recordEvent(event: TimelineEvent): void {
     const code = codeOfEvent(event);
-    const who = codeOfWho(event.who);
+    const driver = codeOfDriver(event.driver);
     // Each edit has its own mark, unless there are more of them than marks: a file may bring 100,000.
-    const isEditApart = event.kind === "edit" && this.#shortest === SHORTEST;
+    const isEditApart = event.kind === "edit" && this.#minTicks === MIN_TICKS;
     const isSingle = event.kind === "goal" || isEditApart;
     const last = this.#eventTicks.length - 1;
-    for (let at = last; at >= 0 && event.tick - this.#eventTicks.at(at) < this.#shortest; at--) {
+    for (let at = last; at >= 0 && event.tick - this.#eventTicks.at(at) < this.#minTicks; at--) {
       if (this.#eventCodes.at(at) !== code) continue;
-      if (this.#eventWhos.at(at) !== who) continue;
+      if (this.#eventDrivers.at(at) !== driver) continue;
       if (isSingle && this.#eventTicks.at(at) !== event.tick) continue;
       return;
     }
     this.#eventTicks.push(event.tick);
     this.#eventCodes.push(code);
-    this.#eventWhos.push(who);
-    if (this.#eventTicks.length > MOST) this.#coarsen();
+    this.#eventDrivers.push(driver);
+    if (this.#eventTicks.length > MAX_ENTRIES) this.#coarsen();
   }
 
   /** The run has gone on to this tick. */
-  reachedTick(tick: number): void {
+  advanceTo(tick: number): void {
     this.#endTick = tick;
   }
 
   /** Forgets what came after the end of `tick`, and what was decided there: another way follows. */
-  forgetAfter(tick: number): void {
-    this.#cutStretches(this.#ticks.countUpTo(tick - 1));
+  truncateAfter(tick: number): void {
+    this.#truncateSegments(this.#ticks.countUpTo(tick - 1));
     let events = this.eventsUpTo(tick);
     while (this.#eventTicks.at(events - 1) === tick && isTurn(this.#eventCodes.at(events - 1))) {
       events--;
     }
-    this.#cutEvents(events);
-    this.commands.forgetAfter(tick);
+    this.#truncateEvents(events);
+    this.commands.truncateAfter(tick);
     this.#endTick = tick;
   }
 
   /** What changed since the last call; null when nothing did. */
-  take(): TimelineNews | null {
-    const commands = this.commands.take();
+  takeDelta(): TimelineDelta | null {
+    const commands = this.commands.takeDelta();
     const isSame =
       commands === null &&
-      this.#sameStretches === this.#ticks.length &&
-      this.#sameEvents === this.#eventTicks.length &&
-      this.#takenStretches === this.#ticks.length &&
-      this.#takenEvents === this.#eventTicks.length &&
-      this.#takenEndTick === this.#endTick;
+      this.#unchangedSegments === this.#ticks.length &&
+      this.#unchangedEvents === this.#eventTicks.length &&
+      this.#sentSegments === this.#ticks.length &&
+      this.#sentEvents === this.#eventTicks.length &&
+      this.#sentEndTick === this.#endTick;
     if (isSame) return null;
-    const news: TimelineNews = {
-      keptStretches: this.#sameStretches,
-      ticks: this.#ticks.copyFrom(this.#sameStretches),
-      whos: this.#whos.copyFrom(this.#sameStretches),
-      keptEvents: this.#sameEvents,
-      eventTicks: this.#eventTicks.copyFrom(this.#sameEvents),
-      eventCodes: this.#eventCodes.copyFrom(this.#sameEvents),
-      eventWhos: this.#eventWhos.copyFrom(this.#sameEvents),
+    const delta: TimelineDelta = {
+      unchangedSegments: this.#unchangedSegments,
+      ticks: this.#ticks.copyFrom(this.#unchangedSegments),
+      drivers: this.#drivers.copyFrom(this.#unchangedSegments),
+      unchangedEvents: this.#unchangedEvents,
+      eventTicks: this.#eventTicks.copyFrom(this.#unchangedEvents),
+      eventCodes: this.#eventCodes.copyFrom(this.#unchangedEvents),
+      eventDrivers: this.#eventDrivers.copyFrom(this.#unchangedEvents),
       commands,
       endTick: this.#endTick,
     };
-    this.#sameStretches = this.#ticks.length;
-    this.#sameEvents = this.#eventTicks.length;
-    this.#takenStretches = this.#ticks.length;
-    this.#takenEvents = this.#eventTicks.length;
-    this.#takenEndTick = this.#endTick;
-    return news;
+    this.#unchangedSegments = this.#ticks.length;
+    this.#unchangedEvents = this.#eventTicks.length;
+    this.#sentSegments = this.#ticks.length;
+    this.#sentEvents = this.#eventTicks.length;
+    this.#sentEndTick = this.#endTick;
+    return delta;
   }
 
   /** Takes in what another timeline gained or lost. */
-  merge(news: TimelineNews): void {
-    this.#ticks.replaceFrom(news.keptStretches, news.ticks);
-    this.#whos.replaceFrom(news.keptStretches, news.whos);
-    this.#eventTicks.replaceFrom(news.keptEvents, news.eventTicks);
-    this.#eventCodes.replaceFrom(news.keptEvents, news.eventCodes);
-    this.#eventWhos.replaceFrom(news.keptEvents, news.eventWhos);
-    if (news.commands !== null) this.commands.merge(news.commands);
-    this.#endTick = news.endTick;
+  applyDelta(delta: TimelineDelta): void {
+    this.#ticks.replaceFrom(delta.unchangedSegments, delta.ticks);
+    this.#drivers.replaceFrom(delta.unchangedSegments, delta.drivers);
+    this.#eventTicks.replaceFrom(delta.unchangedEvents, delta.eventTicks);
+    this.#eventCodes.replaceFrom(delta.unchangedEvents, delta.eventCodes);
+    this.#eventDrivers.replaceFrom(delta.unchangedEvents, delta.eventDrivers);
+    if (delta.commands !== null) this.commands.applyDelta(delta.commands);
+    this.#endTick = delta.endTick;
   }
 
   /** The last stretch ends at `tick`: where it and the one before it were short, they are one. */
   #mergeShort(tick: number): void {
     const last = this.#ticks.length - 1;
-    if (last < 1 || tick - this.#ticks.at(last) >= this.#shortest) return;
+    if (last < 1 || tick - this.#ticks.at(last) >= this.#minTicks) return;
     const before = last - 1;
-    const isMixed = this.#whos.at(before) === MIXED;
-    if (!isMixed && this.#ticks.at(last) - this.#ticks.at(before) >= this.#shortest) return;
-    this.#cutStretches(last);
+    const isMixed = this.#drivers.at(before) === MIXED;
+    if (!isMixed && this.#ticks.at(last) - this.#ticks.at(before) >= this.#minTicks) return;
+    this.#truncateSegments(last);
     if (isMixed) return;
-    this.#sameStretches = Math.min(this.#sameStretches, before);
-    this.#whos.set(before, MIXED);
+    this.#unchangedSegments = Math.min(this.#unchangedSegments, before);
+    this.#drivers.set(before, MIXED);
   }
 
   /** Doubles the shortest time and divides everything anew. */
   #coarsen(): void {
-    this.#shortest *= 2;
+    this.#minTicks *= 2;
     const ticks = this.#ticks.copyFrom(0);
-    const whos = this.#whos.copyFrom(0);
-    this.#cutStretches(0);
+    const drivers = this.#drivers.copyFrom(0);
+    this.#truncateSegments(0);
     for (const [index, tick] of ticks.entries()) {
       this.#mergeShort(tick);
       this.#ticks.push(tick);
-      this.#whos.push(whos[index] ?? MIXED);
+      this.#drivers.push(drivers[index] ?? MIXED);
     }
     const events = Array.from({ length: this.eventCount }, (_, index) => this.eventAt(index));
-    this.#cutEvents(0);
-    for (const event of events) this.happened(event);
+    this.#truncateEvents(0);
+    for (const event of events) this.recordEvent(event);
   }
 
-  #cutStretches(length: number): void {
+  #truncateSegments(length: number): void {
     this.#ticks.truncate(length);
-    this.#whos.truncate(length);
-    this.#sameStretches = Math.min(this.#sameStretches, length);
+    this.#drivers.truncate(length);
+    this.#unchangedSegments = Math.min(this.#unchangedSegments, length);
   }
 
-  #cutEvents(length: number): void {
+  #truncateEvents(length: number): void {
     this.#eventTicks.truncate(length);
     this.#eventCodes.truncate(length);
-    this.#eventWhos.truncate(length);
-    this.#sameEvents = Math.min(this.#sameEvents, length);
+    this.#eventDrivers.truncate(length);
+    this.#unchangedEvents = Math.min(this.#unchangedEvents, length);
   }
 }
 
@@ -288,8 +288,8 @@ function isTurn(code: number): boolean {
   return code < turnNames.length;
 }
 
-function codeOfWho(who: Who): number {
-  switch (who) {
+function codeOfDriver(driver: TimelineDriver): number {
+  switch (driver) {
     case "default":
       return OTHERWISE;
     case "me":
@@ -299,11 +299,11 @@ function codeOfWho(who: Who): number {
     case "mixed":
       return MIXED;
     default:
-      return who;
+      return driver;
   }
 }
 
-function whoOfCode(code: number): Who {
+function driverOfCode(code: number): TimelineDriver {
   if (code === OTHERWISE) return "default";
   if (code === ME) return "me";
   if (code === REMOTE) return "remote";

@@ -6,7 +6,7 @@ function cornersOf([first, ...points]: [[number, number], ...[number, number][]]
   const pen = new TrailPen(...first);
   const corners: number[] = [...first];
   for (const point of points) {
-    if (pen.follow(...point)) corners.push(pen.cornerX, pen.cornerY);
+    if (pen.moveTo(...point)) corners.push(pen.cornerX, pen.cornerY);
   }
   return corners;
 }
@@ -47,13 +47,13 @@ describe("the trail", () => {
 
   it("goes on from where it was saved", () => {
     const pen = new TrailPen(0, 0);
-    pen.follow(10, 0);
+    pen.moveTo(10, 0);
     const saved = structuredClone(pen.save());
     const other = new TrailPen(7, 7);
     other.restore(saved);
     for (const each of [pen, other]) {
-      expect(each.follow(20, 0)).toBe(false);
-      expect(each.follow(20, 10)).toBe(true);
+      expect(each.moveTo(20, 0)).toBe(false);
+      expect(each.moveTo(20, 10)).toBe(true);
     }
   });
 });

@@ -7,15 +7,15 @@
 export interface PenState {
   x: number;
   y: number;
-  wayX: number;
-  wayY: number;
+  directionX: number;
+  directionY: number;
 }
 
 export class TrailPen {
   #x: number;
   #y: number;
-  #wayX = 0;
-  #wayY = 0;
+  #directionX = 0;
+  #directionY = 0;
   /** the last corner that `follow` found */
   cornerX = Number.NaN;
   cornerY = Number.NaN;
@@ -29,20 +29,20 @@ export class TrailPen {
    * Follows the robot to where it is at the end of a tick.
    * @returns whether it turned off where it was before: there the trail has a corner, `cornerX`, `cornerY`
    */
-  follow(x: number, y: number): boolean {
-    const wayX = x - this.#x;
-    const wayY = y - this.#y;
-    if (wayX === 0 && wayY === 0) return false;
-    const cross = wayX * this.#wayY - wayY * this.#wayX;
-    const dot = wayX * this.#wayX + wayY * this.#wayY;
+  moveTo(x: number, y: number): boolean {
+    const directionX = x - this.#x;
+    const directionY = y - this.#y;
+    if (directionX === 0 && directionY === 0) return false;
+    const cross = directionX * this.#directionY - directionY * this.#directionX;
+    const dot = directionX * this.#directionX + directionY * this.#directionY;
     // Compared with the way at the last corner, so that a gentle curve gets its corners too. A way
     // that differs by less than a thousandth is straight: rounding, not driving.
     const isCorner = dot <= 0 || cross * cross > 1e-6 * dot * dot;
     if (isCorner) {
       this.cornerX = this.#x;
       this.cornerY = this.#y;
-      this.#wayX = wayX;
-      this.#wayY = wayY;
+      this.#directionX = directionX;
+      this.#directionY = directionY;
     }
     this.#x = x;
     this.#y = y;
@@ -50,13 +50,13 @@ export class TrailPen {
   }
 
   save(): PenState {
-    return { x: this.#x, y: this.#y, wayX: this.#wayX, wayY: this.#wayY };
+    return { x: this.#x, y: this.#y, directionX: this.#directionX, directionY: this.#directionY };
   }
 
   restore(state: PenState): void {
     this.#x = state.x;
     this.#y = state.y;
-    this.#wayX = state.wayX;
-    this.#wayY = state.wayY;
+    this.#directionX = state.directionX;
+    this.#directionY = state.directionY;
   }
 }

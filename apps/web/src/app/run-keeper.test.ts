@@ -129,7 +129,7 @@ describe("a run over a reload", () => {
     expect(state).toBe("paused");
     expect(page.loop.snapshot().tick - tick).toBeLessThanOrEqual(16);
     const again = page.loop.recording.playback();
-    again.goTo(tick);
+    again.seek(tick);
     expect(pose).toEqual(again.run.pose);
   });
 

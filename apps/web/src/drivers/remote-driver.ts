@@ -29,7 +29,7 @@ export interface RemoteDriverEvents {
 /** The robot that is driven: what it is doing, and where commands go. */
 export interface RemoteRobot {
   readonly run: Pick<Run, "command" | "commandEnding" | "distance" | "isManoeuvring" | "pose">;
-  input(input: RunInput): boolean;
+  addInput(input: RunInput): boolean;
 }
 
 interface Waiting {
@@ -81,7 +81,7 @@ export class RemoteDriver {
     if (delivery.replace) {
       const isRunning = this.#running !== null;
       this.#endAll("superseded", "replaced");
-      this.#robot.input(isRunning ? { do: "cancel", superseded: true } : { do: "cancel" });
+      this.#robot.addInput(isRunning ? { do: "cancel", superseded: true } : { do: "cancel" });
     }
     if (isRegister(delivery)) {
       this.#bursts.came(now, delivery.ttl - delivery.remaining);
@@ -127,7 +127,7 @@ export class RemoteDriver {
       distance: run.distance,
       lease: MotionLease.of(next, now),
     };
-    this.#robot.input({ do: "command", command: next.command, seq: next.seq });
+    this.#robot.addInput({ do: "command", command: next.command, seq: next.seq });
     this.#events.started(next.seq);
     this.finish();
   }
@@ -174,7 +174,7 @@ export class RemoteDriver {
 
   #stop(reason: CancelReason): void {
     this.#end("cancelled", reason);
-    this.#robot.input({ do: "cancel" });
+    this.#robot.addInput({ do: "cancel" });
   }
 
   #endAll(state: EndingState, reason: CancelReason): void {

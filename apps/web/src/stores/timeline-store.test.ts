@@ -10,8 +10,8 @@ function newStore() {
   const told: number[] = [];
   const end = store.listen(() => told.push(timeline.endTick));
   const record = (...ticks: number[]) => {
-    for (const tick of ticks) recorded.reachedTick(tick);
-    const news = recorded.take();
+    for (const tick of ticks) recorded.advanceTo(tick);
+    const news = recorded.takeDelta();
     if (news !== null) store.take(news);
   };
   return { told, end, record };
@@ -45,9 +45,9 @@ describe("the page's timeline", () => {
     const waited: number[] = [];
     store.listen(() => waited.push(store.waitedUpTo(90)));
     for (const tick of [30, 60]) {
-      recorded.commands.waits(tick, tick === 30);
-      recorded.reachedTick(tick);
-      const news = recorded.take();
+      recorded.commands.setWaiting(tick, tick === 30);
+      recorded.advanceTo(tick);
+      const news = recorded.takeDelta();
       if (news !== null) store.take(news);
     }
     expect(waited).toEqual([]);

@@ -2,12 +2,12 @@
  * The page's copy of the run's timeline. News come with the frames of the panels, whose calm rate the
  * worker keeps. What reads them comes later than the first of them: they wait for it.
  */
-import type { Timeline, TimelineNews } from "@corridor/recording";
+import type { Timeline, TimelineDelta } from "@corridor/recording";
 
 export class TimelineStore {
   #timeline: Timeline | null = null;
   /** news from before it was opened */
-  #waiting: TimelineNews[] = [];
+  #waiting: TimelineDelta[] = [];
   readonly #listeners = new Set<() => void>();
 
   /** The timeline, which changes with the news: read it in a listener, not while rendering. */
@@ -15,7 +15,7 @@ export class TimelineStore {
     if (this.#timeline !== null) return this.#timeline;
     const timeline = create();
     this.#timeline = timeline;
-    for (const news of this.#waiting) timeline.merge(news);
+    for (const news of this.#waiting) timeline.applyDelta(news);
     this.#waiting = [];
     this.#tell();
     return timeline;
@@ -27,12 +27,12 @@ export class TimelineStore {
   }
 
   /** Takes in what the worker recorded. */
-  take(news: TimelineNews): void {
+  take(news: TimelineDelta): void {
     if (this.#timeline === null) {
       this.#waiting.push(news);
       return;
     }
-    this.#timeline.merge(news);
+    this.#timeline.applyDelta(news);
     this.#tell();
   }
 

@@ -54,7 +54,7 @@ export function diagnoseAt(
   const playback = recording.playback();
   // A turn that began before an edit belongs to the program that began it.
   const since = recording.newestInputUpTo(failure === "bump" ? (cause?.decidedAt ?? tick) : tick);
-  playback.goTo(taskOf === null ? Math.max(since, tick - FREE_PLAY_PAST) : since);
+  playback.seek(taskOf === null ? Math.max(since, tick - FREE_PLAY_PAST) : since);
   const begin = playback.run;
   // A manoeuvre that another program or driver began is not this program's.
   while (begin.isManoeuvring && begin.decidedAt < begin.tick && begin.tick < tick) {

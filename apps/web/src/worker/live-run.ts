@@ -70,7 +70,7 @@ export class LiveRun {
   bringMaze(): boolean {
     const { run } = this;
     if (run.maze === this.#maze) return true;
-    if (!this.#recording.input({ do: "maze", maze: this.#maze })) return false;
+    if (!this.#recording.addInput({ do: "maze", maze: this.#maze })) return false;
     this.#maze = run.maze;
     return true;
   }
@@ -79,7 +79,7 @@ export class LiveRun {
     const { run } = this;
     const { document, compiled } = this.#program;
     if (run.program === document) return;
-    this.#recording.input({ do: "program", program: document });
+    this.#recording.addInput({ do: "program", program: document });
     // The run has one that is equal, and is compared by identity from here on.
     this.#program = { document: run.program, compiled };
   }

@@ -42,7 +42,7 @@ function poseIn(run: RunDocument, tick: number): Omit<GhostPose, "badge"> {
   const opened = openRun(run);
   if (!opened.ok) throw new Error("the run cannot be opened");
   const playback = opened.value.playback();
-  playback.goTo(Math.min(tick, run.ticks));
+  playback.seek(Math.min(tick, run.ticks));
   const { x, y, heading } = playback.run.pose;
   return { x, y, heading };
 }

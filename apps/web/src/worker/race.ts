@@ -67,7 +67,7 @@ export class Race {
     const { now, later, onChange } = this.#ports;
     const until = now() + SLICE_MS;
     const { id, badge, replay } = first;
-    const end = replay.goOn(() => now() < until);
+    const end = replay.advance(() => now() < until);
     if (end !== null) {
       this.#loading.shift();
       if (end.ok) {
@@ -84,7 +84,7 @@ export class Race {
   /** Every ghost at the end of a tick of the race. */
   posesAt(tick: number): readonly GhostPose[] {
     return this.#ghosts.map(({ badge, playback, ticks }) => {
-      playback.goTo(Math.min(tick, ticks));
+      playback.seek(Math.min(tick, ticks));
       const { x, y, heading } = playback.run.pose;
       return { badge, x, y, heading };
     });
@@ -97,7 +97,7 @@ export class Race {
 
 /** What the run took to its goal, or to its end where it reached none. */
 function finishOf({ playback, ticks }: Ghost, goalTick: number | null) {
-  playback.goTo(goalTick ?? ticks);
+  playback.seek(goalTick ?? ticks);
   const { bumps, driver, program } = playback.run;
   return {
     goalTick,

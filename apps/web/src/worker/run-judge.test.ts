@@ -40,13 +40,13 @@ function judged(challenge: ChallengeDocument, maze: number, attempt: Attempt): O
   const judge = new RunJudge(challenge, maze);
   judge.begin(recording);
   const { run } = recording;
-  if (isHand) recording.input({ do: "driver", driver: "me" });
+  if (isHand) recording.addInput({ do: "driver", driver: "me" });
   const commands = isHand ? [...attempt] : [];
   let outcome: Outcome | null = null;
   while (run.tick <= challenge.checks.seconds * 60 && outcome === null) {
     while (commands[0]?.tick === run.tick) {
       const [next] = commands.splice(0, 1);
-      if (next !== undefined) recording.input({ do: "command", command: next.command });
+      if (next !== undefined) recording.addInput({ do: "command", command: next.command });
     }
     judge.before(run);
     recording.step();

@@ -64,7 +64,7 @@ export class RunLoader {
     const { now, later, tellPart } = this.#ports;
     const { id, replay, open } = load;
     const until = now() + SLICE_MS;
-    const end = replay.goOn(() => now() < until);
+    const end = replay.advance(() => now() < until);
     if (end !== null) {
       const loaded: LoadedRun = end.ok ? open(end.value) : { ...end, reason: "refused" };
       this.#answer(id, loaded);

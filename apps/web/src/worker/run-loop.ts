@@ -10,7 +10,7 @@ import type { Judgement } from "@corridor/challenge";
 import type { ProgramDocument } from "@corridor/program";
 import type { DeliveredCommand, DriverName, Pose, Snapshot } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
-import type { Recording, TimelineNews, WrittenRun } from "@corridor/recording";
+import type { Recording, TimelineDelta, WrittenRun } from "@corridor/recording";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
 import { commandOfKey } from "../drivers/hand-driver.ts";
 import type { RemoteDriver, RemoteRobot } from "../drivers/remote-driver.ts";
@@ -147,7 +147,7 @@ export class RunLoop {
     this.now();
     if (driver === this.driver) return;
     if (this.driver === "remote") this.#remote?.cancel("handedOver");
-    this.recording.input({ do: "driver", driver });
+    this.recording.addInput({ do: "driver", driver });
     this.pause();
     if (driver === "remote") this.#start();
   }
@@ -166,7 +166,7 @@ export class RunLoop {
     if (isLettingGo && (this.driver !== "me" || this.#screen.isPast)) return;
     this.#cutHere();
     this.setDriver("me");
-    this.recording.input({ do: "command", command: commandOfKey(key) });
+    this.recording.addInput({ do: "command", command: commandOfKey(key) });
     if (isLettingGo) this.pause();
     else this.#start();
   }
@@ -186,7 +186,7 @@ export class RunLoop {
   cancelRemote(reason: CancelReason): void {
     if (this.driver !== "remote") return;
     this.#remote?.cancel(reason);
-    this.recording.input({ do: "cancel" });
+    this.recording.addInput({ do: "cancel" });
     this.#isDirty = true;
   }
 
@@ -296,8 +296,8 @@ export class RunLoop {
   }
 
   /** What the timeline gained or lost since the last call; null when nothing changed. */
-  takeTimeline(): TimelineNews | null {
-    return this.recording.timeline.take();
+  takeTimeline(): TimelineDelta | null {
+    return this.recording.timeline.takeDelta();
   }
 
   /** The newest maze, whichever moment is shown. */
@@ -340,7 +340,7 @@ export class RunLoop {
     }
     this.#live.bringProgram();
     if (this.driver !== "remote") return;
-    this.recording.input(wasRemote ? { do: "cancel" } : { do: "driver", driver: "program" });
+    this.recording.addInput(wasRemote ? { do: "cancel" } : { do: "driver", driver: "program" });
   }
 
   #start(): void {
@@ -390,7 +390,7 @@ export class RunLoop {
     this.#live.begin();
     this.#begun();
     if (driver === "program") return;
-    this.recording.input({ do: "driver", driver });
+    this.recording.addInput({ do: "driver", driver });
     if (driver === "remote") this.#start();
   }
 

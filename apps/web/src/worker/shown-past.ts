@@ -23,7 +23,7 @@ export class ShownPast {
 
   /** The run at the shown moment; not to be changed. */
   get run(): Run {
-    this.#playback.goTo(this.#tick);
+    this.#playback.seek(this.#tick);
     return this.#playback.run;
   }
 
@@ -35,7 +35,7 @@ export class ShownPast {
   /** Plays so many ticks on; done at once, so that its time is part of the playing. */
   playOn(ticks: number): void {
     this.goTo(this.#tick + ticks);
-    this.#playback.goTo(this.#tick);
+    this.#playback.seek(this.#tick);
   }
 
   /** Shows the decision before the shown moment. */

@@ -8,7 +8,7 @@ const KEPT = 20_000;
 /** The places of a robot that turned, and bumped, at the end of every tick. */
 const places = {
   countUpTo: (tick: number) => tick,
-  between: (from: number, to: number) =>
+  slice: (from: number, to: number) =>
     Array.from({ length: to - from }, (_, at) => [from + at + 1, 50]).flat(),
 };
 const log = { corners: places, bumps: places };

@@ -2,10 +2,10 @@
  * The trail and the bumps up to the shown moment, sent piece by piece: on the way forward what was
  * gained, after a jump all of it anew.
  */
-import type { PlaceLog } from "@corridor/recording";
+import type { PositionLog } from "@corridor/recording";
 import type { Frame } from "./worker-messages.ts";
 
-type Places = Pick<PlaceLog, "countUpTo" | "between">;
+type Places = Pick<PositionLog, "countUpTo" | "slice">;
 
 /** After a jump so many of the newest are sent: as many as are drawn, and quick to draw. */
 const MAX_CORNERS = 20_000;
@@ -37,8 +37,8 @@ export class TrailFeed {
       this.#bumps = 0;
     }
     const taken = {
-      corners: corners.between(this.#corners, cornerCount),
-      bumps: bumps.between(Math.max(this.#bumps, bumpCount - MAX_BUMPS), bumpCount),
+      corners: corners.slice(this.#corners, cornerCount),
+      bumps: bumps.slice(Math.max(this.#bumps, bumpCount - MAX_BUMPS), bumpCount),
       trailReset,
     };
     this.#corners = cornerCount;

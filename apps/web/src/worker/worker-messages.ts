@@ -18,7 +18,7 @@ import type {
 } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
-import type { RunDocument, TimelineNews, WrittenRun } from "@corridor/recording";
+import type { RunDocument, TimelineDelta, WrittenRun } from "@corridor/recording";
 import type { BumpCause, Progress } from "@corridor/simulation";
 import type { Scroll } from "../canvas/viewport.ts";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
@@ -270,7 +270,7 @@ export type FromWorker =
    * at the calm rate of the panels, and at once when something was decided, with what the timeline gained
    * or lost: one message, so that the page draws both in one go
    */
-  | { type: "frame"; frame: Frame; timeline: TimelineNews | null }
+  | { type: "frame"; frame: Frame; timeline: TimelineDelta | null }
   /** every frame, for a page that draws the stage by itself; `frame` comes beside it */
   | { type: "picture"; frame: Frame }
   /** the camera follows the robot: scroll the stage there */

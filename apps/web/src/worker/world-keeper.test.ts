@@ -50,7 +50,7 @@ describe("a world that is stored", () => {
   it("is written whole again where the device has forgotten it", async () => {
     const store = new MemoryWorldStore();
     const { keeper, recording } = newKeeper(store);
-    recording.input({ do: "driver", driver: "me" });
+    recording.addInput({ do: "driver", driver: "me" });
     await keeper.save();
     store.worlds.clear();
     recording.step();
@@ -69,10 +69,10 @@ describe("a world that is stored", () => {
       expect(await keeper.save()).toBe(true);
       return store.worlds.get("id")?.inputs.map((input) => Reflect.get(input, "do"));
     };
-    recording.input({ do: "driver", driver: "me" });
+    recording.addInput({ do: "driver", driver: "me" });
     expect(await kinds()).toEqual(["driver"]);
     recording.step();
-    recording.input({ do: "command", command: { action: "forward" } });
+    recording.addInput({ do: "command", command: { action: "forward" } });
     expect(await kinds()).toEqual(["driver", "command"]);
     recording.truncate(0);
     expect(await kinds()).toEqual(["driver"]);

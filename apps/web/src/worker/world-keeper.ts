@@ -4,7 +4,7 @@
  *
  * While a write is under way, what asks for the next one waits for it together: many endings a second are few writes.
  */
-import type { Recording, RunMark } from "@corridor/recording";
+import type { Recording, RunCheckpoint } from "@corridor/recording";
 import type { StoredWorld, WorldJournal, WorldStore } from "./world-store.ts";
 
 /** Progress without an ending is stored this often. */
@@ -35,7 +35,8 @@ export class WorldKeeper {
   #key: string | null = null;
   #isClaiming = false;
   /** what is stored */
-  #stored: { recording: Recording; revision: number; mark: RunMark; ticks: number } | null = null;
+  #stored: { recording: Recording; revision: number; mark: RunCheckpoint; ticks: number } | null =
+    null;
   /** the run that cannot be stored */
   #refused: Recording | null = null;
   #isWriting = false;
@@ -142,7 +143,7 @@ export class WorldKeeper {
       this.#key = null;
       return false;
     }
-    this.#stored = { recording: run, revision, mark: update.mark, ticks: update.ticks };
+    this.#stored = { recording: run, revision, mark: update.checkpoint, ticks: update.ticks };
     return true;
   }
 

@@ -128,19 +128,19 @@ export function perform(recording: Recording, operation: Operation, onTick: () =
       }
       return;
     case "driver":
-      recording.input({ do: "driver", driver: operation.driver });
+      recording.addInput({ do: "driver", driver: operation.driver });
       return;
     case "command":
-      recording.input({ do: "command", command: operation.command, seq: operation.seq });
+      recording.addInput({ do: "command", command: operation.command, seq: operation.seq });
       return;
     case "cancel":
-      recording.input({ do: "cancel" });
+      recording.addInput({ do: "cancel" });
       return;
     case "program":
-      recording.input({ do: "program", program: operation.program });
+      recording.addInput({ do: "program", program: operation.program });
       return;
     case "block":
-      recording.input({ do: "maze", maze: toggled(recording.run.maze, operation) });
+      recording.addInput({ do: "maze", maze: toggled(recording.run.maze, operation) });
       return;
   }
 }

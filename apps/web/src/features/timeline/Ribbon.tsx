@@ -1,5 +1,5 @@
 /** The ribbon of who drove, on its track with the axis below it. */
-import type { Who } from "@corridor/recording";
+import type { TimelineDriver } from "@corridor/recording";
 import { memo, useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { classNames } from "../../ui/class-names.ts";
@@ -20,7 +20,7 @@ interface RibbonProps {
 
 export const Ribbon = memo(function Ribbon({ picture, isNow }: RibbonProps) {
   const { t } = useTranslation();
-  const names = useMemo(() => remember((who: Who) => nameOf(t, who)), [t]);
+  const names = useMemo(() => remember((who: TimelineDriver) => nameOf(t, who)), [t]);
   return (
     <svg className={styles["picture"]} aria-hidden="true">
       <TimelineAxis scale={picture.scale} marks={picture.axis} />

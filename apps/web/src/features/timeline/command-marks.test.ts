@@ -12,9 +12,9 @@ function logOf(...commands: [number, "completed" | "collided" | "cancelled" | nu
   let tick = 0;
   for (const [index, [ticks, ending, wait = 0]] of commands.entries()) {
     tick += wait;
-    log.began(index + 1, { action: "forward" }, tick);
+    log.recordStart(index + 1, { action: "forward" }, tick);
     tick += ticks;
-    if (ending !== null) log.ended(tick, ending);
+    if (ending !== null) log.recordEnd(tick, ending);
   }
   return { log, end: tick };
 }

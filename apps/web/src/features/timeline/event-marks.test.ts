@@ -5,15 +5,15 @@ import { marksOf, markUnder } from "./event-marks.ts";
 import { scaleOf } from "./time-scale.ts";
 
 const width = 480;
-const turn = (tick: number): TimelineEvent => ({ kind: "turn", turn: "left 90", tick, who: 0 });
-const bump = (tick: number): TimelineEvent => ({ kind: "bump", tick, who: 1 });
-const goal = (tick: number): TimelineEvent => ({ kind: "goal", tick, who: 0 });
+const turn = (tick: number): TimelineEvent => ({ kind: "turn", turn: "left 90", tick, driver: 0 });
+const bump = (tick: number): TimelineEvent => ({ kind: "bump", tick, driver: 1 });
+const goal = (tick: number): TimelineEvent => ({ kind: "goal", tick, driver: 0 });
 
 function marksOfRun(...events: TimelineEvent[]) {
   const timeline = new Timeline();
   for (const event of events.toSorted((a, b) => a.tick - b.tick)) {
-    timeline.happened(event);
-    timeline.reachedTick(event.tick);
+    timeline.recordEvent(event);
+    timeline.advanceTo(event.tick);
   }
   return marksOf(timeline, scaleOf(timeline.endTick, width));
 }

@@ -7,8 +7,8 @@ const HOUR = 216_000;
 /** A timeline whose line 1 has driven up to a tick. */
 function timelineUpTo(tick: number): Timeline {
   const timeline = new Timeline();
-  timeline.drives(0, 1);
-  timeline.reachedTick(tick);
+  timeline.recordDriver(0, 1);
+  timeline.advanceTo(tick);
   return timeline;
 }
 
@@ -21,9 +21,9 @@ describe("the picture of a run that goes on", () => {
   it("looks the same while what came is narrower than a pixel", () => {
     const timeline = timelineUpTo(HOUR - 600);
     const before = markOf(timeline);
-    timeline.reachedTick(HOUR - 590);
+    timeline.advanceTo(HOUR - 590);
     expect(markOf(timeline)).toBe(before);
-    timeline.reachedTick(HOUR);
+    timeline.advanceTo(HOUR);
     expect(markOf(timeline)).not.toBe(before);
   });
 
@@ -31,8 +31,8 @@ describe("the picture of a run that goes on", () => {
     const timeline = timelineUpTo(600);
     const before = markOf(timeline);
     expect(markOf(timeline, 500)).not.toBe(before);
-    timeline.drives(601, 2);
-    timeline.reachedTick(602);
+    timeline.recordDriver(601, 2);
+    timeline.advanceTo(602);
     expect(markOf(timeline)).not.toBe(before);
   });
 });

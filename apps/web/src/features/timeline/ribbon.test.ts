@@ -1,4 +1,4 @@
-import { Timeline, type Who } from "@corridor/recording";
+import { Timeline, type TimelineDriver } from "@corridor/recording";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { ribbonOf } from "./ribbon.ts";
@@ -7,13 +7,13 @@ import { scaleOf } from "./time-scale.ts";
 const width = 480;
 
 /** A run of stretches, each with its length in ticks. */
-function runOf(...stretches: [Exclude<Who, "mixed">, number][]): Timeline {
+function runOf(...stretches: [Exclude<TimelineDriver, "mixed">, number][]): Timeline {
   const timeline = new Timeline();
   let tick = 0;
   for (const [who, length] of stretches) {
-    timeline.drives(tick, who);
+    timeline.recordDriver(tick, who);
     tick += length;
-    timeline.reachedTick(tick);
+    timeline.advanceTo(tick);
   }
   return timeline;
 }
@@ -79,10 +79,10 @@ describe("the ribbon", () => {
         expect(right).toBeLessThanOrEqual(width + 1);
         expect(segments.length).toBeLessThanOrEqual((2 * width) / 3 + 2);
         expect(segments.filter(({ isNewest }) => isNewest)).toHaveLength(
-          Math.min(1, timeline.stretchCount),
+          Math.min(1, timeline.segmentCount),
         );
-        const last = timeline.stretchCount - 1;
-        expect(segments.at(-1)?.who).toBe(last < 0 ? undefined : timeline.whoOf(last));
+        const last = timeline.segmentCount - 1;
+        expect(segments.at(-1)?.who).toBe(last < 0 ? undefined : timeline.driverOf(last));
       }),
     );
   });
@@ -94,10 +94,10 @@ describe("the ribbon", () => {
     let reads = 0;
     ribbonOf(
       {
-        stretchCount: timeline.stretchCount,
+        segmentCount: timeline.segmentCount,
         endTick: timeline.endTick,
-        stretchAt: (tick) => timeline.stretchAt(tick),
-        whoOf: (index) => timeline.whoOf(index),
+        segmentAt: (tick) => timeline.segmentAt(tick),
+        driverOf: (index) => timeline.driverOf(index),
         tickOf: (index) => {
           reads += 1;
           return timeline.tickOf(index);

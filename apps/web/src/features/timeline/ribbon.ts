@@ -3,7 +3,7 @@
  * narrower than a few pixels is one segment with its neighbours, so that a run of hours costs no more
  * than the screen is wide.
  */
-import type { Timeline, Who } from "@corridor/recording";
+import type { Timeline, TimelineDriver } from "@corridor/recording";
 import { xOf, type TimeScale } from "./time-scale.ts";
 
 /** Narrower stretches are shown together with those after them, in px. */
@@ -14,11 +14,11 @@ const GAP_PX = 1;
 /** What of a timeline is read here. */
 export type Stretches = Pick<
   Timeline,
-  "stretchCount" | "endTick" | "tickOf" | "whoOf" | "stretchAt"
+  "segmentCount" | "endTick" | "tickOf" | "driverOf" | "segmentAt"
 >;
 
 export interface Segment {
-  who: Who;
+  who: TimelineDriver;
   /** px from the left end */
   x: number;
   /** px, at least 1 */
@@ -29,24 +29,24 @@ export interface Segment {
 
 /** The segments of a run from the left to the right; they do not overlap. */
 export function ribbonOf(timeline: Stretches, scale: TimeScale): Segment[] {
-  const { stretchCount, endTick } = timeline;
+  const { segmentCount, endTick } = timeline;
   const leastTicks = (LEAST_PX / scale.width) * scale.span;
   const segments: Segment[] = [];
   const end = scale.from + scale.span;
-  let next = Math.max(0, timeline.stretchAt(scale.from));
-  while (next < stretchCount) {
+  let next = Math.max(0, timeline.segmentAt(scale.from));
+  while (next < segmentCount) {
     const from = Math.max(scale.from, timeline.tickOf(next));
     if (from > end) break;
     // All that begins and ends within the least width, but never the newest: it shows who drives now.
-    const reached = Math.min(timeline.stretchAt(from + leastTicks), stretchCount - 1);
+    const reached = Math.min(timeline.segmentAt(from + leastTicks), segmentCount - 1);
     const isSingle = reached <= next + 1;
     const after = isSingle ? next + 1 : reached;
-    const until = Math.min(end, after < stretchCount ? timeline.tickOf(after) : endTick);
+    const until = Math.min(end, after < segmentCount ? timeline.tickOf(after) : endTick);
     add(segments, {
-      who: isSingle ? timeline.whoOf(next) : "mixed",
+      who: isSingle ? timeline.driverOf(next) : "mixed",
       x: xOf(scale, from),
       width: Math.max(1, xOf(scale, until) - xOf(scale, from) - GAP_PX),
-      isNewest: after === stretchCount,
+      isNewest: after === segmentCount,
     });
     next = after;
   }

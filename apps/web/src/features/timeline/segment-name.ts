@@ -1,5 +1,5 @@
 /** What stands in a segment of the ribbon, and whether it has room there. */
-import type { Who } from "@corridor/recording";
+import type { TimelineDriver } from "@corridor/recording";
 import type { TFunction } from "i18next";
 
 /** Room around a segment's name, and the widths of letters and of characters as wide as they are high, in px. */
@@ -8,7 +8,7 @@ const LETTER = 7;
 const WIDE_CHARACTER = 12;
 
 /** What a segment is called: nothing rather than a part of a word. */
-export function nameOf(t: TFunction, who: Who): string | null {
+export function nameOf(t: TFunction, who: TimelineDriver): string | null {
   switch (who) {
     case "me":
       return t("timeline.me");

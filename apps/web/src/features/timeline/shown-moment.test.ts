@@ -8,14 +8,14 @@ const { t } = createI18n(en);
 
 /** Me for 4 s with a bump at 3 s, then line 2, which turns at 6 s; the goal at 10 s by "otherwise". */
 const timeline = new Timeline();
-timeline.drives(0, "me");
-timeline.happened({ kind: "bump", tick: 180, who: "me" });
-timeline.drives(240, 1);
-timeline.happened({ kind: "edit", what: "program", tick: 300, who: 1 });
-timeline.happened({ kind: "turn", turn: "delayed right 90", tick: 360, who: 1 });
-timeline.drives(480, "default");
-timeline.happened({ kind: "goal", tick: 600, who: "default" });
-timeline.reachedTick(600);
+timeline.recordDriver(0, "me");
+timeline.recordEvent({ kind: "bump", tick: 180, driver: "me" });
+timeline.recordDriver(240, 1);
+timeline.recordEvent({ kind: "edit", what: "program", tick: 300, driver: 1 });
+timeline.recordEvent({ kind: "turn", turn: "delayed right 90", tick: 360, driver: 1 });
+timeline.recordDriver(480, "default");
+timeline.recordEvent({ kind: "goal", tick: 600, driver: "default" });
+timeline.advanceTo(600);
 
 describe("the words for a moment", () => {
   it.each([
@@ -48,11 +48,11 @@ describe("the words for a moment", () => {
 
   it("of a script name the command with its number and result, and the wait between two", () => {
     const run = new Timeline();
-    run.drives(0, "remote");
-    run.commands.began(7, { action: "move", distance: 50 }, 60);
-    run.commands.ended(120, "collided");
-    run.commands.began(8, { action: "left 90" }, 180);
-    run.reachedTick(200);
+    run.recordDriver(0, "remote");
+    run.commands.recordStart(7, { action: "move", distance: 50 }, 60);
+    run.commands.recordEnd(120, "collided");
+    run.commands.recordStart(8, { action: "left 90" }, 180);
+    run.advanceTo(200);
     const words = [30, 60, 120, 150, 190].map((tick) => sayMoment(t, momentAt(run, tick)));
     expect(words).toEqual([
       "0.5 s, the script waits",

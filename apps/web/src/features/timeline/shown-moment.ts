@@ -4,7 +4,7 @@ import type {
   Timeline,
   TimelineCommand,
   TimelineEvent,
-  Who,
+  TimelineDriver,
 } from "@corridor/recording";
 import type { TFunction } from "i18next";
 import { commandText } from "../../text/command-text.ts";
@@ -19,7 +19,7 @@ const TICKS_PER_MINUTE = 3600;
 export interface ShownMoment {
   tick: number;
   /** null before anybody drove */
-  who: Who | null;
+  who: TimelineDriver | null;
   /** of a script, at this moment; null where it waits or another drives */
   command: TimelineCommand | null;
   /** null where nothing happens */
@@ -28,17 +28,17 @@ export interface ShownMoment {
 
 /** The moment at the end of a tick. */
 export function momentAt(
-  timeline: Pick<Timeline, "stretchAt" | "whoOf" | "eventsUpTo" | "eventAt"> & {
+  timeline: Pick<Timeline, "segmentAt" | "driverOf" | "eventsUpTo" | "eventAt"> & {
     commands: Pick<CommandLog, "countUpTo" | "at">;
   },
   tick: number,
 ): ShownMoment {
-  const stretch = timeline.stretchAt(tick);
+  const stretch = timeline.segmentAt(tick);
   const newest = timeline.eventsUpTo(tick + BEFORE) - 1;
   const event = newest < 0 ? null : timeline.eventAt(newest);
   return {
     tick,
-    who: stretch < 0 ? null : timeline.whoOf(stretch),
+    who: stretch < 0 ? null : timeline.driverOf(stretch),
     command: commandAt(timeline.commands, tick),
     event: event !== null && tick - event.tick <= AFTER ? event : null,
   };
@@ -85,7 +85,7 @@ function sayCommand(t: TFunction, { seq, command, ending }: TimelineCommand): st
   });
 }
 
-function sayWho(t: TFunction, who: Who): string {
+function sayWho(t: TFunction, who: TimelineDriver): string {
   return typeof who === "number"
     ? t("timeline.drives.line", { line: who + 1 })
     : t(`timeline.drives.${who}`);

@@ -12,11 +12,11 @@ const whole: Zoomed = { window: null, endTick: 104 * MINUTE, width };
 /** A run of 104 minutes with a turn each second, by line 1. */
 function longRun(): Timeline {
   const timeline = new Timeline();
-  timeline.drives(0, 0);
+  timeline.recordDriver(0, 0);
   for (let tick = 60; tick < 104 * MINUTE; tick += 60) {
-    timeline.happened({ kind: "turn", turn: "left 90", tick, who: 0 });
+    timeline.recordEvent({ kind: "turn", turn: "left 90", tick, driver: 0 });
   }
-  timeline.reachedTick(104 * MINUTE);
+  timeline.advanceTo(104 * MINUTE);
   return timeline;
 }
 

@@ -5,14 +5,14 @@
 import { GrowingArray } from "./growing-array.ts";
 
 /** An hour of a robot that drives in circles; after that the older half is forgotten. */
-const MOST = 262_144;
+const MAX_POSITIONS = 262_144;
 
-export class PlaceLog {
+export class PositionLog {
   readonly #ticks = new GrowingArray("int32");
   readonly #xs = new GrowingArray("float64");
   readonly #ys = new GrowingArray("float64");
   /** how many were forgotten at the front */
-  #forgotten = 0;
+  #evicted = 0;
 
   /** Bytes held. */
   get byteLength(): number {
@@ -23,28 +23,28 @@ export class PlaceLog {
     this.#ticks.push(tick);
     this.#xs.push(x);
     this.#ys.push(y);
-    if (this.#ticks.length <= MOST) return;
-    for (const values of [this.#ticks, this.#xs, this.#ys]) values.dropFirst(MOST / 2);
-    this.#forgotten += MOST / 2;
+    if (this.#ticks.length <= MAX_POSITIONS) return;
+    for (const values of [this.#ticks, this.#xs, this.#ys]) values.dropFirst(MAX_POSITIONS / 2);
+    this.#evicted += MAX_POSITIONS / 2;
   }
 
   /** How many places were noted up to the end of `tick`; as far as is known, the first of the forgotten too. */
   countUpTo(tick: number): number {
-    return this.#forgotten + this.#ticks.countUpTo(tick);
+    return this.#evicted + this.#ticks.countUpTo(tick);
   }
 
   /** Places from one count to another, those that are not forgotten: x and y by turns. */
-  between(from: number, to: number): number[] {
+  slice(from: number, to: number): number[] {
     const places: number[] = [];
-    const end = to - this.#forgotten;
-    for (let at = Math.max(0, from - this.#forgotten); at < end; at++) {
+    const end = to - this.#evicted;
+    for (let at = Math.max(0, from - this.#evicted); at < end; at++) {
       places.push(this.#xs.at(at), this.#ys.at(at));
     }
     return places;
   }
 
   /** Forgets what was noted after the end of `tick`. */
-  forgetAfter(tick: number): void {
+  truncateAfter(tick: number): void {
     const length = this.#ticks.countUpTo(tick);
     for (const values of [this.#ticks, this.#xs, this.#ys]) values.truncate(length);
   }
