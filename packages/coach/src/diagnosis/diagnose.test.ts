@@ -143,6 +143,25 @@ describe("a bump", () => {
   });
 });
 
+describe("a change in free play", () => {
+  const corridor = maze("#########", "#.......#", "#####.###", "#####.###", "#########");
+  const toSide = { ...corridor, goals: [{ column: 5, row: 3 }] };
+  const back = (than: number) =>
+    program("forward", rule({ sensor: "back", is: ">", than }, "right 90"));
+
+  it("that reaches the goal comes before one that only bumps later", () => {
+    const found = diagnosed(toSide, back(100), 1800);
+    expect(found?.cause).toMatchObject({ kind: "too-early", better: 450 });
+    expect(found?.fixes[0]).toEqual({ kind: "number", line: 0, number: 450 });
+  });
+
+  it("is no number with which the robot dances in its square, or bumps at the same turn later", () => {
+    const found = diagnosed(corridor, back(100), 1800);
+    const numbers = found?.fixes.flatMap((fix) => (fix.kind === "number" ? [fix.number] : []));
+    expect(numbers).toEqual([450]);
+  });
+});
+
 const sensors = ["front", "back", "left", "right"] as const;
 const anyCondition: fc.Arbitrary<Condition> = fc.oneof(
   fc.record({

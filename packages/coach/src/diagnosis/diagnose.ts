@@ -165,7 +165,7 @@ interface Found {
   fix: Mend;
   from: number;
   program: ProgramDocument;
-  isSolved: boolean;
+  outcome: TrialResult["outcome"];
 }
 
 function explain(
@@ -188,17 +188,18 @@ function explain(
     const text = JSON.stringify([program.default, program.rules]);
     if (tried.has(text) || !task.allows(program)) continue;
     tried.add(text);
-    const trial = tryProgram(trace, program, trialTask, isBump);
+    const renumbered = fix.kind === "number" ? fix.line : null;
+    const trial = tryProgram(trace, program, trialTask, isBump, trace.from, renumbered);
     cost += trial.cost;
     if (trial.from === null || trial.outcome === "fails") continue;
     // In another maze of the task it may be what is needed.
     const isIdleHere = fix.kind === "number" && isIdle(trace, program, fix.line, trial);
     if (isIdleHere && task.solvesAll?.(program) !== true) continue;
-    found.push({ fix, from: trial.from, program, isSolved: trial.outcome === "solved" });
+    found.push({ fix, from: trial.from, program, outcome: trial.outcome });
   }
   const best = ranked(trace, found, task);
   const named = best.flatMap((each): { cause: Cause; fix: Mend }[] => {
-    const cause = causeOf(trace, each.fix, newestMoment(trace, each, trialTask, isBump));
+    const cause = causeOf(trace, each.fix, momentToName(trace, each, trialTask, isBump));
     return cause === null ? [] : [{ cause, fix: each.fix }];
   });
   const [first] = named;
@@ -224,23 +225,25 @@ function isIdle(
 }
 
 /** Several numbers of one line count once: they name the same cause. */
-function isEnough(found: readonly Found[], { solvesAll }: DiagnosisTask): boolean {
-  if (solvesAll === null) return found.length >= MOST_FIXES;
-  const solving = found.filter(({ isSolved }) => isSolved);
+function isEnough(found: readonly Found[], { solvesAll, newSolvedCheck }: DiagnosisTask): boolean {
+  const best = newSolvedCheck === null ? "lasts" : "solved";
+  const solving = found.filter(({ outcome }) => outcome === best);
+  if (solvesAll === null) return solving.length >= MOST_FIXES;
   const numbers = solving.flatMap(({ fix }) => (fix.kind === "number" ? [fix.line] : []));
   return solving.length - numbers.length + new Set(numbers).size >= MOST_WHOLE_TRIALS;
 }
 
 /**
- * In a task, changes that solve every maze come first, then those that solve this one. A missing delay at
- * the edge of an opening counts as much as a solution: two mistakes need two changes.
+ * Changes that solve every maze of the task come first, then those that solve this one, then those after which the
+ * robot meets no other failure. A missing delay at the edge of an opening counts as much as a solution: two mistakes
+ * need two changes.
  */
 function ranked(trace: RunTrace, found: readonly Found[], { solvesAll }: DiagnosisTask): Found[] {
-  if (solvesAll === null) return [...found];
-  const rank = ({ fix, from, isSolved, program }: Found): number => {
+  const rank = ({ fix, from, outcome, program }: Found): number => {
     const cause = causeOf(trace, fix, from);
     if (cause?.kind === "not-delayed" && cause.isAtEdge) return 0;
-    return isSolved ? (solvesAll(program) ? 0 : 1) : 2;
+    if (outcome === "solved") return solvesAll?.(program) === false ? 1 : 0;
+    return outcome === "lasts" ? 2 : 3;
   };
   return found
     .map((each) => ({ each, rank: rank(each) }))
@@ -249,20 +252,37 @@ function ranked(trace: RunTrace, found: readonly Found[], { solvesAll }: Diagnos
 }
 
 /**
- * A line may have turned well five times before it failed: the decision to name is the newest one from
- * which on the change still removes the failure.
+ * The decision to name. A line may have turned well five times before it failed: before a bump it is the newest one
+ * from which on the change still removes the failure. Where there was no bump, it is the first one, or an early one
+ * that turned to a wall, if the first one shows nothing wrong.
  */
-function newestMoment(
+function momentToName(
   trace: RunTrace,
   { fix, from, program }: Found,
   task: TrialTask,
   isBump: boolean,
 ): number {
-  if (fix.kind !== "action" || !isBump) return from;
-  const moments = trace.decisions.filter(({ line, tick }) => line === fix.line && tick > from);
-  for (const { tick } of moments.slice(-MOST_MOMENTS).toReversed()) {
-    const trial = tryProgram(trace, program, { ...task, newSolvedCheck: null }, isBump, tick);
-    if (trial.outcome !== "fails" && trial.from === tick) return tick;
+  if (fix.kind !== "action") return from;
+  const moments = trace.decisions
+    .filter(({ line, tick }) => line === fix.line && tick > from)
+    .map(({ tick }) => tick);
+  const helpsFrom = (tick: number, asked: TrialTask): boolean => {
+    const trial = tryProgram(trace, program, asked, isBump, tick);
+    return trial.outcome !== "fails" && trial.from === tick;
+  };
+  if (isBump) {
+    const soon = { ...task, until: 0, newSolvedCheck: null };
+    const newest = moments.slice(-MOST_MOMENTS).toReversed();
+    return newest.find((tick) => helpsFrom(tick, soon)) ?? from;
   }
-  return from;
+  if (hasDetail(causeOf(trace, fix, from))) return from;
+  const early = moments.slice(0, MOST_MOMENTS);
+  return (
+    early.find((tick) => hasDetail(causeOf(trace, fix, tick)) && helpsFrom(tick, task)) ?? from
+  );
+}
+
+/** Whether what was measured at the moment shows what was wrong with the action. */
+function hasDetail(cause: Cause | null): boolean {
+  return cause !== null && (cause.kind !== "action" || cause.detail !== null);
 }

@@ -10,7 +10,7 @@ import type { RunTrace, SolvedCheck } from "./run-trace.ts";
 
 /** How long after the place of a failure a changed program must do without a bump, in ticks. */
 const PROVING_TICKS = 120;
-/** And how far it must get meanwhile: a robot that stands or dances is no better off. In units. */
+/** And how far away it must get by then or later: a robot that stands or dances is no better off. In units. */
 const PROVING_DISTANCE = 100;
 
 /** What counts as success. */
@@ -24,8 +24,11 @@ export interface TrialTask {
 }
 
 export interface TrialResult {
-  /** solved: the task is done; past: this failure is gone, more is not known; fails: neither */
-  outcome: "solved" | "past" | "fails";
+  /**
+   * solved: the task is done; lasts: this failure is gone, and no other one comes in the time of the task; past: it is
+   * gone, and another one comes; fails: it is not gone
+   */
+  outcome: "solved" | "lasts" | "past" | "fails";
   /** the first tick on which the changed program decides differently; null where it never does */
   from: number | null;
   /** ticks that were simulated */
@@ -39,6 +42,8 @@ export interface TrialResult {
  * @param program the changed program
  * @param from the change counts from the first different decision at or after this tick
  * @param isBump whether the failure is a bump; otherwise only a solved task removes it
+ * @param renumbered the line whose number was changed: where it only decides later and then bumps at once, the bump
+ *   has been put off, not removed
  */
 export function tryProgram(
   trace: RunTrace,
@@ -46,6 +51,7 @@ export function tryProgram(
   task: TrialTask,
   isBump: boolean,
   from: number = trace.from,
+  renumbered: LineRef | null = null,
 ): TrialResult {
   const compiled = new CompiledProgram(program);
   const start = trace.firstDifference(compiled, from);
@@ -64,19 +70,28 @@ export function tryProgram(
   const without = isBump ? simulation.bumps : Infinity;
   const allowed = task.bumps === null ? without : Math.max(task.bumps, simulation.bumps);
   const provedAt = trace.until + PROVING_TICKS;
-  const last = solved === null ? provedAt : Math.max(task.until, provedAt);
-  let distance = simulation.distance;
+  const last = Math.max(task.until, provedAt);
+  let failedAt = simulation.pose;
+  let hasLeft = false;
   let isPast = false;
+  let decidedAt: number | null = null;
   while (simulation.tick < last) {
-    if (simulation.tick === trace.until) distance = simulation.distance;
+    if (simulation.tick === trace.until) failedAt = simulation.pose;
     run.step();
     lines.add(run.line);
-    if (simulation.bumps > allowed) return result(isPast ? "past" : "fails");
+    if (run.line === renumbered) decidedAt ??= simulation.tick;
+    if (simulation.bumps > allowed) {
+      const isPutOff = decidedAt !== null && simulation.tick - decidedAt < PROVING_TICKS;
+      return result(isPast && !isPutOff ? "past" : "fails");
+    }
     if (solved?.(simulation) === true) {
       return result(simulation.tick <= task.until ? "solved" : isPast ? "past" : "fails");
     }
-    if (isBump && simulation.tick >= provedAt) {
-      isPast ||= simulation.distance - distance >= PROVING_DISTANCE;
+    if (isBump && !isPast && simulation.tick > trace.until) {
+      const { x, y } = simulation.pose;
+      const [dx, dy] = [x - failedAt.x, y - failedAt.y];
+      hasLeft ||= dx * dx + dy * dy >= PROVING_DISTANCE * PROVING_DISTANCE;
+      isPast = hasLeft && simulation.tick >= provedAt;
     }
     const { cell, isStopped, isManoeuvring, readings } = simulation;
     // It begins with this tick: what the failed run did before does not count against the change.
@@ -85,5 +100,5 @@ export function tryProgram(
       return result(isPast ? "past" : "fails");
     }
   }
-  return result(isPast ? "past" : "fails");
+  return result(isPast ? "lasts" : "fails");
 }
