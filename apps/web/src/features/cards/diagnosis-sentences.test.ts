@@ -91,9 +91,9 @@ describe("a number that is wrong", () => {
       says: "Line 1 chose “left 90” at 3.5 s, when back was 400.01 cm. That was about 50 cm too early.",
     },
     {
-      why: "decides a little too early",
+      why: "asks a little too little of a side, where no place is nearer by that much",
       answer: changed("every-maze", 0, number("right", ">", 50)),
-      says: "Line 1 chose “delayed right 90” at 5.2 s, when right was 50.01 cm. That was about 10 cm too early.",
+      says: "Line 1 was true at 5.2 s, when right was 50.01 cm. Its number is off by about 10 cm.",
     },
     {
       why: "stops being true too early",
@@ -128,6 +128,38 @@ describe("a number that is wrong", () => {
     const text = plain(diagnosisText(diagnosisWords(words.t, "en"), found));
     expect(text).toMatch(/Line 1 was still true at .+ It was true for about \d+ cm too long\.$/u);
     expect(falseSentences(maze, program, text, found.event.tick)).toEqual([]);
+  });
+});
+
+describe("a comparison of left with right", () => {
+  it("is read on both sides where its sign is wrong", () => {
+    const answer = changed("farthest-distance", 1, {
+      sensor: "left",
+      is: "<",
+      than: "right",
+      plus: 1,
+    });
+    const { verdict, diagnoses } = checkProgram(answer);
+    const { failure } = verdict;
+    if (failure === null) throw new Error("no failure");
+    expect(plain(failureText(words, answer.challenge, failure, diagnoses[0] ?? null))).toContain(
+      "Line 2 was not true at 4.0 s (left: 250 cm, right: 150 cm). Its sign, “<”, points the wrong way.",
+    );
+  });
+});
+
+describe("a line that turns well at one place and to a wall at the next", () => {
+  it("is looked at where it turns to the wall", () => {
+    const mission = solved.find(({ id }) => id === "farthest-distance");
+    if (mission === undefined) throw new Error("no mission");
+    const { challenge } = mission;
+    const program = lines("forward", { when: number("front", "<", 50), do: "left 90" });
+    const { verdict, diagnoses } = checkProgram({ challenge, program });
+    const { failure } = verdict;
+    if (failure === null) throw new Error("no failure");
+    expect(plain(failureText(words, challenge, failure, diagnoses[0] ?? null))).toContain(
+      "Line 1 chose “left 90” at 6.6 s and turned to a wall (left: 50 cm). There was room on another side (right: 250 cm).",
+    );
   });
 });
 

@@ -118,6 +118,11 @@ function causeText(words: DiagnosisWords, cause: Cause): string {
     sensor: t(`words:program.sensor.${name}`),
     reading: shown[name],
   });
+  /** What the line asked about: one reading, or both that it compares. */
+  const read = (when: Condition) =>
+    when.than === "right"
+      ? t("diagnosis:cause.readSides", { left, right })
+      : t("diagnosis:cause.read", sensor(when.sensor));
   const side = (name: "left" | "right") => ({
     side: t(`words:program.sensor.${name}`),
     reading: shown[name],
@@ -139,7 +144,7 @@ function causeText(words: DiagnosisWords, cause: Cause): string {
         : t("diagnosis:cause.delayed", known);
     case "order":
       return t("diagnosis:cause.order", {
-        ...sensor(cause.when.sensor),
+        read: read(cause.when),
         seconds,
         line: cause.line + 1,
         inner: inner(words, line),
@@ -152,7 +157,7 @@ function causeText(words: DiagnosisWords, cause: Cause): string {
     case "comparison": {
       const decided = line === cause.line;
       return t(decided ? "diagnosis:cause.comparisonTrue" : "diagnosis:cause.comparisonFalse", {
-        ...sensor(cause.when.sensor),
+        read: read(cause.when),
         who: who(words, cause.line),
         seconds,
         sign: cause.when.is,
@@ -218,7 +223,12 @@ function numberText(words: DiagnosisWords, cause: WrongNumber, seconds: string):
     return t("diagnosis:cause.sides", { ...known, left, right });
   }
   if (cause.extreme === "never") return t("diagnosis:cause.never", known);
-  if (cause.extreme === "missed") return t("diagnosis:cause.missed", known);
+  // As the robot drives on, what is beside it does not come nearer: there is no place so many cm farther on.
+  const isBeside = when.sensor === "left" || when.sensor === "right";
+  if (cause.extreme === "missed" || (isBeside && moment.line !== cause.line)) {
+    return t("diagnosis:cause.missed", known);
+  }
+  if (isBeside) return t("diagnosis:cause.off", known);
   return t(numberKeys[cause.kind], known);
 }
 

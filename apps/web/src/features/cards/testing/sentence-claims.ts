@@ -22,8 +22,11 @@ const inner = "(?<inner>line \\d+|“otherwise”)";
 const action = "“(?<action>[a-z 0-9]+)”";
 const at = "at (?<at>[\\d.]+) s";
 const sensor = "(?<sensor>front|back|left|right)";
+/** A place so many cm earlier or later is one along the way: what is beside the robot does not come nearer on it. */
+const along = "(?<sensor>front|back)";
 const number = "\\d+(?:\\.\\d+)?";
 const reading = `(?<reading>${number}) cm`;
+const read = `\\((?:${sensor}: ${reading}|left: (?<left>${number}) cm, right: (?<right>${number}) cm)\\)`;
 const sides = `\\(front: (?<front>${number}) cm, left: (?<left>${number}) cm, right: (?<right>${number}) cm\\)`;
 
 /** From the wall to the robot's edge, in units. */
@@ -95,7 +98,7 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
     (evidence, found) => momentsOf(evidence, found).length > 0,
   ],
   [
-    `${who} was true ${at} \\(${sensor}: ${reading}\\), but ${inner} above it decided\\. The first true line wins\\.`,
+    `${who} was true ${at} ${read}, but ${inner} above it decided\\. The first true line wins\\.`,
     (evidence, found) =>
       ticksAt(found["at"]).some((tick) => {
         const moment = evidence.moments[tick];
@@ -109,11 +112,11 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
       }),
   ],
   [
-    `${who} chose ${action} ${at}, when ${sensor} was ${reading}\\. That was about (?<by>\\d+) cm too early\\.`,
+    `${who} chose ${action} ${at}, when ${along} was ${reading}\\. That was about (?<by>\\d+) cm too early\\.`,
     (evidence, found) => momentsOf(evidence, found).length > 0,
   ],
   [
-    `${who} comes about (?<by>\\d+) cm too late\\. At (?<at>[\\d.]+) s, when ${sensor} was ${reading}, it was not yet true\\.`,
+    `${who} comes about (?<by>\\d+) cm too late\\. At (?<at>[\\d.]+) s, when ${along} was ${reading}, it was not yet true\\.`,
     (evidence, found) => {
       const line = lineOf(found["who"]);
       return (
@@ -132,11 +135,11 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
     },
   ],
   [
-    `${who} was still true ${at}, when ${sensor} was ${reading}\\. It was true for about (?<by>\\d+) cm too long\\.`,
+    `${who} was still true ${at}, when ${along} was ${reading}\\. It was true for about (?<by>\\d+) cm too long\\.`,
     (evidence, found) => wasBefore(evidence, found, true),
   ],
   [
-    `${who} was no longer true ${at}, when ${sensor} was ${reading}\\. It stopped being true about (?<by>\\d+) cm too early\\.`,
+    `${who} was no longer true ${at}, when ${along} was ${reading}\\. It stopped being true about (?<by>\\d+) cm too early\\.`,
     (evidence, found) => wasBefore(evidence, found, false),
   ],
   [
@@ -158,13 +161,22 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
       }),
   ],
   [
+    `${who} was true ${at}, when ${sensor} was ${reading}\\. Its number is off by about (?<by>\\d+) cm\\.`,
+    ({ program, moments }, found) =>
+      ticksAt(found["at"]).some((tick) => {
+        const moment = moments[tick];
+        if (moment === undefined || !isRead(moment, found)) return false;
+        return isTrueAt(program, lineOf(found["who"]), moment);
+      }),
+  ],
+  [
     `${who} never decided\\. It was needed ${at}, when ${sensor} was ${reading}\\.`,
     ({ moments }, found) =>
       !moments.some(({ line }) => line === lineOf(found["who"])) &&
       ticksAt(found["at"]).some((tick) => isRead(moments[tick], found)),
   ],
   [
-    `${who} was (?<not>not )?true ${at} \\(${sensor}: ${reading}\\)\\. Its sign, “(?<sign>[<>])”, points the wrong way\\.`,
+    `${who} was (?<not>not )?true ${at} ${read}\\. Its sign, “(?<sign>[<>])”, points the wrong way\\.`,
     ({ program, moments }, found) => {
       const line = lineOf(found["who"]);
       const when = conditionOf(program, line);
