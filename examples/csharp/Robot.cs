@@ -1,13 +1,13 @@
 // Follow the right-hand wall through a maze.
 //
-// Run it with the robot's address, as the page shows it under Remote (keep the quotes; where it cannot
-// be copied, a code gets one: see the README of the examples):
+// Run it with the robot's address, which the page shows under Remote. Keep the quotes. If you cannot
+// copy the address, use a pairing code: see the README of the examples.
 //
 //     dotnet run Robot.cs "http://localhost:8080/r/ID#KEY"
 //
-// That needs .NET 10 or newer and nothing else. With an older one, from .NET Core 3.1 on, put it into a
-// project of `dotnet new console` in place of Program.cs. The robot keeps its right hand on the wall:
-// where there is an opening on the right it goes in, else straight on, else it turns left.
+// Requires .NET 10 or newer and no packages. With .NET Core 3.1 or newer, create a project with
+// `dotnet new console` and replace its Program.cs with this file. The robot follows the wall on its
+// right: it turns right at an opening, else drives straight ahead, else turns left.
 #nullable enable
 using System;
 using System.Collections.Generic;
@@ -20,30 +20,30 @@ using System.Text.Json;
 using System.Text.RegularExpressions;
 using System.Threading.Tasks;
 
-/// <summary>Something did not work; the text says what, and how to mend it.</summary>
+/// <summary>The robot or the service rejected a request, or did not answer.</summary>
 class RobotException : Exception
 {
-    public RobotException(string sentence) : base(sentence) { }
+    public RobotException(string message) : base(message) { }
 }
 
-/// <summary>What the robot sees, in cm, and where it is.</summary>
-class View
+/// <summary>Sensor readings and position of the robot in cm.</summary>
+class Snapshot
 {
     public double Front, Right, X, Y;
     public bool GoalReached;
 }
 
-/// <summary>A robot somewhere on the network. Every method waits until the robot has done it.</summary>
+/// <summary>A robot on the network. Every method waits until the robot has finished.</summary>
 class Robot
 {
-    // What the robot's owner sees of this program.
+    // The name of this program on the robot's page.
     private const string Name = "Right wall";
-    // How long the service may stay silent until the program gives up.
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(30);
-    private const double FirstPauseMs = 250;
-    private const double LongestPauseMs = 10_000;
+    // Time without an answer after which the program gives up.
+    private static readonly TimeSpan Timeout = TimeSpan.FromSeconds(30);
+    private const double FirstDelayMs = 250;
+    private const double MaxDelayMs = 10_000;
 
-    // The key goes to the host of the address and to no other. The proxy is the system's.
+    // No redirects, so that the key is not sent to another host. Uses the proxy of the system.
     private readonly HttpClient http =
         new HttpClient(new HttpClientHandler { AllowAutoRedirect = false }) { Timeout = TimeSpan.FromSeconds(20) };
     private readonly Random random = new Random();
@@ -65,7 +65,7 @@ class Robot
         key = parts.Groups[3].Value;
     }
 
-    /// <summary>Drives so many cm. Gives "completed", or "collided" if a wall was in the way.</summary>
+    /// <summary>Drives a distance in cm. Returns "completed", or "collided" if a wall stopped the robot.</summary>
     public Task<string> Forward(double distance) =>
         Command($"\"action\":\"move\",\"distance\":{distance.ToString(CultureInfo.InvariantCulture)}");
 
@@ -73,26 +73,26 @@ class Robot
 
     public Task<string> Right() => Command("\"action\":\"right 90\"");
 
-    /// <summary>What the robot sees now, never from before the end of its last command.</summary>
-    public async Task<View> Look()
+    /// <summary>Returns the current snapshot, never older than the end of the last command.</summary>
+    public async Task<Snapshot> GetSnapshot()
     {
-        var seen = await Ask(HttpMethod.Get, "/sensors?wait=10");
-        var sensors = seen.GetProperty("sensors");
-        var pose = seen.GetProperty("pose");
-        return new View
+        var json = await Send(HttpMethod.Get, "/sensors?wait=10");
+        var sensors = json.GetProperty("sensors");
+        var pose = json.GetProperty("pose");
+        return new Snapshot
         {
             Front = sensors.GetProperty("front").GetDouble(),
             Right = sensors.GetProperty("right").GetDouble(),
             X = pose.GetProperty("x").GetDouble(),
             Y = pose.GetProperty("y").GetDouble(),
-            GoalReached = seen.GetProperty("goalReached").GetBoolean(),
+            GoalReached = json.GetProperty("goalReached").GetBoolean(),
         };
     }
 
-    // Sends a command, waits until it has ended, and gives how.
+    // Sends a command, waits until it has ended, and returns its state.
     private async Task<string> Command(string fields)
     {
-        var record = await Ask(HttpMethod.Post, "/commands", fields);
+        var record = await Send(HttpMethod.Post, "/commands", fields);
         while (true)
         {
             var state = record.GetProperty("state").GetString() ?? "";
@@ -107,52 +107,52 @@ class Robot
                     var action = record.GetProperty("action");
                     throw new RobotException($"{action} was {state}: {record.GetProperty("reason")}");
             }
-            record = await Ask(HttpMethod.Get, $"/commands/{record.GetProperty("seq")}?wait=10");
+            record = await Send(HttpMethod.Get, $"/commands/{record.GetProperty("seq")}?wait=10");
         }
     }
 
-    // One request to the service, tried again when the network or the service has a bad moment.
-    private async Task<JsonElement> Ask(HttpMethod method, string path, string? fields = null)
+    // Sends a request to the service. Retries after network errors and server errors.
+    private async Task<JsonElement> Send(HttpMethod method, string path, string? fields = null)
     {
-        // The key makes a retry safe: a command that arrives twice is done once.
-        var once = Guid.NewGuid().ToString();
+        // The key makes a retry safe: a command that arrives twice runs once.
+        var idempotencyKey = Guid.NewGuid().ToString();
         var clock = Stopwatch.StartNew();
-        for (var tries = 0; ; tries++)
+        for (var attempt = 0; ; attempt++)
         {
-            string trouble;
+            string message;
             try
             {
-                using var request = Request(method, path, fields, once, clock.ElapsedMilliseconds);
-                using var answer = await http.SendAsync(request);
-                var text = await answer.Content.ReadAsStringAsync();
-                var status = (int)answer.StatusCode;
-                if (answer.IsSuccessStatusCode) return Parse(text);
-                trouble = Sentence(status, text);
-                if (status != 429 && status < 500) throw new RobotException(trouble);
+                using var request = CreateRequest(method, path, fields, idempotencyKey, clock.ElapsedMilliseconds);
+                using var response = await http.SendAsync(request);
+                var text = await response.Content.ReadAsStringAsync();
+                var status = (int)response.StatusCode;
+                if (response.IsSuccessStatusCode) return Parse(text);
+                message = ErrorMessage(status, text);
+                if (status != 429 && status < 500) throw new RobotException(message);
             }
             catch (Exception error) when (
                 error is HttpRequestException || error is IOException || error is TaskCanceledException)
             {
-                trouble = $"The service does not answer: {error.Message}";
+                message = $"The service does not answer: {error.Message}";
             }
-            // Drawn by lot, so that a whole class does not come back in the same moment.
-            var limit = Math.Min(LongestPauseMs, FirstPauseMs * Math.Pow(2, tries));
-            var pause = TimeSpan.FromMilliseconds(random.NextDouble() * limit);
-            if (clock.Elapsed + pause > Patience) throw new RobotException(trouble);
-            await Task.Delay(pause);
+            // A random delay, so that the programs of a whole class do not retry at the same moment.
+            var limit = Math.Min(MaxDelayMs, FirstDelayMs * Math.Pow(2, attempt));
+            var delay = TimeSpan.FromMilliseconds(random.NextDouble() * limit);
+            if (clock.Elapsed + delay > Timeout) throw new RobotException(message);
+            await Task.Delay(delay);
         }
     }
 
-    private HttpRequestMessage Request(HttpMethod method, string path, string? fields, string once, long age)
+    private HttpRequestMessage CreateRequest(HttpMethod method, string path, string? fields, string idempotencyKey, long age)
     {
         var request = new HttpRequestMessage(method, api + path);
         request.Headers.Add("Authorization", $"Bearer {key}");
         request.Headers.Add("Script-Name", Name);
         request.Headers.Add("User-Agent", ".NET-example");
         if (fields == null) return request;
-        // How old the wish is: one that comes late is not done late.
+        // With the age in ms, the robot rejects a retry that arrives too late.
         var body = age == 0 ? $"{{{fields}}}" : $"{{{fields},\"age\":{age}}}";
-        request.Headers.Add("Idempotency-Key", once);
+        request.Headers.Add("Idempotency-Key", idempotencyKey);
         request.Content = new StringContent(body, Encoding.UTF8, "application/json");
         return request;
     }
@@ -165,12 +165,12 @@ class Robot
         }
         catch (JsonException)
         {
-            throw new RobotException("What answers at this address is not a robot's host.");
+            throw new RobotException("The server at this address is not a robot's host.");
         }
     }
 
-    // The sentence in which the service says what is wrong.
-    private static string Sentence(int status, string text)
+    // Returns the error message of the service.
+    private static string ErrorMessage(int status, string text)
     {
         try
         {
@@ -180,7 +180,7 @@ class Robot
         catch (Exception error) when (
             error is JsonException || error is InvalidOperationException || error is KeyNotFoundException)
         {
-            // Something on the way has answered, not the service.
+            // The response is from another server, such as a proxy.
         }
         return $"The service answered with status {status}.";
     }
@@ -190,7 +190,7 @@ static class Program
 {
     // One cell of the maze is 100 cm wide.
     private const int Cell = 100;
-    // Farther than this, and there is no wall in the next cell.
+    // A larger distance in cm means that the next cell is open.
     private const int Open = 60;
 
     static async Task<int> Main(string[] args)
@@ -209,23 +209,23 @@ static class Program
         }
     }
 
-    // A whole number of an option, which stands after its name.
-    static int Option(string[] args, string name, int otherwise)
+    // Returns the value of an option: the argument after its name.
+    static int Option(string[] args, string name, int fallback)
     {
         var at = Array.IndexOf(args, name);
-        return at < 0 || at + 1 >= args.Length ? otherwise : int.Parse(args[at + 1]);
+        return at < 0 || at + 1 >= args.Length ? fallback : int.Parse(args[at + 1]);
     }
 
-    // Goes on until the goal is reached, or so many different cells are visited.
-    static async Task FollowRightWall(Robot robot, int untilCells, int mostMoves)
+    // Drives until the goal is reached, or until untilCells different cells are visited.
+    static async Task FollowRightWall(Robot robot, int untilCells, int maxMoves)
     {
         var visited = new HashSet<(int, int)>();
         var moves = 0;
         while (true)
         {
-            var view = await robot.Look();
-            visited.Add(((int)(view.X / Cell), (int)(view.Y / Cell)));
-            if (untilCells == 0 && view.GoalReached)
+            var snapshot = await robot.GetSnapshot();
+            visited.Add(((int)(snapshot.X / Cell), (int)(snapshot.Y / Cell)));
+            if (untilCells == 0 && snapshot.GoalReached)
             {
                 Console.WriteLine($"Goal reached after {moves} moves.");
                 return;
@@ -235,30 +235,30 @@ static class Program
                 Console.WriteLine($"{visited.Count} cells visited after {moves} moves.");
                 return;
             }
-            if (moves >= mostMoves)
+            if (moves >= maxMoves)
             {
-                throw new RobotException($"Not there after {moves} moves; {visited.Count} cells visited.");
+                throw new RobotException($"Goal not reached after {moves} moves; {visited.Count} cells visited.");
             }
-            string how;
-            if (view.Right > Open)
+            string state;
+            if (snapshot.Right > Open)
             {
-                Console.WriteLine($"{view.Right:F0} cm on the right: turn right and go");
+                Console.WriteLine($"{snapshot.Right:F0} cm on the right: turn right and drive");
                 await robot.Right();
-                how = await robot.Forward(Cell);
+                state = await robot.Forward(Cell);
                 moves++;
             }
-            else if (view.Front > Open)
+            else if (snapshot.Front > Open)
             {
-                Console.WriteLine($"{view.Front:F0} cm ahead: go on");
-                how = await robot.Forward(Cell);
+                Console.WriteLine($"{snapshot.Front:F0} cm ahead: drive on");
+                state = await robot.Forward(Cell);
                 moves++;
             }
             else
             {
                 Console.WriteLine("Wall ahead and on the right: turn left");
-                how = await robot.Left();
+                state = await robot.Left();
             }
-            if (how == "collided") Console.WriteLine("Bumped into a wall!");
+            if (state == "collided") Console.WriteLine("Bumped into a wall!");
         }
     }
 }

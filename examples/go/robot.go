@@ -1,12 +1,12 @@
 // Follow the right-hand wall through a maze.
 //
-// Run it with the robot's address, as the page shows it under Remote (keep the quotes; where it cannot
-// be copied, a code gets one: see the README of the examples):
+// Run it with the robot's address, which the page shows under Remote. Keep the quotes. If you cannot
+// copy the address, use a pairing code: see the README of the examples.
 //
 //	go run robot.go "http://localhost:8080/r/ID#KEY"
 //
-// It needs Go 1.19 or newer and nothing else. The robot keeps its right hand on the wall: where there
-// is an opening on the right it goes in, else straight on, else it turns left.
+// Requires Go 1.19 or newer and no packages. The robot follows the wall on its right: it turns right at
+// an opening, else drives straight ahead, else turns left.
 package main
 
 import (
@@ -29,24 +29,24 @@ import (
 
 const (
 	cell = 100          // one cell of the maze is 100 cm wide
-	open = 60           // farther than this, and there is no wall in the next cell
-	name = "Right wall" // what the robot's owner sees of this program
+	open = 60           // a larger distance means that the next cell is open
+	name = "Right wall" // the name of this program on the robot's page
 
-	patience     = 30 * time.Second // how long the service may stay silent
-	firstPause   = 250 * time.Millisecond
-	longestPause = 10 * time.Second
+	timeout    = 30 * time.Second // time without an answer after which the program gives up
+	firstDelay = 250 * time.Millisecond
+	maxDelay   = 10 * time.Second
 )
 
 var address = regexp.MustCompile(`^(https?://[^/?#\s@]+)/r/([A-Za-z0-9_-]{1,64})#([A-Za-z0-9_-]{8,64})$`)
 
-// Robot is a robot somewhere on the network. Every method waits until the robot has done it.
+// Robot is a robot on the network. Every method waits until the robot has finished.
 type Robot struct {
 	api, key string
 	http     http.Client
 }
 
-// View is what the robot sees, in cm, and where it is.
-type View struct {
+// Snapshot contains the sensor readings and the pose of the robot in cm.
+type Snapshot struct {
 	Sensors     struct{ Front, Right, Back, Left float64 }
 	Pose        struct{ X, Y, Heading float64 }
 	GoalReached bool
@@ -63,9 +63,9 @@ type problem struct {
 	Errors []struct{ Path, Found, Expected string }
 }
 
-type wish map[string]any
+type command map[string]any
 
-// NewRobot takes the robot's address apart.
+// NewRobot returns the robot at an address.
 func NewRobot(text string) (*Robot, error) {
 	parts := address.FindStringSubmatch(strings.TrimSpace(text))
 	if parts == nil {
@@ -73,79 +73,81 @@ func NewRobot(text string) (*Robot, error) {
 	}
 	robot := &Robot{api: parts[1] + "/api/v1/robots/" + parts[2], key: parts[3]}
 	robot.http.Timeout = 20 * time.Second
-	// The key goes to the host of the address and to no other.
+	// No redirects, so that the key is not sent to another host.
 	robot.http.CheckRedirect = func(*http.Request, []*http.Request) error { return http.ErrUseLastResponse }
 	return robot, nil
 }
 
-// Forward drives so many cm. It gives "completed", or "collided" if a wall was in the way.
+// Forward drives a distance in cm. It returns "completed", or "collided" if a wall stopped the robot.
 func (robot *Robot) Forward(distance float64) (string, error) {
-	return robot.command(wish{"action": "move", "distance": distance})
+	return robot.do(command{"action": "move", "distance": distance})
 }
 
 // Left turns by 90 degrees on the spot.
-func (robot *Robot) Left() (string, error) { return robot.command(wish{"action": "left 90"}) }
+func (robot *Robot) Left() (string, error) { return robot.do(command{"action": "left 90"}) }
 
 // Right turns by 90 degrees on the spot.
-func (robot *Robot) Right() (string, error) { return robot.command(wish{"action": "right 90"}) }
+func (robot *Robot) Right() (string, error) { return robot.do(command{"action": "right 90"}) }
 
-// Look gives what the robot sees now, never from before the end of its last command.
-func (robot *Robot) Look() (View, error) {
-	var view View
-	err := robot.ask("GET", "/sensors?wait=10", nil, &view)
-	return view, err
+// Snapshot returns the current snapshot, never older than the end of the last command.
+func (robot *Robot) Snapshot() (Snapshot, error) {
+	var snapshot Snapshot
+	err := robot.request("GET", "/sensors?wait=10", nil, &snapshot)
+	return snapshot, err
 }
 
-// command sends a command, waits until it has ended, and gives how.
-func (robot *Robot) command(wanted wish) (string, error) {
-	var now record
-	if err := robot.ask("POST", "/commands", wanted, &now); err != nil {
+// do sends a command, waits until it has ended, and returns its state.
+func (robot *Robot) do(fields command) (string, error) {
+	var current record
+	if err := robot.request("POST", "/commands", fields, &current); err != nil {
 		return "", err
 	}
 	for {
-		switch now.State {
+		switch current.State {
 		case "completed", "collided":
-			return now.State, nil
+			return current.State, nil
 		case "cancelled", "superseded", "expired":
-			return "", fmt.Errorf("%s was %s: %s", now.Action, now.State, now.Reason)
+			return "", fmt.Errorf("%s was %s: %s", current.Action, current.State, current.Reason)
 		}
-		if err := robot.ask("GET", fmt.Sprintf("/commands/%d?wait=10", now.Seq), nil, &now); err != nil {
+		path := fmt.Sprintf("/commands/%d?wait=10", current.Seq)
+		if err := robot.request("GET", path, nil, &current); err != nil {
 			return "", err
 		}
 	}
 }
 
-// ask makes one request, and tries again when the network or the service has a bad moment.
-func (robot *Robot) ask(method, path string, wanted wish, answer any) error {
-	// The key makes a retry safe: a command that arrives twice is done once.
+// request sends a request to the service. It retries after network errors and server errors.
+func (robot *Robot) request(method, path string, fields command, result any) error {
+	// The key makes a retry safe: a command that arrives twice runs once.
 	key := make([]byte, 16)
 	if _, err := crand.Read(key); err != nil {
 		return err
 	}
-	began := time.Now()
-	for tries := 0; ; tries++ {
-		mayPass, err := robot.try(method, path, wanted, hex.EncodeToString(key), time.Since(began), answer)
-		if err == nil || !mayPass {
+	started := time.Now()
+	for attempt := 0; ; attempt++ {
+		isRetryable, err := robot.send(method, path, fields, hex.EncodeToString(key), time.Since(started), result)
+		if err == nil || !isRetryable {
 			return err
 		}
-		// Drawn by lot, so that a whole class does not come back in the same moment.
-		limit := math.Min(float64(longestPause), float64(firstPause)*math.Pow(2, float64(tries)))
-		pause := time.Duration(rand.Float64() * limit)
-		if time.Since(began)+pause > patience {
+		// A random delay, so that the programs of a whole class do not retry at the same moment.
+		limit := math.Min(float64(maxDelay), float64(firstDelay)*math.Pow(2, float64(attempt)))
+		delay := time.Duration(rand.Float64() * limit)
+		if time.Since(started)+delay > timeout {
 			return err
 		}
-		time.Sleep(pause)
+		time.Sleep(delay)
 	}
 }
 
-func (robot *Robot) try(method, path string, wanted wish, key string, age time.Duration, answer any) (bool, error) {
+// send sends one request. It returns whether an error is worth a retry.
+func (robot *Robot) send(method, path string, fields command, key string, age time.Duration, result any) (bool, error) {
 	body := []byte(nil)
-	if wanted != nil {
-		// How old the wish is: one that comes late is not done late.
+	if fields != nil {
+		// With the age in ms, the robot rejects a retry that arrives too late.
 		if age >= time.Millisecond {
-			wanted["age"] = age.Milliseconds()
+			fields["age"] = age.Milliseconds()
 		}
-		body, _ = json.Marshal(wanted)
+		body, _ = json.Marshal(fields)
 	}
 	request, err := http.NewRequest(method, robot.api+path, bytes.NewReader(body))
 	if err != nil {
@@ -153,7 +155,7 @@ func (robot *Robot) try(method, path string, wanted wish, key string, age time.D
 	}
 	request.Header.Set("Authorization", "Bearer "+robot.key)
 	request.Header.Set("Script-Name", name)
-	if wanted != nil {
+	if fields != nil {
 		request.Header.Set("Content-Type", "application/json")
 		request.Header.Set("Idempotency-Key", key)
 	}
@@ -167,37 +169,37 @@ func (robot *Robot) try(method, path string, wanted wish, key string, age time.D
 		return true, fmt.Errorf("The service does not answer: %w", err)
 	}
 	if response.StatusCode/100 == 2 {
-		if json.Unmarshal(text, answer) != nil {
-			return false, errors.New("What answers at this address is not a robot's host.")
+		if json.Unmarshal(text, result) != nil {
+			return false, errors.New("The server at this address is not a robot's host.")
 		}
 		return false, nil
 	}
-	return response.StatusCode == 429 || response.StatusCode >= 500, refusal(response.StatusCode, text)
+	return response.StatusCode == 429 || response.StatusCode >= 500, errorMessage(response.StatusCode, text)
 }
 
-// refusal is the sentence in which the service says what is wrong.
-func refusal(status int, text []byte) error {
-	var said problem
-	if json.Unmarshal(text, &said) != nil || said.Detail == "" {
+// errorMessage returns the error message of the service.
+func errorMessage(status int, text []byte) error {
+	var parsed problem
+	if json.Unmarshal(text, &parsed) != nil || parsed.Detail == "" {
 		return fmt.Errorf("The service answered with status %d.", status)
 	}
-	sentence := said.Detail
-	for _, field := range said.Errors {
-		sentence += fmt.Sprintf(" %s: found %s, expected %s.", field.Path, field.Found, field.Expected)
+	message := parsed.Detail
+	for _, field := range parsed.Errors {
+		message += fmt.Sprintf(" %s: found %s, expected %s.", field.Path, field.Found, field.Expected)
 	}
-	return errors.New(sentence)
+	return errors.New(message)
 }
 
-// followRightWall goes on until the goal is reached, or so many different cells are visited.
-func followRightWall(robot *Robot, untilCells, mostMoves int) error {
+// followRightWall drives until the goal is reached, or until untilCells different cells are visited.
+func followRightWall(robot *Robot, untilCells, maxMoves int) error {
 	visited := map[[2]int]bool{}
 	for moves := 0; ; {
-		view, err := robot.Look()
+		snapshot, err := robot.Snapshot()
 		if err != nil {
 			return err
 		}
-		visited[[2]int{int(view.Pose.X / cell), int(view.Pose.Y / cell)}] = true
-		if untilCells == 0 && view.GoalReached {
+		visited[[2]int{int(snapshot.Pose.X / cell), int(snapshot.Pose.Y / cell)}] = true
+		if untilCells == 0 && snapshot.GoalReached {
 			fmt.Printf("Goal reached after %d moves.\n", moves)
 			return nil
 		}
@@ -205,46 +207,46 @@ func followRightWall(robot *Robot, untilCells, mostMoves int) error {
 			fmt.Printf("%d cells visited after %d moves.\n", len(visited), moves)
 			return nil
 		}
-		if moves >= mostMoves {
-			return fmt.Errorf("Not there after %d moves; %d cells visited.", moves, len(visited))
+		if moves >= maxMoves {
+			return fmt.Errorf("Goal not reached after %d moves; %d cells visited.", moves, len(visited))
 		}
-		var how string
-		if view.Sensors.Right > open {
-			fmt.Printf("%.0f cm on the right: turn right and go\n", view.Sensors.Right)
+		var state string
+		if snapshot.Sensors.Right > open {
+			fmt.Printf("%.0f cm on the right: turn right and drive\n", snapshot.Sensors.Right)
 			if _, err = robot.Right(); err == nil {
-				how, err = robot.Forward(cell)
+				state, err = robot.Forward(cell)
 			}
 			moves++
-		} else if view.Sensors.Front > open {
-			fmt.Printf("%.0f cm ahead: go on\n", view.Sensors.Front)
-			how, err = robot.Forward(cell)
+		} else if snapshot.Sensors.Front > open {
+			fmt.Printf("%.0f cm ahead: drive on\n", snapshot.Sensors.Front)
+			state, err = robot.Forward(cell)
 			moves++
 		} else {
 			fmt.Println("Wall ahead and on the right: turn left")
-			how, err = robot.Left()
+			state, err = robot.Left()
 		}
 		if err != nil {
 			return err
 		}
-		if how == "collided" {
+		if state == "collided" {
 			fmt.Println("Bumped into a wall!")
 		}
 	}
 }
 
 func main() {
-	// The address comes first, as in the other languages.
+	// The address is the first argument, as in the other languages.
 	options := flag.NewFlagSet("robot", flag.ExitOnError)
-	untilCells := options.Int("until-cells", 0, "stop after so many different cells, not at the goal")
-	mostMoves := options.Int("moves", 2000, "give up after so many moves")
-	where := ""
+	untilCells := options.Int("until-cells", 0, "stop after this number of different cells, not at the goal")
+	maxMoves := options.Int("moves", 2000, "give up after this number of moves")
+	text := ""
 	if len(os.Args) > 1 {
-		where = os.Args[1]
+		text = os.Args[1]
 		_ = options.Parse(os.Args[2:])
 	}
-	robot, err := NewRobot(where)
+	robot, err := NewRobot(text)
 	if err == nil {
-		err = followRightWall(robot, *untilCells, *mostMoves)
+		err = followRightWall(robot, *untilCells, *maxMoves)
 	}
 	if err != nil {
 		fmt.Fprintln(os.Stderr, err)

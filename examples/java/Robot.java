@@ -17,51 +17,51 @@ import java.util.regex.Pattern;
 /**
  * Follow the right-hand wall through a maze.
  *
- * <p>Run it with the robot's address, as the page shows it under Remote (keep the quotes; where it cannot
- * be copied, a code gets one: see the README of the examples):
+ * <p>Run it with the robot's address, which the page shows under Remote. Keep the quotes. If you cannot
+ * copy the address, use a pairing code: see the README of the examples.
  *
  * <pre>java Robot.java "http://localhost:8080/r/ID#KEY"</pre>
  *
- * <p>It needs Java 17 or newer and nothing else. The robot keeps its right hand on the wall: where
- * there is an opening on the right it goes in, else straight on, else it turns left.
+ * <p>Requires Java 17 or newer and no libraries. The robot follows the wall on its right: it turns
+ * right at an opening, else drives straight ahead, else turns left.
  */
 public class Robot {
   /** One cell of the maze is 100 cm wide. */
   private static final int CELL = 100;
 
-  /** Farther than this, and there is no wall in the next cell. */
+  /** A larger distance in cm means that the next cell is open. */
   private static final int OPEN = 60;
 
   private static final Pattern ADDRESS =
       Pattern.compile("(https?://[^/?#\\s@]+)/r/([A-Za-z0-9_-]{1,64})#([A-Za-z0-9_-]{8,64})");
 
-  /** How long the service may stay silent until the program gives up. */
-  private static final long PATIENCE_MS = 30_000;
+  /** Time without an answer after which the program gives up. */
+  private static final long TIMEOUT_MS = 30_000;
 
-  private static final double FIRST_PAUSE_MS = 250;
-  private static final double LONGEST_PAUSE_MS = 10_000;
+  private static final double FIRST_DELAY_MS = 250;
+  private static final double MAX_DELAY_MS = 10_000;
 
-  /** What the robot's owner sees of this program. */
+  /** The name of this program on the robot's page. */
   private static final String NAME = "Right wall";
 
-  private static final int PROXY_WANTS_A_NAME = 407;
-  private static final int TOO_MANY = 429;
+  private static final int PROXY_AUTHENTICATION_REQUIRED = 407;
+  private static final int TOO_MANY_REQUESTS = 429;
 
-  /** Something did not work; the text says what, and how to mend it. */
+  /** The robot or the service rejected a request, or did not answer. */
   public static class RobotException extends RuntimeException {
-    RobotException(String sentence) {
-      super(sentence);
+    RobotException(String message) {
+      super(message);
     }
   }
 
-  /** What the robot sees, in cm, and where it is. */
-  public record View(double front, double right, double x, double y, boolean goalReached) {}
+  /** Sensor readings and position of the robot in cm. */
+  public record Snapshot(double front, double right, double x, double y, boolean goalReached) {}
 
   private final String api;
   private final String key;
 
-  // HTTP/1.1, because with the default Java offers an upgrade to HTTP/2 in every request, which
-  // some proxies answer with an error. The proxy is the one of -Dhttps.proxyHost, if any.
+  // HTTP/1.1, because by default Java offers an upgrade to HTTP/2 in every request, which some
+  // proxies reject. The proxy is set with -Dhttps.proxyHost.
   private final HttpClient http =
       HttpClient.newBuilder()
           .version(HttpClient.Version.HTTP_1_1)
@@ -80,7 +80,7 @@ public class Robot {
     key = parts.group(3);
   }
 
-  /** Drives so many cm. Gives "completed", or "collided" if a wall was in the way. */
+  /** Drives a distance in cm. Returns "completed", or "collided" if a wall stopped the robot. */
   public String forward(double distance) {
     return command("\"action\":\"move\",\"distance\":" + distance);
   }
@@ -93,20 +93,20 @@ public class Robot {
     return command("\"action\":\"right 90\"");
   }
 
-  /** What the robot sees now, never from before the end of its last command. */
-  public View look() {
-    String seen = ask("GET", "/sensors?wait=10", null);
-    return new View(
-        number(seen, "front"),
-        number(seen, "right"),
-        number(seen, "x"),
-        number(seen, "y"),
-        field(seen, "goalReached", "(true|false)").equals("true"));
+  /** Returns the current snapshot, never older than the end of the last command. */
+  public Snapshot snapshot() {
+    String json = send("GET", "/sensors?wait=10", null);
+    return new Snapshot(
+        number(json, "front"),
+        number(json, "right"),
+        number(json, "x"),
+        number(json, "y"),
+        field(json, "goalReached", "(true|false)").equals("true"));
   }
 
-  /** Sends a command, waits until it has ended, and gives how. */
+  /** Sends a command, waits until it has ended, and returns its state. */
   private String command(String fields) {
-    String record = ask("POST", "/commands", fields);
+    String record = send("POST", "/commands", fields);
     while (true) {
       String state = field(record, "state", "\"(\\w+)\"");
       switch (state) {
@@ -116,132 +116,133 @@ public class Robot {
         case "cancelled", "superseded", "expired" ->
             throw new RobotException(
                 "The command was " + state + ": " + field(record, "reason", "(null|\"[^\"]*\")"));
-        default -> record = ask("GET", "/commands/" + (long) number(record, "seq") + "?wait=10", null);
+        default -> record = send("GET", "/commands/" + (long) number(record, "seq") + "?wait=10", null);
       }
     }
   }
 
-  /** One request to the service, tried again when the network or the service has a bad moment. */
-  private String ask(String method, String path, String fields) {
-    // The key makes a retry safe: a command that arrives twice is done once.
+  /** Sends a request to the service. Retries after network errors and server errors. */
+  private String send(String method, String path, String fields) {
+    // The key makes a retry safe: a command that arrives twice runs once.
     String idempotencyKey = UUID.randomUUID().toString();
-    long began = System.nanoTime();
-    for (int tries = 0; ; tries++) {
-      String trouble;
+    long startedAt = System.nanoTime();
+    for (int attempt = 0; ; attempt++) {
+      String message;
       try {
-        HttpResponse<String> answer = http.send(request(method, path, fields, idempotencyKey, age(began)), BodyHandlers.ofString());
-        int status = answer.statusCode();
-        if (status >= 200 && status < 300) return answer.body();
-        trouble = sentence(status, answer.body());
-        if (status != TOO_MANY && status < 500) throw new RobotException(trouble);
+        HttpResponse<String> response = http.send(createRequest(method, path, fields, idempotencyKey, age(startedAt)), BodyHandlers.ofString());
+        int status = response.statusCode();
+        if (status >= 200 && status < 300) return response.body();
+        message = errorMessage(status, response.body());
+        if (status != TOO_MANY_REQUESTS && status < 500) throw new RobotException(message);
       } catch (IOException error) {
-        trouble = "The service does not answer: " + error;
+        message = "The service does not answer: " + error;
       } catch (InterruptedException error) {
-        throw new RobotException("Stopped by you.");
+        throw new RobotException("Stopped.");
       }
-      // Drawn by lot, so that a whole class does not come back in the same moment.
-      double pause = Math.random() * Math.min(LONGEST_PAUSE_MS, FIRST_PAUSE_MS * Math.pow(2, tries));
-      if (age(began) + pause > PATIENCE_MS) throw new RobotException(trouble);
-      sleep((long) pause);
+      // A random delay, so that the programs of a whole class do not retry at the same moment.
+      double delay = Math.random() * Math.min(MAX_DELAY_MS, FIRST_DELAY_MS * Math.pow(2, attempt));
+      if (age(startedAt) + delay > TIMEOUT_MS) throw new RobotException(message);
+      sleep((long) delay);
     }
   }
 
-  private HttpRequest request(String method, String path, String fields, String idempotencyKey, long age) {
-    HttpRequest.Builder request =
+  private HttpRequest createRequest(
+      String method, String path, String fields, String idempotencyKey, long age) {
+    HttpRequest.Builder builder =
         HttpRequest.newBuilder(URI.create(api + path))
             .timeout(Duration.ofSeconds(20))
             .header("Authorization", "Bearer " + key)
             .header("Script-Name", NAME)
             .header("User-Agent", "Java-example");
-    if (fields == null) return request.method(method, BodyPublishers.noBody()).build();
-    // How old the wish is: one that comes late is not done late.
-    String aged = age == 0 ? fields : fields + ",\"age\":" + age;
-    return request
+    if (fields == null) return builder.method(method, BodyPublishers.noBody()).build();
+    // With the age in ms, the robot rejects a retry that arrives too late.
+    String body = age == 0 ? fields : fields + ",\"age\":" + age;
+    return builder
         .header("Content-Type", "application/json")
         .header("Idempotency-Key", idempotencyKey)
-        .method(method, BodyPublishers.ofString("{" + aged + "}"))
+        .method(method, BodyPublishers.ofString("{" + body + "}"))
         .build();
   }
 
-  private static long age(long began) {
-    return (System.nanoTime() - began) / 1_000_000;
+  private static long age(long startedAt) {
+    return (System.nanoTime() - startedAt) / 1_000_000;
   }
 
   private static void sleep(long milliseconds) {
     try {
       Thread.sleep(milliseconds);
     } catch (InterruptedException error) {
-      throw new RobotException("Stopped by you.");
+      throw new RobotException("Stopped.");
     }
   }
 
-  /** The sentence in which the service says what is wrong. */
-  private static String sentence(int status, String body) {
+  /** Returns the error message of the service. */
+  private static String errorMessage(int status, String body) {
     Matcher detail = Pattern.compile("\"detail\":\\s*\"((?:[^\"\\\\]|\\\\.)*)\"").matcher(body);
     if (detail.find()) return detail.group(1).replace("\\\"", "\"");
-    if (status == PROXY_WANTS_A_NAME) return "The network's proxy wants a name and a password.";
+    if (status == PROXY_AUTHENTICATION_REQUIRED) return "The network's proxy requires a user name and a password.";
     return "The service answered with status " + status + ".";
   }
 
-  // Java brings no reader of JSON along. In what the service answers each of these names comes once.
+  // Java has no JSON parser. Each of these field names appears only once in the responses.
 
   private static double number(String json, String name) {
     return Double.parseDouble(field(json, name, "(-?[0-9.eE+-]+)"));
   }
 
   private static String field(String json, String name, String value) {
-    Matcher found = Pattern.compile("\"" + name + "\":\\s*" + value).matcher(json);
-    if (found.find()) return found.group(1);
-    throw new RobotException("What answers at this address is not a robot's host.");
+    Matcher match = Pattern.compile("\"" + name + "\":\\s*" + value).matcher(json);
+    if (match.find()) return match.group(1);
+    throw new RobotException("The server at this address is not a robot's host.");
   }
 
-  /** Goes on until the goal is reached, or so many different cells are visited. */
-  private static void followRightWall(Robot robot, int untilCells, int mostMoves) {
+  /** Drives until the goal is reached, or until {@code untilCells} different cells are visited. */
+  private static void followRightWall(Robot robot, int untilCells, int maxMoves) {
     Set<String> visited = new HashSet<>();
     int moves = 0;
     while (true) {
-      View view = robot.look();
-      visited.add((int) (view.x / CELL) + "," + (int) (view.y / CELL));
-      if (untilCells == 0 && view.goalReached) {
-        say("Goal reached after %d moves.", moves);
+      Snapshot snapshot = robot.snapshot();
+      visited.add((int) (snapshot.x / CELL) + "," + (int) (snapshot.y / CELL));
+      if (untilCells == 0 && snapshot.goalReached) {
+        print("Goal reached after %d moves.", moves);
         return;
       }
       if (untilCells > 0 && visited.size() >= untilCells) {
-        say("%d cells visited after %d moves.", visited.size(), moves);
+        print("%d cells visited after %d moves.", visited.size(), moves);
         return;
       }
-      if (moves >= mostMoves) {
+      if (moves >= maxMoves) {
         throw new RobotException(
-            "Not there after " + moves + " moves; " + visited.size() + " cells visited.");
+            "Goal not reached after " + moves + " moves; " + visited.size() + " cells visited.");
       }
-      String how;
-      if (view.right > OPEN) {
-        say("%.0f cm on the right: turn right and go", view.right);
+      String state;
+      if (snapshot.right > OPEN) {
+        print("%.0f cm on the right: turn right and drive", snapshot.right);
         robot.right();
-        how = robot.forward(CELL);
+        state = robot.forward(CELL);
         moves++;
-      } else if (view.front > OPEN) {
-        say("%.0f cm ahead: go on", view.front);
-        how = robot.forward(CELL);
+      } else if (snapshot.front > OPEN) {
+        print("%.0f cm ahead: drive on", snapshot.front);
+        state = robot.forward(CELL);
         moves++;
       } else {
-        say("Wall ahead and on the right: turn left");
-        how = robot.left();
+        print("Wall ahead and on the right: turn left");
+        state = robot.left();
       }
-      if (how.equals("collided")) say("Bumped into a wall!");
+      if (state.equals("collided")) print("Bumped into a wall!");
     }
   }
 
-  private static void say(String sentence, Object... numbers) {
-    System.out.println(String.format(Locale.ROOT, sentence, numbers));
+  private static void print(String format, Object... arguments) {
+    System.out.println(String.format(Locale.ROOT, format, arguments));
   }
 
-  /** A whole number of an option, which stands after its name. */
-  private static int option(String[] arguments, String name, int otherwise) {
+  /** Returns the value of an option: the argument after its name. */
+  private static int option(String[] arguments, String name, int fallback) {
     for (int at = 1; at + 1 < arguments.length; at++) {
       if (arguments[at].equals(name)) return Integer.parseInt(arguments[at + 1]);
     }
-    return otherwise;
+    return fallback;
   }
 
   public static void main(String[] arguments) {

@@ -1,30 +1,30 @@
 /**
  * Follow the right-hand wall through a maze.
  *
- * Run it with the robot's address, as the page shows it under Remote (keep the quotes; where it cannot
- * be copied, a code gets one: see the README of the examples):
+ * Run it with the robot's address, which the page shows under Remote. Keep the quotes. If you cannot
+ * copy the address, use a pairing code: see the README of the examples.
  *
  *     npx node examples/javascript/right-wall.ts "http://localhost:8080/r/ID#KEY"
  *
- * The robot keeps its right hand on the wall: where there is an opening on the right it goes in,
- * else straight on, else it turns left.
+ * The robot follows the wall on its right: it turns right at an opening, else drives straight ahead,
+ * else turns left.
  */
 import { parseArgs } from "node:util";
 import { RobotClient } from "@corridor/client";
 
 /** One cell of the maze is 100 cm wide. */
 const CELL = 100;
-/** Farther than this, and there is no wall in the next cell. */
+/** A larger distance in cm means that the next cell is open. */
 const OPEN = 60;
 
-/** Goes on until the goal is reached, or so many different cells are visited. */
+/** Drives until the goal is reached, or until `untilCells` different cells are visited. */
 async function followRightWall(
   robot: RobotClient,
   untilCells: number | null,
-  mostMoves: number,
+  maxMoves: number,
 ): Promise<void> {
   const visited = new Set<string>();
-  for (let moves = 0; moves <= mostMoves;) {
+  for (let moves = 0; moves <= maxMoves;) {
     const { pose, sensors, goalReached } = await robot.snapshot();
     visited.add(`${Math.floor(pose.x / CELL)},${Math.floor(pose.y / CELL)}`);
     if (untilCells === null && goalReached) {
@@ -35,12 +35,12 @@ async function followRightWall(
     }
 
     if (sensors.right > OPEN) {
-      console.log(`${Math.round(sensors.right)} cm on the right: turn right and go`);
+      console.log(`${Math.round(sensors.right)} cm on the right: turn right and drive`);
       await robot.right90();
       await robot.move(CELL);
       moves += 1;
     } else if (sensors.front > OPEN) {
-      console.log(`${Math.round(sensors.front)} cm ahead: go on`);
+      console.log(`${Math.round(sensors.front)} cm ahead: drive on`);
       await robot.move(CELL);
       moves += 1;
     } else {
@@ -48,14 +48,16 @@ async function followRightWall(
       await robot.left90();
     }
   }
-  throw new Error(`Not there after ${mostMoves} moves; ${visited.size} cells visited.`);
+  throw new Error(`Goal not reached after ${maxMoves} moves; ${visited.size} cells visited.`);
 }
 
-/** A whole number of an option; null when it was not given. */
-function wholeNumber(text: string | undefined): number | null {
+/** Parses the value of an option. @returns null if the option is missing */
+function positiveInteger(text: string | undefined): number | null {
   if (text === undefined) return null;
   const number = Number(text);
-  if (!Number.isSafeInteger(number) || number < 1) throw new Error(`${text} is no whole number.`);
+  if (!Number.isSafeInteger(number) || number < 1) {
+    throw new Error(`Expected a whole number of at least 1, found ${text}.`);
+  }
   return number;
 }
 
@@ -66,8 +68,8 @@ try {
   });
   const robot = await RobotClient.connect(positionals[0] ?? "", { name: "Right wall" });
   try {
-    const untilCells = wholeNumber(values["until-cells"]);
-    await followRightWall(robot, untilCells, wholeNumber(values.moves) ?? 2000);
+    const untilCells = positiveInteger(values["until-cells"]);
+    await followRightWall(robot, untilCells, positiveInteger(values.moves) ?? 2000);
   } finally {
     robot.close();
   }

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Follow the right-hand wall through a maze.
 
-Run it with the robot's address, as the page shows it under Remote (keep the quotes; where it cannot
-be copied, a code gets one: see the README of the examples):
+Run it with the robot's address, which the page shows under Remote. Keep the quotes. If you cannot
+copy the address, use a pairing code: see the README of the examples.
 
     python3 right_wall.py "http://localhost:8080/r/ID#KEY"
 
-It needs Python 3.9 or newer and nothing else. The robot keeps its right hand on the wall:
-where there is an opening on the right it goes in, else straight on, else it turns left.
+Requires Python 3.9 or newer and no packages. The robot follows the wall on its right: it turns
+right at an opening, else drives straight ahead, else turns left.
 """
 
 import argparse
@@ -23,24 +23,24 @@ import urllib.request
 import uuid
 
 CELL = 100  # one cell of the maze is 100 cm wide
-OPEN = 60  # farther than this, and there is no wall in the next cell
-PATIENCE = 30  # seconds that the service may stay silent
-NAME = "Right wall"  # what the robot's owner sees of this program
+OPEN = 60  # a larger distance means that the next cell is open
+TIMEOUT = 30  # seconds without an answer after which the program gives up
+NAME = "Right wall"  # the name of this program on the robot's page
 
 
 class RobotError(Exception):
-    """The robot, or the service that carries the messages, said no."""
+    """The robot or the service rejected a request, or did not answer."""
 
 
 class NoRedirects(urllib.request.HTTPRedirectHandler):
-    """The key goes to the host of the address and to no other."""
+    """Rejects redirects, so that the key is not sent to another host."""
 
     def redirect_request(self, *redirect):
         return None
 
 
 class Robot:
-    """A robot somewhere on the network. Every method waits until the robot has done it."""
+    """A robot on the network. Every method waits until the robot has finished."""
 
     def __init__(self, address):
         parts = urllib.parse.urlsplit(address.strip())
@@ -54,12 +54,12 @@ class Robot:
         self.key = parts.fragment
         self.opener = urllib.request.build_opener(NoRedirects)
 
-    def look(self):
-        """All that the robot knows now: its sensors, its place, whether it is at the goal."""
-        return self.ask("GET", "/sensors?wait=10")
+    def snapshot(self):
+        """Return the robot's sensors and pose, and whether it has reached the goal."""
+        return self.request("GET", "/sensors?wait=10")
 
     def move(self, distance):
-        """Drive so many centimetres. Says "completed", or "collided" if a wall was in the way."""
+        """Drive a distance in cm. Return "completed", or "collided" if a wall stopped the robot."""
         return self.do({"action": "move", "distance": distance})
 
     def left90(self):
@@ -69,17 +69,17 @@ class Robot:
         return self.do({"action": "right 90"})
 
     def do(self, command):
-        """Send a command, wait until it has ended, and say how."""
-        # The key makes a retry safe: a command that arrives twice is done once.
-        record = self.ask("POST", "/commands", command, key=uuid.uuid4().hex)
+        """Send a command, wait until it has ended, and return its state."""
+        # The key makes a retry safe: a command that arrives twice runs once.
+        record = self.request("POST", "/commands", command, key=uuid.uuid4().hex)
         while record["state"] in ("accepted", "delivered", "started"):
-            record = self.ask("GET", f"/commands/{record['seq']}?wait=10")
+            record = self.request("GET", f"/commands/{record['seq']}?wait=10")
         if record["state"] not in ("completed", "collided"):
             raise RobotError(f"{record['action']} was {record['state']}: {record['reason']}")
         return record["state"]
 
-    def ask(self, method, path, body=None, key=None):
-        """One request to the service. Tries again when the network or the service has a bad moment."""
+    def request(self, method, path, body=None, key=None):
+        """Send a request to the service. Retry after network errors and server errors."""
         headers = {
             "Authorization": f"Bearer {self.key}",
             "Content-Type": "application/json",
@@ -87,32 +87,32 @@ class Robot:
         }
         if key is not None:
             headers["Idempotency-Key"] = key
-        first_try = time.monotonic()
-        for tries in itertools.count():
+        started = time.monotonic()
+        for attempt in itertools.count():
             data = None
             if body is not None:
-                # By its age (in ms) a command that is sent again is never done late.
-                age = round((time.monotonic() - first_try) * 1000)
+                # With the age in ms, the robot rejects a retry that arrives too late.
+                age = round((time.monotonic() - started) * 1000)
                 data = json.dumps({**body, "age": age}).encode()
             request = urllib.request.Request(self.url + path, data, headers, method=method)
             try:
-                with self.opener.open(request, timeout=20) as answer:
-                    return json.load(answer)
+                with self.opener.open(request, timeout=20) as response:
+                    return json.load(response)
             except urllib.error.HTTPError as error:
                 reason = explain(error)
                 if error.code != 429 and error.code < 500:
                     raise RobotError(reason) from None
             except (OSError, http.client.HTTPException, ValueError) as error:
                 reason = f"The service does not answer: {error}"
-            # Drawn by lot, so that a whole class does not come back in the same moment.
-            pause = random.uniform(0, min(10, 0.25 * 2**tries))
-            if time.monotonic() + pause > first_try + PATIENCE:
+            # A random delay, so that the programs of a whole class do not retry at the same moment.
+            delay = random.uniform(0, min(10, 0.25 * 2**attempt))
+            if time.monotonic() + delay > started + TIMEOUT:
                 raise RobotError(reason)
-            time.sleep(pause)
+            time.sleep(delay)
 
 
 def explain(error):
-    """The sentence in which the service says what is wrong."""
+    """Return the error message of the service."""
     try:
         problem = json.load(error)
         fields = [f"{e['path']}: found {e['found']}, expected {e['expected']}" for e in problem["errors"]]
@@ -121,36 +121,36 @@ def explain(error):
         return f"The service answered with status {error.code}."
 
 
-def follow_right_wall(robot, until_cells, most_moves):
-    """Go on until the goal is reached, or enough cells are visited. Gives the visited cells."""
+def follow_right_wall(robot, until_cells, max_moves):
+    """Drive until the goal is reached or enough cells are visited. Return the visited cells."""
     visited = set()
     moves = 0
     while True:
-        seen = robot.look()
-        pose, sensors = seen["pose"], seen["sensors"]
+        snapshot = robot.snapshot()
+        pose, sensors = snapshot["pose"], snapshot["sensors"]
         visited.add((int(pose["x"] // CELL), int(pose["y"] // CELL)))
-        if until_cells is None and seen["goalReached"]:
+        if until_cells is None and snapshot["goalReached"]:
             print(f"Goal reached after {moves} moves.")
             return visited
         if until_cells is not None and len(visited) >= until_cells:
             print(f"{len(visited)} cells visited after {moves} moves.")
             return visited
-        if moves >= most_moves:
-            raise RobotError(f"Not there after {moves} moves; {len(visited)} cells visited.")
+        if moves >= max_moves:
+            raise RobotError(f"Goal not reached after {moves} moves; {len(visited)} cells visited.")
 
         if sensors["right"] > OPEN:
-            print(f"{sensors['right']:.0f} cm on the right: turn right and go")
+            print(f"{sensors['right']:.0f} cm on the right: turn right and drive")
             robot.right90()
-            how = robot.move(CELL)
+            state = robot.move(CELL)
             moves += 1
         elif sensors["front"] > OPEN:
-            print(f"{sensors['front']:.0f} cm ahead: go on")
-            how = robot.move(CELL)
+            print(f"{sensors['front']:.0f} cm ahead: drive on")
+            state = robot.move(CELL)
             moves += 1
         else:
             print("Wall ahead and on the right: turn left")
-            how = robot.left90()
-        if how == "collided":
+            state = robot.left90()
+        if state == "collided":
             print("Bumped into a wall!")
 
 
@@ -169,7 +169,7 @@ def main():
     except RobotError as error:
         sys.exit(str(error))
     except KeyboardInterrupt:
-        sys.exit("Stopped by you.")
+        sys.exit("Stopped with Ctrl+C.")
 
 
 if __name__ == "__main__":
