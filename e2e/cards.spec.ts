@@ -72,6 +72,22 @@ test("reports that a turn came too early, though another line met the wall", asy
   await expect(corridor.program.action(1)).toHaveValue("delayed right 90");
 });
 
+test("leaves the drive keys uncovered by a message while a card is above the robot", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
+  await corridor.open();
+  await corridor.transport.getByRole("button", { name: "Write my own" }).click();
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.page.getByRole("region", { name: "Bump" })).toBeVisible();
+  await expect(corridor.message(/^Your program is empty now\./)).toBeVisible();
+  for (const key of ["forward", "left", "stop", "right", "reverse"]) {
+    await corridor.driveKey(key).click({ trial: true, timeout: 1000 });
+  }
+  await expect(corridor.message(/^Your program is empty now\./)).toBeVisible();
+});
+
 test("withdraws the card's fix after an edit that the fix was not made for", async ({
   corridor,
 }) => {
