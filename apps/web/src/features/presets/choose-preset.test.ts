@@ -37,6 +37,23 @@ describe("choosing a maze", () => {
     expect(sent).toEqual(["reset"]);
   });
 
+  it("leaves one message when another maze is chosen at once, and Undo goes back one maze", () => {
+    const workspace = createWorkspaceStore(firstMaze, firstProgram);
+    const screen = createScreenStore();
+    const simulator = { send: () => undefined };
+    const services = { workspace, screen, simulator } as unknown as Parameters<
+      typeof chooseMaze
+    >[0];
+    chooseMaze(services, createI18n(en), chosen);
+    chooseMaze(services, createI18n(en), { ...chosen, name: "Another" });
+    const { messages } = screen.getState();
+    expect(messages.map(({ text }) => text)).toEqual([
+      "“Another” is open. Your program is empty: get the robot to the goal.",
+    ]);
+    messages[0]?.action?.run();
+    expect(workspace.getState().maze).toBe(chosen);
+  });
+
   it("leaves a program that the student has written", () => {
     const { workspace, text } = choose(mine);
     expect(workspace.getState()).toMatchObject({ maze: chosen, program: mine });

@@ -5,7 +5,7 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
-import { dismiss, tell } from "../../stores/screen-store.ts";
+import { dismiss, dismissOfWork, tell } from "../../stores/screen-store.ts";
 import { newLineIds, setMaze, setProgram, undo } from "../../stores/workspace-store.ts";
 import { programForMaze } from "../program/own-program.ts";
 
@@ -21,6 +21,8 @@ export function chooseMaze(
   else workspace.setState({ maze, program, lineIds: newLineIds(program.rules.length) });
   simulator.send({ type: "reset" });
   const after = workspace.getState();
+  // One message at a time: several would reach the robot on a phone.
+  dismissOfWork(screen);
   const message = tell(screen, {
     tone: "info",
     isOfWork: true,
