@@ -58,7 +58,7 @@ test("has no axe violations on any page, in both themes and on the smallest phon
   test.setTimeout(360_000);
   await page.setViewportSize({ width: 320, height: 640 });
   const paths = new Set(["/docs", "/problems/too-late"]);
-  // Iterating over a set includes elements added meanwhile: each section's navigation links its
+  // Iterating over a set includes elements added during the iteration: each section's navigation links its
   // pages.
   for (const path of paths) {
     for (const colorScheme of ["light", "dark"] as const) {

@@ -20,8 +20,8 @@ async function delayScript(page: Page): Promise<() => void> {
 /** The newest tick that the worker has reported before the page displays ticks. */
 function reportedTick(page: Page): Promise<number> {
   return page.evaluate(() => {
-    type Heard = { type: string; frame?: { snapshot: { tick: number } } };
-    const { heard } = Reflect.get(window, "corridorSimulator") as { heard: Heard[] };
+    type Message = { type: string; frame?: { snapshot: { tick: number } } };
+    const { heard } = Reflect.get(window, "corridorSimulator") as { heard: Message[] };
     return heard.findLast(({ frame }) => frame !== undefined)?.frame?.snapshot.tick ?? 0;
   });
 }
@@ -40,8 +40,8 @@ async function box(locator: Locator): Promise<string> {
 
 /** The invitation's text, before and after the page has taken over. */
 async function invitation(page: Page): Promise<Locator> {
-  const words = await page.locator("p[data-word=invitation]").first().textContent();
-  return page.getByText(words ?? "", { exact: true }).filter({ visible: true });
+  const text = await page.locator("p[data-word=invitation]").first().textContent();
+  return page.getByText(text ?? "", { exact: true }).filter({ visible: true });
 }
 
 test("continues in the page a run that started before the page's main script", async ({ page }) => {
@@ -180,12 +180,12 @@ test("shows the invitation from the first paint on, in one rect, while the page 
   await expect(page.locator("[data-does=run]")).toBeVisible();
   await waitForPaint(page);
   const text = await (await invitation(page)).textContent();
-  await page.evaluate((words) => {
+  await page.evaluate((text) => {
     const rects = new Set<string>();
     Reflect.set(window, "rectsSeen", rects);
     const recordRect = () => {
       const visible = [...document.querySelectorAll("p")].find(
-        (each) => each.textContent === words && each.checkVisibility({ visibilityProperty: true }),
+        (each) => each.textContent === text && each.checkVisibility({ visibilityProperty: true }),
       );
       const { x, y, width, height } = visible?.getBoundingClientRect() ?? new DOMRect();
       rects.add([x, y, width, height].map(Math.round).join(" "));

@@ -38,7 +38,7 @@ for (const speed of ["1", "16"]) {
   });
 }
 
-test("ends a command that a reload interrupts where the restored robot stands", async ({
+test("ends a command that a reload interrupts at the restored pose", async ({
   page,
 }) => {
   await page.goto("/");
@@ -62,7 +62,7 @@ test("ends a command that a reload interrupts where the restored robot stands", 
   expect(next.pose?.heading).toBeCloseTo(heading, 6);
 });
 
-test("reports once that the device cannot store the run, and starts anew after a reload", async ({
+test("reports once that the device cannot store the run, and restarts the run after a reload", async ({
   page,
 }) => {
   await page.addInitScript(() => {

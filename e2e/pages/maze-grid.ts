@@ -75,8 +75,8 @@ export class MazeGrid {
   }
 
   /** Expects the name of a square, such as "block" or "open, goal". */
-  async expectSquare(square: Square, words: string): Promise<void> {
-    const name = `row ${square.row + 1}, column ${square.column + 1}, ${words}`;
+  async expectSquare(square: Square, description: string): Promise<void> {
+    const name = `row ${square.row + 1}, column ${square.column + 1}, ${description}`;
     await expect(await this.moveCursorTo(square)).toHaveAccessibleName(name);
   }
 

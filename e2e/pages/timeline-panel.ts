@@ -95,7 +95,7 @@ export class TimelinePanel {
   }
 
   /** Expects the slider's value text, which describes the displayed tick. */
-  async expectValueText(words: RegExp): Promise<void> {
-    await expect(this.slider).toHaveAttribute("aria-valuetext", words);
+  async expectValueText(text: RegExp): Promise<void> {
+    await expect(this.slider).toHaveAttribute("aria-valuetext", text);
   }
 }

@@ -97,15 +97,15 @@ it("cuts both sides, and refuses new connections during an outage", async () => 
 
 it.each(["client", "relay"] as const)(
   "leaves a connection half open after its %s disconnects, until it breaks",
-  async (gone) => {
+  async (side) => {
     const { serverSockets, dial, proxy } = await echoBehindProxy();
     const client = dial();
     client.socket.write("x");
     await waitUntil(() => client.text === "x", LONG_MS);
-    expect(proxy.halfOpen(gone, 400)).toBe(1);
+    expect(proxy.halfOpen(side, 400)).toBe(1);
     const ends = { client: client.socket, relay: serverSockets[0] };
-    await waitUntil(() => ends[gone]?.destroyed === true, LONG_MS);
-    const other = gone === "client" ? ends.relay : ends.client;
+    await waitUntil(() => ends[side]?.destroyed === true, LONG_MS);
+    const other = side === "client" ? ends.relay : ends.client;
     expect(other?.destroyed).toBe(false);
     other?.write("never received");
     await waitUntil(() => other?.destroyed === true, LONG_MS);

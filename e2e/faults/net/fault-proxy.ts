@@ -60,11 +60,11 @@ class ProxiedConnection {
   }
 
   /** Disconnects one side. The other side gets no notice, and its data is discarded. */
-  halfOpen(gone: Side): void {
+  halfOpen(side: Side): void {
     this.isSilent = true;
     for (const pipe of this.#pipes) pipe.close();
-    this.#ends[gone].destroy();
-    this.#ends[gone === "client" ? "relay" : "client"].resume();
+    this.#ends[side].destroy();
+    this.#ends[side === "client" ? "relay" : "client"].resume();
   }
 }
 
@@ -200,10 +200,10 @@ export class FaultProxy {
   }
 
   /** Leaves every connection half open: one side disconnects, and the other is reset after `ms`. */
-  halfOpen(gone: Side, ms: number): number {
+  halfOpen(side: Side, ms: number): number {
     const connections = [...this.#connections].filter(({ isSilent }) => !isSilent);
     for (const connection of connections) {
-      connection.halfOpen(gone);
+      connection.halfOpen(side);
       setTimeout(() => connection.cut("reset"), ms);
     }
     this.cuts += connections.length;

@@ -97,8 +97,8 @@ class Keys:
             if is_valid(case.body.get("code"), CODE) and len(case.body["code"]) <= MAX_TYPED:
                 case.body["code"] = pairing_code()
         elif operation == "awaitPairing" and schemes and CHANCE.random() > MISSES:
-            asked = call("/api/v1/pairing", {"code": pairing_code()})
-            case.headers["Authorization"] = f"Bearer {asked['key']}"
+            pairing = call("/api/v1/pairing", {"code": pairing_code()})
+            case.headers["Authorization"] = f"Bearer {pairing['key']}"
         if is_valid(str(case.query.get("wait")), r"\d{1,2}(\.\d{1,3})?"):
             case.query["wait"] = WAIT
         # Random times would mean that a request was delayed in transit, so send those of a real clock.
