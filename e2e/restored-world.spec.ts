@@ -38,9 +38,7 @@ for (const speed of ["1", "16"]) {
   });
 }
 
-test("ends a command that a reload interrupts at the restored pose", async ({
-  page,
-}) => {
+test("ends a command that a reload interrupts at the restored pose", async ({ page }) => {
   await page.goto("/");
   await setSpeed(page, "0.25");
   const address = await copyAddress(page);
