@@ -171,7 +171,7 @@ test("waits with Run for a link to open", async ({ corridor, page, openWindow })
   await expect(page).toHaveURL(link);
 });
 
-test("shows the invitation from the first paint on, in one rect, while the page takes over", async ({
+test("shows the invitation from the first paint on, in one place, while the page takes over", async ({
   openWindow,
 }) => {
   const { page } = await openWindow({ viewport: { width: 390, height: 844 } });

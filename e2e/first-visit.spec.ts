@@ -44,7 +44,7 @@ test("runs twice at maximum speed with the same result", async ({ corridor }) =>
   await expect(corridor.robotPose).toHaveText(pose ?? "");
 });
 
-test("pauses, and continues from the same pose", async ({ corridor }) => {
+test("pauses, and continues from the same place", async ({ corridor }) => {
   await corridor.run.click();
   await expect(corridor.robotPose).not.toHaveText("Robot at 50, 650, facing right");
   await corridor.pause.click();

@@ -56,7 +56,7 @@ test("a remotely driven robot keeps moving while its page is hidden", async ({ r
   }
 });
 
-test("a page that was hidden while the robot drove displays its current pose once visible", async ({
+test("a page that was hidden while the robot drove displays its current place once visible", async ({
   relay,
 }) => {
   test.setTimeout(120_000);

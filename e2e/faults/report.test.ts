@@ -9,15 +9,15 @@ const about = {
   seed: 1,
 };
 
-function row(measured: number): Result {
+function scenario(measured: number): Result {
   const goal = { label: "back", measured, bound: { atMost: 2 }, unit: "s" };
   return { title: "Killed", description: "kills it", goals: [goal], seconds: 61, load: 1 };
 }
 
 it("passes a scenario when it ran to its end and met all goals", () => {
-  expect(passes(row(2))).toBe(true);
-  expect(passes(row(2.1))).toBe(false);
-  expect(passes({ ...row(1), goals: null, fault: "no relay" })).toBe(false);
+  expect(passes(scenario(2))).toBe(true);
+  expect(passes(scenario(2.1))).toBe(false);
+  expect(passes({ ...scenario(1), goals: null, fault: "no relay" })).toBe(false);
 });
 
 it("reports each goal, its measured value and its verdict", () => {
@@ -29,7 +29,7 @@ it("reports each goal, its measured value and its verdict", () => {
     seconds: 1,
     load: 1,
   };
-  const report = reportOf([row(1.5), row(3), broken], about);
+  const report = reportOf([scenario(1.5), scenario(3), broken], about);
   expect(report).toContain("| Killed | back: at most 2 | 1.5 s | pass |");
   expect(report).toContain("| Killed | back: at most 2 | 3 s | FAIL |");
   expect(report).toContain("| Broken | runs to its end | a \\| b | FAIL |");

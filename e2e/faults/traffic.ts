@@ -31,7 +31,7 @@ export class Traffic {
     this.#isSending = false;
     await Promise.all(this.#senders);
     const isAnswered = (): boolean =>
-      this.#scripts.every(({ commands: diary }) => diary.unanswered === 0);
+      this.#scripts.every(({ commands }) => commands.unanswered === 0);
     await waitUntil(isAnswered, TIMEOUT_MS);
     // A motion without an end continues for as long as its script is connected.
     for (const script of this.#scripts) script.post({ action: "stop", ttl: TIMEOUT_MS });

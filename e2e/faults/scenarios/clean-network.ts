@@ -45,7 +45,7 @@ export const cleanNetwork: Scenario = {
     await callRepeatedly(total, length(context.isLong), (n) => {
       scripts[n % ROBOTS]?.post(shortCommand(Math.floor(n / ROBOTS)));
     });
-    await waitUntil(() => scripts.every(({ commands: diary }) => diary.unanswered === 0), 10_000);
+    await waitUntil(() => scripts.every(({ commands }) => commands.unanswered === 0), 10_000);
     await sleep(2_000);
 
     const compared = await testBed.compare(relay.url);
@@ -57,7 +57,7 @@ export const cleanNetwork: Scenario = {
         return start === undefined || posted === undefined ? [] : [start - posted];
       });
     });
-    const posted = scripts.reduce((sum, { commands: diary }) => sum + diary.posted, 0);
+    const posted = scripts.reduce((sum, { commands }) => sum + commands.posted, 0);
     return [
       {
         label: "posted commands that did not start",
