@@ -42,10 +42,4 @@ export function chooseMaze(
       },
     },
   });
-  // It says which maze is open: with another one it goes.
-  const end = workspace.subscribe(({ maze: { name } }) => {
-    if (name === maze.name) return;
-    end();
-    dismiss(screen, message);
-  });
 }
