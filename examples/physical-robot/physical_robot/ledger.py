@@ -19,6 +19,7 @@ from .problems import Problem
 
 ENDINGS = ("completed", "collided", "cancelled", "superseded", "expired")
 MOST_WAITING = 64
+TAKEN_BACK = "Its script cancelled it. Send it again if the robot should still do it."
 KEPT_EVENTS = 1_000
 LOG_PAGE = 200
 
@@ -110,7 +111,7 @@ class Ledger:
         """Takes one command back."""
         entry = self.entry(seq)
         if not entry.ended:
-            self.end(entry, "cancelled", "cancelled by its sender")
+            self.end(entry, "cancelled", TAKEN_BACK)
         return entry.record()
 
     def entry(self, seq: int) -> Entry:

@@ -10,7 +10,7 @@ export {
   type EndingState,
 } from "./command-record.ts";
 export { expiredReason } from "./expired-reason.ts";
-export { PAUSED_REASON } from "./paused-reason.ts";
+export { BLOCKED_REASON, PAUSED_REASON, REVOKED_REASON } from "./owner-reasons.ts";
 export {
   MAX_PROBLEMS,
   describeProblem,

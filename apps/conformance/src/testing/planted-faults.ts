@@ -275,15 +275,15 @@ const stops: PlantedFault[] = [
     "take-back-waiting",
     "what waits cannot be taken back",
     LEDGER,
-    'if not entry.ended:\n            self.end(entry, "cancelled", "cancelled by its sender")',
-    'if entry is self.running:\n            self.end(entry, "cancelled", "cancelled by its sender")',
+    'if not entry.ended:\n            self.end(entry, "cancelled", TAKEN_BACK)',
+    'if entry is self.running:\n            self.end(entry, "cancelled", TAKEN_BACK)',
   ),
   fault(
     "take-back-running",
     "what runs cannot be taken back",
     LEDGER,
-    'if not entry.ended:\n            self.end(entry, "cancelled", "cancelled by its sender")',
-    'if entry in self._waiting:\n            self.end(entry, "cancelled", "cancelled by its sender")',
+    'if not entry.ended:\n            self.end(entry, "cancelled", TAKEN_BACK)',
+    'if entry in self._waiting:\n            self.end(entry, "cancelled", TAKEN_BACK)',
   ),
   fault(
     "replace",
@@ -296,8 +296,8 @@ const stops: PlantedFault[] = [
     "first-ending",
     "an ending is overwritten by a DELETE",
     LEDGER,
-    'if not entry.ended:\n            self.end(entry, "cancelled", "cancelled by its sender")',
-    'if True:\n            self.end(entry, "cancelled", "cancelled by its sender")',
+    'if not entry.ended:\n            self.end(entry, "cancelled", TAKEN_BACK)',
+    'if True:\n            self.end(entry, "cancelled", TAKEN_BACK)',
   ),
 ];
 

@@ -1,4 +1,10 @@
-import { keyListSchema, madeKeySchema, type MadeKey, type Registration } from "@corridor/protocol";
+import {
+  keyListSchema,
+  madeKeySchema,
+  REVOKED_REASON,
+  type MadeKey,
+  type Registration,
+} from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { FakeClock } from "../testing/fake-clock.ts";
@@ -253,7 +259,7 @@ describe("a new driver key", () => {
     const waited = await relay.ask(robot, "/commands/10?wait=5", { key: other.key });
     expect(await waited.json()).toMatchObject({
       state: "cancelled",
-      reason: "its key was revoked",
+      reason: REVOKED_REASON,
     });
     const kept = await relay.ask(robot, "/commands/11", { key: other.key });
     expect((await kept.json()) as object).not.toMatchObject({ state: "cancelled" });

@@ -1,4 +1,5 @@
 import {
+  BLOCKED_REASON,
   PAUSED_REASON,
   scriptListSchema,
   sentAwaySchema,
@@ -143,7 +144,7 @@ describe("a script that is sent away", () => {
     await expect
       .poll(async () => (await (await as("Ben", "/commands?after=9")).json()) as unknown)
       .toMatchObject({
-        commands: [{ seq: 10, state: "cancelled", reason: "its script was blocked" }, { seq: 11 }],
+        commands: [{ seq: 10, state: "cancelled", reason: BLOCKED_REASON }, { seq: 11 }],
       });
     ben.send({ type: "command", command: LEFT });
     expect(await ben.next("ack")).toMatchObject({ record: { seq: 12 } });

@@ -3,8 +3,10 @@
  * store keeps the wish, so that a page that was away is asked when it is back.
  */
 import {
+  BLOCKED_REASON,
   PAUSED_REASON,
   recallCauses,
+  REVOKED_REASON,
   type CommandRecord,
   type RecallCause,
 } from "@corridor/protocol";
@@ -32,9 +34,10 @@ export interface CommandRecallParts {
 
 /** As the record of a command says it. */
 const reasons = {
-  sender: "cancelled by its sender",
-  revoked: "its key was revoked",
-  "sent-away": "its script was blocked",
+  sender:
+    "Its script cancelled it before it started. Send it again if the robot should still do it.",
+  revoked: REVOKED_REASON,
+  "sent-away": BLOCKED_REASON,
   paused: PAUSED_REASON,
 } as const satisfies Record<RecallCause, string>;
 

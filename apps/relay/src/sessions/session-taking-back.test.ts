@@ -1,3 +1,4 @@
+import { REVOKED_REASON } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { completed } from "../testing/messages.ts";
 import { LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
@@ -57,6 +58,6 @@ describe("a robot session: taking back while the page is away", () => {
     const after = await page(robot);
     expect(after.seqs("command")).toEqual([]);
     const [record] = await robot.session.commandsAfter(0);
-    expect(record).toMatchObject({ state: "cancelled", reason: "its key was revoked" });
+    expect(record).toMatchObject({ state: "cancelled", reason: REVOKED_REASON });
   });
 });

@@ -2,7 +2,7 @@
  * Why this page ends remote commands early. The page shows a reason in its reader's language, by its code;
  * scripts get the English sentence.
  */
-import { PAUSED_REASON } from "@corridor/protocol";
+import { BLOCKED_REASON, PAUSED_REASON, REVOKED_REASON } from "@corridor/protocol";
 
 export const cancelReasons = {
   notRemote: "Remote does not drive: choose Remote on the robot's page.",
@@ -12,9 +12,9 @@ export const cancelReasons = {
   movedInTime: "The robot's page went to another moment or another run.",
   stopped: "The robot was stopped.",
   replaced: "A newer command took its place.",
-  takenBack: "Its sender took it back.",
-  keyRevoked: "Its key was revoked.",
-  sentAway: "Its script was blocked.",
+  takenBack: "Its script cancelled it. Send it again if the robot should still do it.",
+  keyRevoked: REVOKED_REASON,
+  sentAway: BLOCKED_REASON,
   paused: PAUSED_REASON,
   silent: "Its sender fell silent, so the robot stopped.",
   disconnected: "The robot's page disconnected.",

@@ -156,7 +156,9 @@ export class History {
     if (isDone && end?.what !== state) endedTwice(`is ${state}, the robot says ${end?.what}`);
     if (state === "expired" && start !== undefined) endedTwice("expired and was started");
     // The relay writes these for what no robot has.
-    const byRelay = /^(stopped|replaced) by command|^cancelled by its sender/.test(reason ?? "");
+    const byRelay = /^(stopped|replaced) by command|^Its script cancelled it before/.test(
+      reason ?? "",
+    );
     if (byRelay && start !== undefined) endedTwice(`was started and ${state}: ${reason}`);
     const isLost = /page is gone|page was reloaded|another page took/.test(reason ?? "");
     if (end !== undefined && end.what !== state && !isLost) {

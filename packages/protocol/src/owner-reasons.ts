@@ -1,0 +1,14 @@
+/**
+ * For the script whose command the owner ended or refused: why, and what to do next. A file of its own: the page's
+ * worker needs no schema for it.
+ */
+
+/** Remote driving is paused. */
+export const PAUSED_REASON =
+  "The owner paused remote driving. Press 'Let scripts drive' under Remote on the robot's page, then send a new command.";
+
+export const REVOKED_REASON =
+  "The owner revoked its key. Ask the owner for the robot's new address.";
+
+export const BLOCKED_REASON =
+  "The owner blocked its script. Press 'Unblock' under Remote, More on the robot's page, then start the script again.";
