@@ -11,10 +11,11 @@ import styles from "./remote.module.css";
 
 export function ConnectionCard() {
   const { t } = useTranslation();
-  const { remote, connection } = useServices();
+  const { remote, connection, run } = useServices();
   const status = useStore(remote, (state) => state.status);
+  const isRunPaused = useStore(run, ({ snapshot }) => snapshot?.state === "paused");
   const now = useNow(status.kind === "connected");
-  const view = viewConnection(status, now);
+  const view = viewConnection(status, isRunPaused, now);
   const isOnline = useOnline();
   const { title, note } = useWords(view);
   const isOpen = view.kind !== "off" && view.kind !== "lost" && view.kind !== "over";
@@ -48,7 +49,7 @@ export function ConnectionCard() {
 }
 
 function useWords(view: ConnectionView): { title: string; note: string } {
-  const { t } = useTranslation();
+  const { t } = useTranslation(["words", "runDetails"], { useSuspense: false });
   switch (view.kind) {
     case "off":
       return { title: t("remote.off"), note: t("remote.offNote") };
@@ -56,6 +57,8 @@ function useWords(view: ConnectionView): { title: string; note: string } {
       return { title: t("remote.connecting"), note: t("remote.connectingNote") };
     case "waiting":
       return { title: t("remote.waiting"), note: t("remote.waitingNote") };
+    case "paused":
+      return { title: t("runDetails:remotePaused.title"), note: t("runDetails:remotePaused.note") };
     case "connected":
     case "quiet": {
       // The relay names a language by the request's headers, or just "Script".

@@ -5,12 +5,22 @@ import type { RemoteStatus, RemoteTrouble } from "../../worker/worker-messages.t
 const QUIET_AFTER_MS = 5_000;
 
 export type ConnectionView =
-  | { kind: "off" | "connecting" | "waiting" }
+  | { kind: "off" | "connecting" | "waiting" | "paused" }
   | { kind: "connected" | "quiet"; client: string; seconds: number }
   | { kind: "lost" | "over"; reason: RemoteTrouble };
 
-/** @param now milliseconds since 1970 */
-export function viewConnection(status: RemoteStatus, now: number): ConnectionView {
+/**
+ * @param isRunPaused whether the robot stands still until Run is pressed: what scripts send waits, so they fall silent
+ * @param now milliseconds since 1970
+ */
+export function viewConnection(
+  status: RemoteStatus,
+  isRunPaused: boolean,
+  now: number,
+): ConnectionView {
+  if (isRunPaused && (status.kind === "waiting" || status.kind === "connected")) {
+    return { kind: "paused" };
+  }
   if (status.kind !== "connected") return status;
   const silence = Math.max(0, now - status.heardAt);
   return {

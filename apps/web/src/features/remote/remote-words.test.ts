@@ -37,11 +37,17 @@ describe("the connection", () => {
     { silence: -50, view: { kind: "connected", client: "Python", seconds: 0 } },
   ])("is $view.kind when the script was heard $silence ms ago", ({ silence, view }) => {
     const status = { kind: "connected", client: "Python", heardAt: 1_000_000 } as const;
-    expect(viewConnection(status, 1_000_000 + silence)).toEqual(view);
+    expect(viewConnection(status, false, 1_000_000 + silence)).toEqual(view);
+  });
+
+  it("says that the run is paused, not that the script is quiet", () => {
+    const heard = { kind: "connected", client: "Python", heardAt: 1_000 } as const;
+    expect(viewConnection(heard, true, 10_000)).toEqual({ kind: "paused" });
+    expect(viewConnection({ kind: "waiting" }, true, 10_000)).toEqual({ kind: "paused" });
   });
 
   it("passes on what needs no clock", () => {
-    expect(viewConnection({ kind: "lost", reason: "noService" }, 0)).toEqual({
+    expect(viewConnection({ kind: "lost", reason: "noService" }, true, 0)).toEqual({
       kind: "lost",
       reason: "noService",
     });

@@ -13,7 +13,7 @@ robot = Robot("${address}")
 while robot.sensor.front > 60:
     robot.forward(100)
 robot.left(90)
-print(robot.sensor.front)
+print(round(robot.sensor.front))
 `;
 }
 
@@ -79,9 +79,9 @@ function curl(api: string, key: string): string {
   return `ROBOT="${api}"
 AUTH="Authorization: Bearer ${key}"
 JSON="Content-Type: application/json"
-ANSWER=$(curl -s $ROBOT/commands -H "$AUTH" -H "$JSON" -d '{"action":"left 90"}')
+ANSWER=$(curl -sS $ROBOT/commands -H "$AUTH" -H "$JSON" -d '{"action":"left 90"}')
 SEQ=$(echo "$ANSWER" | grep -o '"seq":[0-9]*' | cut -d: -f2)
-if [ "$SEQ" ]; then ANSWER=$(curl -s "$ROBOT/commands/$SEQ?wait=25" -H "$AUTH"); fi
+if [ "$SEQ" ]; then ANSWER=$(curl -sS "$ROBOT/commands/$SEQ?wait=25" -H "$AUTH"); fi
 echo "$ANSWER" | grep -oE '"(state|reason|detail)":"[^"]*"'
 `;
 }
