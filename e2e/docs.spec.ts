@@ -34,7 +34,42 @@ test("copies a complete script", async ({ page }) => {
   await panel.getByRole("button", { name: "Copy" }).click();
   await expect(panel.getByRole("status")).toHaveText("Copied");
   const script = await page.evaluate(() => navigator.clipboard.readText());
-  expect(script).toMatch(/^from corridor import Robot\n[^]*front\)\s*$/);
+  expect(script).toMatch(/^from corridor import Robot\n[^]*front\)\)\s*$/);
+});
+
+test("a language counts for every block of every page, and the block stays in place", async ({
+  page,
+}) => {
+  await page.goto("/docs");
+  await page.getByRole("radio", { name: "curl" }).check();
+  await page.goto("/docs/recipes");
+  const maze = page.getByRole("group", { name: "Language for the maze" });
+  await expect(maze.getByRole("radio", { name: "curl" })).toBeChecked();
+  await maze.scrollIntoViewIfNeeded();
+  const before = (await maze.boundingBox())?.y;
+  await maze.getByText("JavaScript", { exact: true }).click();
+  expect((await maze.boundingBox())?.y).toBeCloseTo(before ?? Number.NaN, 0);
+  const follower = page.getByRole("group", { name: "Language of the wall follower" });
+  await expect(follower.getByRole("radio", { name: "JavaScript" })).toBeChecked();
+  // Begin has a language more: what a page does not offer changes nothing there.
+  await page.goto("/docs");
+  await page.getByRole("radio", { name: "Java", exact: true }).check();
+  await page.goto("/docs/recipes");
+  await expect(follower.getByRole("radio", { name: "Python" })).toBeChecked();
+});
+
+test("the console is dark where the page is", async ({ page }) => {
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.goto("/docs/try");
+  const block = page.locator("#operations-Service-checkHealth .opblock-summary-description");
+  await expect(block).toBeVisible();
+  const [ink, paper] = await block.evaluate((words) => [
+    getComputedStyle(words).color,
+    getComputedStyle(words.closest("#console") ?? words).backgroundColor,
+  ]);
+  const light = (colour = ""): number => Number(/\d+/.exec(colour)?.[0]);
+  expect(light(ink)).toBeGreaterThan(150);
+  expect(light(paper)).toBeLessThan(60);
 });
 
 test("shows one language at a time, by keyboard and without JavaScript", async ({

@@ -23,7 +23,7 @@ const [python = "python3"] = inPath("python3");
 const programs: Record<string, { command: string[]; file: string }> = {
   Python: { command: [python], file: "recipe.py" },
   JavaScript: { command: [process.execPath], file: "recipe.mjs" },
-  "HTTP with curl": { command: ["sh"], file: "recipe.sh" },
+  curl: { command: ["sh"], file: "recipe.sh" },
 };
 
 /**
@@ -74,7 +74,7 @@ const follower = {
 const recipes: Recipe[] = [
   { ...follower, language: "Python" },
   { ...follower, language: "JavaScript" },
-  { ...follower, language: "HTTP with curl" },
+  { ...follower, language: "curl" },
   { section: "react-to-a-bump", language: "Python", prints: /^Wall after 2\d\d cm\n$/ },
   {
     section: "read-the-maze",
@@ -86,12 +86,12 @@ const recipes: Recipe[] = [
     language: "JavaScript",
     prints: /^Bend 5 4\nGoal at 3 2\nRobot at 1 1\n$/,
   },
-  { section: "read-the-maze", language: "HTTP with curl", prints: /"blocks":\["#####"/ },
+  { section: "read-the-maze", language: "curl", prints: /"blocks":\["#####"/ },
   { section: "watch-a-robot", language: "Python", prints: /front \d/, isEndless: true },
   { section: "watch-a-robot", language: "JavaScript", prints: /front \d/, isEndless: true },
   {
     section: "watch-a-robot",
-    language: "HTTP with curl",
+    language: "curl",
     prints: /event: snapshot/,
     isEndless: true,
   },

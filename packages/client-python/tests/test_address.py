@@ -25,6 +25,7 @@ def test_the_key_may_be_given_by_itself() -> None:
         ("localhost/r/abc#" + KEY, "begins with http://"),
         ("http://localhost:8080/r/abc", "key after the # is missing"),
         ("http://localhost:8080/r/abc#", "key after the # is missing"),
+        ("http://HOST/r/ID#KEY", "HOST, ID and KEY stand for your robot's address"),
         ("http://localhost:8080/#" + KEY, "looks like http://HOST/r/ID#KEY"),
         ("http://localhost:8080/r/abc?key=" + KEY, "key after the # is missing"),
         ("http://me:secret@localhost/r/abc#" + KEY, "before the @"),

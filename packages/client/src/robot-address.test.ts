@@ -20,6 +20,11 @@ describe("parseRobotAddress", () => {
   it.each([
     { name: "nothing", text: "", hint: "empty" },
     {
+      name: "the example",
+      text: "http://HOST/r/ID#KEY",
+      hint: "HOST, ID and KEY stand for your robot's address",
+    },
+    {
       name: "an address whose key the shell has eaten",
       text: ADDRESS.split("#")[0],
       hint: "quotes",

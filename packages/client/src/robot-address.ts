@@ -42,5 +42,8 @@ function hintFor(address: string): string {
   if (!/^https?:\/\//.test(address)) {
     return "It begins with http:// or https://: copy the whole address from the page, under Remote.";
   }
+  if (/^https?:\/\/HOST\b/.test(address)) {
+    return "HOST, ID and KEY stand for your robot's address: copy it from the page, under Remote.";
+  }
   return "It looks like http://HOST/r/ID#KEY: copy it again from the page, under Remote.";
 }

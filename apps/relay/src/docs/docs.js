@@ -6,6 +6,12 @@ globalThis.trustedTypes?.createPolicy("default", {
   createHTML: (html) => (PLAIN.test(html) ? html : null),
 });
 
+// Its dark colours wait for a class.
+const dark = matchMedia("(prefers-color-scheme: dark)");
+const paint = () => document.documentElement.classList.toggle("dark-mode", dark.matches);
+dark.addEventListener("change", paint);
+paint();
+
 globalThis.SwaggerUIBundle({
   url: "/openapi.json",
   domNode: document.querySelector("#console"),

@@ -29,6 +29,7 @@ export function framed({ path, title, html, head = "" }: Page): string {
     <link rel="icon" href="data:," />
     <link rel="stylesheet" href="/docs/docs.css" />
     <script type="module" src="/docs/copy.js"></script>
+    <script type="module" src="/docs/tabs.js"></script>
     ${head}
   </head>
   <body>

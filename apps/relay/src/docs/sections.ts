@@ -64,6 +64,10 @@ export const sections: readonly Section[] = [
     pages: [{ path: "/docs/http", words: "HTTP and WebSocket", file: `${PAGES}/http.md` }],
   },
   {
+    words: "Protocol",
+    pages: [{ path: "/docs/protocol", words: "Protocol", file: "docs/protocol.md" }],
+  },
+  {
     words: "Problems",
     pages: [{ path: "/problems", words: "All problems", file: null }],
   },
@@ -75,7 +79,6 @@ export const sections: readonly Section[] = [
     words: "Robot hosts",
     pages: [
       { path: "/docs/hosts", words: "Build a robot host", file: `${PAGES}/hosts.md` },
-      { path: "/docs/protocol", words: "Protocol", file: "docs/protocol.md" },
       { path: "/docs/conformance", words: "Conformance kit", file: "docs/conformance.md" },
     ],
   },

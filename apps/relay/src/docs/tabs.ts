@@ -1,4 +1,4 @@
-/** Parts of a Markdown text that a reader chooses from: radio buttons and a style, without a script. */
+/** Parts of a Markdown text that a reader chooses from: radio buttons and a style. `tabs.js` only makes a choice count on. */
 import { escaped, htmlOf, slugOf, type Address } from "./markdown.ts";
 
 const PART = /<!-- tabs: (.*) -->\n([^]*?)<!-- end of tabs -->\n/g;
@@ -26,7 +26,7 @@ function tabs(legend: string, text: string, address?: Address): string {
     });
   const choices = sections.map(
     ({ name }, index) =>
-      `<label><input type="radio" name="${group}"${index === 0 ? " checked" : ""} />${escaped(name)}</label>`,
+      `<label><input type="radio" name="${group}" value="${escaped(name)}"${index === 0 ? " checked" : ""} />${escaped(name)}</label>`,
   );
   const panels = sections.map(
     ({ name, text: inside }) =>

@@ -85,7 +85,7 @@ describe("the documentation", () => {
     const files = [...html.matchAll(/(?:src|href)="(\/docs\/[^"]+\.\w+)"/g)].map(
       ([, path]) => path,
     );
-    expect(files).toHaveLength(5);
+    expect(files).toHaveLength(6);
     for (const path of files) {
       const file = await fetch(origin + path);
       expect(file.headers.get("content-type")).toMatch(/^text\/(?:css|javascript)/);

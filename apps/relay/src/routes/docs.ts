@@ -16,6 +16,7 @@ const FOLDER = join(import.meta.dirname, "../docs");
 const FILES = {
   "/docs/docs.css": join(FOLDER, "docs.css"),
   "/docs/copy.js": join(FOLDER, "copy.js"),
+  "/docs/tabs.js": join(FOLDER, "tabs.js"),
   "/docs/docs.js": join(FOLDER, "docs.js"),
   "/docs/swagger-ui.css": fileURLToPath(import.meta.resolve("swagger-ui-dist/swagger-ui.css")),
   "/docs/swagger-ui-bundle.js": fileURLToPath(

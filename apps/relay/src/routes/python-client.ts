@@ -67,7 +67,7 @@ function oneFile(read: (name: string) => string): string {
 
     robot = Robot("http://HOST/r/ID#KEY")
     robot.forward(100)
-    print(robot.sensor.front)
+    print(round(robot.sensor.front))
 
 Python 3.9 or newer, nothing else.
 """

@@ -40,6 +40,20 @@ describe("a wrong address", () => {
     }
   });
 
+  it("leads to the documentation as well, below its addresses", async () => {
+    const { origin } = await startTestRelay();
+    for (const [path, isInDocs] of [
+      ["/docs/none", true],
+      ["/problems/none", true],
+      ["/docks", false],
+    ] as const) {
+      const headers = { accept: BROWSER, "accept-language": "de" };
+      const html = await (await fetch(origin + path, { headers })).text();
+      expect([path, html.includes('href="/docs">Zur Dokumentation')]).toEqual([path, isInDocs]);
+      expect(html).toContain('href="/"');
+    }
+  });
+
   it.each([
     { lang: "ja", words: "このページはありません" },
     { lang: "zh-Hans", words: "没有这个页面" },

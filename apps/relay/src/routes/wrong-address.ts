@@ -1,11 +1,12 @@
 /**
- * The page for people at an address that does not exist: what is wrong, and a link home. It needs no script.
+ * The page for people at an address that does not exist: what is wrong, and a link home, or to the documentation as well. It needs no script.
  * API paths, and clients that do not ask for HTML, get a problem document instead.
  */
 import type { ErrorRequestHandler, RequestHandler } from "express";
 import { wrongAddressWords, type WrongAddressWords } from "./wrong-address-words.ts";
 
 const API = /^\/api(?:\/|$)/;
+const DOCS = /^\/(?:docs|problems)(?:\/|$)/;
 
 /** Escapes that are no UTF-8, such as /r/%E0: an address of the page that cannot be read is a wrong one. */
 export const unreadableAddress: ErrorRequestHandler = (
@@ -35,12 +36,18 @@ export function wrongAddress(refused: () => void): RequestHandler {
     response.vary("Accept-Language").set("Cache-Control", "no-store");
     response.status(404).type("html");
     const way = chosen === undefined ? "/" : `/?lang=${chosen}`;
-    response.send(page(lang, way, wrongAddressWords[lang] ?? wrongAddressWords.en));
+    const words = wrongAddressWords[lang] ?? wrongAddressWords.en;
+    response.send(page(lang, way, words, DOCS.test(request.path)));
     return undefined;
   };
 }
 
-function page(lang: string, way: string, { title, text, home }: WrongAddressWords): string {
+function page(
+  lang: string,
+  way: string,
+  { title, text, home, docs }: WrongAddressWords,
+  isInDocs: boolean,
+): string {
   const dir = lang === "ar" ? "rtl" : "ltr";
   return `<!doctype html>
 <html lang="${lang}" dir="${dir}">
@@ -56,7 +63,7 @@ function page(lang: string, way: string, { title, text, home }: WrongAddressWord
     <header><a href="${way}">Corridor</a></header>
     <main>
       <h1>${title}</h1>
-      <p>${text}</p>
+      <p>${text}</p>${isInDocs ? `\n      <p><a class="home" href="/docs">${docs}</a></p>` : ""}
       <p><a class="home" href="${way}">${home}</a></p>
     </main>
   </body>

@@ -66,4 +66,6 @@ def _hint_for(text: str) -> str:
         return f"It holds a user's name before the @: {_COPY}."
     if re.fullmatch(r"https?://[^/]+/r/[^#]+#?", text):
         return f'The key after the # is missing: {_COPY}, and put it in "quotes" on a command line.'
+    if re.match(r"https?://HOST\b", text):
+        return f"HOST, ID and KEY stand for your robot's address: {_COPY}."
     return f"It looks like http://HOST/r/ID#KEY: {_COPY}."
