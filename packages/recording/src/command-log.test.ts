@@ -6,7 +6,7 @@ import { readRun } from "./run-schema.ts";
 import { anyLivelyProgram, anyOperations, anySmallMaze, perform } from "./testing/operations.ts";
 import { Timeline } from "./timeline.ts";
 
-/** All commands and waits of a timeline. */
+/** All commands and waiting times of a timeline. */
 function logOf({ commands }: Timeline, ticks: number) {
   return {
     commands: Array.from({ length: commands.count }, (_, index) => commands.at(index)),
@@ -18,7 +18,7 @@ function resultsOf({ timeline }: Recording) {
   return logOf(timeline, 0).commands.map((each) => [each?.seq, each?.from, each?.to, each?.ending]);
 }
 
-/** A script has the robot, which looks east through three open squares. */
+/** A recording of a robot in a corridor of three cells, driven by a script. */
 function scripted(): Recording {
   const recording = new Recording(
     {
@@ -40,7 +40,7 @@ function run(recording: Recording, ticks: number): void {
 }
 
 describe("the commands of a script", () => {
-  it("are there with their results", () => {
+  it("are recorded with their endings", () => {
     const recording = scripted();
     recording.addInput({ do: "command", command: { action: "move", distance: 20 }, seq: 4 });
     run(recording, 60);
@@ -69,7 +69,7 @@ describe("the commands of a script", () => {
     ]);
   });
 
-  it("that ran into a wall say so, and one that runs has no result yet", () => {
+  it("end as collided after a collision, and have no ending while they run", () => {
     const recording = scripted();
     recording.addInput({ do: "command", command: { action: "move", distance: 500 }, seq: 1 });
     run(recording, 10);
@@ -78,7 +78,7 @@ describe("the commands of a script", () => {
     expect(resultsOf(recording)[0]?.[3]).toBe("collided");
   });
 
-  it("of a hand are none", () => {
+  it("do not include manual commands", () => {
     const recording = scripted();
     recording.addInput({ do: "driver", driver: "me" });
     recording.addInput({ do: "command", command: { action: "forward" } });
@@ -88,8 +88,8 @@ describe("the commands of a script", () => {
   });
 });
 
-describe("waiting", () => {
-  it("is the time in which a script has the robot and gives no command", () => {
+describe("waiting time", () => {
+  it("is the time in which a script is the driver but no command runs", () => {
     const recording = scripted();
     run(recording, 100);
     recording.addInput({ do: "command", command: { action: "forward" }, seq: 1 });
@@ -103,7 +103,7 @@ describe("waiting", () => {
   });
 });
 
-it("is the same on the page, in an opened file and after another way was gone", () => {
+it("is the same on the page, in an opened file and after a truncation", () => {
   let commands = 0;
   let waits = 0;
   fc.assert(
@@ -116,7 +116,7 @@ it("is the same on the page, in an opened file and after another way was gone", 
       (maze, program, before, after, part) => {
         const recording = new Recording(maze, program);
         const page = new Timeline();
-        const tell = () => {
+        const sync = () => {
           const delta = recording.timeline.takeDelta();
           if (delta !== null) page.applyDelta(structuredClone(delta));
         };
@@ -124,7 +124,7 @@ it("is the same on the page, in an opened file and after another way was gone", 
         let waited = 0;
         const perTick = [0];
         let isWaiting = true;
-        const note = () => {
+        const countTick = () => {
           if (isWaiting) waited++;
           perTick.push(waited);
         };
@@ -133,10 +133,10 @@ it("is the same on the page, in an opened file and after another way was gone", 
             const { run: live } = recording;
             isWaiting = live.driver === "remote" && live.command === null;
             perform(recording, operation, () => {
-              note();
+              countTick();
               isWaiting = live.driver === "remote" && live.command === null;
             });
-            tell();
+            sync();
           }
         };
         drive(before);
@@ -144,7 +144,7 @@ it("is the same on the page, in an opened file and after another way was gone", 
         recording.truncate(tick);
         perTick.length = tick + 1;
         waited = perTick[tick] ?? 0;
-        tell();
+        sync();
         drive(after);
         const end = recording.run.tick;
         const log = logOf(recording.timeline, end);
@@ -156,7 +156,7 @@ it("is the same on the page, in an opened file and after another way was gone", 
         if (!read.ok) throw new Error(JSON.stringify(read.problems));
         const opened = openRun(read.value);
         if (!opened.ok) throw new Error(JSON.stringify(opened.problems));
-        // As texts: a file writes the -0 of a power as 0.
+        // Compared as JSON, which writes the power -0 as 0.
         expect(JSON.stringify(logOf(opened.value.timeline, end))).toBe(JSON.stringify(log));
         commands += log.commands.length;
         waits += waited;

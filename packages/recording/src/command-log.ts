@@ -1,44 +1,44 @@
 /**
- * The commands of scripts in a run: when each began and ended, and how; and how long the robot waited
- * for the next one. Plain objects: the inputs of the run, which hold the same commands, cost more.
+ * The commands of scripts in a run, with start, end and ending, and the waiting time between them.
+ * Commands are plain objects, because the inputs of the run need more memory for the same commands.
  */
 import type { Command, EndingState } from "@corridor/protocol";
 import { GrowingArray } from "./growing-array.ts";
 
 /** A command of a script, in ticks of the run. */
 export interface TimelineCommand {
-  /** its number at the relay, from 1 */
+  /** number of the command at the relay, from 1 */
   seq: number;
   command: Command;
-  /** tick at whose end it began */
+  /** tick at whose end the command started */
   from: number;
-  /** tick at whose end it ended; null while it runs */
+  /** tick at whose end the command ended; null while it runs */
   to: number | null;
-  /** null while it runs */
+  /** null while the command runs */
   ending: EndingState | null;
 }
 
-/** What a command log gained or lost since the last `take`. */
+/** Changes of a command log since the last `takeDelta`. */
 export interface CommandDelta {
-  /** commands that stay as they were; those after them are replaced */
+  /** number of unchanged commands; the commands of the delta replace the following ones */
   unchangedCommands: number;
   commands: TimelineCommand[];
-  /** changes between driving and waiting that stay as they were */
+  /** number of unchanged starts and ends of waiting */
   unchangedWaits: number;
   waitTicks: Int32Array<ArrayBuffer>;
   waitSums: Int32Array<ArrayBuffer>;
 }
 
-/** Bytes of one command, roughly. */
+/** Approximate size of one command in bytes. */
 const COMMAND_BYTES = 160;
 
 export class CommandLog {
   readonly #commands: TimelineCommand[] = [];
-  /** Ticks at which waiting begins (even index) and ends (odd index). */
+  /** Ticks at which waiting starts (even index) and ends (odd index). */
   readonly #waitTicks = new GrowingArray("int32");
-  /** Ticks waited up to each of them. */
+  /** Total waiting time up to each of these ticks, in ticks. */
   readonly #waitSums = new GrowingArray("int32");
-  /** commands and changes that are as they were at the last `take`, and how many there were then */
+  /** number of entries unchanged since the last `takeDelta`, and number of entries at that time */
   #unchangedCommands = 0;
   #unchangedWaits = 0;
   #sentCommands = 0;
@@ -48,18 +48,18 @@ export class CommandLog {
     return this.#commands.length;
   }
 
-  /** Bytes held, roughly. */
+  /** Approximate memory use in bytes. */
   get byteLength(): number {
     const waits = this.#waitTicks.byteLength + this.#waitSums.byteLength;
     return waits + this.#commands.length * COMMAND_BYTES;
   }
 
-  /** Command `index`, in the order of time. */
+  /** Returns command `index`, in time order. */
   at(index: number): TimelineCommand | undefined {
     return this.#commands[index];
   }
 
-  /** How many commands began up to the end of `tick`: the index of the first one after it. */
+  /** Number of commands up to the end of `tick`, which is the index of the first command after it. */
   countUpTo(tick: number): number {
     let low = 0;
     let high = this.#commands.length;
@@ -71,7 +71,7 @@ export class CommandLog {
     return low;
   }
 
-  /** Ticks up to the end of `tick` in which a script had the robot and no command of it ran. */
+  /** Number of ticks up to the end of `tick` in which a script was the driver but no command ran. */
   waitedUpTo(tick: number): number {
     const count = this.#waitTicks.countUpTo(tick);
     if (count === 0) return 0;
@@ -84,7 +84,7 @@ export class CommandLog {
     this.#commands.push({ seq, command, from: tick, to: null, ending: null });
   }
 
-  /** The command that runs is over; nothing where none runs. */
+  /** Ends the running command. Does nothing if no command runs. */
   recordEnd(tick: number, ending: EndingState): void {
     const index = this.#commands.length - 1;
     const last = this.#commands[index];
@@ -93,14 +93,14 @@ export class CommandLog {
     this.#unchangedCommands = Math.min(this.#unchangedCommands, index);
   }
 
-  /** From the end of `tick` on, the robot waits for a command, or does not. */
+  /** Records whether the robot waits for a command from the end of `tick` on. */
   setWaiting(tick: number, isWaiting: boolean): void {
     if (isWaiting === (this.#waitTicks.length % 2 === 1)) return;
     this.#waitSums.push(this.waitedUpTo(tick));
     this.#waitTicks.push(tick);
   }
 
-  /** Forgets what came after the end of `tick`; a command that ended after it runs again. */
+  /** Deletes entries after the end of `tick`. A command that ended after it becomes the running one. */
   truncateAfter(tick: number): void {
     this.#commands.length = this.countUpTo(tick);
     const index = this.#commands.length - 1;
@@ -116,7 +116,7 @@ export class CommandLog {
     this.#unchangedWaits = Math.min(this.#unchangedWaits, waits);
   }
 
-  /** What changed since the last call; null when nothing did. */
+  /** Returns the changes since the last call, or null. */
   takeDelta(): CommandDelta | null {
     const isSame =
       this.#unchangedCommands === this.count &&
@@ -136,7 +136,7 @@ export class CommandLog {
     return delta;
   }
 
-  /** Takes in what another log gained or lost. */
+  /** Applies the changes of another log. */
   applyDelta(delta: CommandDelta): void {
     this.#commands.length = Math.min(this.count, delta.unchangedCommands);
     for (const command of delta.commands) this.#commands.push(command);

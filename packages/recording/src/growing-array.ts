@@ -1,22 +1,20 @@
-/**
- * A typed array that grows: numbers of a run of hours, packed, so that they cost bytes and not objects.
- */
+/** A typed array that grows, for the packed numbers of long runs. */
 
-/** The kinds of typed array that a recording needs. */
+/** The kinds of typed arrays that a recording uses. */
 interface Kinds {
   int16: Int16Array<ArrayBuffer>;
   int32: Int32Array<ArrayBuffer>;
   float64: Float64Array<ArrayBuffer>;
 }
 
-const makers: { [K in keyof Kinds]: (length: number) => Kinds[K] } = {
+const constructors: { [K in keyof Kinds]: (length: number) => Kinds[K] } = {
   int16: (length) => new Int16Array(length),
   int32: (length) => new Int32Array(length),
   float64: (length) => new Float64Array(length),
 };
 
-const FIRST_LENGTH = 64;
-/** A half more each time: few copies, and at most a third of it empty. */
+const INITIAL_LENGTH = 64;
+/** Growth factor: few copies, and at most a third of the array is unused. */
 const GROWTH = 1.5;
 
 export class GrowingArray<K extends keyof Kinds> {
@@ -26,24 +24,24 @@ export class GrowingArray<K extends keyof Kinds> {
 
   constructor(kind: K) {
     this.#kind = kind;
-    this.#values = makers[kind](FIRST_LENGTH);
+    this.#values = constructors[kind](INITIAL_LENGTH);
   }
 
   get length(): number {
     return this.#length;
   }
 
-  /** Bytes held, the empty end included. */
+  /** Allocated bytes, including unused capacity. */
   get byteLength(): number {
     return this.#values.byteLength;
   }
 
-  /** The number at an index; NaN outside. */
+  /** Returns the number at an index, or NaN outside the array. */
   at(index: number): number {
     return index < this.#length ? (this.#values[index] ?? Number.NaN) : Number.NaN;
   }
 
-  /** Changes the number at an index that is there. */
+  /** Changes the number at an existing index. */
   set(index: number, value: number): void {
     if (index < this.#length) this.#values[index] = value;
   }
@@ -53,34 +51,34 @@ export class GrowingArray<K extends keyof Kinds> {
     this.#values[this.#length++] = value;
   }
 
-  /** Keeps the first `length` numbers. */
+  /** Retains the first `length` numbers. */
   truncate(length: number): void {
     this.#length = Math.min(this.#length, length);
   }
 
-  /** Forgets the first `count` numbers; those after them move to the front. */
+  /** Removes the first `count` numbers and moves the others to the front. */
   dropFirst(count: number): void {
     this.#values.copyWithin(0, count, this.#length);
     this.#length = Math.max(0, this.#length - count);
   }
 
-  /** A copy of the numbers from an index on. */
+  /** Returns a copy of the numbers from an index on. */
   copyFrom(index: number): Kinds[K] {
-    const copy = makers[this.#kind](Math.max(0, this.#length - index));
+    const copy = constructors[this.#kind](Math.max(0, this.#length - index));
     copy.set(this.#values.subarray(index, this.#length));
     return copy;
   }
 
-  /** Keeps the first `keep` numbers and appends others. */
-  replaceFrom(keep: number, values: Kinds[K]): void {
-    this.truncate(keep);
+  /** Replaces the numbers from an index on. */
+  replaceFrom(index: number, values: Kinds[K]): void {
+    this.truncate(index);
     const length = this.#length + values.length;
     if (length > this.#values.length) this.#grow(length);
     this.#values.set(values, this.#length);
     this.#length = length;
   }
 
-  /** How many of the numbers, which rise or stay, are at most `value`: the index after the last of them. */
+  /** Number of values up to `value`, by binary search. The numbers must be in ascending order. */
   countUpTo(value: number): number {
     let low = 0;
     let high = this.#length;
@@ -92,8 +90,9 @@ export class GrowingArray<K extends keyof Kinds> {
     return low;
   }
 
-  #grow(least: number): void {
-    const values = makers[this.#kind](Math.max(least, Math.ceil(this.#values.length * GROWTH)));
+  #grow(minLength: number): void {
+    const length = Math.max(minLength, Math.ceil(this.#values.length * GROWTH));
+    const values = constructors[this.#kind](length);
     values.set(this.#values.subarray(0, this.#length));
     this.#values = values;
   }

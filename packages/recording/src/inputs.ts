@@ -1,19 +1,17 @@
-/**
- * The inputs of a run in the order of their ticks.
- */
+/** The inputs of a run, in tick order. */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument, Rule } from "@corridor/program";
 import type { RunInput, TimedInput } from "./run-input.ts";
 
-/** What a robot runs in and by. */
+/** The current maze and program of a run. */
 export interface Documents {
   maze: MazeDocument;
   program: ProgramDocument;
 }
 
-/** Bytes of an input beside lines and rows, of one of an edit's places for these, and of a line, roughly. */
+/** Approximate sizes in bytes: an input without rules and rows, a reference to one, and a rule. */
 const INPUT_BYTES = 400;
-const PLACE_BYTES = 8;
+const REFERENCE_BYTES = 8;
 const RULE_BYTES = 160;
 
 export class Inputs {
@@ -25,12 +23,12 @@ export class Inputs {
     return this.#inputs.length;
   }
 
-  /** Rises with each change. */
+  /** Increases with each change. */
   get revision(): number {
     return this.#revision;
   }
 
-  /** Rises when inputs are removed or the start changes: until then, inputs only follow the ones before. */
+  /** Increases when inputs are removed or the start changes. Within a generation, inputs only append. */
   get generation(): number {
     return this.#generation;
   }
@@ -39,7 +37,7 @@ export class Inputs {
     return this.#inputs[index];
   }
 
-  /** What the run began with is another: documents written before are out of date. */
+  /** Marks earlier documents as out of date after a change of the start. */
   invalidate(): void {
     this.#revision++;
     this.#generation++;
@@ -51,15 +49,15 @@ export class Inputs {
   }
 
   /**
-   * Takes back the edits that stand at the end, from an index on, all but those of a kind.
-   * @returns those that were left
+   * Removes the edits of one kind from an index to the end.
+   * @returns the remaining inputs from that index on
    */
   dropEdits(from: number, kind: "program" | "maze"): TimedInput[] {
-    const left = this.#inputs.slice(from).filter((input) => input.do !== kind);
+    const remaining = this.#inputs.slice(from).filter((input) => input.do !== kind);
     this.#generation++;
     this.#inputs.length = from;
-    this.#inputs.push(...left);
-    return left;
+    this.#inputs.push(...remaining);
+    return remaining;
   }
 
   /** Index of the first input at or after a tick. */
@@ -80,7 +78,7 @@ export class Inputs {
     this.#inputs.length = this.indexAt(tick + 1);
   }
 
-  /** Bytes held, roughly. @param first the documents before the first input */
+  /** Approximate memory use in bytes. The parameter is the documents before the first input. */
   byteLength({ maze, program }: Documents): number {
     let bytes = 0;
     for (const input of this.#inputs) {
@@ -97,15 +95,15 @@ export class Inputs {
     return bytes;
   }
 
-  /** @param from index of the first one */
+  /** @param from index of the first returned input */
   list(from = 0): TimedInput[] {
     return this.#inputs.slice(from);
   }
 }
 
 /**
- * The input, with each line or row that an edit leaves alone taken from the documents before it: a
- * thousand edits of a long program are not a thousand long programs in memory.
+ * Returns the input with unchanged rules and rows replaced by those of the previous documents, so that
+ * a thousand edits of a long program do not need the memory of a thousand programs.
  */
 export function shareUnchanged(input: RunInput, before: Documents): RunInput {
   if (input.do === "program") {
@@ -118,7 +116,7 @@ export function shareUnchanged(input: RunInput, before: Documents): RunInput {
   if (input.do === "maze") {
     const blocks = input.maze.blocks.map((row, index) => {
       const same = before.maze.blocks[index];
-      // Equal texts, but one copy of it in memory.
+      // Equal strings: returning the earlier one frees the memory of the copy.
       return same === row ? same : row;
     });
     return { do: "maze", maze: { ...input.maze, blocks } };
@@ -126,13 +124,13 @@ export function shareUnchanged(input: RunInput, before: Documents): RunInput {
   return input;
 }
 
-/** Bytes of the parts of a document that it does not share with the one before. */
+/** Size of the parts of a document that it does not share with the previous one, in bytes. */
 function ownBytes<Part>(
   parts: readonly Part[],
   before: readonly Part[],
   bytesOf: (part: Part) => number,
 ): number {
-  let bytes = parts.length * PLACE_BYTES;
+  let bytes = parts.length * REFERENCE_BYTES;
   for (const [index, part] of parts.entries()) if (part !== before[index]) bytes += bytesOf(part);
   return bytes;
 }

@@ -1,19 +1,21 @@
 /**
- * Moments of a run that are kept whole, so that any other is a short way from one of them. Taken every
- * ten seconds; where a run of hours has too many, every second one is dropped and the gap doubles.
+ * Complete states of a run at intervals, so that seeking to any tick recomputes few ticks. The initial
+ * interval is ten seconds. Above the maximum number, every second keyframe is dropped and the interval
+ * doubles.
  */
 import type { RunState } from "./run.ts";
 import type { PenState } from "./trail-pen.ts";
 
-/** A run as its tick ended, before any input that came there. */
+/** State of a run at the end of a tick, before the inputs at that tick. */
 export interface Keyframe {
   state: RunState;
   pen: PenState;
 }
 
+/** Initial interval between keyframes, in ticks. */
 const INITIAL_GAP = 600;
 const MAX_KEYFRAMES = 512;
-/** Numbers and small objects of a keyframe beside its arrays, in bytes: measured, rounded up. */
+/** Size of a keyframe without its arrays, in bytes: measured, rounded up. */
 const PLAIN_BYTES = 2560;
 
 export class Keyframes {
@@ -21,17 +23,17 @@ export class Keyframes {
   #gap = INITIAL_GAP;
   #dueAt = INITIAL_GAP;
 
-  /** @param first the run's beginning */
+  /** @param first the keyframe at the start of the run */
   constructor(first: Keyframe) {
     this.#frames = [first];
   }
 
-  /** Tick at whose end the next keyframe is to be taken. */
+  /** Tick at whose end the next keyframe is due. */
   get dueAt(): number {
     return this.#dueAt;
   }
 
-  /** Bytes held, roughly. */
+  /** Approximate memory use in bytes. */
   get byteLength(): number {
     let bytes = 0;
     for (const { state } of this.#frames) {
@@ -50,12 +52,12 @@ export class Keyframes {
     this.#dueAt = tickOf(this.#last()) + this.#gap;
   }
 
-  /** The last keyframe at or before a tick. */
+  /** Returns the last keyframe at or before a tick. */
   before(tick: number): Keyframe {
     return this.#frames[this.#count((frame) => tickOf(frame) <= tick) - 1] ?? this.#first();
   }
 
-  /** The last keyframe whose own last decision is at or before a tick. */
+  /** Returns the last keyframe whose last decision is at or before a tick. */
   decidedBefore(tick: number): Keyframe {
     const count = this.#count(({ state }) => state.approach.decidedAt <= tick);
     return this.#frames[count - 1] ?? this.#first();
@@ -71,7 +73,7 @@ export class Keyframes {
 
   #first(): Keyframe {
     const [first] = this.#frames;
-    if (first === undefined) throw new Error("a run begins with a keyframe");
+    if (first === undefined) throw new Error("the run has no first keyframe");
     return first;
   }
 
@@ -79,7 +81,7 @@ export class Keyframes {
     return this.#frames.at(-1) ?? this.#first();
   }
 
-  /** How many keyframes from the first one on satisfy what only they and none after them do. */
+  /** Binary search: the number of leading keyframes that satisfy a monotonic predicate. */
   #count(isBefore: (frame: Keyframe) => boolean): number {
     let low = 0;
     let high = this.#frames.length;

@@ -37,7 +37,7 @@ function recorded(ticks: number): RunDocument {
   return written.run;
 }
 
-/** Replays in the smallest stretches. */
+/** Replays in the smallest steps. */
 function replaySlowly(run: RunDocument, until?: number) {
   const replay = new Replay(run, until);
   const reached = [replay.tick];
@@ -48,8 +48,8 @@ function replaySlowly(run: RunDocument, until?: number) {
   }
 }
 
-describe("a run that is replayed a stretch at a time", () => {
-  it("ends as in one go, and stops to look up after each short stretch", () => {
+describe("a run replayed in small steps", () => {
+  it("ends like a replay in one call, and yields at least every 64 ticks", () => {
     const run = recorded(3_000);
     const { end, reached, ticks } = replaySlowly(run, 3_500);
     const whole = openRun(run, 3_500);
@@ -62,14 +62,14 @@ describe("a run that is replayed a stretch at a time", () => {
     expect(Math.max(...steps)).toBeLessThanOrEqual(64);
   });
 
-  it("is refused where it does not end in its bits, before it is run on", () => {
+  it("is rejected for a wrong digest, before any tick after its end", () => {
     const run = { ...recorded(700), digest: "0123456789abcdef" };
     const { end, reached } = replaySlowly(run, 5_000);
     expect(end).toMatchObject({ ok: false, problems: [{ path: "digest" }] });
     expect(reached.at(-1)).toBe(700);
   });
 
-  it("never runs on for longer than a run may be", () => {
+  it("never exceeds the maximum length of a run", () => {
     expect(new Replay(recorded(10), Infinity).ticks).toBe(24 * 60 * 60 * 60);
   });
 });

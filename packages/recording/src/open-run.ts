@@ -1,42 +1,42 @@
-/** From a run document to the recorded run, ended where the document ends. */
+/** Replays a run document to a recording. */
 import type { ReadResult } from "@corridor/protocol";
 import { Recording } from "./recording.ts";
 import type { RunDocument } from "./run-document.ts";
 import { MAX_RUN_TICKS } from "./run-limits.ts";
 
-/** So many ticks are run between two looks at whether there is time for more. */
+/** Number of ticks between two calls of `hasTime`. */
 const TICKS_PER_CHECK = 64;
 
 /**
- * A document that is run again, a stretch at a time: a few characters can ask for a day, which takes
- * half a minute, and whoever runs it has other things to do meanwhile.
+ * Replays a document in steps. A short document can contain a run of a day, which takes half a minute
+ * to replay. Steps let the caller do other work in between.
  */
 export class Replay {
   readonly #run: RunDocument;
   readonly #recording: Recording;
-  /** how far it is run in all, in ticks */
+  /** total number of ticks to run */
   readonly ticks: number;
   /** index of the next input */
   #next = 0;
   #isChecked = false;
 
-  /** @param until runs on to this tick without further inputs */
+  /** @param until continues to this tick without further inputs */
   constructor(run: RunDocument, until = run.ticks) {
     this.#run = run;
     this.#recording = new Recording(run.maze, run.program);
     this.ticks = Math.max(run.ticks, Math.min(until, MAX_RUN_TICKS));
   }
 
-  /** The tick that was reached. */
+  /** The current tick. */
   get tick(): number {
     return this.#recording.run.tick;
   }
 
   /**
-   * Runs on, and checks that the document ends in the same bits.
-   * @param hasTime asked now and then whether there is time for more
-   * @returns null while it is not done; then the recording, or the problem where an input cannot be at
-   * its tick or the digest is another
+   * Continues the replay, and checks the digest at the end of the document.
+   * @param hasTime called every `TICKS_PER_CHECK` ticks; the replay pauses if it returns false
+   * @returns null while the replay is not complete; then the recording, or the problem if an input is
+   *   not possible at its tick or the digest differs
    */
   advance(hasTime: () => boolean): ReadResult<Recording> | null {
     const { inputs, ticks } = this.#run;
@@ -60,8 +60,8 @@ export class Replay {
     const isMaze = input.do === "maze";
     return refuse(
       `inputs[${this.#next}]`,
-      isMaze ? "a maze with a block where the robot stands" : `a ${input.do}`,
-      isMaze ? "a maze with room for the robot" : "an input while a hand or a script drives",
+      isMaze ? "a maze with a block at the robot's position" : `a ${input.do}`,
+      isMaze ? "a maze with an open robot position" : "an input while the user or a script drives",
     );
   }
 
@@ -69,7 +69,7 @@ export class Replay {
     if (this.#isChecked) return { ok: true, value: this.#recording };
     const digest = this.#recording.run.digest();
     if (digest !== this.#run.digest) {
-      return refuse("digest", this.#run.digest, `${digest}, which is what this run ends in here`);
+      return refuse("digest", this.#run.digest, `${digest}, the digest of the replayed run`);
     }
     this.#isChecked = true;
     return null;
@@ -77,8 +77,8 @@ export class Replay {
 }
 
 /**
- * Runs a document again in one go.
- * @param until runs on to this tick without further inputs
+ * Replays a document in one call.
+ * @param until continues to this tick without further inputs
  */
 export function openRun(run: RunDocument, until = run.ticks): ReadResult<Recording> {
   const replay = new Replay(run, until);

@@ -1,4 +1,4 @@
-/** A run of its own that goes through what was recorded: the shown past, and the way to any moment. */
+/** Plays a recording back on a separate run, and seeks to any tick. */
 import type { Inputs } from "./inputs.ts";
 import type { Keyframes } from "./keyframes.ts";
 import { Run } from "./run.ts";
@@ -18,12 +18,12 @@ export class Playback {
     this.#applyInputs();
   }
 
-  /** The run at the moment that was gone to; not to be changed. */
+  /** The run at the current tick of the playback. Read only. */
   get run(): Run {
     return this.#run;
   }
 
-  /** Goes to the moment at the end of a tick of the recording, with all inputs that came there. */
+  /** Seeks to the end of a tick of the recording, after all inputs at that tick. */
   seek(tick: number): void {
     const { state } = this.#keyframes.before(tick);
     const isAhead = tick >= this.#run.tick && this.#run.tick >= state.simulation.tick;
@@ -35,7 +35,7 @@ export class Playback {
     while (this.#run.tick < tick) this.step();
   }
 
-  /** One tick of the recording. */
+  /** Plays one tick. */
   step(): void {
     this.#run.step();
     this.#applyInputs();

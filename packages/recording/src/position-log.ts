@@ -1,20 +1,21 @@
 /**
- * Places with the tick at whose end each was noted, packed, the newest of them: the corners of a trail,
- * or the bumps. Places are counted over the whole run, also those that are forgotten again.
+ * The newest positions of a run, each with the tick at whose end it was recorded, in packed arrays:
+ * the corners of the trail, or the bumps. Indices count from the start of the run, including evicted
+ * positions.
  */
 import { GrowingArray } from "./growing-array.ts";
 
-/** An hour of a robot that drives in circles; after that the older half is forgotten. */
+/** Maximum number of positions: an hour of driving in circles. Above it, the older half is evicted. */
 const MAX_POSITIONS = 262_144;
 
 export class PositionLog {
   readonly #ticks = new GrowingArray("int32");
   readonly #xs = new GrowingArray("float64");
   readonly #ys = new GrowingArray("float64");
-  /** how many were forgotten at the front */
+  /** number of evicted positions */
   #evicted = 0;
 
-  /** Bytes held. */
+  /** Allocated bytes. */
   get byteLength(): number {
     return this.#ticks.byteLength + this.#xs.byteLength + this.#ys.byteLength;
   }
@@ -28,22 +29,22 @@ export class PositionLog {
     this.#evicted += MAX_POSITIONS / 2;
   }
 
-  /** How many places were noted up to the end of `tick`; as far as is known, the first of the forgotten too. */
+  /** Number of positions up to the end of `tick`, including all evicted ones. */
   countUpTo(tick: number): number {
     return this.#evicted + this.#ticks.countUpTo(tick);
   }
 
-  /** Places from one count to another, those that are not forgotten: x and y by turns. */
+  /** Returns the positions from one index to another, without evicted ones: x and y alternating. */
   slice(from: number, to: number): number[] {
-    const places: number[] = [];
+    const coordinates: number[] = [];
     const end = to - this.#evicted;
     for (let at = Math.max(0, from - this.#evicted); at < end; at++) {
-      places.push(this.#xs.at(at), this.#ys.at(at));
+      coordinates.push(this.#xs.at(at), this.#ys.at(at));
     }
-    return places;
+    return coordinates;
   }
 
-  /** Forgets what was noted after the end of `tick`. */
+  /** Deletes the positions after the end of `tick`. */
   truncateAfter(tick: number): void {
     const length = this.#ticks.countUpTo(tick);
     for (const values of [this.#ticks, this.#xs, this.#ys]) values.truncate(length);

@@ -13,16 +13,16 @@ import {
   type Operation,
 } from "./testing/operations.ts";
 
-/** All that is shown of a moment. */
-function shownOf(run: Run): unknown {
+/** All displayed values of a run at its current tick. */
+function stateOf(run: Run): unknown {
   const { driver, line, command, progress, decidedAt, maze, program } = run;
   return { ...run.report(), driver, line, command, progress, decidedAt, maze, program };
 }
 
-/** Records the operations; with what was live at each tick, inputs included. */
+/** Performs the operations. Returns the state of the live run at each tick, after its inputs. */
 function record(recording: Recording, operations: readonly Operation[]): Map<number, unknown> {
   const live = new Map<number, unknown>();
-  const note = () => live.set(recording.run.tick, shownOf(recording.run));
+  const note = () => live.set(recording.run.tick, stateOf(recording.run));
   note();
   for (const operation of operations) {
     perform(recording, operation, note);
@@ -44,7 +44,7 @@ const anyRun = fc.record({
 });
 
 describe("a run of any operations", () => {
-  it("as a file replays to the same bits, and so does the file of that replay", () => {
+  it("is replayed from its file bit for bit, and again from the file of the replay", () => {
     let ticks = 0;
     fc.assert(
       fc.property(anyRun, ({ maze, program, operations }) => {
@@ -56,7 +56,7 @@ describe("a run of any operations", () => {
           if (!read.ok) throw new Error(JSON.stringify(read.problems));
           const opened = openRun(read.value);
           if (!opened.ok) throw new Error(JSON.stringify(opened.problems));
-          expect(shownOf(opened.value.run)).toEqual(shownOf(recording.run));
+          expect(stateOf(opened.value.run)).toEqual(stateOf(recording.run));
           expect(opened.value.run.digest()).toBe(recording.run.digest());
           file = fileOf(opened.value);
         }
@@ -67,19 +67,19 @@ describe("a run of any operations", () => {
     expect(ticks).toBeGreaterThan(10_000);
   });
 
-  it("shows every moment again as it was live, in any order", () => {
+  it("is played back at any tick as it was live, in any order", () => {
     fc.assert(
       fc.property(
         anyRun,
         fc.array(fc.nat(), { minLength: 1, maxLength: 8 }),
-        ({ maze, program, operations }, moments) => {
+        ({ maze, program, operations }, numbers) => {
           const recording = new Recording(maze, program);
           const live = record(recording, operations);
           const playback = recording.playback();
-          for (const moment of moments) {
-            const tick = moment % (recording.run.tick + 1);
+          for (const number of numbers) {
+            const tick = number % (recording.run.tick + 1);
             playback.seek(tick);
-            expect(shownOf(playback.run)).toEqual(live.get(tick));
+            expect(stateOf(playback.run)).toEqual(live.get(tick));
           }
         },
       ),
@@ -87,18 +87,18 @@ describe("a run of any operations", () => {
     );
   });
 
-  it("cut anywhere and run on is the run that these inputs alone would have made", () => {
+  it("truncated and continued equals a run of the remaining inputs", () => {
     fc.assert(
       fc.property(
         anyRun,
         fc.nat(),
         anyOperations,
-        ({ maze, program, operations }, moment, later) => {
+        ({ maze, program, operations }, number, later) => {
           const recording = new Recording(maze, program);
           const live = record(recording, operations);
-          const tick = moment % (recording.run.tick + 1);
+          const tick = number % (recording.run.tick + 1);
           recording.truncate(tick);
-          expect(shownOf(recording.run)).toEqual(live.get(tick));
+          expect(stateOf(recording.run)).toEqual(live.get(tick));
           record(recording, later);
           const opened = openRun(JSON.parse(fileOf(recording)));
           if (!opened.ok) throw new Error(JSON.stringify(opened.problems));
@@ -116,11 +116,11 @@ describe("a run of any operations", () => {
     );
   });
 
-  it("steps back and on from decision to decision, and to nothing else", () => {
+  it("finds the previous and the next decision from any tick", () => {
     fc.assert(
-      fc.property(anyRun, fc.nat(), ({ maze, program, operations }, moment) => {
+      fc.property(anyRun, fc.nat(), ({ maze, program, operations }, number) => {
         const recording = new Recording(maze, program);
-        // By tick, so that an edit which was taken back at the same tick leaves none.
+        // Stored by tick, so that an edit that was replaced in the same tick does not count.
         const decided = new Map([[0, 0]]);
         const note = () => decided.set(recording.run.tick, recording.run.decidedAt);
         for (const operation of operations) {
@@ -128,7 +128,7 @@ describe("a run of any operations", () => {
           note();
         }
         const ticks = [...new Set(decided.values())].toSorted((a, b) => a - b);
-        const tick = moment % (recording.run.tick + 1);
+        const tick = number % (recording.run.tick + 1);
         const playback = recording.playback();
         expect(recording.decisionBefore(tick, playback)).toBe(
           ticks.findLast((each) => each < tick) ?? 0,
@@ -142,7 +142,7 @@ describe("a run of any operations", () => {
   });
 });
 
-describe("steps over a long straight drive", () => {
+describe("decisions of a long straight drive", () => {
   const maze = {
     format: "corridor/maze" as const,
     version: 1 as const,
@@ -161,7 +161,7 @@ describe("steps over a long straight drive", () => {
     ],
   };
 
-  it("take it for one decision, past every keyframe on its way", () => {
+  it("are one decision, across all keyframes", () => {
     const recording = new Recording(maze, program);
     for (let tick = 0; tick < 6000; tick++) recording.step();
     const playback = recording.playback();
@@ -192,7 +192,7 @@ describe("a run as a file", () => {
     rules: [],
   };
 
-  it("is written only where it can be read again", () => {
+  it("is written only if it can be read back", () => {
     const recording = new Recording(open, still);
     let longest = "";
     let refusal: string | null = null;

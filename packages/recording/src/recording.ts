@@ -1,9 +1,9 @@
 /**
- * A run with its past: the live run and all that it takes to show any earlier moment of it, to go on
- * from there in another way, and to give the whole as a document.
+ * A run with its past: the live run, and the data to display any earlier tick, to continue from there
+ * with other inputs, and to create a document of the run.
  *
- * Kept are the inputs, sparse keyframes, the timeline and the trail, in packed arrays; every other
- * moment is run again from the keyframe before it, by the same class that ran it live.
+ * A recording stores the inputs, sparse keyframes, the timeline and the trail in packed arrays. The
+ * class of the live run recomputes all other ticks from the previous keyframe.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
@@ -19,29 +19,31 @@ import { Run, type RunState } from "./run.ts";
 import { Timeline, type TurnName } from "./timeline.ts";
 import { TrailPen } from "./trail-pen.ts";
 
-/** A run as a document and as the text of its file, or why it cannot be one. */
+/** A run as a document and as the text of its file, or the reason why it cannot be written. */
 export type WrittenRun =
   | { ok: true; run: RunDocument; text: string }
   | { ok: false; reason: "too-long" | "too-many-inputs" };
 
-/** How much of a run is stored already. */
+/** The part of a run that is already stored. */
 export interface RunCheckpoint {
+  /** changes when stored inputs become invalid */
   generation: number;
+  /** number of stored inputs */
   inputs: number;
 }
 
-/** What has to be added to a stored run so that it can be repeated up to its newest tick. */
+/** Data to add to a stored run so that it can be replayed up to its newest tick. */
 export interface RunUpdate {
-  /** the documents that the run began with; null: the inputs follow those that are stored */
+  /** the documents at the start of the run; null if the inputs extend the stored ones */
   first: { maze: MazeDocument; program: ProgramDocument } | null;
   inputs: TimedInput[];
   ticks: number;
   digest: string;
-  /** what is stored once this is */
+  /** the checkpoint after storing this update */
   checkpoint: RunCheckpoint;
 }
 
-/** Edits of one tick: the index of the first, and the run before it. */
+/** Edits of one tick: the index of the first edit, and the state before it. */
 interface EditsOfTick {
   from: number;
   before: RunState;
@@ -51,7 +53,7 @@ export class Recording {
   readonly timeline = new Timeline();
   /** corners of the trail */
   readonly corners = new PositionLog();
-  /** where the robot's centre was at each bump */
+  /** position of the robot's centre at each bump */
   readonly bumps = new PositionLog();
   readonly #run: Run;
   readonly #inputs = new Inputs();
@@ -69,20 +71,20 @@ export class Recording {
     this.#keyframes = new Keyframes({ state: this.#run.save(), pen: this.#pen.save() });
   }
 
-  /** The live run: its newest moment. To be changed by `input` and `step` only. */
+  /** The live run at its newest tick. Only `addInput` and `step` may change it. */
   get run(): Run {
     return this.#run;
   }
 
-  /** Rises whenever inputs came or were forgotten: then a document written before is out of date. */
+  /** Increases when inputs are added or deleted. An earlier document is then out of date. */
   get revision(): number {
     return this.#inputs.revision;
   }
 
   /**
-   * What a store needs to repeat the run up to now.
-   * @param stored how much it has already; null for nothing
-   * @returns null for a run that is longer than a document may be
+   * Returns the data that a store needs to replay the run up to now.
+   * @param stored the part that is already stored, or null
+   * @returns null if the run exceeds the bounds of a document
    */
   updateSince(stored: RunCheckpoint | null): RunUpdate | null {
     const { tick } = this.#run;
@@ -98,12 +100,12 @@ export class Recording {
     };
   }
 
-  /** Tick of the newest input up to the end of a tick; 0 where none came since the start. */
+  /** Tick of the newest input up to the end of a tick; 0 without any input. */
   newestInputUpTo(tick: number): number {
     return this.#inputs.at(this.#inputs.indexAt(tick + 1) - 1)?.tick ?? 0;
   }
 
-  /** Bytes held, roughly. */
+  /** Approximate memory use in bytes. */
   get byteLength(): number {
     const { timeline, corners, bumps } = this;
     return (
@@ -116,9 +118,9 @@ export class Recording {
   }
 
   /**
-   * Gives the run an input at the end of its newest tick. The run then has documents that are equal to
-   * those of an edit, not the same objects.
-   * @returns false where it cannot be: then nothing has changed
+   * Adds an input at the end of the newest tick. After an edit, the documents of the run are equal to
+   * the given ones, but not the same objects.
+   * @returns false, without any change, if the input is not possible
    */
   addInput(given: RunInput): boolean {
     const run = this.#run;
@@ -145,14 +147,14 @@ export class Recording {
     return true;
   }
 
-  /** Where the edits at this tick begin that nothing but edits came after, and the run before them. */
+  /** Returns the trailing edits of this tick, and the state before them. */
   #editsOfThisTick(): EditsOfTick {
     const edits = this.#edits;
     if (edits !== null && edits.before.simulation.tick === this.#run.tick) return edits;
     return { from: this.#inputs.length, before: this.#run.save() };
   }
 
-  /** Of the edits of one tick only the last of each kind counts: the run is as if the others never came. */
+  /** Retains only the last edit of each kind in one tick, as if the others never existed. */
   #reapplyEdits(
     { from, before }: EditsOfTick,
     last: Extract<RunInput, { do: "program" | "maze" }>,
@@ -163,7 +165,7 @@ export class Recording {
     this.#run.apply(last);
   }
 
-  /** A program that is edited before anything happened is the one that the run begins with. */
+  /** Replaces the starting program if it is edited before the first tick and input. */
   #replaceStartProgram(program: ProgramDocument): void {
     this.#first = { ...this.#first, program };
     this.#run.restore(new Run(this.#first.maze, program).save());
@@ -171,7 +173,7 @@ export class Recording {
     this.#inputs.invalidate();
   }
 
-  /** One tick. */
+  /** Runs one tick. */
   step(): void {
     const { timeline } = this;
     const run = this.#run;
@@ -199,7 +201,7 @@ export class Recording {
     }
   }
 
-  /** What an input that was taken began or ended of a script's commands. */
+  /** Records the start and the end of script commands caused by an accepted input. */
   #recordCommand(input: RunInput): void {
     const { commands } = this.timeline;
     const { tick, command: running, commandEnding } = this.#run;
@@ -220,12 +222,12 @@ export class Recording {
     }
   }
 
-  /** A run of its own through what was recorded. */
+  /** Creates a playback of the recorded data. */
   playback(): Playback {
     return new Playback(this.#inputs, this.#keyframes);
   }
 
-  /** Forgets what came after the end of `tick`; the live run is at that moment again, with its inputs. */
+  /** Deletes everything after the end of `tick`, and restores the live run there with its inputs. */
   truncate(tick: number): void {
     const run = this.#run;
     const { state, pen } = this.#keyframes.before(tick);
@@ -252,14 +254,14 @@ export class Recording {
     }
   }
 
-  /** Tick of the last decision before the one that holds at `tick`; 0 where that is the first. */
+  /** Tick of the decision before the current decision at `tick`; 0 if there is none. */
   decisionBefore(tick: number, playback: Playback): number {
     if (tick <= 0) return 0;
     playback.seek(tick - 1);
     return playback.run.decidedAt;
   }
 
-  /** Tick of the first decision after `tick`; null when none came. */
+  /** Tick of the first decision after `tick`, or null. */
   decisionAfter(tick: number, playback: Playback): number | null {
     const { run } = playback;
     const skipped = this.#keyframes.decidedBefore(tick).state.simulation.tick;
@@ -268,7 +270,7 @@ export class Recording {
     return run.decidedAt > tick ? run.decidedAt : null;
   }
 
-  /** The run so far as a document. */
+  /** Writes the run so far as a document. */
   toDocument(name: string): WrittenRun {
     const { tick } = this.#run;
     if (tick > MAX_RUN_TICKS) return { ok: false, reason: "too-long" };
@@ -289,23 +291,23 @@ export class Recording {
   }
 }
 
-/** The JSON of a run, without blanks; null where it is longer than any reader takes. */
+/** Writes the JSON of a run without whitespace; null if it exceeds the maximum text length. */
 function textOf(head: object, inputs: readonly TimedInput[], digest: string): string | null {
-  const begin = `${JSON.stringify(head).slice(0, -1)},"inputs":[`;
-  const end = `],"digest":"${digest}"}`;
-  let length = begin.length + end.length;
+  const prefix = `${JSON.stringify(head).slice(0, -1)},"inputs":[`;
+  const suffix = `],"digest":"${digest}"}`;
+  let length = prefix.length + suffix.length;
   const texts: string[] = [];
-  // One after the other: thousands of large mazes are more than a text can hold at all.
+  // Input by input, because thousands of large mazes exceed the maximum length of a string.
   for (const input of inputs) {
     const text = JSON.stringify(input);
     length += text.length + 1;
     if (length > MAX_RUN_TEXT_LENGTH) return null;
     texts.push(text);
   }
-  return begin + texts.join(",") + end;
+  return prefix + texts.join(",") + suffix;
 }
 
-/** The turn that a command makes; null where it makes none. */
+/** Returns the turn of a command, or null. */
 function turnOf(command: Command): TurnName | null {
   switch (command.action) {
     case "left 90":

@@ -1,4 +1,4 @@
-/** The run document, `corridor/run` version 1: what a run began with and what came to it from outside. */
+/** The run document, `corridor/run` version 1: the starting documents and the inputs of a run. */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { TimedInput } from "./run-input.ts";
@@ -7,15 +7,15 @@ export interface RunDocument {
   format: "corridor/run";
   version: 1;
   name: string;
-  /** the maze and the program that the run began with */
+  /** the maze and the program at the start of the run */
   maze: MazeDocument;
   program: ProgramDocument;
-  /** for what is random in a run; nothing is in version 1 */
+  /** seed for random values; always 0 in version 1, which has none */
   seed: number;
-  /** how long the run is */
+  /** length of the run */
   ticks: number;
-  /** in the order of their ticks */
+  /** in tick order */
   inputs: TimedInput[];
-  /** of the snapshots of the run, as `SnapshotDigest` gives it: 16 hexadecimal digits */
+  /** `SnapshotDigest` of the run: 16 hexadecimal digits */
   digest: string;
 }

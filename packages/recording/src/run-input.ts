@@ -1,17 +1,17 @@
-/** What comes to a run from outside, each at the end of a tick: all that has to be kept to repeat it. */
+/** External inputs of a run, each at the end of a tick. They are sufficient to replay the run. */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { Command, DriverName } from "@corridor/protocol";
 
 export type RunInput =
-  /** somebody else takes the robot, which stops */
+  /** another driver acquires the robot, which stops */
   | { do: "driver"; driver: DriverName }
-  /** a command of the hand, or with its number `seq` a script's */
+  /** a manual command, or a script's command with its number `seq` */
   | { do: "command"; command: Command; seq?: number | undefined }
-  /** what the script's command does is over before its end; `superseded` where a newer one takes its place */
+  /** cancels the running command; `superseded` if a newer command replaces it */
   | { do: "cancel"; superseded?: true | undefined }
   | { do: "program"; program: ProgramDocument }
   | { do: "maze"; maze: MazeDocument };
 
-/** An input with the tick at whose end it comes; it counts from the next tick on. */
+/** An input and the tick at whose end it occurs. It applies from the next tick on. */
 export type TimedInput = { tick: number } & RunInput;

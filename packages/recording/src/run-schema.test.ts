@@ -36,30 +36,30 @@ const run = written();
 const command = { tick: 10, do: "command", command: { action: "forward" } };
 
 describe("a run document", () => {
-  it("is read as it was written", () => {
+  it("is read back from its JSON", () => {
     expect(readRun(JSON.stringify(run))).toEqual({ ok: true, value: run });
   });
 
   it.each([
     { name: "another format", changes: { format: "corridor/maze" }, path: "format" },
     { name: "a newer version", changes: { version: 2 }, path: "version" },
-    { name: "a field that nobody knows", changes: { speed: 2 }, path: "speed" },
-    { name: "a seed, though nothing is random", changes: { seed: 7 }, path: "seed" },
+    { name: "an unknown field", changes: { speed: 2 }, path: "speed" },
+    { name: "a seed other than 0", changes: { seed: 7 }, path: "seed" },
     { name: "half a tick", changes: { ticks: 0.5 }, path: "ticks" },
     { name: "more than a day", changes: { ticks: MAX_RUN_TICKS + 1 }, path: "ticks" },
-    { name: "a digest of another kind", changes: { digest: "abc" }, path: "digest" },
+    { name: "a malformed digest", changes: { digest: "abc" }, path: "digest" },
     {
-      name: "a maze of other signs",
+      name: "an unknown character in the maze",
       changes: { maze: { ...maze, blocks: ["....", "..x.", "...."] } },
       path: "maze.blocks[1]",
     },
     {
-      name: "a program that is none",
+      name: "an invalid program",
       changes: { program: { ...program, default: "fly" } },
       path: "program.default",
     },
     {
-      name: "an input that nobody knows",
+      name: "an unknown kind of input",
       changes: { inputs: [{ tick: 0, do: "jump" }] },
       path: "inputs[0].do",
     },
@@ -74,7 +74,7 @@ describe("a run document", () => {
       path: "inputs[1].tick",
     },
     {
-      name: "a command that is none",
+      name: "an invalid command",
       changes: { inputs: [{ ...command, command: { action: "move", distance: "far" } }] },
       path: "inputs[0].command.distance",
     },
@@ -85,33 +85,33 @@ describe("a run document", () => {
       },
       path: "inputs",
     },
-  ])("with $name is refused where it is wrong", ({ changes, path }) => {
+  ])("with $name is rejected with the path of the problem", ({ changes, path }) => {
     const read = readRun(JSON.stringify({ ...run, ...changes }));
     expect(read).toMatchObject({ ok: false, problems: [{ path }] });
   });
 
-  it("longer than it may be is refused before it is parsed", () => {
+  it("over the maximum text length is rejected without parsing", () => {
     const read = readRun(" ".repeat(MAX_RUN_TEXT_LENGTH + 1));
     expect(read).toMatchObject({ ok: false, problems: [{ path: "" }] });
   });
 });
 
-it("looks no further than the problems that are listed", () => {
-  let looked = 0;
+it("parsing stops after the maximum number of problems", () => {
+  let reads = 0;
   const bad = {
     tick: 0,
     get do() {
-      looked++;
+      reads++;
       return "fly";
     },
   };
   const read = parseRun({ ...run, inputs: Array.from({ length: 100_000 }, () => bad) });
   expect(read.ok ? 0 : read.problems.length).toBe(20);
   expect(read.ok ? null : read.problems[19]?.path).toBe("inputs[19].do");
-  expect(looked).toBeLessThan(1000);
+  expect(reads).toBeLessThan(1000);
 });
 
-describe("a document that passed its schema", () => {
+describe("a document that matches the schema", () => {
   it.each([
     { name: "another digest", changes: { digest: "0".repeat(16) }, path: "digest" },
     {
@@ -120,7 +120,7 @@ describe("a document that passed its schema", () => {
       path: "inputs[0]",
     },
     {
-      name: "a block where the robot stands",
+      name: "a block at the robot's position",
       changes: {
         inputs: [
           {
@@ -132,7 +132,7 @@ describe("a document that passed its schema", () => {
       },
       path: "inputs[0]",
     },
-  ])("is not opened with $name", ({ changes, path }) => {
+  ])("cannot be opened with $name", ({ changes, path }) => {
     const read = readRun(JSON.stringify({ ...run, ...changes }));
     if (!read.ok) throw new Error(JSON.stringify(read.problems));
     expect(openRun(read.value)).toMatchObject({ ok: false, problems: [{ path }] });

@@ -1,4 +1,4 @@
-/** Reading of run documents: bounds and shape. What the run then does is checked by `openRun`. */
+/** Parses run documents and checks their bounds and shape. `openRun` checks the run itself. */
 import { mazeSchema } from "@corridor/maze";
 import { programSchema } from "@corridor/program";
 import {
@@ -57,7 +57,7 @@ const input = z.discriminatedUnion(
   { error: `one of ${kinds.join(", ")}` },
 );
 
-/** Stops at the problems that are listed: to name all of 100,000 bad inputs takes seconds. */
+/** Stops after `MAX_PROBLEMS`, because reporting 100,000 bad inputs takes seconds. */
 const inputs = z
   .array(z.unknown(), { error: 'a list of inputs: {"tick": ..., "do": ..., ...}' })
   .max(MAX_RUN_INPUTS, { error: `at most ${MAX_RUN_INPUTS} inputs` })

@@ -1,10 +1,10 @@
 /**
- * One robot under its drivers, from maze, program and inputs alone: the same inputs at the same ticks
- * give the same bits. The page's live run, its past and the replay of a file are all this class, so
- * that they cannot differ.
+ * One robot and its drivers. Maze, program and inputs determine the run: the same inputs at the same
+ * ticks result in the same bits. The page uses this class for the live run, its past and the replay of
+ * a file, so that they cannot differ.
  *
- * At the end of each tick on which the program drives and no manoeuvre runs, the decision for the next
- * tick is taken: the line that is shown is the one that the shown readings chose.
+ * If the program drives and no manoeuvre runs, it decides for the next tick at the end of each tick.
+ * The displayed line therefore always matches the displayed readings.
  */
 import type { MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
@@ -24,10 +24,10 @@ import {
 import type { RunInput } from "./run-input.ts";
 import type { TimelineDriver } from "./timeline.ts";
 
-/** Once a simulated second, a snapshot goes into the digest. */
+/** Interval of the snapshots in the digest, in ticks: one simulated second. */
 const DIGEST_TICKS = 60;
 
-/** A run at the end of a tick. */
+/** State of a run at the end of a tick. */
 export interface RunState {
   maze: MazeDocument;
   program: ProgramDocument;
@@ -48,14 +48,14 @@ export class Run {
   #maze: MazeDocument;
   #program: ProgramDocument;
   #driver: DriverName = "program";
-  /** seq of the script's command that runs; null when none does */
+  /** seq of the script's running command, or null */
   #command: number | null = null;
   #commandEnding: MotionEnding | null = null;
-  /** the line that decided last, as it was then */
+  /** line of the last decision */
   #line: LineRef | null = null;
   #cause: BumpCause | null = null;
 
-  /** A robot at its start, driven by the program. */
+  /** Creates a run with the robot at its start, driven by the program. */
   constructor(maze: MazeDocument, program: ProgramDocument) {
     this.#maze = maze;
     this.#program = program;
@@ -76,22 +76,22 @@ export class Run {
     return this.#driver;
   }
 
-  /** seq of the script's command that runs; null when none does. */
+  /** seq of the script's running command, or null. */
   get command(): number | null {
     return this.#command;
   }
 
-  /** How the script's last command ended by itself; null while one runs. */
+  /** Ending of the script's last command that ended by itself; null while one runs. */
   get commandEnding(): MotionEnding | null {
     return this.#commandEnding;
   }
 
-  /** The line that decides now or began the manoeuvre that runs; null unless the program drives. */
+  /** The line that decides now or that started the running manoeuvre; null unless the program drives. */
   get line(): LineRef | null {
     return this.#driver === "program" ? this.#decisions.line : null;
   }
 
-  /** TimelineDriver drives the next tick. */
+  /** Driver of the next tick, or its program line. */
   get timelineDriver(): Exclude<TimelineDriver, "mixed"> {
     return this.#driver === "program" ? this.#decisions.line : this.#driver;
   }
@@ -113,7 +113,7 @@ export class Run {
     return this.#simulation.y;
   }
 
-  /** Units driven so far, forward and backward. */
+  /** Distance driven so far, forward and backward, in units. */
   get distance(): number {
     return this.#simulation.distance;
   }
@@ -122,22 +122,22 @@ export class Run {
     return this.#simulation.bumps;
   }
 
-  /** Tick at which the robot first stood in a goal; null when it has not yet. */
+  /** First tick at whose end the robot was in a goal; null before. */
   get goalTick(): number | null {
     return this.#simulation.goalTick;
   }
 
-  /** Whether a block stopped the robot in the newest tick. */
+  /** Whether a block stopped the robot in the last tick. */
   get isStopped(): boolean {
     return this.#simulation.isStopped;
   }
 
-  /** Whether an action runs that ends by itself. */
+  /** Whether a running action ends by itself. */
   get isManoeuvring(): boolean {
     return this.#simulation.isManoeuvring;
   }
 
-  /** How far the manoeuvre is; null when none runs. */
+  /** Progress of the running manoeuvre, or null. */
   get progress(): Progress | null {
     return this.#simulation.progress;
   }
@@ -153,29 +153,29 @@ export class Run {
   }
 
   /**
-   * Tick at whose end the last decision came: another line, a new manoeuvre, or another's command. A
-   * line that is chosen again and again is one decision.
+   * Tick at whose end the last decision was made: another line, a new manoeuvre, or a command of
+   * another driver. Repeated choices of one line count as one decision.
    */
   get decidedAt(): number {
     return this.#approach.decidedAt;
   }
 
-  /** What was decided or commanded last. */
+  /** The last decision or command. */
   get decision(): Command {
     return this.#approach.command;
   }
 
-  /** How it came to the bump of the last tick; null when there was none. */
+  /** Cause of a bump in the last tick, or null. */
   get cause(): BumpCause | null {
     return this.#cause;
   }
 
-  /** What the robot reports at the end of this tick. */
+  /** Returns the robot's report at the end of this tick. */
   report(): RobotReport {
     return this.#simulation.report();
   }
 
-  /** Of the run up to here: 16 hexadecimal digits. */
+  /** Returns the digest of the run up to this tick: 16 hexadecimal digits. */
   digest(): string {
     const digest = this.#digest.clone();
     digest.add(this.report());
@@ -183,9 +183,9 @@ export class Run {
   }
 
   /**
-   * Takes an input at the end of this tick.
-   * @returns false where it cannot be: another maze leaves the robot no place, or a command comes while
-   * the program drives. Then nothing has changed.
+   * Applies an input at the end of this tick.
+   * @returns false, without any change, if the robot would overlap a block of a new maze, or for a
+   *   command while the program drives
    */
   apply(input: RunInput): boolean {
     const isCommand = input.do === "command" || input.do === "cancel";
@@ -216,7 +216,7 @@ export class Run {
     return true;
   }
 
-  /** One tick. */
+  /** Runs one tick. */
   step(): void {
     const simulation = this.#simulation;
     const { bumps } = simulation;
@@ -268,11 +268,11 @@ export class Run {
     this.#line = null;
     this.#command = seq;
     this.#commandEnding = null;
-    // Nothing to drive (stop, or a move of 0) is done at once.
+    // A command without motion (stop, or a move of 0) ends immediately.
     if (simulation.ending !== null || command.action === "stop") this.#finishCommand("completed");
   }
 
-  /** Ends the script's command whose manoeuvre is over or that ran into a wall. */
+  /** Ends the script's command after its manoeuvre or a collision. */
   #closeCommand(): void {
     const simulation = this.#simulation;
     if (simulation.ending !== null) {
@@ -288,7 +288,7 @@ export class Run {
     this.#command = null;
   }
 
-  /** Whatever runs is over, and the robot stands. */
+  /** Cancels the current motion or command and stops the robot. */
   #stop(): void {
     const stop: Command = { action: "stop" };
     this.#simulation.apply(stop);
@@ -298,7 +298,7 @@ export class Run {
     this.#commandEnding = null;
   }
 
-  /** Where the program drives and nothing is decided yet: decides for the next tick. */
+  /** Decides for the next tick if the program drives and no decision exists. */
   #decide(): void {
     if (this.#driver !== "program") return;
     const command = this.#decisions.decide();

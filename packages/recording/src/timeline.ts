@@ -1,22 +1,22 @@
 /**
- * What a run was, for the eye: driver or which line drove from when on, and what happened when.
+ * The timeline of a run for display: segments with one driver or program line, and events.
  *
- * Packed into typed arrays, because an hour has 216,000 ticks and a program may choose anew on each of
- * them. Neighbouring stretches shorter than a tenth of a second are one, "mixed", and events of one
- * kind closer than that are one mark; where a run of many hours has too many all the same, that
- * shortest time doubles.
+ * Data is packed into typed arrays, because an hour has 216,000 ticks and a program can change its line
+ * on each of them. Adjacent segments shorter than a tenth of a second merge into a "mixed" segment.
+ * Events of one kind within that time merge into one. If the number of entries exceeds the maximum,
+ * this minimum time doubles.
  *
- * The end that records calls `drives`, `happened` and `truncateAfter`; what changed crosses to another
- * thread by `take` and `merge`.
+ * The recording thread calls `recordDriver`, `recordEvent` and `truncateAfter`. Another thread receives
+ * changes by `takeDelta` and `applyDelta`.
  */
 import type { LineRef } from "@corridor/protocol";
 import { CommandLog, type CommandDelta } from "./command-log.ts";
 import { GrowingArray } from "./growing-array.ts";
 
-/** TimelineDriver drove: a hand, a script, a program's line; "mixed" where they changed too fast to tell. */
+/** Driver of a segment: manual ("me"), a script ("remote"), or a program line; "mixed" for fast changes. */
 export type TimelineDriver = "me" | "remote" | "mixed" | LineRef;
 
-/** How the robot turned. */
+/** Kinds of turns. */
 export const turnNames = [
   "left 90",
   "right 90",
@@ -28,7 +28,7 @@ export const turnNames = [
 ] as const;
 export type TurnName = (typeof turnNames)[number];
 
-/** Something that happened, at the end of tick `tick`; `driver` drove. */
+/** An event at the end of tick `tick`, and the driver at that time. */
 export type TimelineEvent = { tick: number; driver: TimelineDriver } & (
   | { kind: "turn"; turn: TurnName }
   | { kind: "bump" }
@@ -36,41 +36,41 @@ export type TimelineEvent = { tick: number; driver: TimelineDriver } & (
   | { kind: "edit"; what: "maze" | "program" }
 );
 
-/** What a timeline gained or lost since the last `take`; typed arrays, cheap to send. */
+/** Changes of a timeline since the last `takeDelta`, in typed arrays that are cheap to send. */
 export interface TimelineDelta {
-  /** stretches that stay as they were; those after them are replaced */
+  /** number of unchanged segments; the segments of the delta replace the following ones */
   unchangedSegments: number;
   ticks: Int32Array<ArrayBuffer>;
   drivers: Int16Array<ArrayBuffer>;
-  /** events that stay as they were; those after them are replaced */
+  /** number of unchanged events; the events of the delta replace the following ones */
   unchangedEvents: number;
   eventTicks: Int32Array<ArrayBuffer>;
   eventCodes: Int16Array<ArrayBuffer>;
   eventDrivers: Int16Array<ArrayBuffer>;
-  /** null where nothing changed in them */
+  /** null if the commands did not change */
   commands: CommandDelta | null;
   endTick: number;
 }
 
-/** Codes of driver drove: a line by its index, the others below 0. */
+/** Codes of drivers: a line by its index, the others below 0. */
 const OTHERWISE = -1;
 const ME = -2;
 const REMOTE = -3;
 const MIXED = -4;
 
-/** Codes of events: turns by their index in `turnNames`, then the others. */
+/** Codes of events: a turn by its index in `turnNames`, then the others. */
 const BUMP = 16;
 const GOAL = 17;
 const EDITED_MAZE = 18;
 const EDITED_PROGRAM = 19;
 
-/** A tenth of a second: shorter stretches, and shorter gaps between events of one kind, are not told apart. */
+/** Minimum length of a segment, and minimum gap between events of one kind: a tenth of a second. */
 const MIN_TICKS = 6;
-/** Above so many stretches or events, the shortest time doubles: more than a screen has pixels by far. */
+/** Maximum number of segments or events, far more than a screen has pixels. */
 const MAX_ENTRIES = 50_000;
 
 export class Timeline {
-  /** the commands of scripts, and the waits between them */
+  /** the commands of scripts, and the waiting times between them */
   readonly commands = new CommandLog();
   readonly #ticks = new GrowingArray("int32");
   readonly #drivers = new GrowingArray("int16");
@@ -78,16 +78,16 @@ export class Timeline {
   readonly #eventCodes = new GrowingArray("int16");
   readonly #eventDrivers = new GrowingArray("int16");
   #endTick = 0;
-  /** as they were at the last `take`: what was cut since then leaves nothing new behind */
+  /** values at the last `takeDelta`, to detect a truncation without new entries */
   #sentEndTick = -1;
   #sentSegments = 0;
   #sentEvents = 0;
   #minTicks = MIN_TICKS;
-  /** stretches and events that are as they were at the last `take` */
+  /** number of segments and events unchanged since the last `takeDelta` */
   #unchangedSegments = 0;
   #unchangedEvents = 0;
 
-  /** Stretches, in the order of time; each lasts until the next begins, the last until `endTick`. */
+  /** Number of segments in time order. Each lasts until the next one, the last until `endTick`. */
   get segmentCount(): number {
     return this.#ticks.length;
   }
@@ -101,7 +101,7 @@ export class Timeline {
     return this.#endTick;
   }
 
-  /** Bytes held. */
+  /** Allocated bytes. */
   get byteLength(): number {
     return (
       this.#ticks.byteLength +
@@ -113,22 +113,22 @@ export class Timeline {
     );
   }
 
-  /** Tick at whose end stretch `index` begins: its driver moves the robot from the tick after it on. */
+  /** Tick at whose end segment `index` starts. Its driver moves the robot from the next tick on. */
   tickOf(index: number): number {
     return this.#ticks.at(index);
   }
 
-  /** TimelineDriver drove in stretch `index`. */
+  /** Driver of segment `index`. */
   driverOf(index: number): TimelineDriver {
     return driverOfCode(this.#drivers.at(index));
   }
 
-  /** Index of the stretch that holds the moment at the end of `tick`; -1 before the first one. */
+  /** Index of the segment that contains the end of `tick`; -1 before the first segment. */
   segmentAt(tick: number): number {
     return this.#ticks.countUpTo(tick) - 1;
   }
 
-  /** Event `index`, in the order of time. */
+  /** Returns event `index`, in time order. */
   eventAt(index: number): TimelineEvent {
     const tick = this.#eventTicks.at(index);
     const code = this.#eventCodes.at(index);
@@ -142,17 +142,17 @@ export class Timeline {
     return { kind: "turn", turn, tick, driver };
   }
 
-  /** How many events happened up to the end of `tick`: the index of the first one after it. */
+  /** Number of events up to the end of `tick`, which is the index of the first event after it. */
   eventsUpTo(tick: number): number {
     return this.#eventTicks.countUpTo(tick);
   }
 
-  /** From the end of `tick` on, `driver` drives. */
+  /** Records that `driver` drives from the end of `tick` on. */
   recordDriver(tick: number, driver: Exclude<TimelineDriver, "mixed">): void {
     const code = codeOfDriver(driver);
     const last = this.#ticks.length - 1;
     if (last >= 0 && this.#drivers.at(last) === code) return;
-    // Nobody drove in a stretch without a tick.
+    // A segment without a tick is replaced.
     const from = last >= 0 && this.#ticks.at(last) === tick ? last : last + 1;
     this.#truncateSegments(from);
     const before = this.#ticks.length - 1;
@@ -163,11 +163,11 @@ export class Timeline {
     if (this.#ticks.length > MAX_ENTRIES) this.#coarsen();
   }
 
-  /** Notes an event; one soon after another of its kind by the same driver is the same mark. */
+  /** Records an event. Merges it with an event of the same kind and driver within the minimum gap. */
   recordEvent(event: TimelineEvent): void {
     const code = codeOfEvent(event);
     const driver = codeOfDriver(event.driver);
-    // Each edit has its own mark, unless there are more of them than marks: a file may bring 100,000.
+    // Edits merge only after the minimum gap has doubled: a file can contain 100,000 edits.
     const isEditApart = event.kind === "edit" && this.#minTicks === MIN_TICKS;
     const isSingle = event.kind === "goal" || isEditApart;
     const last = this.#eventTicks.length - 1;
@@ -183,12 +183,12 @@ export class Timeline {
     if (this.#eventTicks.length > MAX_ENTRIES) this.#coarsen();
   }
 
-  /** The run has gone on to this tick. */
+  /** Sets the last tick of the run. */
   advanceTo(tick: number): void {
     this.#endTick = tick;
   }
 
-  /** Forgets what came after the end of `tick`, and what was decided there: another way follows. */
+  /** Deletes entries after the end of `tick`, and decisions at that tick, because the run changes there. */
   truncateAfter(tick: number): void {
     this.#truncateSegments(this.#ticks.countUpTo(tick - 1));
     let events = this.eventsUpTo(tick);
@@ -200,7 +200,7 @@ export class Timeline {
     this.#endTick = tick;
   }
 
-  /** What changed since the last call; null when nothing did. */
+  /** Returns the changes since the last call, or null. */
   takeDelta(): TimelineDelta | null {
     const commands = this.commands.takeDelta();
     const isSame =
@@ -230,7 +230,7 @@ export class Timeline {
     return delta;
   }
 
-  /** Takes in what another timeline gained or lost. */
+  /** Applies the changes of another timeline. */
   applyDelta(delta: TimelineDelta): void {
     this.#ticks.replaceFrom(delta.unchangedSegments, delta.ticks);
     this.#drivers.replaceFrom(delta.unchangedSegments, delta.drivers);
@@ -241,7 +241,7 @@ export class Timeline {
     this.#endTick = delta.endTick;
   }
 
-  /** The last stretch ends at `tick`: where it and the one before it were short, they are one. */
+  /** Merges the last segment, which ends at `tick`, with the previous one if both are short. */
   #mergeShort(tick: number): void {
     const last = this.#ticks.length - 1;
     if (last < 1 || tick - this.#ticks.at(last) >= this.#minTicks) return;
@@ -254,7 +254,7 @@ export class Timeline {
     this.#drivers.set(before, MIXED);
   }
 
-  /** Doubles the shortest time and divides everything anew. */
+  /** Doubles the minimum time and merges all entries again. */
   #coarsen(): void {
     this.#minTicks *= 2;
     const ticks = this.#ticks.copyFrom(0);

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { TrailPen } from "./trail-pen.ts";
 
-/** The corners of the trail of a robot that starts at the first point, x and y by turns. */
+/** Corners of the trail through the given points, x and y alternating. */
 function cornersOf([first, ...points]: [[number, number], ...[number, number][]]): number[] {
   const pen = new TrailPen(...first);
   const corners: number[] = [...first];
@@ -12,12 +12,12 @@ function cornersOf([first, ...points]: [[number, number], ...[number, number][]]
 }
 
 describe("the trail", () => {
-  it("keeps one point for a straight line however long it is", () => {
+  it("has at most two points for a straight line of any length", () => {
     const line = Array.from({ length: 1000 }, (_, i): [number, number] => [50 + (i + 1) * 1.7, 50]);
     expect(cornersOf([[50, 50], ...line]).length).toBeLessThanOrEqual(4);
   });
 
-  it("has a corner where the robot turned and where it went back", () => {
+  it("has a corner where the robot turned or reversed", () => {
     const corners = cornersOf([
       [0, 0],
       [10, 0],
@@ -36,7 +36,7 @@ describe("the trail", () => {
     expect(cornersOf([[0, 0], ...points]).length).toBeGreaterThan(100);
   });
 
-  it("ignores a robot that stands", () => {
+  it("has no corner while the robot stands still", () => {
     expect(
       cornersOf([
         [5, 5],
@@ -45,7 +45,7 @@ describe("the trail", () => {
     ).toEqual([5, 5]);
   });
 
-  it("goes on from where it was saved", () => {
+  it("continues from a saved state", () => {
     const pen = new TrailPen(0, 0);
     pen.moveTo(10, 0);
     const saved = structuredClone(pen.save());

@@ -1,9 +1,9 @@
 /**
- * Where a trail has its corners: a straight line costs one point however long it is. What is not yet a
- * corner ends at the robot itself.
+ * Finds the corners of a trail, so that a straight line of any length needs one point. The last line
+ * ends at the robot.
  */
 
-/** A pen as plain data. */
+/** Serialisable state of a pen. */
 export interface PenState {
   x: number;
   y: number;
@@ -16,7 +16,7 @@ export class TrailPen {
   #y: number;
   #directionX = 0;
   #directionY = 0;
-  /** the last corner that `follow` found */
+  /** the last corner that `moveTo` found */
   cornerX = Number.NaN;
   cornerY = Number.NaN;
 
@@ -26,8 +26,8 @@ export class TrailPen {
   }
 
   /**
-   * Follows the robot to where it is at the end of a tick.
-   * @returns whether it turned off where it was before: there the trail has a corner, `cornerX`, `cornerY`
+   * Moves the pen to the robot's position at the end of a tick.
+   * @returns whether the previous position is a corner, which `cornerX` and `cornerY` contain
    */
   moveTo(x: number, y: number): boolean {
     const directionX = x - this.#x;
@@ -35,8 +35,8 @@ export class TrailPen {
     if (directionX === 0 && directionY === 0) return false;
     const cross = directionX * this.#directionY - directionY * this.#directionX;
     const dot = directionX * this.#directionX + directionY * this.#directionY;
-    // Compared with the way at the last corner, so that a gentle curve gets its corners too. A way
-    // that differs by less than a thousandth is straight: rounding, not driving.
+    // Compares with the direction at the last corner, so that a gentle curve has corners too. A
+    // difference below a thousandth is a rounding error.
     const isCorner = dot <= 0 || cross * cross > 1e-6 * dot * dot;
     if (isCorner) {
       this.cornerX = this.#x;

@@ -1,11 +1,11 @@
-/** Random runs for property tests: a maze, programs, and what comes to the robot when. */
+/** Random runs for property tests: mazes, programs and inputs. */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import { plainActions, type Command, type PlainAction } from "@corridor/protocol";
 import fc from "fast-check";
 import type { Recording } from "../recording.ts";
 
-/** Any maze of up to 6 x 6 cells with about a third of blocks. */
+/** Generates mazes of up to 6 x 6 cells, about a third of them blocks. */
 export const anySmallMaze: fc.Arbitrary<MazeDocument> = fc
   .record({
     columns: fc.integer({ min: 1, max: 6 }),
@@ -33,7 +33,7 @@ export const anySmallMaze: fc.Arbitrary<MazeDocument> = fc
     };
   });
 
-/** A program of up to four lines about distances as they are in small mazes. */
+/** Generates programs of up to four lines, with distances that occur in small mazes. */
 export const anyLivelyProgram: fc.Arbitrary<ProgramDocument> = fc.record({
   format: fc.constant("corridor/program" as const),
   version: fc.constant(1 as const),
@@ -54,7 +54,7 @@ export const anyLivelyProgram: fc.Arbitrary<ProgramDocument> = fc.record({
 
 const power = fc.double({ min: -1, max: 1, noNaN: true });
 
-/** A command of a hand or of a script. */
+/** Generates commands of a manual driver or of a script. */
 export const anyDriveCommand: fc.Arbitrary<Command> = fc.oneof(
   fc.constantFrom<Command>(...plainActions.map((action) => ({ action }))),
   fc.record({
@@ -68,7 +68,7 @@ export const anyDriveCommand: fc.Arbitrary<Command> = fc.oneof(
   fc.record({ action: fc.constant("drive" as const), left: power, right: power }),
 );
 
-/** Something done with a recording; ticks are taken in any chunks. */
+/** An operation on a recording. */
 export type Operation =
   | { kind: "ticks"; count: number }
   | { kind: "driver"; driver: "me" | "program" | "remote" }
@@ -118,7 +118,7 @@ export const anyOperations: fc.Arbitrary<Operation[]> = fc.array(
   { minLength: 1, maxLength: 20 },
 );
 
-/** Does an operation; `onTick` hears each tick after it has run. What cannot be is not done. */
+/** Performs an operation, or ignores it if it is not possible. Calls `onTick` after each tick. */
 export function perform(recording: Recording, operation: Operation, onTick: () => void): void {
   switch (operation.kind) {
     case "ticks":
@@ -145,16 +145,16 @@ export function perform(recording: Recording, operation: Operation, onTick: () =
   }
 }
 
-/** The maze with one block more or less, where that is legal. */
+/** Toggles one block of a maze if the result is valid. */
 function toggled(
   maze: MazeDocument,
   { column, row }: { column: number; row: number },
 ): MazeDocument {
-  const isTaken = [maze.start, ...maze.goals].some(
+  const isOccupied = [maze.start, ...maze.goals].some(
     (cell) => cell.column === column && cell.row === row,
   );
   const line = maze.blocks[row];
-  if (isTaken || line?.[column] === undefined) return maze;
+  if (isOccupied || line?.[column] === undefined) return maze;
   const other = line[column] === "#" ? "." : "#";
   const changed = line.slice(0, column) + other + line.slice(column + 1);
   return { ...maze, blocks: maze.blocks.map((each, index) => (index === row ? changed : each)) };
