@@ -13,13 +13,13 @@ function problemsOf({ kind, text }: BrokenDocument) {
 }
 
 describe("a broken document", () => {
-  it("is in the table at least 70 times, each with a name of its own", () => {
+  it("occurs at least 70 times in the table, each with a unique name", () => {
     expect(brokenDocuments.length).toBeGreaterThanOrEqual(70);
     const names = brokenDocuments.map(({ kind, name }) => `${kind}: ${name}`);
     expect(new Set(names).size).toBe(names.length);
   });
 
-  it.each(brokenDocuments)("is refused with field, found and expected: $kind, $name", (broken) => {
+  it.each(brokenDocuments)("is rejected with path, found and expected: $kind, $name", (broken) => {
     const problems = problemsOf(broken);
     expect(problems.map(({ path }) => path)).toContain(broken.path);
     const named = problems.find(({ path }) => path === broken.path);
@@ -33,7 +33,7 @@ describe("a broken document", () => {
   });
 
   it.each(brokenDocuments.filter(({ kind }) => kind === "link"))(
-    "is told apart by its code: $name",
+    "is rejected with its code: $name",
     ({ text, code }) => {
       expect(decodeLink(text)).toMatchObject({ ok: false, code });
     },

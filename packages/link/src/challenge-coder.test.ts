@@ -15,8 +15,8 @@ import { describe, expect, it } from "vitest";
 import { decodeLink, encodeLink, type LinkContent } from "./link.ts";
 
 const text = (max: number) => fc.string({ unit: "binary", maxLength: max });
-const some = <Word>(words: readonly Word[], minLength = 0) =>
-  fc.uniqueArray(fc.constantFrom(...words), { minLength });
+const some = <Name>(names: readonly Name[], minLength = 0) =>
+  fc.uniqueArray(fc.constantFrom(...names), { minLength });
 const distance = fc.double({ min: 1, max: 50_000, noNaN: true });
 
 const anyGoal: fc.Arbitrary<Goal> = fc.oneof(
@@ -70,7 +70,7 @@ const anyChallenge: fc.Arbitrary<ChallengeDocument> = fc.record({
 });
 
 describe("the link of a challenge", () => {
-  it("gives back exactly what was shared, with a program or without", () => {
+  it("decodes to equal documents, with or without a program", () => {
     fc.assert(
       fc.property(anyChallenge, fc.option(arbitraryProgram), (challenge, program) => {
         const content: LinkContent = program === null ? { challenge } : { challenge, program };
@@ -85,7 +85,7 @@ describe("the link of a challenge", () => {
     );
   });
 
-  it("fits a class's chat: a maze of 21 x 21 with a task and two hints in at most 400 characters", () => {
+  it("has at most 400 characters for a maze of 21 x 21 with a task and two hints", () => {
     const challenge: ChallengeDocument = {
       format: "corridor/challenge",
       version: 1,

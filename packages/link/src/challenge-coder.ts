@@ -1,6 +1,6 @@
 /**
- * A challenge as bits, written and read by one function: words, mazes, the program it begins with,
- * goal, what is allowed, checks and par.
+ * Codes a challenge as bits, with one function for encoding and decoding: texts, mazes, starting
+ * program, goal, permissions, checks and par.
  */
 import {
   conditionNames,
@@ -25,8 +25,8 @@ import type { BitCoder } from "./range-coder.ts";
 const goalKinds = ["reach", "visit", "stop", "drive", "last"] as const;
 const driverNames = ["me", "program", "remote"] as const;
 
-/** What a decoder hands to `codeProgram`; it is not read. */
-const anyProgram: ProgramDocument = {
+/** Program that a decoder passes to `codeProgram`, which ignores it. */
+const placeholderProgram: ProgramDocument = {
   format: "corridor/program",
   version: 1,
   name: "",
@@ -35,10 +35,10 @@ const anyProgram: ProgramDocument = {
 };
 
 /**
- * Writes or reads a challenge.
- * @param challenge what to write; a decoder is given any legal challenge and ignores it
- * @returns the challenge as a decoder will read it, still to be checked by its schema; null where a
- * link asks for what no encoder writes
+ * Encodes or decodes a challenge.
+ * @param challenge the challenge to encode; a decoder ignores it, and its caller passes any valid one
+ * @returns the decoded challenge, not yet checked by its schema; null if the bits cannot come from an
+ *   encoder
  */
 export function codeChallenge(
   coder: BitCoder,
@@ -64,17 +64,17 @@ export function codeChallenge(
   for (let at = 0; at < mazeCount; at += 1) {
     const maze = challenge.mazes[at] ?? challenge.mazes[0];
     if (maze === undefined) return null;
-    // Most mazes of a challenge are called like it.
+    // Most mazes have the name of their challenge.
     const isNamed = codeBit(maze.name !== name);
     const written = isNamed ? maze : { ...maze, name: "" };
-    const read = codeMaze(coder, written, choices.waysOf(written));
+    const read = codeMaze(coder, written, choices.mazeChoicesOf(written));
     if (read === null) return null;
     mazes.push(isNamed ? read : { ...read, name });
   }
 
   let program: ProgramDocument | null = null;
   if (codeBit(challenge.program !== null)) {
-    const written = challenge.program ?? anyProgram;
+    const written = challenge.program ?? placeholderProgram;
     program = codeProgram(coder, written, choices.isPlainName(written.name));
     if (program === null) return null;
   }
@@ -116,10 +116,10 @@ function codeGoal(coder: BitCoder, goal: Goal, numbers: NumberModel, reals: Real
   const kind = goalKinds[codeUniform(coder, goalKinds.length, goalKinds.indexOf(goal.kind))];
   switch (kind) {
     case "stop": {
-      const wanted = goal.kind === kind ? goal : { sensor: "front" as const, from: 0, to: 0 };
-      const at = codeUniform(coder, sensorNames.length, sensorNames.indexOf(wanted.sensor));
-      const from = reals.code(coder, wanted.from);
-      return { kind, sensor: sensorNames[at] ?? "front", from, to: reals.code(coder, wanted.to) };
+      const values = goal.kind === kind ? goal : { sensor: "front" as const, from: 0, to: 0 };
+      const at = codeUniform(coder, sensorNames.length, sensorNames.indexOf(values.sensor));
+      const from = reals.code(coder, values.from);
+      return { kind, sensor: sensorNames[at] ?? "front", from, to: reals.code(coder, values.to) };
     }
     case "drive":
       return { kind, distance: reals.code(coder, goal.kind === kind ? goal.distance : 0) };
@@ -134,15 +134,15 @@ function codeGoal(coder: BitCoder, goal: Goal, numbers: NumberModel, reals: Real
   return { kind: "reach" };
 }
 
-/** Words from a short list, in the order in which they stand. */
-function codeList<const Word extends string>(
+/** Codes a list of entries from a fixed set, in list order. */
+function codeList<const Name extends string>(
   coder: BitCoder,
-  words: readonly Word[],
-  chosen: readonly Word[],
-): Word[] {
-  const count = codeUniform(coder, words.length + 1, chosen.length);
+  names: readonly Name[],
+  chosen: readonly Name[],
+): Name[] {
+  const count = codeUniform(coder, names.length + 1, chosen.length);
   return Array.from({ length: count }, (_, at) => {
-    const place = codeUniform(coder, words.length, words.indexOf(chosen[at] as Word));
-    return words[place] as Word;
+    const index = codeUniform(coder, names.length, names.indexOf(chosen[at] as Name));
+    return names[index] as Name;
   });
 }

@@ -1,23 +1,23 @@
 /**
- * The 64 characters of a link, all of which pass through a URL's fragment as they are, and the check
+ * The 64 characters of a link, none of which needs percent-encoding in a URL fragment, and the checksum
  * over them.
  */
 
 const ALPHABET = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
-/** Characters that `checkOf` gives. */
+/** Length of the checksum in characters. */
 export const CHECK_LENGTH = 4;
-/** Generator of CRC-24 (RFC 9580): no change within 24 bits in a row, four characters, gets past it. */
+/** Generator of CRC-24 (RFC 9580). It detects every change within 24 consecutive bits, or 4 characters. */
 const CRC_GENERATOR = 0x1864cfb;
 const CRC_START = 0xb704ce;
 const CRC_TOP = 0x1000000;
 
-/** @param digits numbers from 0 to 63 */
+/** Converts digits to text. @param digits numbers from 0 to 63 */
 export function textOf(digits: readonly number[]): string {
   return digits.map((digit) => ALPHABET[digit]).join("");
 }
 
-/** The digits of a text; null in the place of a character that no link has. */
+/** Converts text to digits, with null for an invalid character. */
 export function digitsOf(text: string): (number | null)[] {
   return Array.from(text, (character) => {
     const digit = ALPHABET.indexOf(character);
@@ -25,7 +25,7 @@ export function digitsOf(text: string): (number | null)[] {
   });
 }
 
-/** The check over a link's version and digits: four digits. */
+/** Computes the checksum over a link's version and digits: `CHECK_LENGTH` digits. */
 export function checkOf(version: number, digits: readonly number[]): number[] {
   let crc = CRC_START;
   for (const digit of [version, ...digits]) {

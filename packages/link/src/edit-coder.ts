@@ -1,6 +1,6 @@
 /**
- * Edits of a maze or a program as bits: only what is another than before. A run has many of them, each
- * of which changes a block or a number.
+ * Codes edits of a maze or a program as differences from the previous document. A run can contain many
+ * edits, most of which change one block or one number.
  */
 import {
   BLOCK,
@@ -21,25 +21,25 @@ import {
   type Rule,
 } from "@corridor/program";
 import { plainActions, type PlainAction } from "@corridor/protocol";
-import { cellsOf, codeMaze, type MazeWays } from "./maze-coder.ts";
+import { cellsOf, codeMaze, type MazeChoices } from "./maze-coder.ts";
 import { codeName } from "./name-coder.ts";
 import { codeUniform, NumberModel, SymbolModel } from "./numbers.ts";
 import { ConditionCoder } from "./program-coder.ts";
 import { BitModel, type BitCoder } from "./range-coder.ts";
 
-/** What an encoder may choose; a decoder finds it in the link, and is asked all the same. */
+/** Choices of an encoder. A decoder reads them from the link and ignores the passed ones. */
 export interface Choices {
-  waysOf: (maze: MazeDocument) => MazeWays;
+  mazeChoicesOf: (maze: MazeDocument) => MazeChoices;
   isPlainName: (name: string) => boolean;
 }
 
-/** An edit of more squares goes as the whole maze. */
+/** Maximum number of changed cells. An edit of more cells is coded as a whole maze. */
 const MAX_FLIPS = 256;
 
-/** Edits of mazes. */
+/** Codes edits of mazes. */
 export class MazeEditCoder {
   readonly #choices: Choices;
-  /** is it the whole maze, are start and goals others */
+  /** contexts: is it a whole maze, did the start change, did the goals change */
   readonly #bits = new BitModel(3, 4);
   readonly #counts = new NumberModel();
   readonly #distances = new NumberModel();
@@ -49,14 +49,15 @@ export class MazeEditCoder {
   }
 
   /**
-   * Writes or reads an edit.
-   * @param after what to write; a decoder is given any legal maze and ignores it
-   * @returns the maze after it, still to be checked; null where a link asks for what no encoder writes
+   * Encodes or decodes an edit.
+   * @param after the maze to encode; a decoder ignores it, and its caller passes any valid maze
+   * @returns the maze after the edit, not yet checked by its schema; null if the bits cannot come from
+   *   an encoder
    */
   code(coder: BitCoder, before: MazeDocument, after: MazeDocument): MazeDocument | null {
     const flips = flipsBetween(before, after);
     const isWhole = this.#bits.code(coder, 0, flips === null ? 1 : 0) === 1;
-    if (isWhole) return codeMaze(coder, after, this.#choices.waysOf(after));
+    if (isWhole) return codeMaze(coder, after, this.#choices.mazeChoicesOf(after));
     const blocks = this.#codeFlips(coder, before, flips ?? []);
     if (blocks === null) return null;
     const isStart = this.#bits.code(coder, 1, isSameStart(before, after) ? 0 : 1) === 1;
@@ -93,10 +94,10 @@ export class MazeEditCoder {
   }
 }
 
-/** Edits of programs, learning which actions, conditions and numbers the run uses. */
+/** Codes edits of programs with adaptive models of actions, conditions and numbers. */
 export class ProgramEditCoder {
   readonly #choices: Choices;
-  /** are name and default others; is a line another */
+  /** contexts: did the name change, did the default change, did a line change */
   readonly #bits = new BitModel(3, 4);
   readonly #counts = new NumberModel();
   readonly #actions = new SymbolModel(3);
@@ -107,9 +108,10 @@ export class ProgramEditCoder {
   }
 
   /**
-   * Writes or reads an edit.
-   * @param after what to write; a decoder is given any legal program and ignores it
-   * @returns the program after it, still to be checked; null where a link asks for what no encoder writes
+   * Encodes or decodes an edit.
+   * @param after the program to encode; a decoder ignores it, and its caller passes any valid program
+   * @returns the program after the edit, not yet checked by its schema; null if the bits cannot come
+   *   from an encoder
    */
   code(coder: BitCoder, before: ProgramDocument, after: ProgramDocument): ProgramDocument | null {
     const isNamed = this.#bits.code(coder, 0, before.name === after.name ? 0 : 1) === 1;
@@ -141,7 +143,7 @@ export class ProgramEditCoder {
   }
 }
 
-/** The cells that differ, counted row by row; null where more than a few of them or the size do. */
+/** Indices of the changed cells, row by row; null if the whole maze must be coded. */
 function flipsBetween(before: MazeDocument, after: MazeDocument): number[] | null {
   const [size, other] = [sizeOf(before), sizeOf(after)];
   const isSameShape = size.columns === other.columns && size.rows === other.rows;
@@ -175,6 +177,6 @@ function codeCell(coder: BitCoder, cell: Cell = { column: 0, row: 0 }): Cell {
 }
 
 function codeHeading(coder: BitCoder, { start }: MazeDocument): MazeDocument["start"]["heading"] {
-  const place = codeUniform(coder, headingNames.length, headingNames.indexOf(start.heading));
-  return headingNames[place] ?? "north";
+  const index = codeUniform(coder, headingNames.length, headingNames.indexOf(start.heading));
+  return headingNames[index] ?? "north";
 }

@@ -9,7 +9,7 @@ import { decodeLink, encodeLink, MAX_LINK_LENGTH } from "./link.ts";
 import { codeUniform } from "./numbers.ts";
 import { Decoder, Encoder, type BitCoder } from "./range-coder.ts";
 import { codeRun } from "./run-coder.ts";
-import { shortestBlockWay } from "./shortest-way.ts";
+import { shortestBlockMethod } from "./shortest-encoding.ts";
 
 const program: ProgramDocument = {
   format: "corridor/program",
@@ -19,26 +19,26 @@ const program: ProgramDocument = {
   rules: [{ when: { sensor: "front", is: "<", than: 50 }, do: "left 90" }],
 };
 
-/** A link whose length and check are right, whatever stands in it: made by hand, not by Corridor. */
+/** Creates a link with a valid length and checksum from any digits. */
 function forge(body: readonly number[]): string {
   const length = body.length % 64;
   return `1${textOf([length, ...checkOf(1, [length, ...body]), ...body])}`;
 }
 
 const choices: Choices = {
-  waysOf: (each) => ({ blocks: shortestBlockWay(each), isPlainName: true }),
+  mazeChoicesOf: (each) => ({ blockMethod: shortestBlockMethod(each), isPlainName: true }),
   isPlainName: () => true,
 };
 
-/** The digits of a run's link, however much it brings. */
+/** The digits of a run's link, without the length limit of an encoder. */
 function forgeRun(run: RunDocument): readonly number[] {
   const encoder = new Encoder();
-  codeRunHead(encoder);
+  codeRunHeader(encoder);
   codeRun(encoder, run, choices, Infinity);
   return encoder.finish();
 }
 
-/** As many bits as a reader takes from it. */
+/** Number of bits that a decoder reads. */
 function bitsReadOf(digits: readonly number[]): number {
   const decoder = new Decoder(digits);
   let count = 0;
@@ -48,14 +48,14 @@ function bitsReadOf(digits: readonly number[]): number {
       return decoder.bit(zeros, ones);
     },
   };
-  codeRunHead(counting);
+  codeRunHeader(counting);
   const any = { maze: generateTree({ columns: 9, rows: 9, seed: 1, name: "" }), program };
   codeRun(counting, { ...runHead, ...any, ticks: 0, inputs: [] }, choices);
   return count;
 }
 
-/** There is more, no maze, no program, and the section of runs. */
-function codeRunHead(coder: BitCoder): void {
+/** Codes an extended header without maze and program, and the section code of runs. */
+function codeRunHeader(coder: BitCoder): void {
   coder.bit(31, 1, 1);
   coder.bit(1, 3, 0);
   coder.bit(1, 1, 0);
@@ -70,8 +70,8 @@ const runHead = {
   digest: "0123456789abcdef",
 };
 
-describe("a forged link with a right check", () => {
-  it("gives legal documents or a refusal, never an error", () => {
+describe("a forged link with a valid checksum", () => {
+  it("decodes to valid documents or is rejected, without an exception", () => {
     const bodies = fc.oneof(
       fc.array(fc.integer({ min: 0, max: 63 }), { minLength: 1, maxLength: 60 }),
       fc.array(fc.integer({ min: 0, max: 63 }), { minLength: 1, maxLength: 3 }),
@@ -94,7 +94,7 @@ describe("a forged link with a right check", () => {
     ]);
   });
 
-  it("is refused, however long it is", () => {
+  it("is rejected at the maximum length", () => {
     for (const digit of [0, 21, 42, 63]) {
       const text = forge(Array.from({ length: MAX_LINK_LENGTH - 6 }, () => digit));
       expect(text).toHaveLength(MAX_LINK_LENGTH);
@@ -111,36 +111,41 @@ describe("a forged link with a right check", () => {
     { of: "a long program", input: { do: "program", program: longest } },
     { of: "a short program", input: { do: "program", program: { ...longest, rules: [] } } },
     { of: "a large maze", input: { do: "maze", maze: hall } },
-    { of: "a hand's commands", input: { do: "command", command: { action: "stop" } } },
-    { of: "what cancels", input: { do: "cancel" } },
-  ])("of many edits of $of brings no more than 256 KiB, and takes no longer", ({ input }) => {
-    const runOf = (count: number): RunDocument => ({
-      ...runHead,
-      maze: hall,
-      program: longest,
-      ticks: 5_184_000,
-      inputs: Array.from({ length: count }, () => ({ tick: 1, ...input })),
-    });
-    // The costliest that Corridor writes, and reads.
-    let [most, more] = [0, 100_000];
-    while (more - most > 1) {
-      const middle = (most + more) >> 1;
-      if (encodeLink({ run: runOf(middle) }).ok) most = middle;
-      else more = middle;
-    }
-    const costliest = encodeLink({ run: runOf(most) });
-    const read = decodeLink(costliest.ok ? costliest.text : "");
-    const run = read.ok ? read.value.run : undefined;
-    expect(run?.inputs).toHaveLength(most);
-    expect(JSON.stringify(run?.inputs).length).toBeLessThanOrEqual(256 * 1024);
-    // What it refuses to write is refused by its reader too, before all of it is built.
-    const forged = forgeRun(runOf(20 * most));
-    expect(decodeLink(forge(forged))).toMatchObject({ ok: false, code: "damaged" });
-    // The number of edits itself takes a few bits more.
-    expect(bitsReadOf(forged)).toBeLessThanOrEqual(bitsReadOf(forgeRun(runOf(most + 1))) + 40);
-  });
+    { of: "manual commands", input: { do: "command", command: { action: "stop" } } },
+    { of: "cancellations", input: { do: "cancel" } },
+  ])(
+    "with many inputs of $of is limited to 256 KiB and to the bits of the largest run",
+    ({ input }) => {
+      const runOf = (count: number): RunDocument => ({
+        ...runHead,
+        maze: hall,
+        program: longest,
+        ticks: 5_184_000,
+        inputs: Array.from({ length: count }, () => ({ tick: 1, ...input })),
+      });
+      // The maximum number of inputs that the encoder accepts.
+      let [maxCount, tooMany] = [0, 100_000];
+      while (tooMany - maxCount > 1) {
+        const middle = (maxCount + tooMany) >> 1;
+        if (encodeLink({ run: runOf(middle) }).ok) maxCount = middle;
+        else tooMany = middle;
+      }
+      const largest = encodeLink({ run: runOf(maxCount) });
+      const read = decodeLink(largest.ok ? largest.text : "");
+      const run = read.ok ? read.value.run : undefined;
+      expect(run?.inputs).toHaveLength(maxCount);
+      expect(JSON.stringify(run?.inputs).length).toBeLessThanOrEqual(256 * 1024);
+      // The decoder rejects a larger run before it has built all of it.
+      const forged = forgeRun(runOf(20 * maxCount));
+      expect(decodeLink(forge(forged))).toMatchObject({ ok: false, code: "damaged" });
+      // The larger number of inputs itself needs a few more bits.
+      expect(bitsReadOf(forged)).toBeLessThanOrEqual(
+        bitsReadOf(forgeRun(runOf(maxCount + 1))) + 40,
+      );
+    },
+  );
 
-  it("of a run gives a legal run or a refusal, whatever was changed in it", () => {
+  it("of a run decodes to a valid run or is rejected after any changes", () => {
     const maze = generateTree({ columns: 9, rows: 9, seed: 1, name: "Tree" });
     const inputs: TimedInput[] = [
       { tick: 10, do: "driver", driver: "me" },
@@ -156,7 +161,7 @@ describe("a forged link with a right check", () => {
     const body = digitsOf(link.ok ? link.text.slice(6) : "").map((digit) => digit ?? 0);
     expect(decodeLink(forge(body)).ok).toBe(true);
     const change = fc.tuple(fc.nat({ max: body.length - 1 }), fc.integer({ min: 0, max: 63 }));
-    let legal = 0;
+    let valid = 0;
     fc.assert(
       fc.property(fc.array(change, { minLength: 1, maxLength: 4 }), (changes) => {
         const changed = [...body];
@@ -164,15 +169,15 @@ describe("a forged link with a right check", () => {
         const result = decodeLink(forge(changed));
         const { run } = result.ok ? result.value : {};
         if (run === undefined) return;
-        legal += 1;
+        valid += 1;
         expect(parseRun(run).ok).toBe(true);
       }),
       { numRuns: 1_000 },
     );
-    expect(legal).toBeGreaterThan(0);
+    expect(valid).toBeGreaterThan(0);
   });
 
-  it("cannot hide anything behind its documents", () => {
+  it("is rejected with extra digits after its documents", () => {
     const link = encodeLink({ maze: generateTree({ columns: 9, rows: 9, seed: 1, name: "Tree" }) });
     expect(link.ok).toBe(true);
     const body = digitsOf(link.ok ? link.text.slice(6) : "").map((digit) => digit ?? 0);

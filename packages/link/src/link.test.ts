@@ -44,7 +44,7 @@ const anyContent: fc.Arbitrary<LinkContent> = fc.oneof(
 );
 
 describe("a link", () => {
-  it("gives back exactly what was shared, or says that it is too big", () => {
+  it("decodes to equal documents, or is refused as too big", () => {
     fc.assert(
       fc.property(anyContent, (content) => {
         const link = encodeLink(content);
@@ -60,7 +60,7 @@ describe("a link", () => {
   });
 
   it.each(["", "\0", "a\u007fb", "🤖 robot", "\ud800 half", "迷路", "Übung 1", "x".repeat(100)])(
-    "keeps the name %j",
+    "retains the name %j",
     (name) => {
       const maze = { ...generateTree({ columns: 5, rows: 5, seed: 1, name }) };
       expect(decodeLink(linkOf({ maze }))).toEqual({ ok: true, value: { maze } });
@@ -68,7 +68,7 @@ describe("a link", () => {
   );
 
   it.each([0, -0, 0.1, -0.1, 1e-300, 60, 100_000, -100_000, 99_999.999, 5e-324])(
-    "keeps the number %d",
+    "retains the number %d",
     (plus) => {
       const program = {
         ...rightWall,
@@ -80,7 +80,7 @@ describe("a link", () => {
     },
   );
 
-  it("keeps every preset and every program of the thesis", () => {
+  it("retains every preset and every program of the thesis, in at most 60 characters", () => {
     const contents: LinkContent[] = [
       ...mazePresets.map(({ maze }) => ({ maze })),
       ...programPresets.map(({ program }) => ({ program })),
@@ -93,7 +93,7 @@ describe("a link", () => {
     }
   });
 
-  it("of a maze too large for a link says so, and never passes the limit", () => {
+  it("of a maze too large for a link is refused as too big", () => {
     const huge = randomMaze("", 256, 50, false, 1);
     expect(encodeLink({ maze: huge })).toMatchObject({ ok: false, code: "too-big" });
     expect(linkOf({ maze: randomMaze("", 256, 20, false, 1) }).length).toBeLessThanOrEqual(
@@ -101,7 +101,7 @@ describe("a link", () => {
     );
   });
 
-  it("of 160 by 160 squares always fits, with all that can go along", () => {
+  it("always fits a maze of 160 x 160 cells with the longest name, goals and program", () => {
     const side = 160;
     const name = "\ud800\uffff迷".repeat(33);
     const maze = randomMaze(name, side, 50, false, 1);
@@ -121,7 +121,7 @@ describe("a link", () => {
     expect(decodeLink(linkOf(content))).toEqual({ ok: true, value: content });
   });
 
-  it("of nothing does not exist", () => {
+  it("without content is refused as empty", () => {
     expect(encodeLink({})).toMatchObject({ ok: false, code: "empty" });
   });
 });
@@ -141,9 +141,9 @@ describe("the length of a link for a 33 x 33 maze", () => {
     ],
     ["random 30 %, open to its edges", 185, (seed) => randomMaze("Random", 33, 30, false, seed)],
     ["random 50 %, open to its edges", 200, (seed) => randomMaze("Maze", 33, 50, false, seed)],
-  ])("%s: at most %i characters", (_, most, make) => {
-    const lengths = seeds.map((seed) => linkOf({ maze: make(seed) }).length);
-    expect(Math.max(...lengths)).toBeLessThanOrEqual(most);
+  ])("%s: at most %i characters", (_, maxLength, create) => {
+    const lengths = seeds.map((seed) => linkOf({ maze: create(seed) }).length);
+    expect(Math.max(...lengths)).toBeLessThanOrEqual(maxLength);
   });
 
   it("random 30 % with a border: at most 160 on average", () => {
@@ -154,12 +154,12 @@ describe("the length of a link for a 33 x 33 maze", () => {
   });
 });
 
-describe("links that are in the world", () => {
+describe("published links", () => {
   it.each(goldenLinks)("stay readable: $name", ({ text, content }) => {
     expect(decodeLink(text)).toEqual({ ok: true, value: content });
   });
 
-  it.each(goldenLinks)("are written as they were: $name", ({ text, content }) => {
+  it.each(goldenLinks)("are encoded to the same text: $name", ({ text, content }) => {
     const read = decodeLink(text);
     expect(read.ok && linkOf(read.value)).toBe(text);
     expect(read.ok && read.value).toEqual(content);
@@ -172,7 +172,7 @@ describe("a damaged link", () => {
     program: rightWall,
   });
 
-  it("is refused for each change of one character", () => {
+  it("is rejected for each change of one character", () => {
     for (let at = 0; at < text.length; at += 1) {
       for (const character of ALPHABET) {
         if (character === text[at]) continue;
@@ -182,7 +182,7 @@ describe("a damaged link", () => {
     }
   });
 
-  it("is refused for each character lost, doubled or swapped, and wherever it is cut off", () => {
+  it("is rejected for each lost, doubled or swapped character, and for each truncation", () => {
     for (let at = 0; at < text.length; at += 1) {
       const lost = text.slice(0, at) + text.slice(at + 1);
       const doubled = text.slice(0, at + 1) + text.slice(at);
@@ -197,7 +197,7 @@ describe("a damaged link", () => {
     }
   });
 
-  it("is refused after any number of random changes", () => {
+  it("is rejected after any number of random changes", () => {
     const change = fc.record({
       at: fc.nat(),
       character: fc.constantFrom(...ALPHABET, ".", "%", " "),
@@ -206,8 +206,8 @@ describe("a damaged link", () => {
       fc.property(fc.array(change, { minLength: 1, maxLength: 6 }), (changes) => {
         let changed = text;
         for (const { at, character } of changes) {
-          const place = at % changed.length;
-          changed = changed.slice(0, place) + character + changed.slice(place + 1);
+          const index = at % changed.length;
+          changed = changed.slice(0, index) + character + changed.slice(index + 1);
         }
         expect(decodeLink(changed).ok).toBe(changed === text);
       }),
@@ -217,7 +217,7 @@ describe("a damaged link", () => {
 });
 
 describe("any text in place of a link", () => {
-  it("is refused with a problem, never an error", () => {
+  it("is rejected with a problem, without an exception", () => {
     const anyText = fc.oneof(
       fc.string({ unit: "binary" }),
       fc.string({ unit: fc.constantFrom(...ALPHABET), maxLength: 300 }),

@@ -1,10 +1,11 @@
 /**
- * Share links: what follows `#` in the URL. A maze, a program or both, a recorded run or a challenge
- * travel inside the link itself, so they need no server and reach none.
+ * Share links: the fragment of a URL, after `#`. It contains a maze, a program or both, a recorded run,
+ * or a challenge. Browsers do not send the fragment to a server.
  *
- * A link is the version (one character), its length (one), a check (four), and the documents through a
- * range coder. It is read in full or refused: characters, length and check are looked at before anything
- * is built, every size is bounded before memory is taken, and the result passes its schemas.
+ * A link consists of the version (one character), its length (one), a checksum (four), and the
+ * range-coded documents. The decoder rejects a link unless it is valid as a whole. It checks the
+ * characters, the length and the checksum first, bounds every size before it allocates memory, and
+ * validates the result against the schemas.
  */
 import { parseChallenge, type ChallengeDocument } from "@corridor/challenge";
 import { parseMaze, type MazeDocument } from "@corridor/maze";
@@ -19,11 +20,11 @@ import { codeUniform } from "./numbers.ts";
 import { codeProgram } from "./program-coder.ts";
 import { Decoder, Encoder, type BitCoder } from "./range-coder.ts";
 import { codeRun } from "./run-coder.ts";
-import { isShorterPlain, shortestBlockWay } from "./shortest-way.ts";
+import { isShorterPlain, shortestBlockMethod } from "./shortest-encoding.ts";
 
 /**
- * What a link carries: a maze, a program or both; or a run, which has its own; or a challenge, which
- * has its mazes, alone or with the program of who shares it.
+ * Content of a link: a maze, a program or both; a run, which contains a maze and a program; or a
+ * challenge, which contains mazes, optionally with the user's program.
  */
 export interface LinkContent {
   maze?: MazeDocument;
@@ -32,24 +33,24 @@ export interface LinkContent {
   challenge?: ChallengeDocument;
 }
 
-/** Why there is no link for a content. */
+/** Reason why content cannot be encoded. */
 export type EncodeRefusal =
-  /** nothing was given */
+  /** no content */
   | "empty"
-  /** the link would be longer than any reader takes; a smaller or simpler maze, or a shorter run fits */
+  /** the link would exceed `MAX_LINK_LENGTH` */
   | "too-big";
 
-/** Why a link cannot be read. */
+/** Reason why a link cannot be decoded. */
 export type LinkRefusal =
-  /** there is nothing behind the # */
+  /** no characters after # */
   | "empty"
-  /** it is no Corridor link, or one of a newer Corridor */
+  /** not a Corridor link, or a link of a newer version */
   | "unknown-version"
-  /** its length is not the one that it tells: most likely its end is missing */
+  /** the link is shorter than its stored length: most likely its end is missing */
   | "cut-off"
-  /** a character is wrong, missing or in another place */
+  /** a character is wrong, missing or misplaced */
   | "damaged"
-  /** it is longer than 8,192 characters */
+  /** longer than `MAX_LINK_LENGTH` */
   | "too-long";
 
 export type EncodeResult =
@@ -60,38 +61,38 @@ export type DecodeResult =
   | { ok: true; value: LinkContent }
   | { ok: false; code: LinkRefusal; problems: FieldProblem[] };
 
-/** Longest link that is written or read, in characters. */
+/** Maximum length of a link, in characters. */
 export const MAX_LINK_LENGTH = 8_192;
 
 const VERSION = 1;
-/** Version, length and check stand in front of the documents. */
-const HEAD_LENGTH = 2 + CHECK_LENGTH;
-/** The length is told modulo this, in one character. */
+/** Length of the header: version, length and checksum. */
+const HEADER_LENGTH = 2 + CHECK_LENGTH;
+/** The link stores its length modulo this number, in one character. */
 const LENGTH_CYCLE = 64;
-/** A link that would lack more than this has more likely a few characters too many. */
-const MAX_LACKING = 56;
+/** Above this number of missing characters, modulo `LENGTH_CYCLE`, extra characters are more likely. */
+const MAX_MISSING = 56;
 
-/** Behind a head with `more` set stands what follows, one of so many. */
+/** Number of section codes. A section code follows a header with `isExtended` set. */
 const SECTIONS = 16;
 const RUN = 0;
 const CHALLENGE = 1;
 
-/** What an encoder chooses: whatever takes the fewest characters. */
+/** Choices of an encoder: the shortest encoding. */
 const shortest: Choices = {
-  waysOf: (maze) => ({
-    blocks: shortestBlockWay(maze),
+  mazeChoicesOf: (maze) => ({
+    blockMethod: shortestBlockMethod(maze),
     isPlainName: isShorterPlain(maze.name),
   }),
   isPlainName: isShorterPlain,
 };
-/** A decoder finds them in the link. */
-const none: Choices = {
-  waysOf: () => ({ blocks: 0, isPlainName: false }),
+/** Choices that a decoder passes; it reads the actual ones from the link. */
+const noChoices: Choices = {
+  mazeChoicesOf: () => ({ blockMethod: 0, isPlainName: false }),
   isPlainName: () => false,
 };
 
-/** What a decoder hands to the functions that also write; none of it is read. */
-const anyMaze: MazeDocument = {
+/** Documents that a decoder passes to the coding functions, which ignore them. */
+const placeholderMaze: MazeDocument = {
   format: "corridor/maze",
   version: 1,
   name: "",
@@ -99,7 +100,7 @@ const anyMaze: MazeDocument = {
   start: { column: 0, row: 0, heading: "north" },
   goals: [],
 };
-const anyProgram: ProgramDocument = {
+const placeholderProgram: ProgramDocument = {
   format: "corridor/program",
   version: 1,
   name: "",
@@ -107,24 +108,24 @@ const anyProgram: ProgramDocument = {
   rules: [],
 };
 
-const anyRun: RunDocument = {
+const placeholderRun: RunDocument = {
   format: "corridor/run",
   version: 1,
   name: "",
-  maze: anyMaze,
-  program: anyProgram,
+  maze: placeholderMaze,
+  program: placeholderProgram,
   seed: 0,
   ticks: 0,
   inputs: [],
   digest: "0000000000000000",
 };
 
-const anyChallenge: ChallengeDocument = {
+const placeholderChallenge: ChallengeDocument = {
   format: "corridor/challenge",
   version: 1,
   name: "",
   words: { task: "", short: "", hints: [] },
-  mazes: [anyMaze],
+  mazes: [placeholderMaze],
   program: null,
   goal: { kind: "reach" },
   allowed: { drivers: [], lines: 0, conditions: null, actions: null, edits: [], maze: false },
@@ -133,9 +134,9 @@ const anyChallenge: ChallengeDocument = {
 };
 
 /**
- * The text of a link.
- * @param content documents that passed their schemas; a run goes alone, a challenge without a maze
- * @returns what follows `#`: letters, digits, "-" and "_"
+ * Encodes content as a link.
+ * @param content valid documents; a run excludes other content, a challenge excludes a maze
+ * @returns the text after `#`, which consists of letters, digits, "-" and "_"
  */
 export function encodeLink({ maze, program, run, challenge }: LinkContent): EncodeResult {
   if ([maze, program, run, challenge].every((each) => each === undefined)) {
@@ -143,16 +144,20 @@ export function encodeLink({ maze, program, run, challenge }: LinkContent): Enco
   }
   const encoder = new Encoder();
   if (challenge !== undefined) {
-    codeHead(encoder, { more: true, maze: false, program: program !== undefined });
+    codeHeader(encoder, { isExtended: true, maze: false, program: program !== undefined });
     codeUniform(encoder, SECTIONS, CHALLENGE);
     codeChallenge(encoder, challenge, shortest);
     if (program !== undefined) codeProgram(encoder, program, shortest.isPlainName(program.name));
   } else if (run === undefined) {
-    codeHead(encoder, { more: false, maze: maze !== undefined, program: program !== undefined });
-    if (maze !== undefined) codeMaze(encoder, maze, shortest.waysOf(maze));
+    codeHeader(encoder, {
+      isExtended: false,
+      maze: maze !== undefined,
+      program: program !== undefined,
+    });
+    if (maze !== undefined) codeMaze(encoder, maze, shortest.mazeChoicesOf(maze));
     if (program !== undefined) codeProgram(encoder, program, shortest.isPlainName(program.name));
   } else {
-    codeHead(encoder, { more: true, maze: false, program: false });
+    codeHeader(encoder, { isExtended: true, maze: false, program: false });
     codeUniform(encoder, SECTIONS, RUN);
     if (codeRun(encoder, run, shortest) === null) {
       return refuse("too-big", "a run of very many edits", "a shorter run: share it as a file");
@@ -170,8 +175,9 @@ export function encodeLink({ maze, program, run, challenge }: LinkContent): Enco
 }
 
 /**
- * Reads what follows `#`.
- * @returns the documents exactly as they were given to `encodeLink`; or a code, and the problem in words
+ * Decodes a link.
+ * @param text the text after `#`
+ * @returns documents equal to those passed to `encodeLink`, or a code and a problem
  */
 export function decodeLink(text: string): DecodeResult {
   if (text === "") return refuse("empty", "nothing", "a link");
@@ -191,27 +197,27 @@ export function decodeLink(text: string): DecodeResult {
     const found = `a link that begins with ${JSON.stringify(text[0])}`;
     return refuse("unknown-version", found, `one that begins with ${VERSION}`);
   }
-  if (text.length <= HEAD_LENGTH) {
-    return refuse("cut-off", `${text.length} characters`, `more than ${HEAD_LENGTH}`);
+  if (text.length <= HEADER_LENGTH) {
+    return refuse("cut-off", `${text.length} characters`, `more than ${HEADER_LENGTH}`);
   }
   const [length = 0, ...rest] = digits;
   const body = rest.slice(CHECK_LENGTH);
-  const lacking = (length - body.length + text.length * LENGTH_CYCLE) % LENGTH_CYCLE;
-  if (lacking > 0 && lacking <= MAX_LACKING) {
+  const missing = (length - body.length + text.length * LENGTH_CYCLE) % LENGTH_CYCLE;
+  if (missing > 0 && missing <= MAX_MISSING) {
     return refuse(
       "cut-off",
       `${text.length} characters`,
-      "another number: copy it again, to its last character",
+      "a complete link: copy it again, to its last character",
     );
   }
   const check = textOf(checkOf(VERSION, [length, ...body]));
-  if (lacking > 0 || check !== text.slice(2, HEAD_LENGTH)) {
-    const found = "characters that are wrong or not in their places";
-    return refuse("damaged", found, "the link as it was made: copy it again");
+  if (missing > 0 || check !== text.slice(2, HEADER_LENGTH)) {
+    const found = "wrong or misplaced characters";
+    return refuse("damaged", found, "the original link: copy it again");
   }
   const decoder = new Decoder(body);
   const content = readBody(decoder);
-  if (content === "more") {
+  if (content === "unknown") {
     return refuse(
       "unknown-version",
       "none of maze, program, run and challenge",
@@ -219,7 +225,7 @@ export function decodeLink(text: string): DecodeResult {
     );
   }
   if (content === null || decoder.missing() !== 0) {
-    return refuse("damaged", "what no Corridor writes", "a link made by Corridor");
+    return refuse("damaged", "content that is not valid", "a link made by Corridor");
   }
   return checkContent(content);
 }
@@ -232,36 +238,36 @@ function refuse<Code extends string>(
   return { ok: false, code, problems: [{ path: "link", found, expected }] };
 }
 
-/** Which parts follow. `more` says that it is something else, whose section comes next. */
-function codeHead(
+/** Codes which parts follow. If `isExtended` is set, a section code follows instead. */
+function codeHeader(
   coder: BitCoder,
-  parts: { more: boolean; maze: boolean; program: boolean },
-): { more: boolean; maze: boolean; program: boolean } {
-  const more = coder.bit(31, 1, parts.more ? 1 : 0) === 1;
+  parts: { isExtended: boolean; maze: boolean; program: boolean },
+): { isExtended: boolean; maze: boolean; program: boolean } {
+  const isExtended = coder.bit(31, 1, parts.isExtended ? 1 : 0) === 1;
   const maze = coder.bit(1, 3, parts.maze ? 1 : 0) === 1;
   const program = coder.bit(1, 1, parts.program ? 1 : 0) === 1;
-  return { more, maze, program };
+  return { isExtended, maze, program };
 }
 
-function readBody(decoder: Decoder): LinkContent | "more" | null {
-  const parts = codeHead(decoder, { more: false, maze: false, program: false });
-  if (parts.more) {
-    if (parts.maze) return "more";
+function readBody(decoder: Decoder): LinkContent | "unknown" | null {
+  const parts = codeHeader(decoder, { isExtended: false, maze: false, program: false });
+  if (parts.isExtended) {
+    if (parts.maze) return "unknown";
     const section = codeUniform(decoder, SECTIONS, 0);
     if (section === CHALLENGE) return readChallengeSection(decoder, parts.program);
-    if (section !== RUN || parts.program) return "more";
-    const run = codeRun(decoder, anyRun, none);
+    if (section !== RUN || parts.program) return "unknown";
+    const run = codeRun(decoder, placeholderRun, noChoices);
     return run === null ? null : { run };
   }
   if (!parts.maze && !parts.program) return null;
   const content: LinkContent = {};
   if (parts.maze) {
-    const maze = codeMaze(decoder, anyMaze, none.waysOf(anyMaze));
+    const maze = codeMaze(decoder, placeholderMaze, noChoices.mazeChoicesOf(placeholderMaze));
     if (maze === null) return null;
     content.maze = maze;
   }
   if (parts.program) {
-    const program = codeProgram(decoder, anyProgram, false);
+    const program = codeProgram(decoder, placeholderProgram, false);
     if (program === null) return null;
     content.program = program;
   }
@@ -269,41 +275,44 @@ function readBody(decoder: Decoder): LinkContent | "more" | null {
 }
 
 function readChallengeSection(decoder: Decoder, hasProgram: boolean): LinkContent | null {
-  const challenge = codeChallenge(decoder, anyChallenge, none);
+  const challenge = codeChallenge(decoder, placeholderChallenge, noChoices);
   if (challenge === null || !hasProgram) return challenge && { challenge };
-  const program = codeProgram(decoder, anyProgram, false);
+  const program = codeProgram(decoder, placeholderProgram, false);
   return program && { challenge, program };
 }
 
-/** The schemas have the last word, whatever a link says. */
+/** Validates the decoded documents against their schemas. */
 function checkContent({ maze, program, run, challenge }: LinkContent): DecodeResult {
   const value: LinkContent = {};
   if (run !== undefined) {
     const read = parseRun(run);
-    if (!read.ok) return { ok: false, code: "damaged", problems: inside("run", read.problems) };
+    if (!read.ok)
+      return { ok: false, code: "damaged", problems: prefixPaths("run", read.problems) };
     value.run = read.value;
   }
   if (challenge !== undefined) {
     const read = parseChallenge(challenge);
     if (!read.ok) {
-      return { ok: false, code: "damaged", problems: inside("challenge", read.problems) };
+      return { ok: false, code: "damaged", problems: prefixPaths("challenge", read.problems) };
     }
     value.challenge = read.value;
   }
   if (maze !== undefined) {
     const read = parseMaze(maze);
-    if (!read.ok) return { ok: false, code: "damaged", problems: inside("maze", read.problems) };
+    if (!read.ok)
+      return { ok: false, code: "damaged", problems: prefixPaths("maze", read.problems) };
     value.maze = read.value;
   }
   if (program !== undefined) {
     const read = parseProgram(program);
-    if (!read.ok) return { ok: false, code: "damaged", problems: inside("program", read.problems) };
+    if (!read.ok)
+      return { ok: false, code: "damaged", problems: prefixPaths("program", read.problems) };
     value.program = read.value;
   }
   return { ok: true, value };
 }
 
-function inside(part: string, problems: readonly FieldProblem[]): FieldProblem[] {
+function prefixPaths(part: string, problems: readonly FieldProblem[]): FieldProblem[] {
   return problems.map((each) => ({
     ...each,
     path: each.path === "" ? part : `${part}.${each.path}`,

@@ -1,5 +1,5 @@
 /**
- * A maze as bits, written and read by one function: size, blocks, start, goals, name.
+ * Codes a maze as bits, with one function for encoding and decoding: size, blocks, start, goals, name.
  */
 import {
   BLOCK,
@@ -12,43 +12,47 @@ import {
   type Cell,
   type MazeDocument,
 } from "@corridor/maze";
-import { BLOCK_WAYS, codeBlocks, suitsSize } from "./block-coder.ts";
+import { BLOCK_METHOD_COUNT, codeBlocks, supportsSize } from "./block-coder.ts";
 import { codeName } from "./name-coder.ts";
 import { codeUniform, NumberModel } from "./numbers.ts";
 import type { BitCoder } from "./range-coder.ts";
 
-/** What an encoder may choose; a decoder finds it in the link. */
-export interface MazeWays {
-  /** 0 to `BLOCK_WAYS` - 1 */
-  blocks: number;
+/** Choices of an encoder. A decoder reads them from the link. */
+export interface MazeChoices {
+  /** index of the method for the blocks, 0 to `BLOCK_METHOD_COUNT` - 1 */
+  blockMethod: number;
   isPlainName: boolean;
 }
 
-/** The cells of a maze, 1 for a block and 0 for open, row by row. */
+/** Returns the cells of a maze row by row, 1 for a block and 0 for an open cell. */
 export function cellsOf(maze: MazeDocument): Uint8Array {
   return Uint8Array.from(maze.blocks.join(""), (mark) => (mark === BLOCK ? 1 : 0));
 }
 
 /**
- * Writes or reads a maze.
- * @param maze what to write; a decoder is given any legal maze and ignores it
- * @returns the maze as a decoder will read it, still to be checked by its schema; null where a link
- * asks for what no encoder writes
+ * Encodes or decodes a maze.
+ * @param maze the maze to encode; a decoder ignores it, and its caller passes any valid maze
+ * @returns the decoded maze, not yet checked by its schema; null if the bits cannot come from an
+ *   encoder
  */
-export function codeMaze(coder: BitCoder, maze: MazeDocument, ways: MazeWays): MazeDocument | null {
+export function codeMaze(
+  coder: BitCoder,
+  maze: MazeDocument,
+  choices: MazeChoices,
+): MazeDocument | null {
   const size = sizeOf(maze);
   const columns = codeUniform(coder, MAX_SIDE, size.columns - 1) + 1;
   const isSquare = coder.bit(1, 3, size.columns === size.rows ? 1 : 0) === 1;
   const rows = isSquare ? columns : codeUniform(coder, MAX_SIDE, size.rows - 1) + 1;
 
-  const way = codeUniform(coder, BLOCK_WAYS, ways.blocks);
-  if (!suitsSize(way, columns, rows)) return null;
-  const cells = codeBlocks(coder, way, columns, rows, cellsOf(maze));
+  const method = codeUniform(coder, BLOCK_METHOD_COUNT, choices.blockMethod);
+  if (!supportsSize(method, columns, rows)) return null;
+  const cells = codeBlocks(coder, method, columns, rows, cellsOf(maze));
   const open = new OpenCells(cells, columns);
   if (open.count === 0) return null;
 
   // Most mazes start at their first open cell.
-  const startAt = open.placeOf(maze.start);
+  const startAt = open.indexOf(maze.start);
   const isFirst = coder.bit(1, 2, startAt === 0 ? 1 : 0) === 1;
   const start = open.cellAt(isFirst ? 0 : codeUniform(coder, open.count, startAt));
   const heading = headingNames[codeUniform(coder, 4, headingNames.indexOf(maze.start.heading))];
@@ -59,10 +63,10 @@ export function codeMaze(coder: BitCoder, maze: MazeDocument, ways: MazeWays): M
   if (goalCount > MAX_GOALS) return null;
   const goals = Array.from({ length: goalCount }, (_, at) => {
     const goal = maze.goals[at];
-    return open.cellAt(codeUniform(coder, open.count, goal === undefined ? 0 : open.placeOf(goal)));
+    return open.cellAt(codeUniform(coder, open.count, goal === undefined ? 0 : open.indexOf(goal)));
   });
 
-  const name = codeName(coder, maze.name, MAX_NAME_LENGTH, ways.isPlainName);
+  const name = codeName(coder, maze.name, MAX_NAME_LENGTH, choices.isPlainName);
   const blocks = Array.from({ length: rows }, (_, row) =>
     Array.from(cells.subarray(row * columns, (row + 1) * columns), (cell) =>
       cell === 1 ? BLOCK : OPEN,
@@ -71,7 +75,7 @@ export function codeMaze(coder: BitCoder, maze: MazeDocument, ways: MazeWays): M
   return { format: "corridor/maze", version: 1, name, blocks, start: { ...start, heading }, goals };
 }
 
-/** Open cells by their place among the open ones: start and goals stand on no others. */
+/** The open cells of a maze, in reading order. The start and the goals are coded by their index here. */
 class OpenCells {
   readonly #columns: number;
   readonly #cells: readonly number[];
@@ -87,12 +91,12 @@ class OpenCells {
     return this.#cells.length;
   }
 
-  placeOf({ column, row }: Cell): number {
+  indexOf({ column, row }: Cell): number {
     return this.#cells.indexOf(row * this.#columns + column);
   }
 
-  cellAt(place: number): Cell {
-    const at = this.#cells[place] ?? 0;
+  cellAt(index: number): Cell {
+    const at = this.#cells[index] ?? 0;
     const column = at % this.#columns;
     return { column, row: (at - column) / this.#columns };
   }

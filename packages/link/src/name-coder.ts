@@ -1,31 +1,32 @@
 /**
- * Names of documents. A letter is foretold from the one before it, by a model that has first learned
- * the text below; a name that is unlike it (a password, say) goes as plain seven-bit characters.
+ * Codes names of documents. An order-1 context model, trained with the names below, predicts each
+ * letter from the previous one. A name unlike the training names, such as a password, is coded as plain
+ * seven-bit characters.
  */
 import { codeUniform } from "./numbers.ts";
 import type { BitCoder } from "./range-coder.ts";
 
-/** Part of link version 1 for ever: another text would make every link in the world unreadable. */
-const LESSON =
+/** Part of the format of link version 1. Never change it: existing links would become unreadable. */
+const TRAINING_NAMES =
   "Maze|Tree|Start|My maze|Right wall|Left wall|Long way round|First steps|Straight corridor|Spiral|" +
   "Comb|Two rooms|Empty|Back and forth|Farthest distance|Left at every wall|Program|Labyrinth|Level 1|" +
   "Level 2|Lesson 3|Random 50 %|New maze|The end of the room|Robot on the line|Untitled|Puzzle 4|" +
   "Class 5b|Corridor with dead ends|Turn right|My program|Test 10|Group A 6|City 7|House 8|Island 9|" +
   "Snake|Garden|Challenge|In and out|Irrgarten|Mein Labyrinth|Klasse 7a|Laberinto|Labyrinthe";
 
-/** Symbols behind the 128 of ASCII: the end of the name, and a UTF-16 unit in 16 bits. */
+/** Symbols after the 128 of ASCII: the end of the name, and a UTF-16 code unit in 16 bits. */
 const END = 128;
 const OTHER = 129;
 const SYMBOL_BITS = 8;
 const SYMBOLS = 1 << SYMBOL_BITS;
-/** What a bit in the same place after the same letter counts more than one after any letter. */
+/** Weight of a count after the same letter, relative to a count after any letter. */
 const PAIR_WEIGHT = 8;
-/** How many bits after any letter are remembered. */
+/** Maximum sum of the counts after any letter. Above it, they are halved. */
 const MAX_SINGLE = 20;
 
-/** Two models in one: counts after the same letter, and a little of those after any letter. */
+/** Mixes two models: counts after the same letter, and with less weight counts after any letter. */
 class LetterModel {
-  /** [zeros, ones] of a fork, one after the other */
+  /** counts of zeros and ones, interleaved, for each node of the symbol tree */
   readonly #singles: Uint16Array;
   readonly #pairs: Uint16Array;
 
@@ -46,9 +47,9 @@ class LetterModel {
     for (let shift = SYMBOL_BITS - 1; shift >= 0; shift -= 1) {
       const single = node * 2;
       const pair = (before * SYMBOLS + node) * 2;
-      const expect = (bit: number): number =>
+      const weightOf = (bit: number): number =>
         1 + (this.#singles[single + bit] ?? 0) + PAIR_WEIGHT * (this.#pairs[pair + bit] ?? 0);
-      const bit = coder.bit(expect(0), expect(1), (symbol >> shift) & 1);
+      const bit = coder.bit(weightOf(0), weightOf(1), (symbol >> shift) & 1);
       this.#singles[single + bit] = (this.#singles[single + bit] ?? 0) + 1;
       this.#pairs[pair + bit] = (this.#pairs[pair + bit] ?? 0) + 1;
       if ((this.#singles[single] ?? 0) + (this.#singles[single + 1] ?? 0) > MAX_SINGLE) {
@@ -61,13 +62,13 @@ class LetterModel {
   }
 }
 
-/** Takes what it is given and keeps nothing: learning is writing without a link. */
-const learner: BitCoder = { bit: (_zeros, _ones, bit) => bit };
+/** A coder without output, to train a model. */
+const trainer: BitCoder = { bit: (_zeros, _ones, bit) => bit };
 
 /**
- * Writes or reads a name.
- * @param maxLength in UTF-16 units; a decoder stops one behind it, so that the schema can refuse it
- * @param isPlain which of the two ways an encoder takes; a decoder is told by the link
+ * Encodes or decodes a name.
+ * @param maxLength in UTF-16 code units; a decoder stops one unit after it, so that the schema rejects it
+ * @param isPlain whether an encoder uses seven-bit characters; a decoder reads it from the link
  */
 export function codeName(
   coder: BitCoder,
@@ -80,7 +81,7 @@ export function codeName(
     : codePlain(coder, name, maxLength);
 }
 
-/** Whether a name can go as seven-bit characters. */
+/** Whether a name consists of seven-bit characters. */
 export function canBePlain(name: string): boolean {
   for (let at = 0; at < name.length; at += 1) if (name.charCodeAt(at) >= 128) return false;
   return true;
@@ -96,26 +97,31 @@ function codePlain(coder: BitCoder, name: string, maxLength: number): string {
 }
 
 function codeLetters(coder: BitCoder, name: string, maxLength: number): string {
-  return codeWord(coder, taught().copy(), name, maxLength);
+  return codeWithModel(coder, trainedModel().copy(), name, maxLength);
 }
 
-let lesson: LetterModel | null = null;
+let trained: LetterModel | null = null;
 
-/** Learned once: a link of a run may bring two thousand names. */
-function taught(): LetterModel {
-  if (lesson !== null) return lesson;
-  lesson = new LetterModel();
-  for (const word of LESSON.split("|")) codeWord(learner, lesson, word, word.length);
-  return lesson;
+/** Returns the trained model. It is trained once, because a run can contain two thousand names. */
+function trainedModel(): LetterModel {
+  if (trained !== null) return trained;
+  trained = new LetterModel();
+  for (const word of TRAINING_NAMES.split("|")) codeWithModel(trainer, trained, word, word.length);
+  return trained;
 }
 
-function codeWord(coder: BitCoder, model: LetterModel, word: string, maxLength: number): string {
+function codeWithModel(
+  coder: BitCoder,
+  model: LetterModel,
+  word: string,
+  maxLength: number,
+): string {
   let coded = "";
   let before = END;
   while (coded.length <= maxLength) {
     const unit = coded.length < word.length ? word.charCodeAt(coded.length) : undefined;
-    const wanted = unit === undefined ? END : unit < 128 ? unit : OTHER;
-    const symbol = model.code(coder, before, wanted);
+    const expected = unit === undefined ? END : unit < 128 ? unit : OTHER;
+    const symbol = model.code(coder, before, expected);
     if (symbol === END) break;
     coded += String.fromCharCode(symbol < END ? symbol : codeUniform(coder, 65_536, unit ?? 0));
     before = symbol;

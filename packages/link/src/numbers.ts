@@ -1,8 +1,8 @@
-/** Numbers bit by bit, for an encoder and a decoder alike (see `range-coder.ts`). */
+/** Codes numbers bit by bit, with one function for encoding and decoding (see `range-coder.ts`). */
 import { BitModel, type BitCoder } from "./range-coder.ts";
 
 /**
- * A whole number from 0 to `limit` - 1, all equally likely; costs log2(limit) bits.
+ * Codes a whole number from 0 to `limit` - 1 with a uniform distribution, in log2(limit) bits.
  * @param limit 1 to 65,536
  */
 export function codeUniform(coder: BitCoder, limit: number, value: number): number {
@@ -16,7 +16,7 @@ export function codeUniform(coder: BitCoder, limit: number, value: number): numb
   return low;
 }
 
-/** A symbol of a few bits as a path down a binary tree; each fork learns by itself. */
+/** Codes a symbol of a few bits as a path down a binary tree, with an adaptive model for each node. */
 export class SymbolModel {
   readonly #model: BitModel;
   readonly #bits: number;
@@ -35,31 +35,31 @@ export class SymbolModel {
   }
 }
 
-/** No number in a document needs more binary digits. */
+/** Maximum number of binary digits of a number in a document. */
 const MAX_BITS = 20;
 const MAX_WHOLE = (1 << MAX_BITS) - 1;
-/** Leading digits that have forks of their own; what follows them is as good as random. */
-const LEARNED_PREFIXES = 1_024;
+/** Number of prefixes with an adaptive model. The digits after them are coded as random bits. */
+const MODELLED_PREFIXES = 1_024;
 
-/** Whole numbers from 0 to 2^20 - 2, small ones and those seen before short. */
+/** Codes whole numbers from 0 to 2^20 - 2. Small and repeated numbers need few bits. */
 export class NumberModel {
   readonly #lengths = new BitModel(MAX_BITS, 4);
-  readonly #prefixes = new BitModel(LEARNED_PREFIXES, 4);
+  readonly #prefixes = new BitModel(MODELLED_PREFIXES, 4);
 
   code(coder: BitCoder, value: number): number {
-    // The length of value + 1 in binary, then its digits behind the first, which is always 1.
-    const wanted = value + 1;
+    // The length of value + 1 in binary, then its digits after the first one, which is always 1.
+    const target = value + 1;
     let length = 1;
     while (length < MAX_BITS) {
-      const isLonger = wanted >= 1 << length ? 1 : 0;
+      const isLonger = target >= 1 << length ? 1 : 0;
       if (this.#lengths.code(coder, length, isLonger) === 0) break;
       length += 1;
     }
     let prefix = 1;
     for (let shift = length - 2; shift >= 0; shift -= 1) {
-      const digit = (wanted >> shift) & 1;
+      const digit = (target >> shift) & 1;
       const coded =
-        prefix < LEARNED_PREFIXES
+        prefix < MODELLED_PREFIXES
           ? this.#prefixes.code(coder, prefix, digit)
           : coder.bit(1, 1, digit);
       prefix = prefix * 2 + coded;
@@ -68,14 +68,14 @@ export class NumberModel {
   }
 }
 
-/** Any number, exactly; small whole ones and those seen before short. */
+/** Codes any number exactly. Small and repeated whole numbers need few bits. */
 export class RealModel {
   readonly #wholes = new NumberModel();
-  /** is it no small whole number, is it negative */
+  /** contexts: is it not a small whole number, is it negative */
   readonly #forms = new BitModel(2, 4);
 
   code(coder: BitCoder, value: number): number {
-    // -0 is a legal number in JSON; its sign would be lost on the short way.
+    // -0 is valid in JSON. The short form would lose its sign.
     const isWhole = Number.isInteger(value) && !Object.is(value, -0) && Math.abs(value) < MAX_WHOLE;
     if (this.#forms.code(coder, 0, isWhole ? 0 : 1) === 1) return codeFloat(coder, value);
     const isNegative = this.#forms.code(coder, 1, value < 0 ? 1 : 0) === 1;
@@ -84,7 +84,7 @@ export class RealModel {
   }
 }
 
-/** Any number that is not a small whole one: its 64 bits, exactly. */
+/** Codes the 64 bits of a double. */
 export function codeFloat(coder: BitCoder, value: number): number {
   const view = new DataView(new ArrayBuffer(8));
   view.setFloat64(0, value);

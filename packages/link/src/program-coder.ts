@@ -1,6 +1,4 @@
-/**
- * A program as bits, written and read by one function: default, rules, name.
- */
+/** Codes a program as bits, with one function for encoding and decoding: default, rules, name. */
 import {
   conditionKinds,
   conditionOf,
@@ -16,15 +14,15 @@ import { codeName } from "./name-coder.ts";
 import { NumberModel, RealModel, SymbolModel } from "./numbers.ts";
 import type { BitCoder } from "./range-coder.ts";
 
-/** Condition of a line: 0 is `[Do nothing]`, then the menu in its order. */
+/** Symbols of conditions: 0 is `[Do nothing]`, then the menu entries in order. */
 const KIND_BITS = 4;
 const ACTION_BITS = 3;
 
 /**
- * Writes or reads a program.
- * @param program what to write; a decoder is given any legal program and ignores it
- * @returns the program as a decoder will read it, still to be checked by its schema; null where a link
- * asks for what no encoder writes
+ * Encodes or decodes a program.
+ * @param program the program to encode; a decoder ignores it, and its caller passes any valid program
+ * @returns the decoded program, not yet checked by its schema; null if the bits cannot come from an
+ *   encoder
  */
 export function codeProgram(
   coder: BitCoder,
@@ -52,15 +50,15 @@ export function codeProgram(
   return { format: "corridor/program", version: 1, name, default: byDefault, rules };
 }
 
-/** Conditions, learning which kinds and numbers a program uses. */
+/** Codes conditions with adaptive models of their kinds and numbers. */
 export class ConditionCoder {
   readonly #kinds = new SymbolModel(KIND_BITS);
   readonly #numbers = new RealModel();
 
-  /** @returns undefined where a link asks for a kind that there is not */
+  /** @returns undefined if the kind does not exist */
   code(coder: BitCoder, condition: Condition | null): Condition | null | undefined {
-    const place = condition === null ? 0 : conditionKinds.indexOf(kindOf(condition)) + 1;
-    const symbol = this.#kinds.code(coder, place);
+    const index = condition === null ? 0 : conditionKinds.indexOf(kindOf(condition)) + 1;
+    const symbol = this.#kinds.code(coder, index);
     if (symbol === 0) return null;
     const kind = conditionKinds[symbol - 1];
     const number = this.#numbers.code(coder, condition === null ? 0 : numberOf(condition));

@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { codeFloat, codeUniform, NumberModel, SymbolModel } from "./numbers.ts";
 import { BitModel, Decoder, Encoder, type BitCoder } from "./range-coder.ts";
 
-/** Writes with one function and reads with the same; the reader is given other values to ignore. */
+/** Encodes values, then decodes them. The decoder receives `other`, which it must ignore. */
 function roundTrip<T>(values: readonly T[], other: T, code: (coder: BitCoder, value: T) => T) {
   const encoder = new Encoder();
   for (const value of values) code(encoder, value);
@@ -16,7 +16,7 @@ function roundTrip<T>(values: readonly T[], other: T, code: (coder: BitCoder, va
 }
 
 describe("the range coder", () => {
-  it("gives every bit back, whatever was expected, and ends on the last digit", () => {
+  it("decodes every bit for any expected frequencies, and ends at the last digit", () => {
     const count = fc.oneof(
       fc.integer({ min: 1, max: 65_535 }),
       fc.constantFrom(1, 2, 65_534, 65_535),
@@ -39,14 +39,14 @@ describe("the range coder", () => {
     );
   });
 
-  it("takes hardly any room for what was expected", () => {
+  it("encodes 10,000 predictable bits in fewer than 8 digits", () => {
     const model = new BitModel(1, 4);
     const encoder = new Encoder();
     for (let count = 0; count < 10_000; count += 1) model.code(encoder, 0, 0);
     expect(encoder.finish().length).toBeLessThan(8);
   });
 
-  it("tells uniform numbers, symbols, whole numbers and fractions exactly", () => {
+  it("codes uniform numbers, symbols, whole numbers and doubles exactly", () => {
     fc.assert(
       fc.property(fc.integer({ min: 1, max: 65_536 }), fc.array(fc.nat()), (limit, raw) => {
         const values = raw.map((value) => value % limit);
@@ -75,7 +75,7 @@ describe("the range coder", () => {
     );
   });
 
-  it("reads any digits without an error, and zeros behind them", () => {
+  it("decodes any digits without an exception, followed by zeros", () => {
     const decoder = new Decoder([63, 63, 63]);
     const bits = Array.from({ length: 500 }, () => decoder.bit(3, 5));
     expect(bits.every((bit) => bit === 0 || bit === 1)).toBe(true);

@@ -1,33 +1,32 @@
 /**
- * Adaptive binary range coder whose digits are the characters of a link: six bits at a time.
+ * Adaptive binary range coder. Its digits are the characters of a link, six bits each.
  *
- * Whole numbers below 2^36 only, so every engine computes the same bits. Encoder and decoder have one
- * shape: `bit` takes the bit to write and gives back the bit that holds. So each part of a document is
- * described once, in one function that writes when it is given an encoder and reads when it is given
- * a decoder.
+ * It uses whole numbers below 2^36 only, so every JavaScript engine computes the same bits. Encoder and
+ * decoder share one interface: `bit` receives the bit to encode and returns the coded bit. One function
+ * per part of a document therefore encodes or decodes, depending on the coder.
  */
 
 const DIGIT = 64;
-/** The range that a coder starts with: five digits. */
-const FULL = DIGIT * DIGIT * DIGIT * DIGIT * DIGIT;
-/** Below this the next digit is settled. */
-const SMALL = FULL / DIGIT;
-/** Digits that a decoder reads past the end of an undamaged link; see `Encoder.finish`. */
+/** Initial range: five digits. */
+const FULL_RANGE = DIGIT * DIGIT * DIGIT * DIGIT * DIGIT;
+/** Below this range, the next digit is determined. */
+const MIN_RANGE = FULL_RANGE / DIGIT;
+/** Number of digits that a decoder reads after the end of a valid link; see `Encoder.finish`. */
 const READ_AHEAD = 4;
 
-/** Writes or reads one bit. */
+/** Encodes or decodes one bit. */
 export interface BitCoder {
   /**
-   * @param zeros how often a 0 is expected, and `ones` a 1: whole numbers from 1, together below 2^17
-   * @param bit what to write; a decoder ignores it
-   * @returns the bit written or read, 0 or 1
+   * @param zeros relative frequency of a 0, as `ones` of a 1: whole numbers from 1, in total below 2^17
+   * @param bit the bit to encode; a decoder ignores it
+   * @returns the coded bit, 0 or 1
    */
   bit: (zeros: number, ones: number, bit: number) => number;
 }
 
 export class Encoder implements BitCoder {
   #low = 0;
-  #range = FULL;
+  #range = FULL_RANGE;
   readonly #digits: number[] = [];
 
   bit(zeros: number, ones: number, bit: number): number {
@@ -38,7 +37,7 @@ export class Encoder implements BitCoder {
       this.#low += bound;
       this.#range -= bound;
     }
-    while (this.#range < SMALL) {
+    while (this.#range < MIN_RANGE) {
       this.#shift();
       this.#range *= DIGIT;
     }
@@ -46,19 +45,19 @@ export class Encoder implements BitCoder {
   }
 
   /**
-   * One more digit is enough to name a number within the range, which is at least as wide as a digit
-   * is high. The decoder therefore always ends exactly four digits behind the last one.
+   * Writes the last digit. One digit is sufficient to identify a number in the range, because the range
+   * is at least as wide as the digit's value. The decoder always ends exactly four digits after it.
    * @returns numbers from 0 to 63
    */
   finish(): readonly number[] {
-    this.#low = Math.ceil(this.#low / SMALL) * SMALL;
+    this.#low = Math.ceil(this.#low / MIN_RANGE) * MIN_RANGE;
     this.#shift();
     return this.#digits;
   }
 
   #shift(): void {
-    if (this.#low >= FULL) {
-      this.#low -= FULL;
+    if (this.#low >= FULL_RANGE) {
+      this.#low -= FULL_RANGE;
       let at = this.#digits.length - 1;
       while (this.#digits[at] === DIGIT - 1) {
         this.#digits[at] = 0;
@@ -66,9 +65,9 @@ export class Encoder implements BitCoder {
       }
       this.#digits[at] = (this.#digits[at] ?? 0) + 1;
     }
-    const digit = Math.floor(this.#low / SMALL);
+    const digit = Math.floor(this.#low / MIN_RANGE);
     this.#digits.push(digit);
-    this.#low = (this.#low - digit * SMALL) * DIGIT;
+    this.#low = (this.#low - digit * MIN_RANGE) * DIGIT;
   }
 }
 
@@ -76,9 +75,9 @@ export class Decoder implements BitCoder {
   readonly #digits: readonly number[];
   #position = 0;
   #value = 0;
-  #range = FULL;
+  #range = FULL_RANGE;
 
-  /** @param digits numbers from 0 to 63; any are accepted, and zeros are read behind them */
+  /** @param digits any numbers from 0 to 63; zeros follow them */
   constructor(digits: readonly number[]) {
     this.#digits = digits;
     for (let count = 0; count <= READ_AHEAD; count += 1) this.#shift();
@@ -93,14 +92,14 @@ export class Decoder implements BitCoder {
       this.#value -= bound;
       this.#range -= bound;
     }
-    while (this.#range < SMALL) {
+    while (this.#range < MIN_RANGE) {
       this.#shift();
       this.#range *= DIGIT;
     }
     return bit;
   }
 
-  /** Digits still missing (positive) or left over (negative); 0 once all of a link is read. */
+  /** Number of missing digits; negative for extra digits, 0 after a complete link. */
   missing(): number {
     return this.#position - READ_AHEAD - this.#digits.length;
   }
@@ -111,23 +110,23 @@ export class Decoder implements BitCoder {
   }
 }
 
-/** Halved when a context has seen this much, so that the recent past counts more. */
+/** Above this sum, the counts of a context are halved, so that recent bits have more weight. */
 const MAX_COUNT = 8_192;
 
-/** What has been seen so far in each of several contexts; learns alike while writing and reading. */
+/** Adaptive bit counts for several contexts. Encoder and decoder update them identically. */
 export class BitModel {
   readonly #zeros: Uint16Array;
   readonly #ones: Uint16Array;
   readonly #gain: number;
 
-  /** @param gain how much one bit teaches, against 2 + 2 that are believed before the first one */
+  /** @param gain increment of a count per bit; both counts start at 2 */
   constructor(contexts: number, gain: number) {
     this.#zeros = new Uint16Array(contexts).fill(2);
     this.#ones = new Uint16Array(contexts).fill(2);
     this.#gain = gain;
   }
 
-  /** Writes or reads one bit in a context from 0 to `contexts` - 1. */
+  /** Encodes or decodes one bit in a context from 0 to `contexts` - 1. */
   code(coder: BitCoder, context: number, bit: number): number {
     const zeros = this.#zeros[context] ?? 1;
     const ones = this.#ones[context] ?? 1;

@@ -26,7 +26,7 @@ function runOf(inputs: TimedInput[], changes: Partial<RunDocument> = {}): RunDoc
   };
 }
 
-/** The text of a run's link; the link gives back the very run. */
+/** Encodes a run and checks that the link decodes to an equal run. */
 function textOf(run: RunDocument): string {
   const link = encodeLink({ run });
   if (!link.ok) throw new Error(`no link: ${link.code}`);
@@ -88,7 +88,7 @@ const anyRun: fc.Arbitrary<RunDocument> = fc
   });
 
 describe("the link of a run", () => {
-  it("gives back exactly what was recorded, or says that it is too big", () => {
+  it("decodes to an equal run, or is refused as too big", () => {
     let fitting = 0;
     fc.assert(
       fc.property(anyRun, (run) => {
@@ -103,14 +103,14 @@ describe("the link of a run", () => {
     expect(fitting).toBeGreaterThan(30);
   });
 
-  it("costs little more than maze and program, however long the run is", () => {
+  it("is at most 24 characters longer than maze and program, for any length of the run", () => {
     const maze = encodeLink({ maze: tree, program: rightWall });
     const length = maze.ok ? maze.text.length : 0;
     expect(textOf(runOf([])).length).toBeLessThanOrEqual(length + 20);
     expect(textOf(runOf([], { ticks: 5_184_000 })).length).toBeLessThanOrEqual(length + 24);
   });
 
-  it("costs a few characters for a held key, a changed number and a block", () => {
+  it("is a few characters longer for each key press, changed number and block", () => {
     const plain = textOf(runOf([])).length;
     const drive = Array.from({ length: 100 }, (_, at): TimedInput => ({
       tick: 37 * at,
@@ -123,14 +123,14 @@ describe("the link of a run", () => {
       do: "right 90",
     });
     const program = { ...rightWall, rules };
-    const mended = textOf(runOf([{ tick: 900, do: "program", program }])).length;
-    expect(mended - plain).toBeLessThanOrEqual(12);
+    const edited = textOf(runOf([{ tick: 900, do: "program", program }])).length;
+    expect(edited - plain).toBeLessThanOrEqual(12);
     const maze = blockedMaze(tree);
     const blocked = textOf(runOf([{ tick: 900, do: "maze", maze }])).length;
     expect(blocked - plain).toBeLessThanOrEqual(8);
   });
 
-  it("that does not fit says so and never passes the limit", () => {
+  it("is refused as too big for a long run", () => {
     const commands = Array.from({ length: 20_000 }, (_, at): TimedInput => ({
       tick: at * 7 + ((at * at) % 5),
       do: "command",
@@ -140,8 +140,8 @@ describe("the link of a run", () => {
     expect(encodeLink({ run })).toMatchObject({ ok: false, code: "too-big" });
   });
 
-  it("that would bring too much is neither written nor read", () => {
-    // Each edit costs a bit or two, and is a maze of 65,536 cells.
+  it("is refused as too big for many edits of a large maze", () => {
+    // Each edit needs one or two bits and decodes to a maze of 65,536 cells.
     const maze: MazeDocument = {
       ...tree,
       blocks: Array.from({ length: 256 }, () => ".".repeat(256)),
@@ -158,7 +158,7 @@ describe("the link of a run", () => {
   });
 });
 
-/** A maze with one square filled or opened. */
+/** Returns the maze with one cell toggled. */
 function blockedMaze(maze: MazeDocument): MazeDocument {
   const edit = toggleBlock(maze, { column: 5, row: 3 });
   if (!edit.ok) throw new Error(edit.code);

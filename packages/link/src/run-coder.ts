@@ -1,10 +1,9 @@
 /**
- * A recorded run as bits, written and read by one function: maze and program that it began with, its
- * inputs in the order of their ticks, its length, digest and name.
+ * Codes a recorded run as bits, with one function for encoding and decoding: the starting maze and
+ * program, the inputs in tick order, length, digest and name.
  *
- * A few characters can ask for many edits, and an edit for a large maze or a long program. What a run
- * may cost is therefore counted while it is written and read, as the text that its document would be;
- * what is longer goes as a file.
+ * A few characters can encode many edits, each of a large maze or a long program. Encoder and decoder
+ * therefore limit the length of the document's JSON. A longer run is shared as a file.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
@@ -23,20 +22,20 @@ import { codeUniform, NumberModel, RealModel, SymbolModel } from "./numbers.ts";
 import { codeProgram } from "./program-coder.ts";
 import { BitModel, type BitCoder } from "./range-coder.ts";
 
-/** Characters of JSON that a link may bring: read in a moment, and twenty edits of the longest program. */
+/** Maximum length of the JSON, in characters: twenty edits of the longest program. */
 const MAX_RUN_LINK_JSON = 256 * 1024;
 
 const kinds = ["command", "driver", "cancel", "program", "maze"] as const;
 const drivers = ["me", "program", "remote"] as const satisfies readonly DriverName[];
-/** In the order of their symbols. */
+/** In symbol order. */
 const actions: readonly Command["action"][] = [...plainActions, "move", "turn", "drive"];
 
 /**
- * Writes or reads a run.
- * @param run what to write; a decoder is given any legal run and ignores it
- * @param maxJson for tests: the characters of JSON that it may bring
- * @returns the run as a decoder will read it, still to be checked by its schema; null where it is more
- * than a link may carry, or a link asks for what no encoder writes
+ * Encodes or decodes a run.
+ * @param run the run to encode; a decoder ignores it, and its caller passes any valid run
+ * @param maxJson maximum length of the JSON; only tests set it
+ * @returns the decoded run, not yet checked by its schema; null if it exceeds the bounds of a link, or
+ *   if the bits cannot come from an encoder
  */
 export function codeRun(
   coder: BitCoder,
@@ -44,12 +43,12 @@ export function codeRun(
   choices: Choices,
   maxJson = MAX_RUN_LINK_JSON,
 ): RunDocument | null {
-  const maze = codeMaze(coder, run.maze, choices.waysOf(run.maze));
+  const maze = codeMaze(coder, run.maze, choices.mazeChoicesOf(run.maze));
   if (maze === null) return null;
   const program = codeProgram(coder, run.program, choices.isPlainName(run.program.name));
   if (program === null) return null;
-  const left = maxJson - lengthOf(maze) - lengthOf(program);
-  const inputs = new InputCoder(maze, program, choices).codeAll(coder, run.inputs, left);
+  const remaining = maxJson - lengthOf(maze) - lengthOf(program);
+  const inputs = new InputCoder(maze, program, choices).codeAll(coder, run.inputs, remaining);
   if (inputs === null) return null;
   const last = inputs.at(-1)?.tick ?? 0;
   const ticks = last + new TickModel().code(coder, run.ticks - last);
@@ -69,16 +68,16 @@ export function codeRun(
   };
 }
 
-/** The inputs of one run, each known by what came before it. */
+/** Codes the inputs of one run. Each input is predicted from the previous ones. */
 class InputCoder {
   #maze: MazeDocument;
   #program: ProgramDocument;
   #seq = 0;
-  readonly #waits = new TickModel();
+  readonly #ticks = new TickModel();
   readonly #kinds = new SymbolModel(3);
   readonly #drivers = new SymbolModel(2);
   readonly #commands = new CommandCoder();
-  /** is it a script's, is its number not the next one */
+  /** contexts: is it a script's command, is its number not the next one */
   readonly #seqBits = new BitModel(2, 4);
   readonly #seqs = new RealModel();
   readonly #mazes: MazeEditCoder;
@@ -91,21 +90,21 @@ class InputCoder {
     this.#programs = new ProgramEditCoder(choices);
   }
 
-  /** @param maxJson characters of JSON that they may be */
+  /** @param maxJson maximum length of the inputs' JSON, in characters */
   codeAll(coder: BitCoder, inputs: readonly TimedInput[], maxJson: number): TimedInput[] | null {
     const count = new NumberModel().code(coder, inputs.length);
     if (count > MAX_RUN_INPUTS) return null;
     const coded: TimedInput[] = [];
-    let left = maxJson;
+    let remaining = maxJson;
     let tick = 0;
     for (let at = 0; at < count; at += 1) {
       const input = inputs[at];
-      tick += this.#waits.code(coder, (input?.tick ?? 0) - tick);
+      tick += this.#ticks.code(coder, (input?.tick ?? 0) - tick);
       const read = this.#code(coder, input);
       if (read === null) return null;
       const timed: TimedInput = { tick, ...read };
-      left -= lengthOf(timed);
-      if (left < 0) return null;
+      remaining -= lengthOf(timed);
+      if (remaining < 0) return null;
       coded.push(timed);
     }
     return coded;
@@ -118,8 +117,8 @@ class InputCoder {
       case "command":
         return this.#codeCommand(coder, input?.do === kind ? input : undefined);
       case "driver": {
-        const wanted = input?.do === kind ? input.driver : "me";
-        const driver = drivers[this.#drivers.code(coder, drivers.indexOf(wanted))];
+        const value = input?.do === kind ? input.driver : "me";
+        const driver = drivers[this.#drivers.code(coder, drivers.indexOf(value))];
         return driver === undefined ? null : { do: kind, driver };
       }
       case "cancel":
@@ -155,13 +154,13 @@ class InputCoder {
   }
 }
 
-/** What a decoder hands to itself. */
-const idle: { left: number; right: number; milliseconds?: number | undefined } = {
+/** Value that a decoder passes and ignores. */
+const placeholderDrive: { left: number; right: number; milliseconds?: number | undefined } = {
   left: 0,
   right: 0,
 };
 
-/** Commands, learning which ones a run uses and how far they go. */
+/** Codes commands with adaptive models of their actions and amounts. */
 class CommandCoder {
   readonly #actions = new SymbolModel(4);
   readonly #amounts = new RealModel();
@@ -178,12 +177,12 @@ class CommandCoder {
       return { action, degrees: amount(command.action === action ? command.degrees : 0) };
     }
     if (action === "drive") {
-      return this.#codeDrive(coder, command.action === action ? command : idle);
+      return this.#codeDrive(coder, command.action === action ? command : placeholderDrive);
     }
     return { action };
   }
 
-  #codeDrive(coder: BitCoder, drive: typeof idle): Command {
+  #codeDrive(coder: BitCoder, drive: typeof placeholderDrive): Command {
     const amount = (value: number): number => this.#amounts.code(coder, value);
     const left = amount(drive.left);
     const right = amount(drive.right);
@@ -195,7 +194,7 @@ class CommandCoder {
   }
 }
 
-/** Whole numbers of ticks, from 0 to a day: what is above 65,535 apart from what is below. */
+/** Codes whole numbers of ticks from 0 to a day: the upper and the lower 16 bits separately. */
 class TickModel {
   readonly #high = new NumberModel();
   readonly #low = new NumberModel();
@@ -206,12 +205,12 @@ class TickModel {
   }
 }
 
-/** Characters of JSON. */
+/** Length of the JSON, in characters. */
 function lengthOf(value: MazeDocument | ProgramDocument | TimedInput): number {
   return JSON.stringify(value).length;
 }
 
-/** 16 hexadecimal digits. */
+/** Codes 16 hexadecimal digits. */
 function codeDigest(coder: BitCoder, digest: string): string {
   let coded = "";
   for (let at = 0; at < 16; at += 4) {

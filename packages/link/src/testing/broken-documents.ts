@@ -1,6 +1,6 @@
 /**
- * Broken mazes, programs and links, for every door that reads one: packages, command line, relay, page.
- * Each is refused with a problem at `path` whose "expected" contains `expected`.
+ * Invalid mazes, programs and links to test every reader: packages, command line, relay, page.
+ * A reader must reject each with a problem at `path` whose "expected" contains `expected`.
  */
 import type { LinkRefusal } from "../link.ts";
 import { encodeLink } from "../link.ts";
@@ -9,15 +9,15 @@ export interface BrokenDocument {
   name: string;
   kind: "maze" | "program" | "link";
   text: string;
-  /** the field that is named; "" is the document itself, "link" a link */
+  /** path of the reported field; "" for the document itself, "link" for a link */
   path: string;
-  /** part of what is said to have been expected */
+  /** part of the reported expectation */
   expected: string;
-  /** links only */
+  /** for links only */
   code?: LinkRefusal;
 }
 
-/** Fields to put into a document in place of its own; undefined takes a field away. */
+/** Fields that replace those of a document; undefined removes a field. */
 type Changes = Record<string, unknown>;
 
 const goodMaze = {
@@ -53,7 +53,7 @@ const mazes: readonly Row[] = [
   ["an empty text", "", "", "a JSON document"],
   ["only spaces", "   ", "", "a JSON document"],
   ["truncated JSON", mazeText({}).slice(0, -5), "", "a JSON document"],
-  ["text behind the document", `${mazeText({})} #`, "", "a JSON document"],
+  ["text after the document", `${mazeText({})} #`, "", "a JSON document"],
   ["two documents", mazeText({}) + mazeText({}), "", "a JSON document"],
   ["a byte order mark", `\u{feff}${mazeText({})}`, "", "a JSON document"],
   ["a comment", `// a maze\n${mazeText({})}`, "", "a JSON document"],
@@ -269,19 +269,19 @@ const programs: readonly Row[] = [
   ["the number 1e999", programText({}).replace("60", "1e999"), "rules[0].when.than", "a number"],
   ["the number NaN", programText({}).replace("60", "NaN"), "", "a JSON document"],
   [
-    "left against back",
+    "left compared with back",
     whenText({ sensor: "left", than: "back" }),
     "rules[0].when.than",
     "a number",
   ],
   [
-    "front against right",
+    "front compared with right",
     whenText({ sensor: "front", than: "right", plus: 1 }),
     "rules[0].when.sensor",
     '"left"',
   ],
   [
-    "left against right without plus",
+    "left compared with right without plus",
     whenText({ sensor: "left", than: "right" }),
     "rules[0].when.plus",
     "-100000 to 100000",
@@ -299,14 +299,14 @@ const programs: readonly Row[] = [
     "-100000 to 100000",
   ],
   [
-    "plus beside a number",
+    "plus together with a number",
     whenText({ sensor: "left", than: 60, plus: 1 }),
     "rules[0].when.plus",
     "no field of this name",
   ],
 ];
 
-/** The link that the broken ones below are made from. */
+/** The link from which the broken ones below are derived. */
 function goodLink(): string {
   const link = encodeLink({
     maze: {
@@ -318,7 +318,7 @@ function goodLink(): string {
       goals: [{ column: 10, row: 0 }],
     },
   });
-  if (!link.ok) throw new Error("the good maze has a link");
+  if (!link.ok) throw new Error("the valid maze has no link");
   return link.text;
 }
 
@@ -333,23 +333,23 @@ function swapped(at: number): string {
 type LinkRow = readonly [name: string, text: string, code: LinkRefusal, expected: string];
 
 const links: readonly LinkRow[] = [
-  ["nothing behind the #", "", "empty", "a link"],
+  ["nothing after the #", "", "empty", "a link"],
   ["the version alone", "1", "cut-off", "more than 6"],
-  ["the head alone", link.slice(0, 6), "cut-off", "more than 6"],
+  ["the header alone", link.slice(0, 6), "cut-off", "more than 6"],
   ["a link without its last character", link.slice(0, -1), "cut-off", "to its last character"],
   ["half a link", link.slice(0, link.length / 2), "cut-off", "to its last character"],
   ["a link without its first character", link.slice(1), "unknown-version", "begins with 1"],
-  ["a link with a character too many", `${link}A`, "damaged", "copy it again"],
+  ["a link with an extra character", `${link}A`, "damaged", "copy it again"],
   ["a link twice", link + link, "cut-off", "copy it again"],
-  ["two characters swapped in the check", swapped(2), "damaged", "copy it again"],
+  ["two characters swapped in the checksum", swapped(2), "damaged", "copy it again"],
   ["two characters swapped in the blocks", swapped(10), "damaged", "copy it again"],
-  ["a link in small letters", link.toLowerCase(), "damaged", "copy it again"],
+  ["a link in lower case", link.toLowerCase(), "damaged", "copy it again"],
   ["a link from version 9", `9${link.slice(1)}`, "unknown-version", "begins with 1"],
-  ["a place on the page", "main", "unknown-version", "begins with 1"],
+  ["an element id of the page", "main", "unknown-version", "begins with 1"],
   ["a link with a space", `${link.slice(0, 12)} ${link.slice(12)}`, "damaged", "letters, digits"],
-  ["a space in front of a link", ` ${link}`, "unknown-version", "begins with 1"],
-  ["a line break behind a link", `${link}\n`, "damaged", "letters, digits"],
-  ["a full stop behind a link", `${link}.`, "damaged", "letters, digits"],
+  ["a space before a link", ` ${link}`, "unknown-version", "begins with 1"],
+  ["a line break after a link", `${link}\n`, "damaged", "letters, digits"],
+  ["a full stop after a link", `${link}.`, "damaged", "letters, digits"],
   [
     "a percent-encoded link",
     `${link.slice(0, 9)}%2D${link.slice(10)}`,
@@ -357,7 +357,7 @@ const links: readonly LinkRow[] = [
     "letters, digits",
   ],
   ["a link with an emoji", `${link.slice(0, 9)}🤖${link.slice(9)}`, "damaged", "letters, digits"],
-  ["a link with its # left on", `#${link}`, "unknown-version", "begins with 1"],
+  ["a link with its #", `#${link}`, "unknown-version", "begins with 1"],
   ["a maze document as link", mazeText({}), "damaged", "letters, digits"],
   ["a link over 8192 characters", link + "A".repeat(8_192), "too-long", "at most 8192"],
   ["a million characters", "1".repeat(1_000_000), "too-long", "at most 8192"],
@@ -368,7 +368,7 @@ function document(kind: "maze" | "program"): (row: Row) => BrokenDocument {
   return ([name, text, path, expected]) => ({ name, kind, text, path, expected });
 }
 
-/** All of them, mazes first, then programs, then links. */
+/** All broken documents: mazes, then programs, then links. */
 export const brokenDocuments: readonly BrokenDocument[] = [
   ...mazes.map(document("maze")),
   ...programs.map(document("program")),

@@ -1,4 +1,4 @@
-/** Links that have been given out, with what they carry: they stay readable for ever. Add, never change. */
+/** Published links with their content. They must stay readable: add links, never change one. */
 import { readFileSync } from "node:fs";
 import type { LinkContent } from "../link.ts";
 

@@ -1,7 +1,7 @@
-/** Mazes of known kinds and any size for tests of how long their links are. */
+/** Mazes of several kinds and any size, to test the lengths of their links. */
 import { createRandom, type MazeDocument } from "@corridor/maze";
 
-/** A maze from rows: start at the first open cell, goal at the last. */
+/** Creates a maze from rows. The start is the first open cell, the goal the last. */
 function fromRows(name: string, blocks: string[]): MazeDocument {
   const columns = blocks[0]?.length ?? 0;
   const marks = blocks.join("");
@@ -16,7 +16,7 @@ function fromRows(name: string, blocks: string[]): MazeDocument {
   };
 }
 
-/** Every cell a block with the same chance, in percent; the border solid where it is asked for. */
+/** Creates a maze in which each cell is a block with a probability in percent. The border is optional. */
 export function randomMaze(
   name: string,
   side: number,
@@ -34,7 +34,7 @@ export function randomMaze(
   return fromRows(name, rows);
 }
 
-/** A border and forty straight strokes of 3 to 11 blocks, much as a hand draws them. */
+/** Creates a maze with a border and forty straight strokes of 3 to 11 blocks, like a hand-drawn maze. */
 export function drawnMaze(name: string, side: number, seed: number): MazeDocument {
   const random = createRandom(seed);
   const grid = randomMaze(name, side, 0, true, seed).blocks.map((row) => row.split(""));
@@ -53,7 +53,7 @@ export function drawnMaze(name: string, side: number, seed: number): MazeDocumen
   );
 }
 
-/** A perfect maze by Kruskal's algorithm: without the long corridors of a depth-first search. */
+/** Creates a perfect maze by Kruskal's algorithm, with shorter corridors than a depth-first search. */
 export function bushyTree(name: string, side: number, seed: number): MazeDocument {
   const random = createRandom(seed);
   const grid = Array.from({ length: side }, (_, row) =>

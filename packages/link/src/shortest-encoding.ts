@@ -1,30 +1,30 @@
-/** What an encoder may choose: every way is tried on its own, and the shortest is taken. */
+/** Finds the shortest encoding by trying all choices of an encoder separately. */
 import { sizeOf, type MazeDocument } from "@corridor/maze";
-import { BLOCK_WAYS, codeBlocks, suitsSize } from "./block-coder.ts";
+import { BLOCK_METHOD_COUNT, codeBlocks, supportsSize } from "./block-coder.ts";
 import { cellsOf } from "./maze-coder.ts";
 import { canBePlain, codeName } from "./name-coder.ts";
 import { Encoder } from "./range-coder.ts";
 
-/** The number of the way in which the blocks of a maze take the fewest characters. */
-export function shortestBlockWay(maze: MazeDocument): number {
+/** Index of the method that encodes the blocks of a maze with the fewest characters. */
+export function shortestBlockMethod(maze: MazeDocument): number {
   const { columns, rows } = sizeOf(maze);
   const cells = cellsOf(maze);
   let shortest = 0;
   let fewest = Number.POSITIVE_INFINITY;
-  for (let way = 0; way < BLOCK_WAYS; way += 1) {
-    if (!suitsSize(way, columns, rows)) continue;
+  for (let method = 0; method < BLOCK_METHOD_COUNT; method += 1) {
+    if (!supportsSize(method, columns, rows)) continue;
     const encoder = new Encoder();
-    const told = codeBlocks(encoder, way, columns, rows, cells);
+    const decoded = codeBlocks(encoder, method, columns, rows, cells);
     const length = encoder.finish().length;
-    if (length < fewest && told.every((cell, at) => cell === cells[at])) {
-      shortest = way;
+    if (length < fewest && decoded.every((cell, at) => cell === cells[at])) {
+      shortest = method;
       fewest = length;
     }
   }
   return shortest;
 }
 
-/** Whether a name takes fewer characters as plain seven-bit ones. */
+/** Whether the plain seven-bit encoding of a name needs fewer characters. */
 export function isShorterPlain(name: string): boolean {
   return canBePlain(name) && nameLength(name, true) < nameLength(name, false);
 }
