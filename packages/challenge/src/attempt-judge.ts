@@ -35,7 +35,10 @@ export interface JudgedRobot {
   report: () => RobotReport;
 }
 
-/** Returns the terms of one maze. @throws RangeError if the challenge has no maze with this index */
+/**
+ * Returns the terms of one maze.
+ * @throws RangeError if the challenge has no maze with this index
+ */
 export function termsOf(
   { goal, checks, allowed, mazes }: ChallengeDocument,
   index: number,

@@ -1,6 +1,6 @@
 /**
- * Names and bounds of the challenge document. They are separate from the schema so that modules that
- * only read permissions do not load the schema library.
+ * Names and bounds of the challenge document. They are separate from the schema so that modules
+ * that only read permissions do not load the schema library.
  */
 import { conditionKinds, type ConditionKind } from "@corridor/program";
 

@@ -1,4 +1,6 @@
-/** Permissions of the user while a challenge is open. Without a challenge, everything is allowed. */
+/**
+ * Permissions of the user while a challenge is open. Without a challenge, everything is allowed.
+ */
 import {
   conditionKinds,
   MAX_RULES,

@@ -2,7 +2,9 @@
 import type { Cell } from "@corridor/maze";
 import type { LineRef, PlainAction, SensorReadings } from "@corridor/protocol";
 
-/** Reason for a failed attempt. Each comment states the meaning and unit of `needed` and `found`. */
+/**
+ * Reason for a failed attempt. Each comment states the meaning and unit of `needed` and `found`.
+ */
 export type FailureCode =
   /** a driver that the challenge does not allow; no numbers */
   | "driver"

@@ -36,9 +36,10 @@ const placeholderProgram: ProgramDocument = {
 
 /**
  * Encodes or decodes a challenge.
- * @param challenge the challenge to encode; a decoder ignores it, and its caller passes any valid one
- * @returns the decoded challenge, not yet checked by its schema; null if the bits cannot come from an
- *   encoder
+ * @param challenge the challenge to encode; a decoder ignores it, and its caller passes any valid
+ *   one
+ * @returns the decoded challenge, not yet checked by its schema; null if the bits cannot come from
+ *   an encoder
  */
 export function codeChallenge(
   coder: BitCoder,

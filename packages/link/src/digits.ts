@@ -1,13 +1,16 @@
 /**
- * The 64 characters of a link, none of which needs percent-encoding in a URL fragment, and the checksum
- * over them.
+ * The 64 characters of a link, none of which needs percent-encoding in a URL fragment, and the
+ * checksum over them.
  */
 
 const ALPHABET = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
 /** Length of the checksum in characters. */
 export const CHECK_LENGTH = 4;
-/** Generator of CRC-24 (RFC 9580). It detects every change within 24 consecutive bits, or 4 characters. */
+/**
+ * Generator of CRC-24 (RFC 9580). It detects every change within 24 consecutive bits, or 4
+ * characters.
+ */
 const CRC_GENERATOR = 0x1864cfb;
 const CRC_START = 0xb704ce;
 const CRC_TOP = 0x1000000;

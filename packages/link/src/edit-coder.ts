@@ -1,6 +1,6 @@
 /**
- * Codes edits of a maze or a program as differences from the previous document. A run can contain many
- * edits, most of which change one block or one number.
+ * Codes edits of a maze or a program as differences from the previous document. A run can contain
+ * many edits, most of which change one block or one number.
  */
 import {
   BLOCK,
@@ -51,8 +51,8 @@ export class MazeEditCoder {
   /**
    * Encodes or decodes an edit.
    * @param after the maze to encode; a decoder ignores it, and its caller passes any valid maze
-   * @returns the maze after the edit, not yet checked by its schema; null if the bits cannot come from
-   *   an encoder
+   * @returns the maze after the edit, not yet checked by its schema; null if the bits cannot come
+   *   from an encoder
    */
   code(coder: BitCoder, before: MazeDocument, after: MazeDocument): MazeDocument | null {
     const flips = flipsBetween(before, after);
@@ -109,9 +109,10 @@ export class ProgramEditCoder {
 
   /**
    * Encodes or decodes an edit.
-   * @param after the program to encode; a decoder ignores it, and its caller passes any valid program
-   * @returns the program after the edit, not yet checked by its schema; null if the bits cannot come
-   *   from an encoder
+   * @param after the program to encode; a decoder ignores it, and its caller passes any valid
+   *   program
+   * @returns the program after the edit, not yet checked by its schema; null if the bits cannot
+   *   come from an encoder
    */
   code(coder: BitCoder, before: ProgramDocument, after: ProgramDocument): ProgramDocument | null {
     const isNamed = this.#bits.code(coder, 0, before.name === after.name ? 0 : 1) === 1;

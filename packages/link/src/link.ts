@@ -1,6 +1,6 @@
 /**
- * Share links: the fragment of a URL, after `#`. It contains a maze, a program or both, a recorded run,
- * or a challenge. Browsers do not send the fragment to a server.
+ * Share links: the fragment of a URL, after `#`. It contains a maze, a program or both, a recorded
+ * run, or a challenge. Browsers do not send the fragment to a server.
  *
  * A link consists of the version (one character), its length (one), a checksum (four), and the
  * range-coded documents. The decoder rejects a link unless it is valid as a whole. It checks the
@@ -69,7 +69,9 @@ const VERSION = 1;
 const HEADER_LENGTH = 2 + CHECK_LENGTH;
 /** The link stores its length modulo this number, in one character. */
 const LENGTH_CYCLE = 64;
-/** Above this number of missing characters, modulo `LENGTH_CYCLE`, extra characters are more likely. */
+/**
+ * Above this number of missing characters, modulo `LENGTH_CYCLE`, extra characters are more likely.
+ */
 const MAX_MISSING = 56;
 
 /** Number of section codes. A section code follows a header with `isExtended` set. */

@@ -1,5 +1,6 @@
 /**
- * Codes a maze as bits, with one function for encoding and decoding: size, blocks, start, goals, name.
+ * Codes a maze as bits, with one function for encoding and decoding: size, blocks, start, goals,
+ * name.
  */
 import {
   BLOCK,
@@ -75,7 +76,10 @@ export function codeMaze(
   return { format: "corridor/maze", version: 1, name, blocks, start: { ...start, heading }, goals };
 }
 
-/** The open cells of a maze, in reading order. The start and the goals are coded by their index here. */
+/**
+ * The open cells of a maze, in reading order. The start and the goals are coded by their index
+ * here.
+ */
 class OpenCells {
   readonly #columns: number;
   readonly #cells: readonly number[];

@@ -1,12 +1,14 @@
 /**
  * Codes names of documents. An order-1 context model, trained with the names below, predicts each
- * letter from the previous one. A name unlike the training names, such as a password, is coded as plain
- * seven-bit characters.
+ * letter from the previous one. A name unlike the training names, such as a password, is coded as
+ * plain seven-bit characters.
  */
 import { codeUniform } from "./numbers.ts";
 import type { BitCoder } from "./range-coder.ts";
 
-/** Part of the format of link version 1. Never change it: existing links would become unreadable. */
+/**
+ * Part of the format of link version 1. Never change it: existing links would become unreadable.
+ */
 const TRAINING_NAMES =
   "Maze|Tree|Start|My maze|Right wall|Left wall|Long way round|First steps|Straight corridor|Spiral|" +
   "Comb|Two rooms|Empty|Back and forth|Farthest distance|Left at every wall|Program|Labyrinth|Level 1|" +
@@ -67,7 +69,8 @@ const trainer: BitCoder = { bit: (_zeros, _ones, bit) => bit };
 
 /**
  * Encodes or decodes a name.
- * @param maxLength in UTF-16 code units; a decoder stops one unit after it, so that the schema rejects it
+ * @param maxLength in UTF-16 code units; a decoder stops one unit after it, so that the schema
+ *   rejects it
  * @param isPlain whether an encoder uses seven-bit characters; a decoder reads it from the link
  */
 export function codeName(

@@ -16,7 +16,9 @@ export function codeUniform(coder: BitCoder, limit: number, value: number): numb
   return low;
 }
 
-/** Codes a symbol of a few bits as a path down a binary tree, with an adaptive model for each node. */
+/**
+ * Codes a symbol of a few bits as a path down a binary tree, with an adaptive model for each node.
+ */
 export class SymbolModel {
   readonly #model: BitModel;
   readonly #bits: number;

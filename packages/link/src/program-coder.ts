@@ -20,7 +20,8 @@ const ACTION_BITS = 3;
 
 /**
  * Encodes or decodes a program.
- * @param program the program to encode; a decoder ignores it, and its caller passes any valid program
+ * @param program the program to encode; a decoder ignores it, and its caller passes any valid
+ *   program
  * @returns the decoded program, not yet checked by its schema; null if the bits cannot come from an
  *   encoder
  */

@@ -1,9 +1,9 @@
 /**
  * Adaptive binary range coder. Its digits are the characters of a link, six bits each.
  *
- * It uses whole numbers below 2^36 only, so every JavaScript engine computes the same bits. Encoder and
- * decoder share one interface: `bit` receives the bit to encode and returns the coded bit. One function
- * per part of a document therefore encodes or decodes, depending on the coder.
+ * It uses whole numbers below 2^36 only, so every JavaScript engine computes the same bits. Encoder
+ * and decoder share one interface: `bit` receives the bit to encode and returns the coded bit. One
+ * function per part of a document therefore encodes or decodes, depending on the coder.
  */
 
 const DIGIT = 64;
@@ -17,7 +17,8 @@ const READ_AHEAD = 4;
 /** Encodes or decodes one bit. */
 export interface BitCoder {
   /**
-   * @param zeros relative frequency of a 0, as `ones` of a 1: whole numbers from 1, in total below 2^17
+   * @param zeros relative frequency of a 0, as `ones` of a 1: whole numbers from 1, in total below
+   *   2^17
    * @param bit the bit to encode; a decoder ignores it
    * @returns the coded bit, 0 or 1
    */
@@ -45,8 +46,9 @@ export class Encoder implements BitCoder {
   }
 
   /**
-   * Writes the last digit. One digit is sufficient to identify a number in the range, because the range
-   * is at least as wide as the digit's value. The decoder always ends exactly four digits after it.
+   * Writes the last digit. One digit is sufficient to identify a number in the range, because the
+   * range is at least as wide as the digit's value. The decoder always ends exactly four digits
+   * after it.
    * @returns numbers from 0 to 63
    */
   finish(): readonly number[] {

@@ -2,8 +2,8 @@
  * Codes a recorded run as bits, with one function for encoding and decoding: the starting maze and
  * program, the inputs in tick order, length, digest and name.
  *
- * A few characters can encode many edits, each of a large maze or a long program. Encoder and decoder
- * therefore limit the length of the document's JSON. A longer run is shared as a file.
+ * A few characters can encode many edits, each of a large maze or a long program. Encoder and
+ * decoder therefore limit the length of the document's JSON. A longer run is shared as a file.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
@@ -34,8 +34,8 @@ const actions: readonly Command["action"][] = [...plainActions, "move", "turn", 
  * Encodes or decodes a run.
  * @param run the run to encode; a decoder ignores it, and its caller passes any valid run
  * @param maxJson maximum length of the JSON; only tests set it
- * @returns the decoded run, not yet checked by its schema; null if it exceeds the bounds of a link, or
- *   if the bits cannot come from an encoder
+ * @returns the decoded run, not yet checked by its schema; null if it exceeds the bounds of a link,
+ *   or if the bits cannot come from an encoder
  */
 export function codeRun(
   coder: BitCoder,

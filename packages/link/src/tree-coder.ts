@@ -1,8 +1,8 @@
 /**
  * Codes the blocks of a perfect maze: corridors on the odd cells, posts on the even ones, a solid
- * border, and exactly one path between any two open cells. Only walls between two corridor cells are
- * coded. Two kinds of walls need no bits: a wall whose opening would close a cycle must be a block, and
- * the last exit of a connected set of cells must be open.
+ * border, and exactly one path between any two open cells. Only walls between two corridor cells
+ * are coded. Two kinds of walls need no bits: a wall whose opening would close a cycle must be a
+ * block, and the last exit of a connected set of cells must be open.
  */
 import { BitModel, type BitCoder } from "./range-coder.ts";
 

@@ -57,8 +57,8 @@ export function carveTree(columns: number, rows: number, random: Random): CellRo
 }
 
 /**
- * Carves a tree, then opens `OPENED_PERCENT` of its inner walls, at least one. The posts between four
- * corridor cells remain, so no open square of 2 x 2 cells exists.
+ * Carves a tree, then opens `OPENED_PERCENT` of its inner walls, at least one. The posts between
+ * four corridor cells remain, so no open square of 2 x 2 cells exists.
  * @param columns odd and at least 5, as `rows`: in smaller lattices no opened wall creates a cycle
  */
 export function carveLoops(columns: number, rows: number, random: Random): CellRows {

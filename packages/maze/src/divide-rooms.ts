@@ -19,9 +19,13 @@ interface Area {
 /** Bounds of a room's sides in lattice cells, equal to 3 and 9 maze cells. */
 const MIN_ROOM_SIDE = 2;
 const MAX_ROOM_SIDE = 5;
-/** Minimum length of an area with a corridor, in lattice cells: two rooms, two walls, one corridor. */
+/**
+ * Minimum length of an area with a corridor, in lattice cells: two rooms, two walls, one corridor.
+ */
 const MIN_CORRIDOR_LENGTH = 2 * MIN_ROOM_SIDE + 3;
-/** Percentage of long enough areas that get a corridor, and of small enough areas that stay whole. */
+/**
+ * Percentage of long enough areas that get a corridor, and of small enough areas that stay whole.
+ */
 const CORRIDOR_PERCENT = 40;
 const WHOLE_PERCENT = 45;
 
@@ -42,7 +46,9 @@ export function divideRooms(columns: number, rows: number, random: Random): Cell
   return grid;
 }
 
-/** Whether an area stays whole: always if it is too short to divide, at random if it is room-sized. */
+/**
+ * Whether an area stays whole: always if it is too short to divide, at random if it is room-sized.
+ */
 function isRoom({ width, height }: Area, random: Random): boolean {
   const longest = Math.max(width, height);
   if (longest < 2 * MIN_ROOM_SIDE) return true;

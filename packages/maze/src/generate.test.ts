@@ -24,7 +24,9 @@ function eachOpen(maze: MazeDocument, visit: (column: number, row: number) => vo
   }
 }
 
-/** Number of adjacent pairs of open cells. A tree has one fewer than its open cells; loops add more. */
+/**
+ * Number of adjacent pairs of open cells. A tree has one fewer than its open cells; loops add more.
+ */
 function countPassages(maze: MazeDocument): number {
   let count = 0;
   eachOpen(maze, (column, row) => {

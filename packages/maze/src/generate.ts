@@ -54,8 +54,9 @@ export function generateMaze({ kind, columns, rows, seed, name }: GenerateOption
   }
   const grid = builders[kind](columns, rows, createRandom(seed));
   const blocks = grid.map((row) => row.join(""));
-  // The robot in the top-left corner has a wall on its right if it faces south (the border), or if it
-  // faces east and the cell to the south is blocked. At least one of the two headings is open ahead.
+  // The robot in the top-left corner has a wall on its right if it faces south (the border), or if
+  // it faces east and the cell to the south is blocked. At least one of the two headings is open
+  // ahead.
   const isSouthOpen = grid[2]?.[1] === OPEN;
   const maze: MazeDocument = {
     format: "corridor/maze",

@@ -1,6 +1,6 @@
 /**
- * Seeded random integers by sfc32 (Chris Doty-Humphrey, PractRand). A seed produces the same numbers
- * in every JavaScript engine.
+ * Seeded random integers by sfc32 (Chris Doty-Humphrey, PractRand). A seed produces the same
+ * numbers in every JavaScript engine.
  */
 
 /** A stateful source of random numbers. */

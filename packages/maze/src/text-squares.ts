@@ -1,7 +1,7 @@
 /**
  * Reads mazes drawn with one character per square. A drawing uses either dots (or underscores) or
- * spaces for open squares, not both. Editors strip trailing spaces, so only a drawing with spaces may
- * have lines of different lengths. A space in a drawing with dots is an error.
+ * spaces for open squares, not both. Editors strip trailing spaces, so only a drawing with spaces
+ * may have lines of different lengths. A space in a drawing with dots is an error.
  */
 import type { ReadResult } from "@corridor/protocol";
 import { BLOCK, MAX_SIDE, OPEN } from "./maze-limits.ts";
@@ -66,7 +66,9 @@ function isDrawn(line: string): boolean {
   );
 }
 
-/** Trailing spaces are squares only if all lines have the same length. Otherwise they are stripped. */
+/**
+ * Trailing spaces are squares only if all lines have the same length. Otherwise they are stripped.
+ */
 function spacedRows(lines: readonly string[]): string[] {
   const isEven = lines.every((line) => line.length === lines[0]?.length);
   return lines.map((line) => (isEven ? line : line.trimEnd()));

@@ -1,7 +1,7 @@
 /**
- * Reads micromouse mazes: posts (`o` or `+`) with walls between them (`---` and `|`), the notation of
- * the contest's maze collections and simulators. Its walls have no width. Each wall becomes a block,
- * so n x m squares become (2n + 1) x (2m + 1) cells.
+ * Reads micromouse mazes: posts (`o` or `+`) with walls between them (`---` and `|`), the notation
+ * of the contest's maze collections and simulators. Its walls have no width. Each wall becomes a
+ * block, so n x m squares become (2n + 1) x (2m + 1) cells.
  */
 import type { ReadResult } from "@corridor/protocol";
 import { BLOCK, MAX_SIDE, OPEN } from "./maze-limits.ts";

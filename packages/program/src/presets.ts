@@ -1,6 +1,6 @@
 /**
- * Preset programs. Never change an id: saved projects, tests and the page's translations refer to it.
- * Figure numbers refer to the 2013 thesis.
+ * Preset programs. Never change an id: saved projects, tests and the page's translations refer to
+ * it. Figure numbers refer to the 2013 thesis.
  */
 import type { ProgramDocument, Rule } from "./program-document.ts";
 

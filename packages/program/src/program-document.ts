@@ -1,5 +1,6 @@
 /**
- * The program document, `corridor/program` version 1: a default action and an ordered list of rules.
+ * The program document, `corridor/program` version 1: a default action and an ordered list of
+ * rules.
  */
 import { plainActions, readJson, readValue, type ReadResult } from "@corridor/protocol";
 import { z } from "zod";

@@ -1,7 +1,7 @@
 /**
- * Edits of a program as pure functions from document to document, so that undo restores the previous
- * document. Both documents share unchanged rules. An edit without effect returns the same object.
- * An edit that would make the document invalid returns a code, which the page translates.
+ * Edits of a program as pure functions from document to document, so that undo restores the
+ * previous document. Both documents share unchanged rules. An edit without effect returns the same
+ * object. An edit that would make the document invalid returns a code, which the page translates.
  */
 import type { PlainAction } from "@corridor/protocol";
 import { conditionOf, numberOf, numberRange, kindOf } from "./condition-parts.ts";
@@ -105,7 +105,9 @@ export function setDefault(program: ProgramDocument, action: PlainAction): Progr
   return program.default === action ? program : { ...program, default: action };
 }
 
-/** Renames the program. The name may be empty. Returns the code "name-too-long" if it is too long. */
+/**
+ * Renames the program. The name may be empty. Returns the code "name-too-long" if it is too long.
+ */
 export function rename(program: ProgramDocument, name: string): ProgramEdit {
   if (name.length > MAX_NAME_LENGTH) return refuse("name-too-long");
   return accept(program.name === name ? program : { ...program, name });

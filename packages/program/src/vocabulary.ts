@@ -25,7 +25,9 @@ export const conditionKinds: readonly ConditionKind[] = [
   { sensor: "left", is: ">", than: "right" },
 ];
 
-/** The actions of the paper in the order of Figure 16, the default of a challenge without a list. */
+/**
+ * The actions of the paper in the order of Figure 16, the default of a challenge without a list.
+ */
 export const paperActions: readonly PlainAction[] = [
   "forward",
   "reverse",

@@ -59,7 +59,9 @@ export class CommandLog {
     return this.#commands[index];
   }
 
-  /** Number of commands up to the end of `tick`, which is the index of the first command after it. */
+  /**
+   * Number of commands up to the end of `tick`, which is the index of the first command after it.
+   */
   countUpTo(tick: number): number {
     let low = 0;
     let high = this.#commands.length;
@@ -71,7 +73,9 @@ export class CommandLog {
     return low;
   }
 
-  /** Number of ticks up to the end of `tick` in which a script was the driver but no command ran. */
+  /**
+   * Number of ticks up to the end of `tick` in which a script was the driver but no command ran.
+   */
   waitedUpTo(tick: number): number {
     const count = this.#waitTicks.countUpTo(tick);
     if (count === 0) return 0;
@@ -100,7 +104,9 @@ export class CommandLog {
     this.#waitTicks.push(tick);
   }
 
-  /** Deletes entries after the end of `tick`. A command that ended after it becomes the running one. */
+  /**
+   * Deletes entries after the end of `tick`. A command that ended after it becomes the running one.
+   */
   truncateAfter(tick: number): void {
     this.#commands.length = this.countUpTo(tick);
     const index = this.#commands.length - 1;

@@ -28,7 +28,10 @@ export class Inputs {
     return this.#revision;
   }
 
-  /** Increases when inputs are removed or the start changes. Within a generation, inputs only append. */
+  /**
+   * Increases when inputs are removed or the start changes. Within a generation, inputs only
+   * append.
+   */
   get generation(): number {
     return this.#generation;
   }
@@ -102,8 +105,8 @@ export class Inputs {
 }
 
 /**
- * Returns the input with unchanged rules and rows replaced by those of the previous documents, so that
- * a thousand edits of a long program do not need the memory of a thousand programs.
+ * Returns the input with unchanged rules and rows replaced by those of the previous documents, so
+ * that a thousand edits of a long program do not need the memory of a thousand programs.
  */
 export function shareUnchanged(input: RunInput, before: Documents): RunInput {
   if (input.do === "program") {

@@ -1,7 +1,7 @@
 /**
- * Complete states of a run at intervals, so that seeking to any tick recomputes few ticks. The initial
- * interval is ten seconds. Above the maximum number, every second keyframe is dropped and the interval
- * doubles.
+ * Complete states of a run at intervals, so that seeking to any tick recomputes few ticks. The
+ * initial interval is ten seconds. Above the maximum number, every second keyframe is dropped and
+ * the interval doubles.
  */
 import type { RunState } from "./run.ts";
 import type { PenState } from "./trail-pen.ts";

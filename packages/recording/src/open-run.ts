@@ -8,8 +8,8 @@ import { MAX_RUN_TICKS } from "./run-limits.ts";
 const TICKS_PER_CHECK = 64;
 
 /**
- * Replays a document in steps. A short document can contain a run of a day, which takes half a minute
- * to replay. Steps let the caller do other work in between.
+ * Replays a document in steps. A short document can contain a run of a day, which takes half a
+ * minute to replay. Steps let the caller do other work in between.
  */
 export class Replay {
   readonly #run: RunDocument;
@@ -35,8 +35,8 @@ export class Replay {
   /**
    * Continues the replay, and checks the digest at the end of the document.
    * @param hasTime called every `TICKS_PER_CHECK` ticks; the replay pauses if it returns false
-   * @returns null while the replay is not complete; then the recording, or the problem if an input is
-   *   not possible at its tick or the digest differs
+   * @returns null while the replay is not complete; then the recording, or the problem if an input
+   *   is not possible at its tick or the digest differs
    */
   advance(hasTime: () => boolean): ReadResult<Recording> | null {
     const { inputs, ticks } = this.#run;

@@ -1,11 +1,13 @@
 /**
  * The newest positions of a run, each with the tick at whose end it was recorded, in packed arrays:
- * the corners of the trail, or the bumps. Indices count from the start of the run, including evicted
- * positions.
+ * the corners of the trail, or the bumps. Indices count from the start of the run, including
+ * evicted positions.
  */
 import { GrowingArray } from "./growing-array.ts";
 
-/** Maximum number of positions: an hour of driving in circles. Above it, the older half is evicted. */
+/**
+ * Maximum number of positions: an hour of driving in circles. Above it, the older half is evicted.
+ */
 const MAX_POSITIONS = 262_144;
 
 export class PositionLog {

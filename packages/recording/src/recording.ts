@@ -1,6 +1,6 @@
 /**
- * A run with its past: the live run, and the data to display any earlier tick, to continue from there
- * with other inputs, and to create a document of the run.
+ * A run with its past: the live run, and the data to display any earlier tick, to continue from
+ * there with other inputs, and to create a document of the run.
  *
  * A recording stores the inputs, sparse keyframes, the timeline and the trail in packed arrays. The
  * class of the live run recomputes all other ticks from the previous keyframe.
@@ -118,8 +118,8 @@ export class Recording {
   }
 
   /**
-   * Adds an input at the end of the newest tick. After an edit, the documents of the run are equal to
-   * the given ones, but not the same objects.
+   * Adds an input at the end of the newest tick. After an edit, the documents of the run are equal
+   * to the given ones, but not the same objects.
    * @returns false, without any change, if the input is not possible
    */
   addInput(given: RunInput): boolean {
@@ -227,7 +227,9 @@ export class Recording {
     return new Playback(this.#inputs, this.#keyframes);
   }
 
-  /** Deletes everything after the end of `tick`, and restores the live run there with its inputs. */
+  /**
+   * Deletes everything after the end of `tick`, and restores the live run there with its inputs.
+   */
   truncate(tick: number): void {
     const run = this.#run;
     const { state, pen } = this.#keyframes.before(tick);

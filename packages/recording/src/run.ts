@@ -1,10 +1,10 @@
 /**
- * One robot and its drivers. Maze, program and inputs determine the run: the same inputs at the same
- * ticks result in the same bits. The page uses this class for the live run, its past and the replay of
- * a file, so that they cannot differ.
+ * One robot and its drivers. Maze, program and inputs determine the run: the same inputs at the
+ * same ticks result in the same bits. The page uses this class for the live run, its past and the
+ * replay of a file, so that they cannot differ.
  *
- * If the program drives and no manoeuvre runs, it decides for the next tick at the end of each tick.
- * The displayed line therefore always matches the displayed readings.
+ * If the program drives and no manoeuvre runs, it decides for the next tick at the end of each
+ * tick. The displayed line therefore always matches the displayed readings.
  */
 import type { MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
@@ -86,7 +86,10 @@ export class Run {
     return this.#commandEnding;
   }
 
-  /** The line that decides now or that started the running manoeuvre; null unless the program drives. */
+  /**
+   * The line that decides now or that started the running manoeuvre; null unless the program
+   * drives.
+   */
   get line(): LineRef | null {
     return this.#driver === "program" ? this.#decisions.line : null;
   }

@@ -1,19 +1,22 @@
 /**
  * The timeline of a run for display: segments with one driver or program line, and events.
  *
- * Data is packed into typed arrays, because an hour has 216,000 ticks and a program can change its line
- * on each of them. Adjacent segments shorter than a tenth of a second merge into a "mixed" segment.
- * Events of one kind within that time merge into one. If the number of entries exceeds the maximum,
- * this minimum time doubles.
+ * Data is packed into typed arrays, because an hour has 216,000 ticks and a program can change its
+ * line on each of them. Adjacent segments shorter than a tenth of a second merge into a "mixed"
+ * segment. Events of one kind within that time merge into one. If the number of entries exceeds the
+ * maximum, this minimum time doubles.
  *
- * The recording thread calls `recordDriver`, `recordEvent` and `truncateAfter`. Another thread receives
- * changes by `takeDelta` and `applyDelta`.
+ * The recording thread calls `recordDriver`, `recordEvent` and `truncateAfter`. Another thread
+ * receives changes by `takeDelta` and `applyDelta`.
  */
 import type { LineRef } from "@corridor/protocol";
 import { CommandLog, type CommandDelta } from "./command-log.ts";
 import { GrowingArray } from "./growing-array.ts";
 
-/** Driver of a segment: manual ("me"), a script ("remote"), or a program line; "mixed" for fast changes. */
+/**
+ * Driver of a segment: manual ("me"), a script ("remote"), or a program line; "mixed" for fast
+ * changes.
+ */
 export type TimelineDriver = "me" | "remote" | "mixed" | LineRef;
 
 /** Kinds of turns. */
@@ -163,7 +166,9 @@ export class Timeline {
     if (this.#ticks.length > MAX_ENTRIES) this.#coarsen();
   }
 
-  /** Records an event. Merges it with an event of the same kind and driver within the minimum gap. */
+  /**
+   * Records an event. Merges it with an event of the same kind and driver within the minimum gap.
+   */
   recordEvent(event: TimelineEvent): void {
     const code = codeOfEvent(event);
     const driver = codeOfDriver(event.driver);
@@ -188,7 +193,10 @@ export class Timeline {
     this.#endTick = tick;
   }
 
-  /** Deletes entries after the end of `tick`, and decisions at that tick, because the run changes there. */
+  /**
+   * Deletes entries after the end of `tick`, and decisions at that tick, because the run changes
+   * there.
+   */
   truncateAfter(tick: number): void {
     this.#truncateSegments(this.#ticks.countUpTo(tick - 1));
     let events = this.eventsUpTo(tick);

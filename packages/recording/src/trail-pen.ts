@@ -1,6 +1,6 @@
 /**
- * Finds the corners of a trail, so that a straight line of any length needs one point. The last line
- * ends at the robot.
+ * Finds the corners of a trail, so that a straight line of any length needs one point. The last
+ * line ends at the robot.
  */
 
 /** Serialisable state of a pen. */

@@ -1,21 +1,29 @@
 /**
- * Records the cause of a bump: the decision that led to it, and the free distance when the motion, or
- * the part of the manoeuvre, started. The bump card displays it. It does not affect the simulation.
+ * Records the cause of a bump: the decision that led to it, and the free distance when the motion,
+ * or the part of the manoeuvre, started. The bump card displays it. It does not affect the
+ * simulation.
  */
 import type { Command, SensorReadings } from "@corridor/protocol";
 import type { Progress } from "./motion/progress.ts";
 import type { Simulation } from "./simulation.ts";
 
-/** Cause of a bump: the robot's action, its free distance and its needed distance. Lengths in units. */
+/**
+ * Cause of a bump: the robot's action, its free distance and its needed distance. Lengths in units.
+ */
 export interface BumpCause {
   /** tick at whose end the decision or command for this motion was made */
   decidedAt: number;
-  /** tick at whose end the part, or the steady motion, started; repeated decisions do not change it */
+  /**
+   * tick at whose end the part, or the steady motion, started; repeated decisions do not change it
+   */
   startedAt: number;
   action: Command["action"];
   /** sensor readings at the end of `decidedAt` */
   readings: SensorReadings;
-  /** index of the manoeuvre's part that hit the wall, and number of parts; 0 and 1 without a manoeuvre */
+  /**
+   * index of the manoeuvre's part that hit the wall, and number of parts; 0 and 1 without a
+   * manoeuvre
+   */
   part: number;
   parts: number;
   /** side of the robot in the driving direction */

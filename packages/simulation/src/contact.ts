@@ -1,6 +1,6 @@
 /**
- * The point of contact between the robot and a block: on a flat side or at a corner. A sensor ray is a
- * line and the robot is 50 cm wide, so the ray can miss a corner that the robot hits.
+ * The point of contact between the robot and a block: on a flat side or at a corner. A sensor ray
+ * is a line and the robot is 50 cm wide, so the ray can miss a corner that the robot hits.
  */
 import { CELL, isBlock, type Cell, type MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
@@ -16,7 +16,10 @@ export interface Contact {
   isCorner: boolean;
 }
 
-/** Maximum sideways offset between the robot's centre and the contact point on a flat side, in units. */
+/**
+ * Maximum sideways offset between the robot's centre and the contact point on a flat side, in
+ * units.
+ */
 const STRAIGHT_TOLERANCE = 1;
 
 /**
@@ -56,7 +59,9 @@ export function contactOf(maze: MazeDocument, pose: Pose, side: "front" | "back"
   return best ?? { x, y, cell: own, isCorner: false };
 }
 
-/** Whether the wall ends at the point, without an adjacent block that continues the touched side. */
+/**
+ * Whether the wall ends at the point, without an adjacent block that continues the touched side.
+ */
 function isCorner(maze: MazeDocument, x: number, y: number, dx: number, dy: number): boolean {
   const isStraightX = Math.abs(dx) <= STRAIGHT_TOLERANCE;
   const isStraightY = Math.abs(dy) <= STRAIGHT_TOLERANCE;

@@ -1,6 +1,7 @@
 /**
  * Converts elapsed time to whole ticks and carries the remainder over to the next call. Time beyond
- * the maximum gap is discarded, so that a machine that wakes from sleep does not run minutes of ticks.
+ * the maximum gap is discarded, so that a machine that wakes from sleep does not run minutes of
+ * ticks.
  */
 import { TICKS_PER_SECOND } from "./settings.ts";
 
@@ -25,7 +26,9 @@ export class FixedTimestep {
     return ticks;
   }
 
-  /** Resets the time. The next call returns at least one tick, so that the robot reacts immediately. */
+  /**
+   * Resets the time. The next call returns at least one tick, so that the robot reacts immediately.
+   */
   start(): void {
     this.#remainder = 0;
     this.#isFirst = true;

@@ -11,7 +11,10 @@ import type { Simulation } from "./simulation.ts";
 export interface Decider {
   /** number of rules, including rules without effect */
   readonly ruleCount: number;
-  /** Returns the index of the rule for these readings (front, right, back, left), or -1 for the default. */
+  /**
+   * Returns the index of the rule for these readings (front, right, back, left), or -1 for the
+   * default.
+   */
   decide(readings: Float64Array): number;
   /** Returns the command of a rule, or of the default for -1. Always returns the same object. */
   commandOf(rule: number): Command;

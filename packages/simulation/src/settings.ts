@@ -19,7 +19,10 @@ export const TURN_STEP = 150 / TICKS_PER_SECOND;
 /** Distance between the two wheels, in units. */
 export const TRACK_WIDTH = 40;
 
-/** Rim speed of a wheel at power 1, in units per second: `drive(0.2, -0.2)` turns 90 degrees in 602 ms. */
+/**
+ * Rim speed of a wheel at power 1, in units per second: `drive(0.2, -0.2)` turns 90 degrees in 602
+ * ms.
+ */
 export const WHEEL_SPEED = 261;
 
 /** A delayed turn drives to the middle of the opening, turns, and leaves the junction. In units. */

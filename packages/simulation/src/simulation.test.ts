@@ -20,7 +20,9 @@ function drive(simulation: Simulation, command: Command, ticks = 0): number {
   return simulation.tick - from;
 }
 
-/** Overlap of the robot's disc with the nearest block, in units. Negative if they do not overlap. */
+/**
+ * Overlap of the robot's disc with the nearest block, in units. Negative if they do not overlap.
+ */
 function overlap(maze: MazeDocument, x: number, y: number): number {
   let deepest = Number.NEGATIVE_INFINITY;
   for (let row = -1; row <= maze.blocks.length; row++) {
@@ -197,7 +199,8 @@ describe("for any commands in any maze", () => {
           }
         },
       ),
-      // fast-check can shrink doubles for hours. The limit reports the failure earlier, less shrunk.
+      // fast-check can shrink doubles for hours. The limit reports the failure earlier, less
+      // shrunk.
       { numRuns: 200, interruptAfterTimeLimit: 40_000, markInterruptAsFailure: true },
     );
   });

@@ -1,10 +1,10 @@
 /**
- * Simulates one robot in one maze, tick by tick. The same maze and the same commands at the same ticks
- * produce the same snapshots, bit for bit, in every JavaScript engine.
+ * Simulates one robot in one maze, tick by tick. The same maze and the same commands at the same
+ * ticks produce the same snapshots, bit for bit, in every JavaScript engine.
  *
- * Order of steps in a tick: the motion controller plans, the heading turns, the physics moves the body
- * until it touches a block, the motion controller ends the tick, the sensors measure. A command
- * between two ticks applies from the next tick on.
+ * Order of steps in a tick: the motion controller plans, the heading turns, the physics moves the
+ * body until it touches a block, the motion controller ends the tick, the sensors measure. A
+ * command between two ticks applies from the next tick on.
  */
 import { normaliseHeading, writeUnitVector } from "@corridor/geometry";
 import { CELL, gridOf, headingNames, type Grid, type MazeDocument } from "@corridor/maze";

@@ -1,4 +1,6 @@
-/** A small challenge for tests: a corridor with one corner, solvable with two lines without a bump. */
+/**
+ * A small challenge for tests: a corridor with one corner, solvable with two lines without a bump.
+ */
 import type { ChallengeDocument } from "../challenge-document.ts";
 
 export const sampleChallenge: ChallengeDocument = {

@@ -16,7 +16,10 @@ function fromRows(name: string, blocks: string[]): MazeDocument {
   };
 }
 
-/** Creates a maze in which each cell is a block with a probability in percent. The border is optional. */
+/**
+ * Creates a maze in which each cell is a block with a probability in percent. The border is
+ * optional.
+ */
 export function randomMaze(
   name: string,
   side: number,
@@ -34,7 +37,10 @@ export function randomMaze(
   return fromRows(name, rows);
 }
 
-/** Creates a maze with a border and forty straight strokes of 3 to 11 blocks, like a hand-drawn maze. */
+/**
+ * Creates a maze with a border and forty straight strokes of 3 to 11 blocks, like a hand-drawn
+ * maze.
+ */
 export function drawnMaze(name: string, side: number, seed: number): MazeDocument {
   const random = createRandom(seed);
   const grid = randomMaze(name, side, 0, true, seed).blocks.map((row) => row.split(""));
@@ -53,7 +59,9 @@ export function drawnMaze(name: string, side: number, seed: number): MazeDocumen
   );
 }
 
-/** Creates a perfect maze by Kruskal's algorithm, with shorter corridors than a depth-first search. */
+/**
+ * Creates a perfect maze by Kruskal's algorithm, with shorter corridors than a depth-first search.
+ */
 export function bushyTree(name: string, side: number, seed: number): MazeDocument {
   const random = createRandom(seed);
   const grid = Array.from({ length: side }, (_, row) =>

@@ -19,7 +19,10 @@ import {
 } from "../settings.ts";
 import type { Progress } from "./progress.ts";
 
-/** Drives `left` more units, turns by `left` more degrees, or holds wheel speeds for `left` more ticks. */
+/**
+ * Drives `left` more units, turns by `left` more degrees, or holds wheel speeds for `left` more
+ * ticks.
+ */
 export interface Part {
   kind: "drive" | "turn" | "wheels";
   /** remaining amount; Infinity for a motion without an end */
@@ -198,8 +201,8 @@ function turn(degrees: number): Part {
 }
 
 /**
- * Differential drive: the mean of the rim speeds is the linear speed, and their difference divided by
- * the track width is the angular speed.
+ * Differential drive: the mean of the rim speeds is the linear speed, and their difference divided
+ * by the track width is the angular speed.
  * @see Siegwart, Nourbakhsh, Scaramuzza: Introduction to Autonomous Mobile Robots, ch. 3
  */
 function wheels(left: number, right: number, milliseconds: number | undefined): Part {

@@ -1,6 +1,6 @@
 /**
- * Types for the three matter-js modules that the simulation imports by file. The whole library, with
- * its renderer, constraints and mouse input, would make up two thirds of the worker's size.
+ * Types for the three matter-js modules that the simulation imports by file. The whole library,
+ * with its renderer, constraints and mouse input, would make up two thirds of the worker's size.
  */
 declare module "matter-js/src/body/Body.js" {
   import type Matter from "matter-js";

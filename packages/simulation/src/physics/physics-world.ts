@@ -3,12 +3,12 @@
  * whether the robot can move. This is the only file that imports matter-js.
  *
  * - Only the blocks of the 3 x 3 cells around the robot are bodies, from a pool of nine. The robot
- *   moves at most 30 units in a tick, so the other blocks cannot matter, and the cost of a tick does
- *   not depend on the size of the maze.
- * - The body never rotates in matter-js, because a disc has no orientation. The simulation stores the
- *   heading. matter-js then uses only + - * / and sqrt, which return the same bits everywhere.
- * - A contact stops the robot at the wall. A solver that separates bodies would slide the robot along
- *   the wall, so this class resolves a contact by moving the robot back along its path.
+ *   moves at most 30 units in a tick, so the other blocks cannot matter, and the cost of a tick
+ *   does not depend on the size of the maze.
+ * - The body never rotates in matter-js, because a disc has no orientation. The simulation stores
+ *   the heading. matter-js then uses only + - * / and sqrt, which return the same bits everywhere.
+ * - A contact stops the robot at the wall. A solver that separates bodies would slide the robot
+ *   along the wall, so this class resolves a contact by moving the robot back along its path.
  */
 import { CELL, type Grid } from "@corridor/maze";
 import { writeUnitVector } from "@corridor/geometry";
@@ -33,8 +33,9 @@ export interface PhysicsState {
 }
 
 /**
- * matter-js supports polygons only. A polygon with 64 sides around the disc, with a side towards each
- * of the four directions, is exact at the face of a block and at most 0.03 units early at its corner.
+ * matter-js supports polygons only. A polygon with 64 sides around the disc, with a side towards
+ * each of the four directions, is exact at the face of a block and at most 0.03 units early at its
+ * corner.
  */
 const SIDES = 64;
 const TICK_MS = TICK_SECONDS * 1000;
@@ -239,7 +240,8 @@ export class PhysicsWorld {
     }
     robot.velocity.x = state.velocityX;
     robot.velocity.y = state.velocityY;
-    // `move` sets the previous position, and all ticks have the same length, so neither is restored.
+    // `move` sets the previous position, and all ticks have the same length, so neither is
+    // restored.
     Bounds.update(robot.bounds, robot.vertices, robot.velocity);
     this.#inContact = state.inContact;
     this.#normalX = state.normalX;
@@ -274,7 +276,10 @@ export class PhysicsWorld {
   }
 }
 
-/** Contacts of a body, in the order of `others`. Like matter-js's Query, but for bodies without parts. */
+/**
+ * Contacts of a body, in the order of `others`. Like matter-js's Query, but for bodies without
+ * parts.
+ */
 function contactsOf(body: Matter.Body, others: readonly Matter.Body[]): Matter.Collision[] {
   const contacts: Matter.Collision[] = [];
   for (const other of others) {
@@ -298,7 +303,10 @@ function createBlock(): Matter.Body {
   });
 }
 
-/** Corners of the polygon whose sides touch the disc. Uses the project's deterministic sine and cosine. */
+/**
+ * Corners of the polygon whose sides touch the disc. Uses the project's deterministic sine and
+ * cosine.
+ */
 function discVertices(): { x: number; y: number }[] {
   const vector = new Float64Array(2);
   writeUnitVector(180 / SIDES, vector);

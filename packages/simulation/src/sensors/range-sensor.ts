@@ -2,8 +2,9 @@
  * Range sensor: casts one ray from the robot's centre to the first block or the edge of the grid.
  *
  * Grid traversal from cell border to cell border (Amanatides and Woo), so the cost depends on the
- * length of the ray and not on the maze. The result is in units and intentionally without noise. Each
- * crossing is computed from its border, without accumulation, so long rays are as exact as short ones.
+ * length of the ray and not on the maze. The result is in units and intentionally without noise.
+ * Each crossing is computed from its border, without accumulation, so long rays are as exact as
+ * short ones.
  */
 import { CELL, type Grid } from "@corridor/maze";
 
