@@ -33,6 +33,39 @@ for (const { key, moves } of [
   });
 }
 
+test("drives by arrow key after a click on a driver", async ({ corridor, page }) => {
+  await corridor.choosePreset("Empty");
+  await corridor.driver("Program").click();
+  await expect(corridor.driver("Program")).toBeFocused();
+  await page.keyboard.down("ArrowUp");
+  await expect(corridor.robotPose).not.toHaveText(start);
+  await page.keyboard.up("ArrowUp");
+  await expectStopped(corridor);
+});
+
+test("drives by key after a speed was chosen with the mouse", async ({ corridor, page }) => {
+  await driveInEmptyMaze(corridor);
+  await corridor.speed.click();
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Enter");
+  await expect(corridor.speed).not.toHaveValue("1");
+  await page.keyboard.down("w");
+  await expect(corridor.robotPose).not.toHaveText(start);
+  await page.keyboard.up("w");
+  await expectStopped(corridor);
+});
+
+test("leaves the arrow keys to a driver that was reached with Tab", async ({ corridor, page }) => {
+  await driveInEmptyMaze(corridor);
+  const me = corridor.driver("Me");
+  await page.keyboard.press("Shift+Tab");
+  await page.keyboard.press("Tab");
+  await me.focus();
+  await page.keyboard.press("ArrowRight");
+  await expect(me).not.toBeChecked();
+  await expect(corridor.robotPose).toHaveText(start);
+});
+
 test("drives backward with S and forward with W, one key after the other", async ({
   corridor,
   page,

@@ -6,7 +6,7 @@ import type { DriveKey } from "../worker/worker-messages.ts";
 
 /**
  * Where the focus is. text: letters are typed; choice: arrows and letters choose (a select), grid:
- * the maze's squares; radio: arrows choose; slider: arrows move it (the timeline); button: Space and Enter press it; page: nowhere special.
+ * the maze's squares; radio: arrows choose (a radio group, tabs); slider: arrows move it (the timeline); button: Space and Enter press it; page: nowhere special.
  */
 export type Place = "text" | "choice" | "grid" | "radio" | "slider" | "button" | "page";
 

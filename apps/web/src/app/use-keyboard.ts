@@ -48,9 +48,25 @@ function listen(
   const { signal } = end;
   const { run, screen, challenge, camera } = services;
 
+  // Arrows move between radio buttons for those who came there by Tab; after a click they drive.
+  let isFocusedByPointer = false;
+  window.addEventListener("pointerdown", () => (isFocusedByPointer = true), {
+    signal,
+    capture: true,
+  });
+  // A select would take letters and arrows as choices until something else is clicked.
+  window.addEventListener(
+    "change",
+    ({ target }) => {
+      if (isFocusedByPointer && target instanceof HTMLSelectElement) target.blur();
+    },
+    { signal },
+  );
+
   window.addEventListener(
     "keydown",
     (event) => {
+      if (event.key === "Tab") isFocusedByPointer = false;
       if (event.defaultPrevented || event.isComposing) return;
       const isCovered = document.querySelector("dialog:modal, :popover-open") !== null;
       const shortcut = shortcutOf(
@@ -61,7 +77,7 @@ function listen(
           shift: event.shiftKey,
           alt: event.altKey,
         },
-        placeOf(event.target),
+        placeOf(event.target, isFocusedByPointer),
         screen.getState().singleKeys,
       );
       // What lies on top of the page has the keys to itself; Escape closes it.
@@ -151,12 +167,14 @@ function obey(
 }
 
 /** What kind of place an event came from. */
-function placeOf(target: EventTarget | null): Place {
+function placeOf(target: EventTarget | null, isFocusedByPointer = false): Place {
   if (!(target instanceof Element)) return "page";
   if (target.closest("[role=grid]") !== null) return "grid";
-  if (target.closest("select, [role=listbox], [role=tablist]") !== null) return "choice";
+  if (target.closest("select, [role=listbox]") !== null) return "choice";
+  if (target.closest("[type=radio], [role=tablist]") !== null) {
+    return isFocusedByPointer ? "button" : "radio";
+  }
   if (target instanceof HTMLInputElement) {
-    if (target.type === "radio") return "radio";
     if (target.type === "range") return "slider";
     return target.type === "checkbox" ? "button" : "text";
   }
