@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""A robot on the network: start it, and give the address that it prints to any script.
+"""Starts a robot host and prints the robot's address, which any script can use.
 
     python3 robot_host.py
 
-It needs Python 3.9 or newer and nothing else.
+Requires Python 3.9 or newer and no packages.
 """
 
 import argparse
@@ -12,16 +12,16 @@ import sys
 from typing import Dict
 
 from physical_robot.body import SimulatedBody
-from physical_robot.ledger import Ledger
-from physical_robot.pilot import Pilot
+from physical_robot.command_store import CommandStore
+from physical_robot.controller import Controller
 from physical_robot.server import RobotServer
 
-#: The room in which the simulated robot stands; one character is one metre.
+#: Plan of the simulated room; one character is one metre.
 ROOM = "#######,#.#...#,#.#.#.#,#...#.#,#######"
 
 
 def not_offered(options: argparse.Namespace, body: SimulatedBody) -> Dict[str, str]:
-    """What this robot cannot do, and why. Its scripts and the conformance kit read it."""
+    """Unsupported features with reasons, for scripts and the conformance kit."""
     missing = {
         "maze": "It has no map of the room.",
         "websocket": "Libraries use the long-poll connection.",
@@ -35,29 +35,33 @@ def not_offered(options: argparse.Namespace, body: SimulatedBody) -> Dict[str, s
 
 def main() -> None:
     parser = argparse.ArgumentParser(description="A host for a robot with two driven wheels.")
-    parser.add_argument("--host", default="127.0.0.1", help="0.0.0.0 lets other machines in")
-    parser.add_argument("--port", type=int, default=8090)
-    parser.add_argument("--name", help="the name of this machine in the address (default: --host)")
-    parser.add_argument("--room", default=ROOM, help="rows of # and ., with commas between")
-    parser.add_argument("--haste", type=float, default=1.0, help="how many times faster it moves")
     parser.add_argument(
-        "--tracked", action="store_true", help="its pose is measured, as by a camera above it"
+        "--host", default="127.0.0.1", help="address to listen on; 0.0.0.0 allows other machines"
+    )
+    parser.add_argument("--port", type=int, default=8090)
+    parser.add_argument("--name", help="host name in the robot's address (default: --host)")
+    parser.add_argument("--room", default=ROOM, help="rows of # and ., separated by commas")
+    parser.add_argument(
+        "--speedup", type=float, default=1.0, help="factor by which the simulated motors are faster"
+    )
+    parser.add_argument(
+        "--tracked", action="store_true", help="the pose is measured, for example by a camera"
     )
     options = parser.parse_args()
 
     robot_id, key = secrets.token_urlsafe(16), "drv_" + secrets.token_urlsafe(16)
-    ledger = Ledger()
+    store = CommandStore()
     body = SimulatedBody(options.room.split(","))
-    pilot = Pilot(ledger, body, options.haste)
-    place = (options.host, options.port)
+    controller = Controller(store, body, options.speedup)
+    address = (options.host, options.port)
     try:
-        server = RobotServer(place, ledger, pilot, robot_id, key, not_offered(options, body))
+        server = RobotServer(address, store, controller, robot_id, key, not_offered(options, body))
     except OSError as error:
         sys.exit(f"The host cannot start on port {options.port}: {error}")
-    pilot.start()
-    where = options.name or options.host
-    # In one piece, so that whoever reads the line may go away after it.
-    sys.stdout.write(f"http://{where}:{server.server_port}/r/{robot_id}#{key}\n")
+    controller.start()
+    host = options.name or options.host
+    # A single write, so that a reader can close the pipe after the first line.
+    sys.stdout.write(f"http://{host}:{server.server_port}/r/{robot_id}#{key}\n")
     sys.stdout.flush()
     try:
         server.serve_forever()

@@ -1,1 +1,1 @@
-"""A host for a robot with two driven wheels, which speaks as Corridor's relay does."""
+"""A host for a robot with two driven wheels. It implements the same API as Corridor's relay."""

@@ -1,6 +1,6 @@
-"""How much longer than the quickest message of its script another one was on its way.
+"""Estimates how long the network delayed a message, relative to the fastest message of its script.
 
-The clocks of script and host are never compared: only how the difference between them changes.
+The clocks of script and host are not synchronised. Only changes of their offset are used.
 """
 
 from __future__ import annotations
@@ -11,28 +11,28 @@ import time
 from collections import OrderedDict
 from typing import Callable
 
-#: Two clocks may drift apart by so much. A message is never thought late for drift alone.
-LARGEST_DRIFT = 0.0002
-MOST_CLOCKS = 64
+#: Maximum drift between two clocks. Drift alone never makes a message count as delayed.
+MAX_DRIFT = 0.0002
+MAX_CLOCKS = 64
 
 
 class ScriptClock:
-    """One monotonic clock of a script, by which it times what it sends."""
+    """The monotonic clock of a script, with which it timestamps its messages."""
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
-        #: the smallest difference between the host's clock and the script's, in ms
+        #: the smallest offset between the host's clock and the script's clock, in ms
         self._offset = math.inf
 
     def transit(self, sent_at: float) -> float:
-        """ms by which a message that arrives now was slower than the quickest one before."""
-        offset = self._clock() * 1_000 * (1 - LARGEST_DRIFT) - sent_at
+        """The delay in ms of a message that arrives now, relative to the fastest message so far."""
+        offset = self._clock() * 1_000 * (1 - MAX_DRIFT) - sent_at
         self._offset = min(self._offset, offset)
         return offset - self._offset
 
 
 class ScriptClocks:
-    """The clocks of scripts that send single requests, by the ids in their `Script-Clock` headers."""
+    """Clocks of scripts that send single requests, by the id in their `Script-Clock` header."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -42,6 +42,6 @@ class ScriptClocks:
         with self._lock:
             clock = self._clocks.setdefault(clock_id, ScriptClock())
             self._clocks.move_to_end(clock_id)
-            if len(self._clocks) > MOST_CLOCKS:
+            if len(self._clocks) > MAX_CLOCKS:
                 self._clocks.popitem(last=False)
             return clock.transit(sent_at)

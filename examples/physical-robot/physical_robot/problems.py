@@ -1,27 +1,27 @@
-"""What the host refuses, as problem documents (RFC 9457)."""
+"""Errors of the host as problem documents (RFC 9457)."""
 
 from __future__ import annotations
 
 from typing import Any, Dict, List, Optional
 
 _TITLES = {
-    "bad-request": "The request cannot be read",
-    "not-authorised": "A valid key is missing",
-    "not-found": "There is nothing here",
-    "no-robot": "There is no such robot",
-    "no-command": "There is no such command",
-    "method-not-allowed": "This address does not know the method",
+    "bad-request": "Invalid request",
+    "not-authorised": "Missing or invalid key",
+    "not-found": "Not found",
+    "no-robot": "Robot not found",
+    "no-command": "Command not found",
+    "method-not-allowed": "Method not allowed",
     "key-conflict": "The idempotency key was used for another command",
     "too-large": "The body is too large",
     "not-json": "The body is not JSON",
-    "too-late": "The command came too late",
-    "queue-full": "Too many commands wait",
-    "internal": "The robot's host made a mistake",
+    "too-late": "The command arrived too late",
+    "queue-full": "Too many waiting commands",
+    "internal": "Internal server error",
 }
 
 
 class Problem(Exception):
-    """A refusal on its way to whoever asked. `detail` says what happened and how to mend it."""
+    """An error response. `detail` describes the error and how to fix it."""
 
     def __init__(
         self,
@@ -44,8 +44,8 @@ class Problem(Exception):
 
 
 def bad_request(what: str, errors: List[Dict[str, str]]) -> Problem:
-    """Input of the wrong form. The first wrong field stands in `detail`, where short scripts look."""
+    """Invalid input. `detail` contains the first invalid field, for scripts that show only it."""
     first = errors[0]
     named = f"{first['path'] or 'document'}: found {first['found']}, expected {first['expected']}."
-    rest = " The field 'errors' lists all that is wrong." if len(errors) > 1 else ""
-    return Problem(400, "bad-request", f"{what} {named}{rest}".replace('"', "'"), errors)
+    more = " The field 'errors' lists all errors." if len(errors) > 1 else ""
+    return Problem(400, "bad-request", f"{what} {named}{more}".replace('"', "'"), errors)

@@ -34,7 +34,7 @@ export interface RunningRobot {
 export async function startPhysicalRobot(options: RobotOptions): Promise<RunningRobot> {
   const { room, haste = 4, isTracked = false, edits = [] } = options;
   const folder = edits.length > 0 ? copyWith(edits) : null;
-  const words = ["--port", "0", "--haste", String(haste), "--room", room];
+  const words = ["--port", "0", "--speedup", String(haste), "--room", room];
   if (isTracked) words.push("--tracked");
   const child = spawn("python3", [join(folder ?? ROBOT, "robot_host.py"), ...words], {
     stdio: ["ignore", "pipe", "pipe"],

@@ -1,7 +1,7 @@
-"""Every command from its acceptance to its one ending, and what readers are told of it.
+"""Stores all commands with their states, and the events about state changes.
 
-One lock guards it; whoever waits for something waits on its condition. It is kept in memory: a host
-that is started again begins anew, with a stream of another name and no command.
+One lock guards the store; threads wait on its condition. The store is in memory: a restarted host
+has no commands, and its event stream has another name.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from dataclasses import dataclass
 from datetime import datetime, timezone
 from typing import Callable, Deque, Dict, List, Optional, Tuple
 
-from .orders import Json, Order
+from .command_requests import CommandRequest, Json
 from .problems import Problem
 
 ENDINGS = ("completed", "collided", "cancelled", "superseded", "expired")
-MOST_WAITING = 64
-TAKEN_BACK = "Its script cancelled it. Send it again if the robot should still do it."
-KEPT_EVENTS = 1_000
+MAX_WAITING = 64
+MAX_EVENTS = 1_000
+CANCELLED_BY_SCRIPT = "Its script cancelled it. Send it again if the robot should still do it."
 LOG_PAGE = 200
 
 
@@ -28,9 +28,9 @@ LOG_PAGE = 200
 class Entry:
     seq: int
     key: Optional[str]
-    order: Order
+    request: CommandRequest
     accepted_at: str
-    #: by the host's monotonic clock, which nobody sets
+    #: in seconds of the host's monotonic clock
     deadline: float
     state: str = "accepted"
     reason: Optional[str] = None
@@ -45,8 +45,8 @@ class Entry:
         return {
             "seq": self.seq,
             "key": self.key,
-            "action": self.order.command["action"],
-            "command": self.order.command,
+            "action": self.request.command["action"],
+            "command": self.request.command,
             "state": self.state,
             "reason": self.reason,
             "acceptedAt": self.accepted_at,
@@ -56,62 +56,62 @@ class Entry:
         }
 
 
-class Ledger:
+class CommandStore:
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self.changed = threading.Condition()
         self.running: Optional[Entry] = None
-        #: where the robot is, and how far it has come with the command that runs; the pilot knows
-        self.way_so_far: Callable[[], Tuple[Json, float]] = lambda: ({}, 0.0)
-        #: when a script was heard last
-        self.heard_at = clock()
-        #: requests of scripts that wait for their answer
-        self.listeners = 0
+        #: returns the pose, and the distance of the running command; set by the controller
+        self.progress: Callable[[], Tuple[Json, float]] = lambda: ({}, 0.0)
+        #: time of the last request of a script
+        self.last_contact = clock()
+        #: number of long-poll requests that are waiting
+        self.open_requests = 0
         self.stream = secrets.token_hex(4)
         self._clock = clock
         self._entries: List[Entry] = []
         self._by_key: Dict[str, Entry] = {}
         self._waiting: Deque[Entry] = deque()
-        self._events: Deque[Tuple[int, Json]] = deque(maxlen=KEPT_EVENTS)
+        self._events: Deque[Tuple[int, Json]] = deque(maxlen=MAX_EVENTS)
         self.newest_event = 0
 
-    # --- scripts; the caller holds the lock ---
+    # --- for requests of scripts; the caller holds the lock ---
 
-    def submit(self, order: Order, key: Optional[str]) -> Json:
-        """Takes a command in, or gives the record of the one that came with this key before."""
+    def submit(self, request: CommandRequest, key: Optional[str]) -> Json:
+        """Accepts a command. Returns the record of the earlier command if its key is the same."""
         before = None if key is None else self._by_key.get(key)
         if before is not None:
-            if before.order.command == order.command:
+            if before.request.command == request.command:
                 return before.record(duplicate=True)
             detail = f"This key belongs to command {before.seq}. Use a new key for each command."
             raise Problem(409, "key-conflict", detail)
-        if order.age >= order.ttl:
+        if request.age >= request.ttl:
             detail = (
-                f"This command was to start within {order.ttl:g} ms and is {order.age:g} ms old. "
+                f"This command was to start within {request.ttl:g} ms and is {request.age:g} ms old. "
                 "Look where the robot is now, then send what fits as a new command."
             )
             raise Problem(422, "too-late", detail)
-        is_stop = order.command["action"] == "stop"
-        if len(self._waiting) >= MOST_WAITING and not is_stop and not order.replace:
-            detail = f"{MOST_WAITING} commands wait at this robot. Wait until one has ended."
+        is_stop = request.command["action"] == "stop"
+        if len(self._waiting) >= MAX_WAITING and not is_stop and not request.replace:
+            detail = f"{MAX_WAITING} commands wait at this robot. Wait until one has ended."
             raise Problem(429, "queue-full", detail, headers={"Retry-After": "1"})
-        deadline = self._clock() + (order.ttl - order.age) / 1_000
-        entry = Entry(len(self._entries) + 1, key, order, _now(), deadline)
+        deadline = self._clock() + (request.ttl - request.age) / 1_000
+        entry = Entry(len(self._entries) + 1, key, request, _now(), deadline)
         self._entries.append(entry)
         if key is not None:
             self._by_key[key] = entry
         if is_stop:
             self._end_all("cancelled", f"stopped by command {entry.seq}")
-        elif order.replace:
+        elif request.replace:
             self._end_all("superseded", f"replaced by command {entry.seq}")
         self._waiting.append(entry)
         self.changed.notify_all()
         return entry.record()
 
     def cancel(self, seq: int) -> Json:
-        """Takes one command back."""
+        """Cancels a command unless it has ended."""
         entry = self.entry(seq)
         if not entry.ended:
-            self.end(entry, "cancelled", TAKEN_BACK)
+            self.end(entry, "cancelled", CANCELLED_BY_SCRIPT)
         return entry.record()
 
     def entry(self, seq: int) -> Entry:
@@ -124,27 +124,27 @@ class Ledger:
         return [entry.record() for entry in self._entries[after : after + LOG_PAGE]]
 
     def events_after(self, n: int) -> Tuple[Optional[Json], List[Tuple[int, Json]]]:
-        """What was told after an event; with a gap in the place of what is forgotten."""
+        """Events after number `n`, or a gap if some of these events are no longer stored."""
         oldest = self._events[0][0] if self._events else self.newest_event + 1
         if n > self.newest_event or n < oldest - 1:
             return self.gap(), []
         return None, [(number, record) for number, record in self._events if number > n]
 
     def gap(self) -> Json:
-        open_ones = [entry for entry in [self.running, *self._waiting] if entry is not None]
-        states = [{"seq": entry.seq, "state": entry.state} for entry in open_ones]
+        open_entries = [entry for entry in [self.running, *self._waiting] if entry is not None]
+        states = [{"seq": entry.seq, "state": entry.state} for entry in open_entries]
         return {"n": self.newest_event, "open": states}
 
-    # --- the robot; the caller holds the lock ---
+    # --- for the controller; the caller holds the lock ---
 
-    def begin_next(self) -> Optional[Entry]:
-        """The next command, which begins now; what came too late ends first."""
+    def start_next(self) -> Optional[Entry]:
+        """Starts and returns the next command, after expired commands have ended."""
         self.expire()
         if not self._waiting:
             return None
         self.running = self._waiting.popleft()
         self.running.state = "started"
-        self._tell(self.running)
+        self._publish(self.running)
         return self.running
 
     @property
@@ -152,30 +152,30 @@ class Ledger:
         return len(self._waiting) > 0
 
     def expire(self) -> None:
-        """Ends what waits too long behind another one."""
+        """Ends waiting commands whose time to live has passed."""
         now = self._clock()
         for entry in [entry for entry in self._waiting if entry.deadline <= now]:
             self.end(entry, "expired", "it could not begin in time")
 
     def end(self, entry: Entry, state: str, reason: Optional[str] = None) -> None:
-        """The one and only ending of a command."""
+        """Ends a command. The caller ensures that it has not ended before."""
         pose: Optional[Json] = None
         distance: Optional[float] = None
         if self.running is entry:
-            # First, so that the snapshot of the ending no longer names the command.
+            # Reset first, so that the snapshot of the ending no longer contains the command.
             self.running = None
-            pose, distance = self.way_so_far()
+            pose, distance = self.progress()
         elif entry in self._waiting:
             self._waiting.remove(entry)
         entry.state, entry.reason, entry.pose, entry.distance = state, reason, pose, distance
-        self._tell(entry)
+        self._publish(entry)
 
     def _end_all(self, state: str, reason: str) -> None:
         for entry in [self.running, *self._waiting]:
             if entry is not None:
                 self.end(entry, state, reason)
 
-    def _tell(self, entry: Entry) -> None:
+    def _publish(self, entry: Entry) -> None:
         self.newest_event += 1
         self._events.append((self.newest_event, entry.record()))
         self.changed.notify_all()

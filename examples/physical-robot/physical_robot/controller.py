@@ -1,4 +1,4 @@
-"""Does one command after the other with the body, fifty times a second, and reports."""
+"""The control loop: executes one command after the other, 50 times per second, and reports."""
 
 from __future__ import annotations
 
@@ -8,26 +8,26 @@ import time
 from typing import Any, Dict, List, Optional, Tuple
 
 from .body import TRACK, SimulatedBody
-from .ledger import Entry, Ledger
-from .orders import Json
+from .command_requests import Json
+from .command_store import CommandStore, Entry
 
 STEP = 0.02
-#: One call of `drive` is for so many seconds at most; motors stop by themselves after them.
-LONGEST_STEP = 0.1
-#: cm/s of a wheel at power 1, of a drive straight on, degrees/s of a turn on the spot
+#: Maximum duration of one call of `drive` in seconds; the motors stop after it.
+MAX_STEP = 0.1
+#: Speed of a wheel at power 1 and of a straight drive in cm/s, and of a turn in degrees/s.
 WHEEL_SPEED = 261.0
 SPEED = 100.0
 TURN_SPEED = 150.0
-#: A motion without an end goes on for so many seconds after its script was heard last.
-SILENCE = 3.0
+#: Seconds after the last request of a script until a motion without an end stops.
+SCRIPT_TIMEOUT = 3.0
 DRIVE_LEASE = 0.5
-#: Seconds between two reports while it moves, and while it stands.
+#: Seconds between two reports while the robot moves, and while it is stopped.
 REPORT_MOVING = 0.05
 REPORT_STANDING = 0.5
 
-#: What is left of a command: ("move", cm), ("turn", degrees) or ("wheels", seconds).
-Part = Tuple[str, float]
-PARTS: Dict[str, List[Part]] = {
+#: The remainder of a phase: ("move", cm), ("turn", degrees) or ("wheels", seconds).
+Phase = Tuple[str, float]
+PHASES: Dict[str, List[Phase]] = {
     "left 90": [("turn", -90)],
     "right 90": [("turn", 90)],
     "turn 180": [("turn", 180)],
@@ -37,126 +37,127 @@ PARTS: Dict[str, List[Part]] = {
 }
 
 
-class Pilot:
-    """The control loop. The robot stands unless a command says otherwise."""
+class Controller:
+    """The control loop. The robot is stopped unless a command is running."""
 
-    def __init__(self, ledger: Ledger, body: SimulatedBody, haste: float = 1.0) -> None:
-        """`haste`: how many times faster than usual the simulated body moves."""
-        self._ledger = ledger
+    def __init__(self, store: CommandStore, body: SimulatedBody, speedup: float = 1.0) -> None:
+        """`speedup`: factor by which the simulated body moves faster."""
+        self._store = store
         self._body = body
-        self._haste = haste
+        self._speedup = speedup
         self._entry: Optional[Entry] = None
-        self._parts: List[Part] = []
+        self._phases: List[Phase] = []
         self._distance = 0.0
         self._collided = False
-        self._began = 0.0
+        self._started_at = 0.0
         self._up_since = time.monotonic()
         self._reported = 0.0
         self._seq = 0
         self._goal_reached = False
         self.snapshot: Json = {}
-        ledger.way_so_far = self._way_so_far
+        store.progress = self._progress
         self._report()
 
     def start(self) -> None:
-        threading.Thread(target=self._fly, name="pilot", daemon=True).start()
+        threading.Thread(target=self._run, name="controller", daemon=True).start()
 
-    def _fly(self) -> None:
+    def _run(self) -> None:
         before = time.monotonic()
         while True:
             time.sleep(STEP)
             now = time.monotonic()
-            with self._ledger.changed:
-                # A machine that slept must not make up for it with one long step.
-                self._step(now, min(now - before, LONGEST_STEP))
+            with self._store.changed:
+                # Limited, so that the robot makes no long step after the machine was suspended.
+                self._step(now, min(now - before, MAX_STEP))
             before = now
 
     def _step(self, now: float, seconds: float) -> None:
-        ledger = self._ledger
-        ledger.expire()
-        # Whoever sent a stop or a replacement has ended it meanwhile.
-        if self._entry is not ledger.running:
+        store = self._store
+        store.expire()
+        # A stop or a replacement may have ended the command since the last step.
+        if self._entry is not store.running:
             self._entry = None
         if self._entry is not None and self._is_over(self._entry, now):
             self._entry = None
         if self._entry is None:
-            self._begin(ledger.begin_next(), now)
+            self._start(store.start_next(), now)
         if self._entry is not None:
-            self._work(self._entry, seconds)
+            self._execute(self._entry, seconds)
         moves = self._entry is not None
         if now - self._reported >= (REPORT_MOVING if moves else REPORT_STANDING):
             self._report()
-            ledger.changed.notify_all()
+            store.changed.notify_all()
 
-    def _begin(self, entry: Optional[Entry], now: float) -> None:
+    def _start(self, entry: Optional[Entry], now: float) -> None:
         self._entry = entry
-        self._distance, self._collided, self._began = 0.0, False, now
+        self._distance, self._collided, self._started_at = 0.0, False, now
         if entry is None:
             return
-        command = entry.order.command
+        command = entry.request.command
         action = command["action"]
         if action == "move":
-            self._parts = [("move", command["distance"])]
+            self._phases = [("move", command["distance"])]
         elif action == "turn":
-            self._parts = [("turn", command["degrees"])]
+            self._phases = [("turn", command["degrees"])]
         elif action == "drive" and "milliseconds" in command:
-            self._parts = [("wheels", command["milliseconds"] / 1_000)]
+            self._phases = [("wheels", command["milliseconds"] / 1_000)]
         else:
-            self._parts = list(PARTS.get(action, []))
+            self._phases = list(PHASES.get(action, []))
 
     def _is_over(self, entry: Entry, now: float) -> bool:
-        """Ends a motion without an end, when another one waits or its script is silent."""
-        command = entry.order.command
+        """Ends a motion without an end if another command waits or its script is disconnected."""
+        command = entry.request.command
         if not _has_no_end(command):
             return False
-        if self._ledger.has_waiting:
+        if self._store.has_waiting:
             self._end(entry, "superseded", "another command came")
             return True
         is_drive = command["action"] == "drive"
-        lease = (entry.order.lease or DRIVE_LEASE * 1_000) / 1_000 if is_drive else SILENCE
-        since = self._began if is_drive else max(self._began, self._ledger.heard_at)
-        is_heard = not is_drive and self._ledger.listeners > 0
-        if is_heard or now - since < lease:
+        drive_lease = (entry.request.lease or DRIVE_LEASE * 1_000) / 1_000
+        lease = drive_lease if is_drive else SCRIPT_TIMEOUT
+        since = self._started_at if is_drive else max(self._started_at, self._store.last_contact)
+        is_connected = not is_drive and self._store.open_requests > 0
+        if is_connected or now - since < lease:
             return False
         self._end(entry, "cancelled", f"nothing was heard of its script for {lease:g} s")
         return True
 
-    def _work(self, entry: Entry, seconds: float) -> None:
-        command = entry.order.command
+    def _execute(self, entry: Entry, seconds: float) -> None:
+        command = entry.request.command
         if _has_no_end(command):
             self._drive(*self._wheels_of(command), seconds)
             if self._body.bumping:
                 self._end(entry, "collided")
             return
-        while self._parts:
-            kind, rest = self._parts[0]
-            if not self._do(kind, rest, command, seconds):
+        while self._phases:
+            kind, remaining = self._phases[0]
+            if not self._advance(kind, remaining, command, seconds):
                 return
-            self._parts.pop(0)
-            if self._parts:
+            self._phases.pop(0)
+            if self._phases:
                 return
         self._end(entry, "collided" if self._collided else "completed")
         self._entry = None
 
-    def _do(self, kind: str, rest: float, command: Json, seconds: float) -> bool:
-        """One step of a part, no further than its end. Gives whether it is over."""
+    def _advance(self, kind: str, remaining: float, command: Json, seconds: float) -> bool:
+        """Executes one step of a phase. Returns whether the phase is complete."""
         if kind == "wheels":
-            step = min(rest, seconds)
+            step = min(remaining, seconds)
             self._drive(*self._wheels_of(command), step)
-            self._parts[0] = (kind, rest - step)
-            return rest - step <= 1e-9
-        most = (SPEED if kind == "move" else TURN_SPEED) * self._haste * seconds
-        step = max(-most, min(most, rest))
+            self._phases[0] = (kind, remaining - step)
+            return remaining - step <= 1e-9
+        max_step = (SPEED if kind == "move" else TURN_SPEED) * self._speedup * seconds
+        step = max(-max_step, min(max_step, remaining))
         if kind == "move":
             self._drive(step / seconds, step / seconds, seconds)
         else:
             wheel = step / seconds * TRACK / 2 * math.pi / 180
             self._drive(wheel, -wheel, seconds)
-        self._parts[0] = (kind, rest - step)
+        self._phases[0] = (kind, remaining - step)
         if kind == "move" and self._body.bumping:
             self._collided = True
             return True
-        return abs(rest - step) <= 1e-9
+        return abs(remaining - step) <= 1e-9
 
     def _drive(self, left: float, right: float, seconds: float) -> None:
         self._distance += self._body.drive(left, right, seconds)
@@ -169,15 +170,15 @@ class Pilot:
         return speed, speed
 
     def _end(self, entry: Entry, state: str, reason: Optional[str] = None) -> None:
-        self._ledger.end(entry, state, reason)
+        self._store.end(entry, state, reason)
 
-    def _way_so_far(self) -> Tuple[Json, float]:
-        """Asked for when a command ends: who hears of it and reads the sensors sees them as they were."""
+    def _progress(self) -> Tuple[Json, float]:
+        """Pose and distance at the end of a command, after a report with the same readings."""
         self._report()
         return self._pose(), round(self._distance, 2)
 
     def _report(self) -> None:
-        running = self._ledger.running
+        running = self._store.running
         self._seq += 1
         self._reported = time.monotonic()
         self.snapshot = {
@@ -187,7 +188,7 @@ class Pilot:
             "driver": "remote",
             "sensors": self._body.ranges(),
             "pose": self._pose(),
-            "motion": "stop" if running is None else running.order.command["action"],
+            "motion": "stop" if running is None else running.request.command["action"],
             "bumps": self._body.bumps,
             "bumping": self._body.bumping,
             "goalReached": self._goal_reached,
