@@ -18,10 +18,12 @@ describe("spelling", () => {
     });
   });
 
+  // cspell:disable
   it.each([
     { text: "// The line mends itself.\n", word: "mends" },
     { text: "export function tellReader() {}\n", word: "tell" },
     { text: "// Recieves a snapshot.\n", word: "Recieves" },
+    // cspell:enable
   ])("rejects $word", ({ text, word }) => {
     const { isAccepted, findings } = check(text);
     expect(isAccepted).toBe(false);
