@@ -4,7 +4,7 @@ import { countOpenCells, generateTree } from "@corridor/maze";
 import { commandRecordSchema } from "@corridor/protocol";
 import type { Browser } from "playwright/test";
 import { inPath } from "../scripts/programs.ts";
-import { Dice } from "../apps/relay/src/testing/faults/dice.ts";
+import { SeededRandom } from "../apps/relay/src/testing/faults/seeded-random.ts";
 import { FaultProxy } from "./faults/net/fault-proxy.ts";
 import { expect, test } from "./fixtures.ts";
 import { exampleCommand, runScript, type ExampleLanguage } from "./support/script.ts";
@@ -70,7 +70,7 @@ for (const language of ["Python", "Java"] as const) {
     test.skip(isMissing, "java is not installed");
     test.setTimeout(240_000);
     const target = Number(new URL(relay).port);
-    const network = await FaultProxy.start({ target: () => target, random: new Dice(1) });
+    const network = await FaultProxy.start({ target: () => target, random: new SeededRandom(1) });
     const baseline = await follow(browser, language, network, false);
     expect(baseline).toMatchObject({ code: 0, bumps: 0, cut: 0 });
     expect(baseline.output).toContain(`${cells} cells visited`);

@@ -1,6 +1,6 @@
 /** Commands that the scenarios send. */
 import type { Order } from "@corridor/protocol";
-import type { Dice } from "../../apps/relay/src/testing/faults/dice.ts";
+import type { SeededRandom } from "../../apps/relay/src/testing/faults/seeded-random.ts";
 
 /** mostly short, since long times to live hide late commands */
 const TTLS = [400, 400, 2_000, 10_000];
@@ -25,8 +25,8 @@ export function shortCommand(n: number): Order {
 }
 
 /** A random command of any kind, with varying times to live. */
-export function randomCommand(random: Dice): Order {
-  const options = { ttl: random.pick(TTLS), replace: random.isLucky(0.05) };
+export function randomCommand(random: SeededRandom): Order {
+  const options = { ttl: random.pick(TTLS), replace: random.chance(0.05) };
   const chance = random.next();
   if (chance < 0.3) return { action: "turn", degrees: random.between(-30, 30), ...options };
   if (chance < 0.5) return { action: "move", distance: random.between(-20, 30), ...options };

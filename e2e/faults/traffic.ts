@@ -1,6 +1,6 @@
 /** Scripts that keep sending commands of all kinds while faults are injected. */
 import { hasEnded } from "@corridor/protocol";
-import type { Dice } from "../../apps/relay/src/testing/faults/dice.ts";
+import type { SeededRandom } from "../../apps/relay/src/testing/faults/seeded-random.ts";
 import { sleep, waitUntil } from "./clock.ts";
 import { randomCommand } from "./commands.ts";
 import type { Robot } from "./robots/robot.ts";
@@ -11,13 +11,13 @@ const TIMEOUT_MS = 60_000;
 const POLL_MS = 500;
 
 export class Traffic {
-  readonly #random: Dice;
+  readonly #random: SeededRandom;
   readonly #scripts: readonly Script[];
   #isSending = true;
   readonly #senders: Promise<void>[];
 
   /** @param perSecond approximate number of commands of each script */
-  constructor(scripts: readonly Script[], perSecond: number, random: Dice) {
+  constructor(scripts: readonly Script[], perSecond: number, random: SeededRandom) {
     this.#random = random;
     this.#scripts = scripts;
     this.#senders = scripts.map((script) => this.#sendRepeatedly(script, 2_000 / perSecond));

@@ -2,11 +2,11 @@
 import express, { Router, type Express } from "express";
 import type { Logger } from "pino";
 import type { Clock } from "./clock.ts";
-import type { DocumentShelf } from "./documents/document-shelf.ts";
-import type { Entrance } from "./entrance/entrance.ts";
-import type { HttpLines } from "./gateways/http-lines.ts";
+import type { DocumentService } from "./documents/document-service.ts";
+import type { RequestGuard } from "./request-guard/request-guard.ts";
+import type { LongPollConnections } from "./gateways/long-poll-connections.ts";
 import type { Metrics } from "./metrics/metrics.ts";
-import type { PairingDesk } from "./pairing/pairing-desk.ts";
+import type { PairingService } from "./pairing/pairing-service.ts";
 import type { Readiness } from "./readiness.ts";
 import { checkRoutes } from "./routes/check.ts";
 import { commandRoutes } from "./routes/commands.ts";
@@ -14,11 +14,11 @@ import { descriptionRoutes } from "./routes/description.ts";
 import { docsRoutes } from "./routes/docs.ts";
 import { documentRoutes } from "./routes/documents.ts";
 import { eventRoutes } from "./routes/events.ts";
-import { notFound, problemAnswers } from "./routes/fallbacks.ts";
+import { notFound, problemResponses } from "./routes/fallbacks.ts";
 import { healthRoutes } from "./routes/health.ts";
 import { pythonClientRoutes } from "./routes/python-client.ts";
 import { keyRoutes } from "./routes/keys.ts";
-import { lineRoutes } from "./routes/lines.ts";
+import { lineRoutes } from "./routes/long-poll.ts";
 import { mazeRoutes } from "./routes/maze.ts";
 import { pairingRoutes } from "./routes/pairing.ts";
 import { requestLog } from "./routes/request-log.ts";
@@ -31,12 +31,12 @@ import type { SessionHub } from "./sessions/session-hub.ts";
 
 export interface AppDependencies {
   hub: SessionHub;
-  lines: HttpLines;
-  documents: DocumentShelf;
-  pairing: PairingDesk;
+  lines: LongPollConnections;
+  documents: DocumentService;
+  pairing: PairingService;
   clock: Clock;
   log: Logger;
-  entrance: Entrance;
+  guard: RequestGuard;
   readiness: Readiness;
   metrics: Metrics;
   /** serves the page */
@@ -46,7 +46,7 @@ export interface AppDependencies {
 
 /** Builds the application from its parts. */
 export function createApp(dependencies: AppDependencies): Express {
-  const { hub, lines, documents, pairing, clock, log, entrance, readiness } = dependencies;
+  const { hub, lines, documents, pairing, clock, log, guard, readiness } = dependencies;
   const { metrics, page, isDevelopment } = dependencies;
   const app = express();
   app.disable("x-powered-by");
@@ -54,29 +54,29 @@ export function createApp(dependencies: AppDependencies): Express {
   app.set("etag", false);
   app.use(securityHeaders(isDevelopment));
 
-  // Before the check of the name: machines that watch over this one ask by its bare address.
+  // Before the host check: health probes use the bare address of the machine.
   app.use(healthRoutes(readiness));
   app.use(requestLog(log, clock));
   app.use((request, _response, next) => {
-    entrance.checkHost(request);
+    guard.checkHost(request);
     next();
   });
   app.use(descriptionRoutes());
   app.use(docsRoutes());
-  app.use(checkRoutes(entrance, clock));
+  app.use(checkRoutes(guard, clock));
   app.use(pythonClientRoutes());
   const api = Router();
   api.use(openToAllSites);
-  api.use(robotRoutes(hub, entrance));
-  api.use(keyRoutes(hub, entrance));
-  api.use(pairingRoutes(hub, pairing, entrance));
+  api.use(robotRoutes(hub, guard));
+  api.use(keyRoutes(hub, guard));
+  api.use(pairingRoutes(hub, pairing, guard));
   api.use(scriptRoutes(hub));
   api.use(sensorRoutes(hub));
   api.use(mazeRoutes(hub));
   api.use(commandRoutes(hub));
   api.use(eventRoutes(hub, clock));
-  api.use(lineRoutes(lines, entrance));
-  api.use(documentRoutes(documents, entrance));
+  api.use(lineRoutes(lines, guard));
+  api.use(documentRoutes(documents, guard));
   api.use(notFound);
   app.use("/api/v1", api);
 
@@ -84,6 +84,6 @@ export function createApp(dependencies: AppDependencies): Express {
   app.use(unreadableAddress);
   app.use(wrongAddress(() => metrics.refused("not-found")));
   app.use(notFound);
-  app.use(problemAnswers(log, (kind) => metrics.refused(kind)));
+  app.use(problemResponses(log, (kind) => metrics.refused(kind)));
   return app;
 }

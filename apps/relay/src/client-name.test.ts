@@ -13,7 +13,7 @@ describe("clientName", () => {
     ["<img src=x onerror=alert(1)>", "Script"],
     ["", "Script"],
     [undefined, "Script"],
-  ])("shows %s as %s", (userAgent, name) => {
+  ])("displays %s as %s", (userAgent, name) => {
     expect(clientName(userAgent)).toBe(name);
   });
 });

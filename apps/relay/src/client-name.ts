@@ -1,7 +1,7 @@
-/** A short name of a script's language for the page, from the User-Agent header. */
+/** Maps a User-Agent header to the short language name that the page displays for a script. */
 
-/** Beginnings as the common HTTP libraries send them; only these fixed names are ever shown. */
-const BEGINNINGS: readonly (readonly [beginning: string, name: string])[] = [
+/** User-Agent prefixes of common HTTP libraries. The page only ever displays these fixed names. */
+const PREFIXES: readonly (readonly [prefix: string, name: string])[] = [
   ["python", "Python"],
   ["aiohttp", "Python"],
   ["node", "JavaScript"],
@@ -16,8 +16,8 @@ const BEGINNINGS: readonly (readonly [beginning: string, name: string])[] = [
   ["mozilla", "Browser"],
 ];
 
-/** The name behind a User-Agent header; "Script" where it says nothing. */
+/** Name for a User-Agent header, or "Script" if the header is missing or unknown. */
 export function clientName(userAgent: string | undefined): string {
   const text = (userAgent ?? "").slice(0, 40).toLowerCase();
-  return BEGINNINGS.find(([beginning]) => text.startsWith(beginning))?.[1] ?? "Script";
+  return PREFIXES.find(([prefix]) => text.startsWith(prefix))?.[1] ?? "Script";
 }

@@ -17,34 +17,34 @@ function atNoon() {
 }
 
 describe("the relay's clock", () => {
-  it("tells the time", () => {
+  it("returns the wall-clock time", () => {
     const { clock, pass, jumps } = atNoon();
     expect(clock.now()).toBe(1_000_000);
     expect(pass(1_000)).toBe(1_001_000);
     expect(jumps).toEqual([]);
   });
 
-  it("goes on evenly when the machine's clock is set back, and says so once", () => {
+  it("continues evenly when the wall clock is set back, and reports the jump once", () => {
     const { pass, jumps } = atNoon();
     expect(pass(1_000, -60_000)).toBe(1_001_000);
     expect(pass(1_000)).toBe(1_002_000);
     expect(jumps).toEqual([-60_000]);
   });
 
-  it("follows when the machine's clock goes ahead, as after a sleep", () => {
+  it("follows when the wall clock jumps ahead, as after sleep", () => {
     const { pass, jumps } = atNoon();
     expect(pass(1_000, 60_000)).toBe(1_061_000);
     expect(pass(1_000)).toBe(1_062_000);
     expect(jumps).toEqual([60_000]);
   });
 
-  it("knows at once how long the machine slept, also when it was just asked for the time", () => {
+  it("accounts for sleep immediately, even right after a reading", () => {
     const { pass } = atNoon();
     pass(1_000);
     expect(pass(1, 60_000)).toBe(1_061_001);
   });
 
-  it("takes no notice of the small corrections of a good clock", () => {
+  it("ignores small clock corrections", () => {
     const { pass, jumps } = atNoon();
     expect(pass(1_000, -1_500)).toBe(1_001_000);
     expect(pass(1_000, 1_500)).toBe(1_002_000);

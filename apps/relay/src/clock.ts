@@ -1,42 +1,42 @@
-/** Time as the relay sees it, so that tests can pass hours in a moment. */
+/** Time source of the relay. Tests replace it to simulate hours. */
 export interface Clock {
-  /** ms since 1970; never goes back while the relay runs */
+  /** ms since 1970; never decreases while the relay runs */
   now(): number;
-  /** Calls once after so many ms. @returns a function that calls it off */
+  /** Calls `call` once after `ms` milliseconds. @returns a function that cancels the call */
   after(ms: number, call: () => void): () => void;
 }
 
-/** A wall clock that is so far off was set, or the machine slept. */
+/** Wall-clock jumps above this mean that the clock was set or the machine slept. */
 const JUMP_MS = 2_000;
 
 export interface TimeSources {
-  /** ms since 1970, as the machine believes at the moment */
+  /** ms since 1970 by the machine's wall clock */
   wall(): number;
-  /** ms that pass evenly */
+  /** ms of a monotonic clock */
   monotonic(): number;
 }
 
 const machine: TimeSources = { wall: () => Date.now(), monotonic: () => performance.now() };
 
 /**
- * The wall clock of the start, carried on evenly. Where the machine's wall clock jumps ahead (it was
- * set, or the machine slept) this one follows, so that what was to happen by a deadline does not happen
- * after it; where it is set back, this one goes on, so that nothing gets more time. Its timers do not
- * keep the process alive.
- * @param jumped is told of each jump, in ms; negative: back
+ * A monotonic clock that starts at the wall-clock time. If the wall clock jumps ahead (it was set,
+ * or the machine slept), this clock follows, so that deadlines still hold. If the wall clock is set
+ * back, this clock continues, so that no deadline is extended. Its timers do not keep the process
+ * alive.
+ * @param onJump receives each jump in ms; negative if the clock was set back
  */
-export function steadyClock(jumped: (ms: number) => void, sources: TimeSources = machine): Clock {
-  /** between what passes evenly and the time that is told */
+export function steadyClock(onJump: (ms: number) => void, sources: TimeSources = machine): Clock {
+  /** difference between the returned time and the monotonic clock */
   let ahead = sources.wall() - sources.monotonic();
-  /** between what passes evenly and the wall clock, when it was last looked at */
-  let seen = ahead;
+  /** difference between the wall clock and the monotonic clock at the last reading */
+  let lastOffset = ahead;
   return {
     now: () => {
       const passed = sources.monotonic();
       const offset = sources.wall() - passed;
-      if (Math.abs(offset - seen) > JUMP_MS) {
-        jumped(Math.round(offset - seen));
-        seen = offset;
+      if (Math.abs(offset - lastOffset) > JUMP_MS) {
+        onJump(Math.round(offset - lastOffset));
+        lastOffset = offset;
         ahead = Math.max(ahead, offset);
       }
       return Math.round(passed + ahead);
@@ -48,5 +48,5 @@ export function steadyClock(jumped: (ms: number) => void, sources: TimeSources =
   };
 }
 
-/** The machine's own clock, for whoever has no log to tell of jumps. */
+/** The machine's clock, for callers that do not log jumps. */
 export const systemClock: Clock = steadyClock(() => undefined);

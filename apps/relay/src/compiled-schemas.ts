@@ -1,6 +1,7 @@
 /**
- * The relay checks tens of thousands of messages a second, so zod may compile its schemas here. Pages may not:
- * their content security policy forbids it. Imported before anything that makes a schema.
+ * Enables zod's compiled schemas, because the relay validates tens of thousands of messages a
+ * second. The content security policy of pages forbids them. Import this before any module that
+ * creates a schema.
  */
 import { z } from "zod";
 

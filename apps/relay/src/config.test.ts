@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { addressToOpen, describeConfigProblems, readConfig } from "./config.ts";
 
 describe("readConfig", () => {
-  it("needs no setting at all", () => {
+  it("needs no settings", () => {
     expect(readConfig({ PATH: "/bin", PORT: "" })).toEqual({
       ok: true,
       config: {
@@ -21,7 +21,7 @@ describe("readConfig", () => {
     });
   });
 
-  it("takes each setting", () => {
+  it("accepts each setting", () => {
     const environment = {
       PORT: "0",
       HOST: "127.0.0.1",
@@ -67,7 +67,7 @@ describe("readConfig", () => {
     { name: "DRAIN_SECONDS", value: "61" },
     { name: "METRICS_PORT", value: "on" },
     { name: "LOG_LEVEL", value: "loud" },
-  ])("names a wrong $name: $value", ({ name, value }) => {
+  ])("reports a wrong $name: $value", ({ name, value }) => {
     const result = readConfig({ [name]: value });
     expect(result).toMatchObject({ ok: false, problems: [{ path: name }] });
   });
@@ -77,7 +77,7 @@ describe("readConfig", () => {
     "robot:hunter2@10.0.0.5:6379",
     "redis://:hunter2@",
     "hunter2",
-  ])("never shows the password of a store: %s", (value) => {
+  ])("never prints the password of a store: %s", (value) => {
     const result = readConfig({ STORE_URL: value });
     const text = result.ok ? "" : describeConfigProblems(result.problems);
     expect(text).toContain("STORE_URL: found something else");
@@ -96,13 +96,13 @@ describe("readConfig", () => {
     { name: "METRIC_HOST", nearest: "METRICS_HOST" },
     { name: "LOGLEVEL", nearest: "LOG_LEVEL" },
     { name: "DATADIR", nearest: "DATA_DIR" },
-  ])("refuses the misspelt setting $name and names $nearest", ({ name, nearest }) => {
+  ])("rejects the misspelt setting $name and suggests $nearest", ({ name, nearest }) => {
     const result = readConfig({ [name]: "1" });
     const text = result.ok ? "" : describeConfigProblems(result.problems);
-    expect(text).toContain(`${name}: found a name that is no setting, expected ${nearest}`);
+    expect(text).toContain(`${name}: found a name that is not a setting, expected ${nearest}`);
   });
 
-  it("leaves the variables of other programs alone", () => {
+  it("ignores the variables of other programs", () => {
     const names = [
       "HOSTNAME",
       "HOME",
@@ -116,7 +116,7 @@ describe("readConfig", () => {
     expect(readConfig({ LOG_LEVEL: "info", LOGLEVEL: "3" }).ok).toBe(true);
   });
 
-  it("names every wrong setting at once, in words", () => {
+  it("reports every wrong setting in one message", () => {
     const result = readConfig({ PORT: "x", LOG_LEVEL: "loud" });
     const text = result.ok ? "" : describeConfigProblems(result.problems);
     expect(text).toContain('PORT: found "x", expected a port number');
@@ -134,7 +134,7 @@ describe("addressToOpen", () => {
       environment: { PUBLIC_URL: "https://robots.example.org" },
       address: "https://robots.example.org",
     },
-  ])("is $address", ({ environment, address }) => {
+  ])("returns $address", ({ environment, address }) => {
     const settings = readConfig(environment);
     expect(settings.ok && addressToOpen(settings.config, 8081)).toBe(address);
   });

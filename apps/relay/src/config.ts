@@ -1,8 +1,8 @@
-/** Settings of the relay: the environment, checked once at the start. Every problem is named. */
+/** Settings of the relay, read from the environment and validated once at startup. */
 import { describeProblem, readValue, type FieldProblem } from "@corridor/protocol";
 import { z } from "zod";
 import { misspeltSettings } from "./misspelt-settings.ts";
-import { readNetwork, type TrustedProxies } from "./entrance/trusted-proxies.ts";
+import { readNetwork, type TrustedProxies } from "./request-guard/trusted-proxies.ts";
 
 const DEFAULT_PORT = 8080;
 const portError = "a port number from 0 to 65535 (0: any free port)";
@@ -26,7 +26,7 @@ function isRedisUrl(text: string): boolean {
   return /^rediss?:$/.test(protocol) && hostname !== "";
 }
 
-function words(text: string): string[] {
+function splitList(text: string): string[] {
   return text.split(",").map((word) => word.trim());
 }
 
@@ -44,33 +44,33 @@ const host = z.string().min(1, { error: "an address of this machine, such as 127
 
 const environmentSchema = z.object({
   PORT: port.default(DEFAULT_PORT),
-  /** address to listen on; unset: every address of this machine, so that a class can join */
+  /** address to listen on; if unset, all addresses, so that a class can connect */
   HOST: host.optional(),
   DATA_DIR: z.string().min(1, { error: "a folder" }).default("data"),
-  /** unset: SQLite in DATA_DIR */
+  /** if unset, SQLite in DATA_DIR */
   STORE_URL: z.string().refine(isRedisUrl, { error: storeError }).optional(),
   PUBLIC_URL: z
     .string()
     .refine(isOrigin, { error: urlError })
     .transform((url) => new URL(url).origin)
     .optional(),
-  /** the names of this service; a request for another is refused */
+  /** host names of this service; requests for other hosts are rejected */
   ALLOWED_HOSTS: z
     .string()
-    .transform((text) => words(text.toLowerCase()))
+    .transform((text) => splitList(text.toLowerCase()))
     .refine((names) => names.every(isHostName), { error: hostsError })
     .optional(),
-  /** whose X-Forwarded-* headers count */
+  /** proxies whose X-Forwarded-* headers are trusted */
   TRUSTED_PROXIES: z
     .string()
-    .transform((text): TrustedProxies => (/^\d$/.test(text) ? Number(text) : words(text)))
+    .transform((text): TrustedProxies => (/^\d$/.test(text) ? Number(text) : splitList(text)))
     .refine(
       (proxies) =>
         typeof proxies === "number" || proxies.every((proxy) => readNetwork(proxy) !== null),
       { error: proxiesError },
     )
     .default(0),
-  /** unset: no figures */
+  /** if unset, metrics are disabled */
   METRICS_PORT: port.optional(),
   METRICS_HOST: host.default("127.0.0.1"),
   DRAIN_SECONDS: z
@@ -83,27 +83,27 @@ const environmentSchema = z.object({
 
 export interface Config {
   port: number;
-  /** null: every address */
+  /** null: all addresses */
   host: string | null;
-  /** folder of the database */
+  /** folder of the SQLite database */
   dataDir: string;
-  /** Redis or Valkey that the relay keeps everything in; null: the database in `dataDir` */
+  /** URL of the Redis or Valkey that stores all data; null: SQLite in `dataDir` */
   storeUrl: string | null;
-  /** origin under which the service is reached from outside; null: what each request says */
+  /** origin of the service as clients see it; null: taken from each request */
   publicOrigin: string | null;
-  /** null: any name will do */
+  /** null: any host name */
   allowedHosts: readonly string[] | null;
   trustedProxies: TrustedProxies;
-  /** port of /metrics; null: there is none */
+  /** port of /metrics; null: disabled */
   metricsPort: number | null;
-  /** address that /metrics is served on */
+  /** address to serve /metrics on */
   metricsHost: string;
-  /** seconds between "not ready" and the end, on SIGTERM */
+  /** seconds between "not ready" and shutdown on SIGTERM */
   drainSeconds: number;
   logLevel: (typeof LOG_LEVELS)[number];
 }
 
-/** Settings that hold a password, which no log may show, even where it stands in the wrong place. */
+/** Settings that may hold a password. Error messages never print their values. */
 const secretNames: ReadonlySet<string> = new Set(["STORE_URL"]);
 
 function withoutSecrets(problem: FieldProblem): FieldProblem {
@@ -113,7 +113,7 @@ function withoutSecrets(problem: FieldProblem): FieldProblem {
 }
 
 /**
- * Reads the settings.
+ * Reads and validates the settings.
  * @param environment such as process.env; an empty value counts as unset
  */
 export function readConfig(
@@ -147,18 +147,18 @@ export function readConfig(
   };
 }
 
-/** The problems as sentences for whoever started the relay. */
+/** Formats the problems as text for the operator. */
 export function describeConfigProblems(problems: readonly FieldProblem[]): string {
   const lines = problems.map((each) => `  ${describeProblem(each)}`);
   return ["Corridor cannot start: a setting in the environment is wrong.", ...lines].join("\n");
 }
 
-/** Addresses that mean "this machine", for whoever sits at it. */
-const HERE = new Set(["0.0.0.0", "::", "127.0.0.1", "::1", "localhost"]);
+/** Hosts that a browser on this machine reaches as localhost. */
+const LOCAL_HOSTS = new Set(["0.0.0.0", "::", "127.0.0.1", "::1", "localhost"]);
 
-/** The address to open in a browser. @param port the one that is really listened on */
+/** Address to open in a browser. @param port the actual port */
 export function addressToOpen({ host, publicOrigin }: Config, port: number): string {
   if (publicOrigin !== null) return publicOrigin;
-  if (host === null || HERE.has(host)) return `http://localhost:${port}`;
+  if (host === null || LOCAL_HOSTS.has(host)) return `http://localhost:${port}`;
   return `http://${host.includes(":") ? `[${host}]` : host}:${port}`;
 }

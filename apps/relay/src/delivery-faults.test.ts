@@ -1,7 +1,8 @@
 /**
- * A hundred short lives of a robot, its script and its relay, each with faults by chance: nothing may be
- * lost, doubled, reordered, ended twice or late. The real sessions, store, clients and the page's robot are
- * linked in one process, in a time of their own, so that a seed that fails fails again.
+ * A hundred short simulations of a robot, its script and its relay, with random faults: no command
+ * or event may be lost, duplicated, reordered, ended twice or late. The real sessions, store,
+ * clients and the page's robot run in one process on virtual time, so that a failing seed fails
+ * again.
  */
 import { existsSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -10,20 +11,20 @@ import { expect, it, onTestFinished } from "vitest";
 import { FaultyWorld } from "./testing/faults/faulty-world.ts";
 
 const STEPS = 200;
-/** Seeds that have failed once; they are never taken away. */
+/** Regression seeds that failed once. Do not remove them. */
 const failedBefore = [58, 68, 84, 87, 95, 138, 152, 314, 322];
 const seeds = Array.from({ length: 100 }, (_none, index) => index + 1);
 
-/** Where a commit costs no wait for a disk, if there is such a place: what counts here is the order. */
-function quickFolder(): string {
+/** A folder in memory where available, because the test checks order, not disk speed. */
+function fastFolder(): string {
   const place = existsSync("/dev/shm") ? "/dev/shm" : tmpdir();
   const folder = mkdtempSync(join(place, "corridor-"));
   onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
   return folder;
 }
 
-it("nothing is lost, doubled, reordered, ended twice or late, whatever breaks", async () => {
-  const folder = quickFolder();
+it("loses, duplicates, reorders or delays nothing under faults", async () => {
+  const folder = fastFolder();
   const faults: Record<number, string[]> = {};
   for (const seed of new Set([...failedBefore, ...seeds])) {
     const found = await FaultyWorld.run(seed, folder, STEPS);
@@ -32,8 +33,8 @@ it("nothing is lost, doubled, reordered, ended twice or late, whatever breaks", 
   expect(faults).toEqual({});
 });
 
-it("nothing is lost, doubled, reordered or ended twice or late at two relays, whichever page and script reach", async () => {
-  const folder = quickFolder();
+it("loses, duplicates, reorders or delays nothing with two relays", async () => {
+  const folder = fastFolder();
   const faults: Record<number, string[]> = {};
   for (const seed of seeds.slice(0, 40)) {
     const found = await FaultyWorld.run(seed, folder, STEPS, 2);

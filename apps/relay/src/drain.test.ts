@@ -14,7 +14,7 @@ async function startProcess(environment: Record<string, string> = {}) {
   return { process, relay: requestsTo(origin) };
 }
 
-/** Waits until the relay says that it is not ready. */
+/** Waits until the relay reports that it is not ready. */
 async function unready({ origin }: Requests): Promise<unknown> {
   for (;;) {
     const answer = await fetch(`${origin}/readyz`);
@@ -23,8 +23,8 @@ async function unready({ origin }: Requests): Promise<unknown> {
   }
 }
 
-describe("a relay that is told to end", () => {
-  it("says so first, then sends all away with an answer, and ends with 0", async () => {
+describe("a relay that receives a signal to shut down", () => {
+  it("first reports not ready, then answers open requests, closes sockets and exits with 0", async () => {
     const { process, relay } = await startProcess({ DRAIN_SECONDS: "1" });
     const robot = await relay.register();
     const page = await TestSocket.page(relay, robot);
@@ -36,7 +36,7 @@ describe("a relay that is told to end", () => {
 
     process.child.kill("SIGTERM");
     expect(await unready(relay)).toMatchObject({ type: "/problems/restarting", status: 503 });
-    // Those who are there go on until the balancer has seen it.
+    // Existing clients continue until the load balancer has noticed.
     expect((await fetch(`${relay.origin}/healthz`)).status).toBe(200);
     const late = await relay.ask(robot, "/commands", { method: "POST", body: { action: "stop" } });
     expect(late.status).toBe(202);
@@ -49,11 +49,11 @@ describe("a relay that is told to end", () => {
     expect(await process.ended()).toBe(0);
   });
 
-  it("ends at once when it is told twice", async () => {
+  it("exits immediately on a second SIGTERM", async () => {
     const { process, relay } = await startProcess({ DRAIN_SECONDS: "60" });
     process.child.kill("SIGTERM");
     await unready(relay);
-    // One press of Ctrl+C may come as two signals; two presses are further apart.
+    // One press of Ctrl+C may send two signals. Two presses are further apart.
     process.child.kill("SIGTERM");
     await new Promise((resolve) => setTimeout(resolve, 600));
     expect((await fetch(`${relay.origin}/healthz`)).status).toBe(200);
@@ -61,13 +61,13 @@ describe("a relay that is told to end", () => {
     expect(await process.ended()).toBe(1);
   });
 
-  it("does not wait for balancers when Ctrl+C is pressed", async () => {
+  it("does not wait for load balancers on Ctrl+C", async () => {
     const { process } = await startProcess({ DRAIN_SECONDS: "60" });
     process.child.kill("SIGINT");
     expect(await process.ended()).toBe(0);
   });
 
-  it("cuts those off who do not read the goodbye", async () => {
+  it("drops connections that do not read the close frame", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const script = await TestSocket.driver(relay, robot);
@@ -76,8 +76,8 @@ describe("a relay that is told to end", () => {
     await expect(fetch(`${relay.origin}/healthz`)).rejects.toThrow(/fetch failed/);
   });
 
-  it("ends in order under npm start", async () => {
-    // Without the build before it, which other tests do.
+  it("shuts down cleanly under npm start", async () => {
+    // Skips the build step, which other tests cover.
     const npm = spawn("npm", ["start", "--ignore-scripts"], {
       cwd: join(import.meta.dirname, "../../.."),
       env: { ...process.env, PORT: "0", HOST: "127.0.0.1", DATA_DIR: testFolder() },
@@ -90,7 +90,7 @@ describe("a relay that is told to end", () => {
     const page = await TestSocket.page(relay, await relay.register());
     npm.kill("SIGTERM");
     expect((await page.socket.closed).code).toBe(1012);
-    // The pipe ends when the last process that holds it has ended: the relay itself.
+    // The pipe closes when the relay, the last process that holds it, exits.
     await once(npm.stdout, "end");
     await expect(fetch(`${relay.origin}/healthz`)).rejects.toThrow(/fetch failed/);
   });

@@ -5,9 +5,11 @@ import { realSmallDisk } from "./testing/small-disk.ts";
 import { startTestRelay, type TestRelay } from "./testing/test-relay.ts";
 import { TestSocket } from "./testing/test-socket.ts";
 
-/** More than the free room of one database page takes, no more than may be sent at once. */
-const MOST_POSTS = 40;
-/** within which a relay has to see that there is room again */
+/**
+ * More commands than fit into the free space of one database page, and no more than the rate limit.
+ */
+const MAX_POSTS = 40;
+/** time limit for the relay to notice free space again */
 const RECOVERY = { timeout: 10_000, interval: 200 };
 
 function posts(relay: TestRelay, robot: Registration) {
@@ -19,18 +21,16 @@ function posts(relay: TestRelay, robot: Registration) {
     });
 }
 
-it("a full disk is answered with 507, loses nothing that was acknowledged, and passes", async ({
-  skip,
-}) => {
+it("answers 507 on a full disk, keeps acknowledged commands, and recovers", async ({ skip }) => {
   const disk = realSmallDisk(10);
-  if (disk === null) return skip("only root may have a disk of its own here");
+  if (disk === null) return skip("mounting a small disk needs root");
   const relay = await startTestRelay({ dataDir: disk.folder });
   const robot = await relay.register();
   const post = posts(relay, robot);
   disk.fill();
   let stored = 0;
   let answer = await post(stored + 1);
-  while (answer.status === 202 && stored < MOST_POSTS) answer = await post(++stored + 1);
+  while (answer.status === 202 && stored < MAX_POSTS) answer = await post(++stored + 1);
 
   expect(answer.status).toBe(507);
   expect(answer.headers.get("retry-after")).toBe("60");
@@ -38,7 +38,7 @@ it("a full disk is answered with 507, loses nothing that was acknowledged, and p
     type: "/problems/storage-full",
   });
   expect((await fetch(`${relay.origin}/healthz`)).status).toBe(200);
-  // It still serves who is there: a balancer must not take it away.
+  // It still serves existing clients, so a load balancer must not remove it.
   const ready = await fetch(`${relay.origin}/readyz`);
   expect([ready.status, await ready.json()]).toEqual([200, { status: "degraded" }]);
   const log = await relay.ask(robot, "/commands");
@@ -57,11 +57,9 @@ it("a full disk is answered with 507, loses nothing that was acknowledged, and p
   expect(await page.next("command")).toMatchObject({ seq: 1 });
 });
 
-it("on a real disk that is full the robot ends what it runs, and people can delete", async ({
-  skip,
-}) => {
+it("lets the robot end its command and owners delete while the disk is full", async ({ skip }) => {
   const disk = realSmallDisk(10);
-  if (disk === null) return skip("only root may have a disk of its own here");
+  if (disk === null) return skip("mounting a small disk needs root");
   const relay = await startTestRelay({ dataDir: disk.folder });
   const robot = await relay.register();
   const other = await relay.register();

@@ -3,7 +3,7 @@ import { createHash, randomBytes, randomInt, timingSafeEqual } from "node:crypto
 import { PAIRING_LENGTH, PAIRING_LETTERS, SHORT_CODE_LENGTHS } from "@corridor/protocol";
 import type { KeyKind, StoredKey } from "./store/session-store.ts";
 
-/** delete: take back what a short link leads to. line: go on with a line by HTTPS. */
+/** delete: deletes the document of a short link. line: authenticates a long-poll connection. */
 const PREFIX: Record<KeyKind | "delete" | "line", string> = {
   own: "own_",
   drive: "drv_",
@@ -16,17 +16,17 @@ function randomText(): string {
   return randomBytes(16).toString("base64url");
 }
 
-/** A new robot id: 22 characters. It is no secret. */
+/** Creates a robot id of 22 characters. Robot ids are not secret. */
 export function mintId(): string {
   return randomText();
 }
 
-/** Codes of one length that are tried before a longer one. */
+/** Number of codes to try per length before a longer code. */
 const CODES_PER_LENGTH = 3;
 
 /**
- * New ids of a short link, in the order in which they are to be tried: random codes, shortest first. The last one,
- * of 72 bits as 12 characters, is free even where no code is.
+ * Candidate ids for a new short link in the order to try: random codes, shortest first. The last
+ * candidate has 72 bits in 12 characters and is free even if every code is in use.
  */
 export function mintLinkIds(): string[] {
   const codes = SHORT_CODE_LENGTHS.flatMap((length) =>
@@ -35,57 +35,60 @@ export function mintLinkIds(): string[] {
   return [...codes, randomBytes(9).toString("base64url")];
 }
 
-/** A name for a series of events: 32 bits as 8 characters, so that two are taken for one by no accident. */
+/**
+ * Creates a name for an event stream: 32 bits as 8 characters, enough to avoid collisions by
+ * chance.
+ */
 export function mintStream(): string {
   return randomBytes(4).toString("hex");
 }
 
-/** Random consonants that are not mistaken for each other or for digits. */
+/** Random consonants that are not confused with each other or with digits. */
 function letters(count: number): string {
   const letter = (): string => PAIRING_LETTERS.charAt(randomInt(PAIRING_LETTERS.length));
   return Array.from({ length: count }, letter).join("");
 }
 
-/** A new key, with a prefix that names its kind. */
+/** Creates a key with the prefix of its kind. */
 export function mintKey(kind: keyof typeof PREFIX): string {
   return PREFIX[kind] + randomText();
 }
 
-/** A new pairing code: one of 20 to the power of 8, 25,600,000,000. */
+/** Creates a pairing code, one of 20^8 = 25,600,000,000. */
 export function mintCode(): string {
   return letters(PAIRING_LENGTH);
 }
 
-/** Every key that the service has made: a prefix that names its kind, then 128 random bits. */
-const MADE_KEY = new RegExp(`^(?:${Object.values(PREFIX).join("|")})[A-Za-z0-9_-]{22}$`);
+/** Format of every key of the service: a prefix for its kind, then 128 random bits. */
+const KEY_FORMAT = new RegExp(`^(?:${Object.values(PREFIX).join("|")})[A-Za-z0-9_-]{22}$`);
 
-/** Whether a text can be a key of the service. What cannot is refused before anything is looked up. */
+/** Whether a text has the format of a key. Other texts are rejected without a lookup. */
 export function canBeKey(text: string | null): text is string {
-  return text !== null && MADE_KEY.test(text);
+  return text !== null && KEY_FORMAT.test(text);
 }
 
-/** What is stored of a key. */
+/** Hash of a key, which the relay stores in place of the key. */
 export function hashKey(key: string): string {
   return createHash("sha256").update(key).digest("base64url");
 }
 
-/** The name of a key that anybody may know, from its hash: enough to tell the keys of a robot apart. */
+/** Public name of a key, derived from its hash. It distinguishes the keys of a robot. */
 export function keyId(hash: string): string {
   return hash.slice(0, 6);
 }
 
-/** What a log may show of a key: enough to tell two apart, too little to find the hash. */
+/** Id of a key for logs. It distinguishes two keys, and is too short to recover the hash. */
 export function markOf(key: string | null): string | null {
   return key === null ? null : keyId(hashKey(key));
 }
 
-/** Whether two hashes are the same, in a time that does not depend on how alike they are. */
+/** Compares two hashes in constant time. */
 export function isSameHash(one: string, other: string): boolean {
   const [first, second] = [Buffer.from(one), Buffer.from(other)];
   return first.length === second.length && timingSafeEqual(first, second);
 }
 
-/** Finds the stored key that belongs to the given one, in a time that does not depend on the match. */
+/** Finds the stored key that matches, in a time that does not depend on the match. */
 export function matchKey(key: string, stored: readonly StoredKey[]): StoredKey | null {
   const given = hashKey(key);
   let match: StoredKey | null = null;

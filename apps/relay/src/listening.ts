@@ -1,10 +1,10 @@
-/** A server's port: taken when it starts, given back when it ends. */
+/** Opens and closes the port of a server. */
 import type { Server } from "node:http";
 import type { AddressInfo } from "node:net";
 
 const IDLE_CHECK_MS = 50;
 
-/** @returns the port that is listened on; null when there is none */
+/** @returns the port that the server listens on, or null if it does not listen */
 export function portOf(server: Server): number | null {
   return (server.address() as AddressInfo | null)?.port ?? null;
 }
@@ -21,22 +21,26 @@ export function listen(server: Server, port: number, host: string | null): Promi
 }
 
 /**
- * Takes no new connections and waits until requests under way have ended.
- * @param patienceMs after which what is still open is cut off
- * @param cut cuts connections that are no HTTP any more, such as WebSockets
+ * Stops accepting connections and waits until pending requests have ended.
+ * @param timeoutMs time after which open connections are destroyed
+ * @param destroyUpgraded destroys upgraded connections, such as WebSockets
  */
-export function closeServer(server: Server, patienceMs: number, cut: () => void): Promise<void> {
+export function closeServer(
+  server: Server,
+  timeoutMs: number,
+  destroyUpgraded: () => void,
+): Promise<void> {
   if (!server.listening) return Promise.resolve();
   return new Promise((resolve) => {
     const timer = setTimeout(() => {
-      cut();
+      destroyUpgraded();
       server.closeAllConnections();
-    }, patienceMs);
-    // A connection that was just answered is kept open for the next request.
-    const sweep = setInterval(() => server.closeIdleConnections(), IDLE_CHECK_MS);
+    }, timeoutMs);
+    // Keep-alive connections stay open after their last response.
+    const idleCheck = setInterval(() => server.closeIdleConnections(), IDLE_CHECK_MS);
     server.close(() => {
       clearTimeout(timer);
-      clearInterval(sweep);
+      clearInterval(idleCheck);
       resolve();
     });
   });

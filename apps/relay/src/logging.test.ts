@@ -5,7 +5,7 @@ import { WebSocket } from "ws";
 import { startTestRelay } from "./testing/test-relay.ts";
 import { TestSocket } from "./testing/test-socket.ts";
 
-/** A relay, and everything that it logs at a level. */
+/** Starts a relay and collects everything that it logs at a level. */
 async function withLog(level: string) {
   const lines: string[] = [];
   const log = pino({ level }, { write: (line: string) => void lines.push(line) });
@@ -13,7 +13,7 @@ async function withLog(level: string) {
 }
 
 describe("the log", () => {
-  it("holds no key, wherever a careless client has put it, and no address", async () => {
+  it("contains no key and no IP address, even if a client puts its key in the wrong place", async () => {
     const { lines, relay } = await withLog("debug");
     const robot = await relay.register();
     const { driverKey, ownerKey, id } = robot;
@@ -49,10 +49,10 @@ describe("the log", () => {
       expect(text).not.toContain(hash.slice(0, 7));
     }
     expect(text).not.toContain("127.0.0.1");
-    expect(text).toContain("a socket broke");
+    expect(text).toContain("WebSocket error");
   });
 
-  it("has one line for each request and socket at level info, and none for health", async () => {
+  it("has one line for each request and socket at level info, and none for health checks", async () => {
     const { lines, relay } = await withLog("info");
     const robot = await relay.register();
     await (await relay.ask(robot, "/commands/7")).text();
@@ -62,14 +62,14 @@ describe("the log", () => {
     await script.closed;
     await relay.close();
     expect(lines.map((line) => JSON.parse(line) as unknown)).toMatchObject([
-      { method: "POST", route: "/robots", status: 201, key: null, msg: "answered" },
-      { method: "GET", route: "/robots/:id/commands/:seq", status: 404, msg: "answered" },
-      { role: "drive", client: "Python", msg: "a socket said hello" },
-      { code: 1005, msg: "a socket was closed" },
+      { method: "POST", route: "/robots", status: 201, key: null, msg: "request completed" },
+      { method: "GET", route: "/robots/:id/commands/:seq", status: 404, msg: "request completed" },
+      { role: "drive", client: "Python", msg: "WebSocket client introduced itself" },
+      { code: 1005, msg: "WebSocket closed" },
     ]);
   });
 
-  it("is silent about requests at the level that is the default", async () => {
+  it("contains no requests at the default level", async () => {
     const { lines, relay } = await withLog("warn");
     await relay.register();
     await relay.close();

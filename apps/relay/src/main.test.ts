@@ -11,7 +11,7 @@ import { testFolder } from "./testing/test-relay.ts";
 const READY = /Corridor is ready: (http:\S+)/;
 
 describe("starting the relay", () => {
-  it("prints one address that answers, and ends in order on SIGTERM", async () => {
+  it("prints one working address and exits cleanly on SIGTERM", async () => {
     const relay = startRelayProcess({});
     const [, address] = await relay.says(READY);
     expect((await fetch(`${address}/healthz`)).status).toBe(200);
@@ -20,14 +20,14 @@ describe("starting the relay", () => {
     expect(relay.output().trim().split("\n")).toHaveLength(1);
   });
 
-  it("says what is wrong with the settings and exits with 2", async () => {
+  it("reports wrong settings and exits with 2", async () => {
     const relay = startRelayProcess({ PORT: "eighty", LOG_LEVEL: "loud" });
     expect(await relay.ended()).toBe(2);
     expect(relay.output()).toContain("PORT");
     expect(relay.output()).toContain("LOG_LEVEL");
   });
 
-  it("says that the port is in use, and what to do", async () => {
+  it("reports that the port is in use and how to fix it", async () => {
     const other = createServer().listen(0);
     onTestFinished(() => void other.close());
     await once(other, "listening");
@@ -38,8 +38,8 @@ describe("starting the relay", () => {
     expect(relay.output()).not.toMatch(/\n\s+at /);
   });
 
-  it("ends when npm, which started it, is gone", async () => {
-    // As npm does: a shell in between, which does not pass signals on.
+  it("exits when npm, its parent process, has exited", async () => {
+    // npm runs the relay through a shell that does not forward signals.
     const main = join(import.meta.dirname, "main.ts");
     const shell = spawn("sh", ["-c", `"${process.execPath}" "${main}"; true`], {
       env: { PORT: "0", DATA_DIR: testFolder(), npm_lifecycle_event: "start" },
@@ -48,13 +48,13 @@ describe("starting the relay", () => {
     let text = "";
     while (!READY.test(text)) text += String((await once(shell.stdout, "data"))[0]);
     shell.kill("SIGKILL");
-    // The pipe ends when the last process that holds it has ended: the relay itself.
+    // The pipe closes when the relay, the last process that holds it, exits.
     await once(shell.stdout, "end");
     const address = READY.exec(text)?.[1] ?? "";
     await expect(fetch(`${address}/healthz`)).rejects.toThrow(/fetch failed/);
   });
 
-  it("writes no key into its log, however much it logs", async () => {
+  it("logs no key at level debug", async () => {
     const relay = startRelayProcess({ LOG_LEVEL: "debug" });
     const [, address] = await relay.says(READY);
     const answer = await fetch(`${address}/api/v1/robots`, { method: "POST" });
@@ -65,7 +65,7 @@ describe("starting the relay", () => {
     await once(socket, "open");
     socket.send("x".repeat(20_000));
     await once(socket, "close");
-    await relay.says(/a socket broke/);
+    await relay.says(/WebSocket error/);
     expect(relay.output()).not.toContain(robot.driverKey);
   });
 });

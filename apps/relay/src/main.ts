@@ -1,5 +1,7 @@
-/** Entry of the relay: settings from the environment, start, and an orderly end. */
-import "./garbage.ts";
+/**
+ * Entry point of the relay: reads settings from the environment, starts, and shuts down cleanly.
+ */
+import "./gc-flags.ts";
 import "./compiled-schemas.ts";
 import { join } from "node:path";
 import { pino } from "pino";
@@ -16,9 +18,9 @@ function fail(sentence: string, code: number): never {
 }
 
 function describeStart(error: unknown, config: Config): string {
-  // The metrics have a port and a host of their own, which may be the one that is taken.
-  const taken = error instanceof Error && "port" in error ? error.port : config.port;
-  const isMetrics = taken === config.metricsPort && taken !== config.port;
+  // The metrics server has its own port and host, which may be the one in use.
+  const usedPort = error instanceof Error && "port" in error ? error.port : config.port;
+  const isMetrics = usedPort === config.metricsPort && usedPort !== config.port;
   const name = isMetrics ? "METRICS_PORT" : "PORT";
   const port = (isMetrics ? config.metricsPort : config.port) ?? config.port;
   const host = isMetrics ? config.metricsHost : config.host;
@@ -30,39 +32,40 @@ function describeStart(error: unknown, config: Config): string {
     return `Corridor cannot start: port ${port} is reserved for the system. Choose one above 1023: ${name}=8080 npm start`;
   }
   if (code === "EADDRNOTAVAIL" || code === "ENOTFOUND") {
-    return `Corridor cannot start: ${host ?? ""} is no address of this machine. Check ${isMetrics ? "METRICS_HOST" : "HOST"}.`;
+    return `Corridor cannot start: ${host ?? ""} is not an address of this machine. Check ${isMetrics ? "METRICS_HOST" : "HOST"}.`;
   }
   return `Corridor cannot start: ${error instanceof Error ? error.message : String(error)}`;
 }
 
 /**
- * Ends the relay on a signal or when npm, its parent, is gone. Ctrl+C does not wait for balancers, and a
- * second signal waits for nobody.
+ * Shuts the relay down on a signal or when npm, its parent process, has exited. Ctrl+C skips the
+ * notice period for load balancers. A second signal exits immediately.
  */
-function endOrderly(relay: Relay, noticeMs: number): void {
-  let endingSince: number | null = null;
+function shutDownOnSignal(relay: Relay, noticeMs: number): void {
+  let closingSince: number | null = null;
   const end = (notice: number): void => {
     const now = performance.now();
-    if (endingSince !== null) {
-      // Under npm one press of Ctrl+C comes twice: from the terminal and from npm.
-      if (now - endingSince > SAME_PRESS_MS) process.exit(1);
+    if (closingSince !== null) {
+      // Under npm one press of Ctrl+C sends two signals, from the terminal and from npm.
+      if (now - closingSince > SAME_PRESS_MS) process.exit(1);
       return;
     }
-    endingSince = now;
+    closingSince = now;
     relay.close(notice).then(
       () => process.exit(0),
-      (error: unknown) => fail(`Corridor did not end in order: ${String(error)}`, 1),
+      (error: unknown) => fail(`Corridor did not shut down cleanly: ${String(error)}`, 1),
     );
   };
   process.on("SIGTERM", () => end(noticeMs));
   process.on("SIGINT", () => end(0));
   if (process.env["npm_lifecycle_event"] === undefined) return;
-  // npm passes SIGTERM to a shell that does not pass it on: the parent goes, this process would stay.
+  // npm sends SIGTERM to a shell that does not forward it, so the parent exits while this process
+  // would stay.
   const parent = process.ppid;
   const timer = setInterval(() => {
     if (process.ppid === parent) return;
     clearInterval(timer);
-    if (endingSince === null) end(noticeMs);
+    if (closingSince === null) end(noticeMs);
   }, PARENT_CHECK_MS);
 }
 
@@ -73,12 +76,14 @@ try {
   const log = pino({ level: config.logLevel });
   const relay = await startRelay({
     config,
-    clock: steadyClock((ms) => log.warn({ ms }, "the machine's clock was set, or it slept")),
+    clock: steadyClock((ms) =>
+      log.warn({ ms }, "wall clock jumped: it was set, or the machine slept"),
+    ),
     log,
     webRoot: join(import.meta.dirname, "../../web"),
     isDevelopment: process.argv.includes("--dev"),
   });
-  endOrderly(relay, config.drainSeconds * 1000);
+  shutDownOnSignal(relay, config.drainSeconds * 1000);
   process.stdout.write(`Corridor is ready: ${addressToOpen(config, relay.port)}\n`);
 } catch (error) {
   fail(describeStart(error, config), 1);

@@ -1,18 +1,20 @@
 /**
- * Finds environment variables that look like a misspelt setting. A misspelt ALLOWED_HOST would leave the service open
- * without a word. The environment also holds the variables of other programs, so only names count that resemble a
- * setting word by word.
+ * Finds environment variables that look like a misspelt setting. A misspelt ALLOWED_HOST would
+ * leave the service open without a warning. The environment also holds variables of other programs,
+ * so only names that resemble a setting word by word are reported.
  */
 import type { FieldProblem } from "@corridor/protocol";
 import leven from "leven";
 
-/** Words with as many common first letters are forms of one word: PROXY and PROXIES, ALLOW and ALLOWED. */
+/**
+ * Words that share this many first letters count as one word: PROXY and PROXIES, ALLOW and ALLOWED.
+ */
 const STEM = 3;
 
 /**
- * @param names of all settings
- * @param given names of the environment's variables that have a value
- * @returns a problem for each misspelt name whose nearest setting is not given itself
+ * @param names all settings
+ * @param given environment variables that have a value
+ * @returns a problem for each misspelt name whose nearest setting is not set itself
  */
 export function misspeltSettings(
   names: readonly string[],
@@ -25,7 +27,7 @@ export function misspeltSettings(
       .filter((setting) => resembles(setting, name.toUpperCase()))
       .toSorted((a, b) => leven(a, name) - leven(b, name))[0];
     if (nearest === undefined || given.includes(nearest)) return [];
-    return [{ path: name, found: "a name that is no setting", expected: nearest }];
+    return [{ path: name, found: "a name that is not a setting", expected: nearest }];
   });
 }
 
@@ -33,7 +35,7 @@ function resembles(setting: string, name: string): boolean {
   if (setting.replaceAll("_", "") === name.replaceAll("_", "")) return true;
   const words = setting.split("_");
   const others = name.split("_");
-  // A name of one word, such as HOSTNAME, may be anything.
+  // A single word, such as HOSTNAME, may belong to any program.
   if (words.length < 2 || words.length !== others.length) return false;
   return words.every((word, place) => isForm(word, others[place] ?? ""));
 }

@@ -1,4 +1,7 @@
-/** Clients that offer an upgrade to HTTP/2 get ordinary answers, although WebSockets are served too. */
+/**
+ * Clients that offer an upgrade to HTTP/2 get ordinary responses, although the port also serves
+ * WebSockets.
+ */
 import { execFile, execFileSync } from "node:child_process";
 import { join } from "node:path";
 import { promisify } from "node:util";
@@ -7,7 +10,7 @@ import { startTestRelay } from "./testing/test-relay.ts";
 
 const run = promisify(execFile);
 
-/** Whether the program is on this machine; a test without it is skipped, and says so. */
+/** Whether the program is installed. Logs that the test is skipped if it is not. */
 function has(program: string, versionOption: string): boolean {
   try {
     execFileSync(program, [versionOption], { stdio: "ignore" });

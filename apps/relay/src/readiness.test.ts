@@ -7,7 +7,7 @@ import { startTestRelay } from "./testing/test-relay.ts";
 
 const log = pino({ level: "silent" });
 
-/** A store that answers as it is told, and counts how often it is asked. */
+/** A store with a configurable result that counts its checks. */
 function withStore() {
   const store = { answer: (): "ok" | "full" => "ok", asked: 0 };
   const clock = new FakeClock();
@@ -19,7 +19,7 @@ function withStore() {
 }
 
 describe("readiness", () => {
-  it("follows the store within ten seconds, both ways", async () => {
+  it("follows the store within ten seconds in both directions", async () => {
     const { store, clock, readiness } = withStore();
     expect(await readiness.status()).toBe("ready");
     store.answer = () => "full";
@@ -35,13 +35,13 @@ describe("readiness", () => {
     expect(await readiness.status()).toBe("ready");
   });
 
-  it("does not ask the store more often because many ask", async () => {
+  it("checks the store once for concurrent requests", async () => {
     const { store, readiness } = withStore();
     await Promise.all(Array.from({ length: 100 }, () => readiness.status()));
     expect(store.asked).toBe(1);
   });
 
-  it("is over for good once the relay drains", async () => {
+  it("stays draining once the relay drains", async () => {
     const { readiness } = withStore();
     readiness.drain();
     expect(await readiness.status()).toBe("draining");
@@ -49,7 +49,7 @@ describe("readiness", () => {
 });
 
 describe("/readyz", () => {
-  it("answers in a few words, never kept", async () => {
+  it("returns a short JSON body that is never cached", async () => {
     const relay = await startTestRelay();
     const answer = await fetch(`${relay.origin}/readyz`);
     expect([answer.status, await answer.json()]).toEqual([200, { status: "ready" }]);
@@ -61,10 +61,10 @@ describe("/readyz", () => {
 
   it.each([
     { name: "drains", status: "draining", type: "/problems/restarting" },
-    { name: "has lost its store", status: "unavailable", type: "/problems/no-store" },
-  ] as const)("tells a balancer to go elsewhere when the relay $name", async ({ status, type }) => {
-    const told = vi.spyOn(Readiness.prototype, "status").mockResolvedValue(status);
-    onTestFinished(() => told.mockRestore());
+    { name: "cannot reach its store", status: "unavailable", type: "/problems/no-store" },
+  ] as const)("makes a load balancer avoid a relay that $name", async ({ status, type }) => {
+    const statusSpy = vi.spyOn(Readiness.prototype, "status").mockResolvedValue(status);
+    onTestFinished(() => statusSpy.mockRestore());
     const relay = await startTestRelay();
     const answer = await fetch(`${relay.origin}/readyz`);
     expect(answer.status).toBe(503);

@@ -1,14 +1,14 @@
 /**
- * Whether this relay should be sent work: the store answers and nobody has asked it to end.
+ * Readiness of the relay: the store responds and no shutdown was requested.
  *
- * A full disk makes it `degraded`, not unready: robots and scripts go on reading and moving, and taking
- * the relay away would end that too.
+ * A full disk makes the relay `degraded`, not unready: robots and scripts still read and move, and
+ * a load balancer that removes the relay would stop that too.
  */
 import type { Logger } from "pino";
 import type { Clock } from "./clock.ts";
 import type { SessionStore } from "./store/session-store.ts";
 
-/** Asking the store costs a commit; whoever asks more often gets the same answer. */
+/** A check costs a commit, so its result is reused for this time. */
 const FRESH_MS = 2_000;
 
 export type ReadyStatus = "ready" | "degraded" | "draining" | "unavailable";
@@ -18,7 +18,7 @@ export class Readiness {
   readonly #clock: Clock;
   readonly #log: Logger;
   #isDraining = false;
-  #asked: { at: number; answer: Promise<ReadyStatus> } | null = null;
+  #lastCheck: { at: number; status: Promise<ReadyStatus> } | null = null;
 
   constructor(store: Pick<SessionStore, "check">, clock: Clock, log: Logger) {
     this.#store = store;
@@ -26,7 +26,7 @@ export class Readiness {
     this.#log = log;
   }
 
-  /** From now on the relay ends what it has, and wants nothing new. */
+  /** Reports `draining` from now on. */
   drain(): void {
     this.#isDraining = true;
   }
@@ -34,13 +34,13 @@ export class Readiness {
   async status(): Promise<ReadyStatus> {
     if (this.#isDraining) return "draining";
     const now = this.#clock.now();
-    if (this.#asked === null || now - this.#asked.at >= FRESH_MS) {
-      this.#asked = { at: now, answer: this.#ask() };
+    if (this.#lastCheck === null || now - this.#lastCheck.at >= FRESH_MS) {
+      this.#lastCheck = { at: now, status: this.#check() };
     }
-    return this.#asked.answer;
+    return this.#lastCheck.status;
   }
 
-  async #ask(): Promise<ReadyStatus> {
+  async #check(): Promise<ReadyStatus> {
     try {
       return (await this.#store.check()) === "full" ? "degraded" : "ready";
     } catch (error) {

@@ -11,7 +11,7 @@ const SOON = { timeout: 10_000, interval: 100 };
 const left90 = { method: "POST", body: { action: "left 90" } };
 
 describe.skipIf(!hasRedis)("a relay with Redis", () => {
-  it("has everything again after a restart", async () => {
+  it("restores everything after a restart", async () => {
     const { url } = await startTestRedis();
     const first = await startTestRelay({ config: { storeUrl: url } });
     const robot = await first.register();
@@ -28,7 +28,7 @@ describe.skipIf(!hasRedis)("a relay with Redis", () => {
   });
 
   it.each([60_000, -60_000])(
-    "delivers in time what a relay has stored whose clock is %d ms off",
+    "delivers commands in time if the clock of the storing relay is %d ms off",
     async (off) => {
       const { url } = await startTestRedis();
       const wrong = {
@@ -54,7 +54,7 @@ describe.skipIf(!hasRedis)("a relay with Redis", () => {
     },
   );
 
-  it("says that its store is away, and goes on by itself when it is back", async () => {
+  it("reports that its store is unavailable, and recovers when the store is back", async () => {
     const redis = await startTestRedis();
     const relay = await startTestRelay({ config: { storeUrl: redis.url } });
     const robot = await relay.register();
@@ -68,14 +68,14 @@ describe.skipIf(!hasRedis)("a relay with Redis", () => {
       async () => expect((await fetch(`${relay.origin}/readyz`)).status).toBe(503),
       SOON,
     );
-    await redis.startAgain();
+    await redis.restart();
     await vi.waitFor(
       async () => expect((await relay.ask(robot, "/commands", left90)).status).toBe(202),
       SOON,
     );
   });
 
-  it("gives a number above all that the page has seen after Redis has lost its newest", async () => {
+  it("assigns a number above all that the page has seen after Redis lost its latest writes", async () => {
     const redis = await startTestRedis();
     const relay = await startTestRelay({ config: { storeUrl: redis.url } });
     const robot = await relay.register();
@@ -84,13 +84,13 @@ describe.skipIf(!hasRedis)("a relay with Redis", () => {
     expect(await page.next("command")).toMatchObject({ seq: 42 });
   });
 
-  it("answers 507 while the memory of Redis is full, and lets people delete", async () => {
+  it("answers 507 while the memory of Redis is full, and still lets owners delete", async () => {
     const { url } = await startTestRedis();
     const redis = await connectRedis(url, () => undefined);
     onTestFinished(() => redis.destroy());
     const relay = await startTestRelay({ config: { storeUrl: url } });
     const robot = await relay.register();
-    // Less than it has with nothing in it.
+    // Less than an empty Redis uses.
     await redis.configSet("maxmemory", "100kb");
     expect((await relay.ask(robot, "/commands", left90)).status).toBe(507);
     const ready = await fetch(`${relay.origin}/readyz`);
@@ -101,7 +101,7 @@ describe.skipIf(!hasRedis)("a relay with Redis", () => {
     await relay.register();
   });
 
-  it("does not start with a Redis that would lose what was acknowledged, and says what to do", async () => {
+  it("does not start with a Redis that could lose acknowledged commands, and explains the fix", async () => {
     const { url } = await startTestRedis(["--appendonly", "no"]);
     const relay = startRelayProcess({ STORE_URL: url });
     expect(await relay.ended()).toBe(1);

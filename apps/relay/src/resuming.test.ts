@@ -1,4 +1,6 @@
-/** Readers that come back, through each door and over a restart; and one whose socket is not read. */
+/**
+ * Readers that reconnect, on each transport and across a restart, and one whose socket is not read.
+ */
 import { eventPageSchema, type EventPage, type Registration } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { once } from "node:events";
@@ -19,7 +21,7 @@ async function send(relay: TestRelay, robot: Registration, times = 1): Promise<v
   }
 }
 
-async function comeBack(relay: TestRelay, robot: Registration, since: string) {
+async function reconnect(relay: TestRelay, robot: Registration, since: string) {
   const socket = await TestSocket.open(relay, robot.id);
   socket.send({ type: "hello", version: 1, role: "drive", key: robot.driverKey, since });
   return { socket, welcome: await socket.next("welcome") };
@@ -29,8 +31,8 @@ function sinceOf(welcome: Message, n: unknown = welcome["n"]): string {
   return `${String(welcome["stream"])}-${String(n)}`;
 }
 
-describe("a script that comes back by WebSocket", () => {
-  it("is told what happened while it was away", async () => {
+describe("a script that reconnects by WebSocket", () => {
+  it("receives the events of the time while it was disconnected", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const { socket: page, epoch } = await TestSocket.page(relay, robot);
@@ -38,26 +40,26 @@ describe("a script that comes back by WebSocket", () => {
     first.send({ type: "hello", version: 1, role: "drive", key: robot.driverKey });
     const welcome = await first.next("welcome");
     await send(relay, robot);
-    const told = await first.next("state");
+    const state = await first.next("state");
     first.close();
     await first.closed;
     page.send({ type: "started", epoch, seq: 1 });
     page.send({ type: "ended", epoch, ...completed(1) });
     await page.next("stored");
-    const { socket } = await comeBack(relay, robot, sinceOf(welcome, told["n"]));
+    const { socket } = await reconnect(relay, robot, sinceOf(welcome, state["n"]));
     expect(await socket.next("state")).toMatchObject({ n: 2, record: { state: "started" } });
     expect(await socket.next("state")).toMatchObject({ n: 3, record: { state: "completed" } });
   });
 
-  it("is told of a gap, and what is open, when the relay was restarted", async () => {
+  it("receives a gap with the open commands after a restart of the relay", async () => {
     const dataDir = testFolder();
     const first = await startTestRelay({ dataDir });
     const robot = await first.register();
     await send(first, robot, 2);
-    const before = await comeBack(first, robot, "00000000-0");
+    const before = await reconnect(first, robot, "00000000-0");
     await first.close();
     const relay = await startTestRelay({ dataDir });
-    const { socket, welcome } = await comeBack(relay, robot, sinceOf(before.welcome, 0));
+    const { socket, welcome } = await reconnect(relay, robot, sinceOf(before.welcome, 0));
     expect(welcome["n"]).toBeNull();
     expect(await socket.next("gap")).toEqual({
       type: "gap",
@@ -72,14 +74,14 @@ describe("a script that comes back by WebSocket", () => {
   });
 });
 
-describe("a script that follows by long poll", () => {
+describe("a script that reads events by long polling", () => {
   async function poll(relay: TestRelay, robot: Registration, query: string): Promise<EventPage> {
     const answer = await relay.ask(robot, `/events?wait=25${query}`);
     expect(answer.status).toBe(200);
     return eventPageSchema.parse(await answer.json());
   }
 
-  it("misses nothing between two answers, and waits when there is nothing", async () => {
+  it("misses no event between two responses, and waits if there is none", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const { socket: page, epoch } = await TestSocket.page(relay, robot);
@@ -104,7 +106,7 @@ describe("a script that follows by long poll", () => {
     expect(await newer).toMatchObject({ states: [], snapshot: { seq: 5 } });
   });
 
-  it("is told of a gap when it knows the numbers of another relay", async () => {
+  it("receives a gap if it resumes with a position of another relay", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     await send(relay, robot);
@@ -114,7 +116,7 @@ describe("a script that follows by long poll", () => {
   });
 
   it.each(["since=7", "since=abc", "wait=26", "wait=1&after=-1"])(
-    "is told what is wrong with %s",
+    "receives an error that explains %s",
     async (query) => {
       const relay = await startTestRelay();
       const robot = await relay.register();
@@ -125,8 +127,8 @@ describe("a script that follows by long poll", () => {
   );
 });
 
-describe("a script that follows by server-sent events", () => {
-  /** Reads the stream until a text has come. */
+describe("a script that reads server-sent events", () => {
+  /** Reads the stream until it contains `until`. */
   async function read(answer: Response, until: string): Promise<string> {
     let text = "";
     const decoder = new TextDecoder();
@@ -137,13 +139,13 @@ describe("a script that follows by server-sent events", () => {
     return text;
   }
 
-  it("goes on after the last event that it had, as browsers ask for by themselves", async () => {
+  it("resumes after its Last-Event-ID, as browsers do automatically", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     await TestSocket.page(relay, robot);
     const first = await relay.ask(robot, "/events");
-    const begun = await read(first, "id: ");
-    const id = /id: (\S+)/.exec(begun)?.[1] ?? "";
+    const head = await read(first, "id: ");
+    const id = /id: (\S+)/.exec(head)?.[1] ?? "";
     await send(relay, robot, 2);
     const again = await relay.ask(robot, "/events", { headers: { "Last-Event-ID": id } });
     const stream = id.split("-")[0];
@@ -154,9 +156,9 @@ describe("a script that follows by server-sent events", () => {
   });
 });
 
-describe("a script whose socket is not read for a while", () => {
+describe("a script that does not read its socket for a while", () => {
   it(
-    "finds at most 64 KiB waiting, and the newest snapshot behind them",
+    "finds at most 64 KiB buffered, and then the newest snapshot",
     { timeout: 120_000 },
     async () => {
       const clock = new FakeClock();
@@ -176,7 +178,7 @@ describe("a script whose socket is not read for a while", () => {
           "Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n",
       );
       const hello = { type: "hello", version: 1, role: "drive", key: robot.driverKey };
-      // A frame whose mask is zero carries its text as it is.
+      // With a mask of zero, the payload of a frame equals its text.
       const payload = Buffer.from(JSON.stringify(hello));
       raw.write(Buffer.concat([Buffer.from([0x81, 0x80 | payload.length, 0, 0, 0, 0]), payload]));
       while (!text.includes("welcome")) await once(raw, "data");

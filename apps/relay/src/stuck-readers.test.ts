@@ -1,4 +1,6 @@
-/** Scripts that connect and never read: they are sent away, and nobody else notices. */
+/**
+ * Scripts that connect and never read. The relay closes them, and other clients are not affected.
+ */
 import { once } from "node:events";
 import { connect, type Socket } from "node:net";
 import type { Registration } from "@corridor/protocol";
@@ -8,7 +10,7 @@ import { FakeClock } from "./testing/fake-clock.ts";
 import { startTestRelay, type TestRelay } from "./testing/test-relay.ts";
 import { TestSocket } from "./testing/test-socket.ts";
 
-/** Connected scripts, as a page that comes now is told. */
+/** Number of connected scripts, as reported to a page that connects now. */
 async function connectedScripts(relay: TestRelay, robot: Registration): Promise<number> {
   const { socket } = await TestSocket.page(relay, robot);
   return Number((await socket.next("drivers"))["connected"]);
@@ -20,7 +22,7 @@ async function expectService(relay: TestRelay, robot: Registration): Promise<voi
   expect(await bystander.next("ack")).toMatchObject({ record: { action: "stop" } });
 }
 
-/** An event stream of which only the beginning is read. */
+/** Opens an event stream and reads only its head. */
 async function stuckEventStream(relay: TestRelay, robot: Registration): Promise<Socket> {
   const socket = connect(Number(new URL(relay.origin).port), "127.0.0.1");
   onTestFinished(() => void socket.destroy());
@@ -33,8 +35,8 @@ async function stuckEventStream(relay: TestRelay, robot: Registration): Promise<
   return socket.pause();
 }
 
-describe("a reader that does not read", () => {
-  it("is cut from its event stream, and the relay lives on", { timeout: 60_000 }, async () => {
+describe("a client that does not read", () => {
+  it("loses its event stream, and the relay keeps working", { timeout: 60_000 }, async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });
     const robot = await relay.register();
@@ -46,23 +48,24 @@ describe("a reader that does not read", () => {
       });
     }
     const stuck = await stuckEventStream(relay, robot);
-    // Each page that comes gets the commands anew, which is told to all who read.
-    const mostPages = 3_000;
+    // Each new page receives the commands again, which publishes events to all readers.
+    const maxPages = 3_000;
     let pages = 0;
-    while (pages < mostPages && (await connectedScripts(relay, robot)) > 0) pages += 1;
+    while (pages < maxPages && (await connectedScripts(relay, robot)) > 0) pages += 1;
     expect(pages).toBeGreaterThan(10);
-    expect(pages).toBeLessThan(mostPages);
+    expect(pages).toBeLessThan(maxPages);
     await clock.pass(2 * limits.heartbeatMs);
     await expectService(relay, robot);
     stuck.resume();
     await once(stuck, "close");
   });
 
-  /** Causes more answers than the lines of a machine hold, plus what the relay lets wait. */
+  /** Causes more responses than the socket buffers and the relay's own buffer hold. */
   async function floodUnread(relay: TestRelay, robot: Registration): Promise<TestSocket> {
     const socket = await TestSocket.driver(relay, robot);
     socket.pause();
-    // Of a retry only its sender hears, so that no state of a command shows that it does not read.
+    // The response to a retry goes to its sender only, so no command state reveals that it does not
+    // read.
     const retry = { type: "command", key: "a-key-0001", command: { action: "stop" } };
     for (let batch = 0; batch < 30; batch++) {
       for (let n = 0; n < 2_000; n++) socket.send(retry);
@@ -71,16 +74,20 @@ describe("a reader that does not read", () => {
     return socket;
   }
 
-  it("is closed with 4408, as it learns when it reads again", { timeout: 60_000 }, async () => {
-    const relay = await startTestRelay({ clock: new FakeClock() });
-    const robot = await relay.register();
-    const socket = await floodUnread(relay, robot);
-    socket.resume();
-    expect((await socket.closed).code).toBe(4408);
-    await expectService(relay, robot);
-  });
+  it(
+    "is closed with 4408, which it receives when it reads again",
+    { timeout: 60_000 },
+    async () => {
+      const relay = await startTestRelay({ clock: new FakeClock() });
+      const robot = await relay.register();
+      const socket = await floodUnread(relay, robot);
+      socket.resume();
+      expect((await socket.closed).code).toBe(4408);
+      await expectService(relay, robot);
+    },
+  );
 
-  it("is cut off when it goes on like that", { timeout: 60_000 }, async () => {
+  it("is dropped if it still does not read", { timeout: 60_000 }, async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });
     const robot = await relay.register();
@@ -90,7 +97,7 @@ describe("a reader that does not read", () => {
     await expectService(relay, robot);
   });
 
-  it("is sent away when nothing that it sends can be taken", async () => {
+  it("is closed when the relay rejects everything that it sends", async () => {
     const relay = await startTestRelay({ clock: new FakeClock() });
     const robot = await relay.register();
     const socket = await TestSocket.driver(relay, robot);

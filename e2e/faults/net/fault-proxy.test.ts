@@ -1,6 +1,6 @@
 import { connect, createServer, type AddressInfo, type Socket } from "node:net";
 import { expect, it, onTestFinished } from "vitest";
-import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
+import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { sleep, waitUntil } from "../clock.ts";
 import { FaultProxy } from "./fault-proxy.ts";
 
@@ -14,7 +14,7 @@ async function echoBehindProxy() {
   });
   await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
   const { port } = server.address() as AddressInfo;
-  const proxy = await FaultProxy.start({ target: () => port, random: new Dice(1) });
+  const proxy = await FaultProxy.start({ target: () => port, random: new SeededRandom(1) });
   onTestFinished(async () => {
     await proxy.close();
     for (const socket of serverSockets) socket.destroy();

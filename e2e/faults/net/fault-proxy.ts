@@ -3,7 +3,7 @@
  * small pieces and left half open. Bytes pass unchanged. A seeded random source decides.
  */
 import { connect, createServer, type AddressInfo, type Server, type Socket } from "node:net";
-import type { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
+import type { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { machineNow } from "../clock.ts";
 
 /** from the client to the relay, or back */
@@ -25,7 +25,7 @@ type Side = "client" | "relay";
 export interface FaultProxyOptions {
   /** port of this machine to connect to, requested for each connection */
   target: () => number;
-  random: Dice;
+  random: SeededRandom;
 }
 
 /** Both sockets of a connection, and the pipes between them. */
@@ -34,7 +34,7 @@ class ProxiedConnection {
   readonly #pipes: Pipe[];
   isSilent = false;
 
-  constructor(client: Socket, relay: Socket, proxy: FaultProxy, random: Dice) {
+  constructor(client: Socket, relay: Socket, proxy: FaultProxy, random: SeededRandom) {
     this.#ends = { client, relay };
     this.#pipes = [
       new Pipe(client, relay, { proxy, random, direction: "up" }),
@@ -79,7 +79,7 @@ class Pipe {
   constructor(
     from: Socket,
     to: Socket,
-    { proxy, random, direction }: { proxy: FaultProxy; random: Dice; direction: Direction },
+    { proxy, random, direction }: { proxy: FaultProxy; random: SeededRandom; direction: Direction },
   ) {
     this.#to = to;
     const enqueue = (piece: Buffer | null): void => {
@@ -128,7 +128,7 @@ class Pipe {
   }
 }
 
-function slices(data: Buffer, random: Dice): Buffer[] {
+function slices(data: Buffer, random: SeededRandom): Buffer[] {
   const pieces: Buffer[] = [];
   for (let at = 0; at < data.length;) {
     const size = random.between(1, MAX_SLICE);
@@ -187,7 +187,7 @@ export class FaultProxy {
   cut(): number {
     const connections = [...this.#connections];
     for (const connection of connections)
-      connection.cut(this.#options.random.isLucky(0.5) ? "reset" : "quiet");
+      connection.cut(this.#options.random.chance(0.5) ? "reset" : "quiet");
     this.cuts += connections.length;
     return connections.length;
   }

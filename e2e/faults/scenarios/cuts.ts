@@ -1,5 +1,5 @@
 /** Connections of pages and scripts are cut repeatedly, each independently, and recover. */
-import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
+import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { machineNow, sleep, waitUntil } from "../clock.ts";
 import { FaultProxy } from "../net/fault-proxy.ts";
@@ -31,7 +31,7 @@ export const cuts: Scenario = {
   describe: (isLong) =>
     `${cutsOf(isLong).toLocaleString("en")} cuts of the connections of ${ROBOTS} pages and their scripts: resets, closes, outages of up to 1 s, half-open connections, delays, slices`,
   run: async (context) => {
-    const random = new Dice(context.seed);
+    const random = new SeededRandom(context.seed);
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());
     const net = (): Promise<FaultProxy> => startNet(relay, random, context);
@@ -89,7 +89,7 @@ export const cuts: Scenario = {
 
 async function startNet(
   relay: RelayProcess,
-  random: Dice,
+  random: SeededRandom,
   context: ScenarioContext,
 ): Promise<FaultProxy> {
   const proxy = await FaultProxy.start({ target: () => relay.port, random });
@@ -109,16 +109,16 @@ function scriptNetwork(script: Script | undefined, proxy: FaultProxy | undefined
 async function breakRepeatedly(
   network: Network,
   remaining: { cuts: number },
-  random: Dice,
+  random: SeededRandom,
 ): Promise<number[]> {
   const { proxy, isPage } = network;
   const resumed: number[] = [];
   while (remaining.cuts > 0) {
     await sleep(random.between(50, 700));
-    proxy.isSlicing = random.isLucky(0.3);
+    proxy.isSlicing = random.chance(0.3);
     // Scripts without the library send no time, so the delay of a command adds to its start time.
-    proxy.delay = random.isLucky(0.3) ? { min: 0, max: isPage ? 40 : 15 } : { min: 0, max: 0 };
-    if (isPage && random.isLucky(0.1)) proxy.stall(random.between(100, 1_500));
+    proxy.delay = random.chance(0.3) ? { min: 0, max: isPage ? 40 : 15 } : { min: 0, max: 0 };
+    if (isPage && random.chance(0.1)) proxy.stall(random.between(100, 1_500));
     const cut = breakOnce(proxy, random);
     if (cut === null) continue;
     remaining.cuts -= 1;
@@ -130,7 +130,10 @@ async function breakRepeatedly(
 }
 
 /** @returns when the network recovers, or null if no connection was open */
-function breakOnce(proxy: FaultProxy, random: Dice): { cutAt: number; backAt: number } | null {
+function breakOnce(
+  proxy: FaultProxy,
+  random: SeededRandom,
+): { cutAt: number; backAt: number } | null {
   if (proxy.connections === 0) return null;
   const cutAt = machineNow();
   const chance = random.next();

@@ -1,6 +1,6 @@
 /** The relay's disk is full while scripts drive robots, and later has space again. */
 import { join } from "node:path";
-import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
+import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { SmallDisk } from "../../support/small-disk.ts";
 import { machineNow, sleep } from "../clock.ts";
@@ -36,7 +36,7 @@ export const fullDisk: Scenario = {
     const traffic = new Traffic(
       await testBed.connectScripts(() => relay.url),
       PER_SECOND,
-      new Dice(context.seed),
+      new SeededRandom(context.seed),
     );
     const [first] = testBed.robots;
     if (first === undefined) throw new Error("no robots");

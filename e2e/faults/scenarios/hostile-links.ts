@@ -6,7 +6,7 @@ import { encodeLink } from "@corridor/link";
 import { brokenDocuments } from "@corridor/link/testing";
 import { generateTree } from "@corridor/maze";
 import { chromium } from "playwright";
-import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
+import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { checkOf, textOf } from "../../../packages/link/src/digits.ts";
 import { chromiumArguments, requireChromium } from "../../../scripts/chromium.ts";
 import share from "../../../apps/web/src/text/en/share.json" with { type: "json" };
@@ -31,7 +31,7 @@ export const hostileLinks: Scenario = {
   describe: (isLong) =>
     `${isLong ? LINKS.long : LINKS.short} forged, broken and oversized links, and names with scripts in them, opened one after the other in Chromium`,
   run: async (context) => {
-    const random = new Dice(context.seed);
+    const random = new SeededRandom(context.seed);
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());
     const browser = await chromium.launch({
@@ -106,7 +106,7 @@ const broken = brokenDocuments.filter(
   ({ kind, text }) => kind === "link" && text !== "" && !/[\n\r\t]/.test(text),
 );
 
-function hostileLink(random: Dice, n: number): string {
+function hostileLink(random: SeededRandom, n: number): string {
   const kinds = [
     () => encodeURI(broken[n % broken.length]?.text ?? "1"),
     () => forge(Array.from({ length: random.between(1, 60) }, () => random.between(0, 63))),

@@ -3,7 +3,7 @@
  * are not affected.
  */
 import { badCommands } from "../../../apps/relay/src/testing/bad-commands.ts";
-import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
+import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { sleep } from "../clock.ts";
 import { RawSocket, type Frame } from "../net/raw-socket.ts";
@@ -21,7 +21,7 @@ export const malformedFrames: Scenario = {
   describe: (isLong) =>
     `${isLong ? FRAMES.long : FRAMES.short} broken frames and messages before, as and after the hello of pages and scripts, while another robot is driven`,
   run: async (context) => {
-    const random = new Dice(context.seed);
+    const random = new SeededRandom(context.seed);
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());
     const pid = relay.pid;
@@ -56,7 +56,7 @@ export const malformedFrames: Scenario = {
         const role = random.pick(["own", "drive", "watch", "none"] as const);
         const key = role === "own" ? ownerKey : driverKey;
         if (role !== "none") socket.text(JSON.stringify({ type: "hello", version: 1, role, key }));
-        if (role === "own" && random.isLucky(0.5)) {
+        if (role === "own" && random.chance(0.5)) {
           socket.text('{"type":"resume","lastApplied":0,"fresh":false,"endings":[]}');
         }
         for (let n = random.between(1, 12); n > 0 && socket.isOpen; n--) {
@@ -64,7 +64,7 @@ export const malformedFrames: Scenario = {
           sent += 1;
           await sleep(random.between(0, 16));
         }
-        if (random.isLucky(0.2)) socket.halfClose();
+        if (random.chance(0.2)) socket.halfClose();
         await sleep(random.between(0, 20));
         if (INTERNALS.test(socket.response)) shown += 1;
         socket.destroy();
@@ -105,7 +105,7 @@ export const malformedFrames: Scenario = {
   },
 };
 
-function brokenFrame(random: Dice): Frame {
+function brokenFrame(random: SeededRandom): Frame {
   const command = (): string => random.pick(badCommands).body;
   const bytes = (most: number): Buffer =>
     Buffer.from(Array.from({ length: random.between(0, most) }, () => random.between(0, 255)));

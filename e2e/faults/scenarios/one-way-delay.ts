@@ -3,7 +3,7 @@
  * a fast network. No command starts late, no started command is reported as expired, and on a fast
  * network no command expires.
  */
-import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
+import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { sleep } from "../clock.ts";
 import { FaultProxy, type Delay, type Direction } from "../net/fault-proxy.ts";
@@ -84,7 +84,7 @@ export const oneWayDelay: Scenario = {
     const pages = await testBed.startPages();
     for (const robot of testBed.robots) testBed.open(robot, pages, relay.url, "websocket");
     await testBed.waitUntilConnected();
-    const random = new Dice(context.seed);
+    const random = new SeededRandom(context.seed);
 
     const run = async (of: Case, robot: Robot): Promise<Observation[]> => {
       const proxy = await FaultProxy.start({ target: () => relay.port, random });

@@ -1,5 +1,5 @@
 /** The relay is killed repeatedly, as by a power cut, and restarts from its files. */
-import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
+import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { machineNow, sleep, waitUntil } from "../clock.ts";
 import type { Scenario } from "../scenario.ts";
@@ -19,7 +19,7 @@ export const relayKilled: Scenario = {
   describe: (isLong) =>
     `kill -9 of the relay, ${kills(isLong)} times in ${(kills(isLong) * EVERY_MS) / 1000} s, while ${ROBOTS} robots receive commands over all transports`,
   run: async (context) => {
-    const random = new Dice(context.seed);
+    const random = new SeededRandom(context.seed);
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());
     const testBed = new TestBed(context);

@@ -1,6 +1,6 @@
 /** Tabs are reloaded in the middle of commands, and opened a second time. */
 import { hasEnded } from "@corridor/protocol";
-import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
+import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { sleep, waitUntil } from "../clock.ts";
 import type { Pages } from "../robots/pages.ts";
@@ -31,7 +31,7 @@ export const reloads: Scenario = {
   describe: (isLong) =>
     `${timesOf(isLong)} reloads (kill -9 of the tab) and second pages of ${ROBOTS} robots that receive commands all the time`,
   run: async (context) => {
-    const random = new Dice(context.seed);
+    const random = new SeededRandom(context.seed);
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());
     const testBed = new TestBed(context);
@@ -58,7 +58,7 @@ export const reloads: Scenario = {
         await sleep(random.between(200, 900));
         const tab = tabs.get(robot);
         const page = robot.page;
-        if (random.isLucky(0.6)) {
+        if (random.chance(0.6)) {
           await tab?.kill();
           recordReload(findings, robot, page);
           await openTab(robot);

@@ -3,7 +3,7 @@
  * also together with their relay, and the poses of all endings are added up.
  */
 import type { CommandRecord, Order, Pose } from "@corridor/protocol";
-import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
+import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { RawChromium } from "../../support/devtools.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { sleep, waitUntil } from "../clock.ts";
@@ -71,7 +71,7 @@ async function disturbed(
   speed: string,
   result: number,
 ): Promise<Findings> {
-  const random = new Dice(context.seed + result);
+  const random = new SeededRandom(context.seed + result);
   const relay = await RelayProcess.start();
   context.onCleanup(() => relay.stop());
   const browser = await RawChromium.start();
@@ -111,12 +111,12 @@ async function disturbed(
     for (let n = 0; n < timesOf(context.isLong); n++) {
       // Usually, the robot has reconnected and ended a command by then.
       const { commands } = findings;
-      if (random.isLucky(0.8)) await waitUntil(() => findings.commands > commands, TIMEOUT_MS);
+      if (random.chance(0.8)) await waitUntil(() => findings.commands > commands, TIMEOUT_MS);
       await sleep(random.between(50, 1_500));
       const isWithRelay = n % 3 === 2;
       if (isWithRelay) findings.relayKills += 1;
       const killed = isWithRelay ? relay.kill() : Promise.resolve();
-      if (random.isLucky(0.5)) findings.reloads += 1;
+      if (random.chance(0.5)) findings.reloads += 1;
       else {
         findings.crashes += 1;
         await robot.page.crash();
@@ -138,8 +138,8 @@ async function disturbed(
 }
 
 /** A turn, or a small move that does not lead away from the start. */
-function orderFrom(pose: Pose, home: Pose, random: Dice): Order {
-  if (random.isLucky(0.6)) return { action: "turn", degrees: random.isLucky(0.7) ? TURN : -TURN };
+function orderFrom(pose: Pose, home: Pose, random: SeededRandom): Order {
+  if (random.chance(0.6)) return { action: "turn", degrees: random.chance(0.7) ? TURN : -TURN };
   const [dx, dy] = ahead(pose);
   const leadsAway = (pose.x - home.x) * dx + (pose.y - home.y) * dy > 0;
   return { action: "move", distance: leadsAway ? -MOVE : MOVE };

@@ -2,7 +2,7 @@
  * The network fails while a script publishes velocities: the robot stops, and old values do not
  * move it again.
  */
-import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
+import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { callRepeatedly, machineNow, sleep, waitUntil } from "../clock.ts";
 import { FaultProxy } from "../net/fault-proxy.ts";
@@ -47,7 +47,7 @@ export const staleMotion: Scenario = {
   describe: (isLong) =>
     `the network is cut for 1 to 4 s while velocities are published ${PER_SECOND} times a second, ${timesOf(isLong)} times for each of: the library by WebSocket and by HTTPS, single requests, a client that queues while disconnected and flushes, the network of the page`,
   run: async (context) => {
-    const random = new Dice(context.seed);
+    const random = new SeededRandom(context.seed);
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());
     const testBed = new TestBed(context);
@@ -124,7 +124,7 @@ export const staleMotion: Scenario = {
   },
 };
 
-async function cutWhilePublishing(pair: Pair, random: Dice): Promise<Cut> {
+async function cutWhilePublishing(pair: Pair, random: SeededRandom): Promise<Cut> {
   const { robot, script, net } = pair;
   // On the spot, so that no wall stops the robot.
   const publish = (): void => script.post({ action: "drive", left: 0.3, right: -0.3 });

@@ -1,5 +1,5 @@
 /** Two relays on one Redis behind a balancer. They are killed in turn. */
-import { Dice } from "../../../apps/relay/src/testing/faults/dice.ts";
+import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { startBalancer } from "../../../scripts/balancer.ts";
 import { requireRedis, startRedis } from "../../../scripts/redis-server.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
@@ -21,7 +21,7 @@ export const twoRelays: Scenario = {
   describe: (isLong) =>
     `two relays on one Redis behind a balancer, ${killsOf(isLong)} times one of them is killed (kill -9) and restarts after ${EVERY_MS / 2000} s, while ${ROBOTS} robots receive commands over all transports`,
   run: async (context) => {
-    const random = new Dice(context.seed);
+    const random = new SeededRandom(context.seed);
     requireRedis();
     const redis = await startRedis(context.folder);
     context.onCleanup(() => redis.stop("SIGKILL"));

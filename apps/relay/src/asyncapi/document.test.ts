@@ -27,7 +27,7 @@ interface Described {
 const document = describeMessages() as unknown as Described;
 const text = JSON.stringify(document);
 
-/** A golden message's name in the document. */
+/** Names in the document of the message in a fixture file. */
 function nameOf(fixture: string): string[] {
   if (fixture === "hello") return [messageName("script", "hello"), messageName("page", "hello")];
   const sides = {
@@ -44,7 +44,7 @@ function nameOf(fixture: string): string[] {
 }
 
 const FIXTURES = join(import.meta.dirname, "../../../../packages/protocol/src/fixtures");
-const golden = readdirSync(FIXTURES).map((file) => ({
+const fixtures = readdirSync(FIXTURES).map((file) => ({
   name: file.replace(".json", ""),
   message: JSON.parse(readFileSync(join(FIXTURES, file), "utf8")) as Record<string, unknown>,
 }));
@@ -63,14 +63,14 @@ describe("/asyncapi.json", () => {
     expect(validate({ ...(document as object), channels: [] })).toBe(false);
   });
 
-  it("is served to every site", async () => {
+  it("is served with CORS headers for every site", async () => {
     const { origin } = await startTestRelay();
     const answer = await fetch(`${origin}/asyncapi.json`);
     expect(answer.headers.get("access-control-allow-origin")).toBe("*");
     expect(await answer.text()).toBe(text);
   });
 
-  it("has an answer to every reference", () => {
+  it("resolves every reference", () => {
     const references = [...text.matchAll(/"\$ref":"([^"]+)"/g)].map(([, path]) => path ?? "");
     expect(references.length).toBeGreaterThan(30);
     const missing = references.filter((path) => {
@@ -84,14 +84,14 @@ describe("/asyncapi.json", () => {
     expect(missing).toEqual([]);
   });
 
-  it("names every message that there is, once, and no other", () => {
-    const names = golden.flatMap(({ name }) => nameOf(name)).toSorted();
+  it("contains every message exactly once, and no other", () => {
+    const names = fixtures.flatMap(({ name }) => nameOf(name)).toSorted();
     expect(Object.keys(document.components.messages).toSorted()).toEqual(names);
-    const told = Object.values(document.operations).flatMap(({ messages }) => messages);
-    expect(told.map(({ $ref }) => $ref.replace(/^.*\//, "")).toSorted()).toEqual(names);
+    const referenced = Object.values(document.operations).flatMap(({ messages }) => messages);
+    expect(referenced.map(({ $ref }) => $ref.replace(/^.*\//, "")).toSorted()).toEqual(names);
   });
 
-  it.each(golden)("describes $name as it is on the wire", ({ name, message }) => {
+  it.each(fixtures)("describes $name as it is on the wire", ({ name, message }) => {
     for (const described of nameOf(name)) {
       const validate = validatorOf(described);
       expect(validate(message) ? [] : validate.errors).toEqual([]);
@@ -101,7 +101,7 @@ describe("/asyncapi.json", () => {
   });
 
   it.each(Object.entries(document.components.messages))(
-    "says in words what %s is, and shows one that its schema accepts",
+    "describes %s in a sentence, with a valid example",
     (name, { name: type, description, examples }) => {
       expect(description).toMatch(/^[A-Z].{20,}\.$/);
       expect(examples.length).toBeGreaterThan(0);
@@ -113,14 +113,14 @@ describe("/asyncapi.json", () => {
     },
   );
 
-  it("says where the service is, by both ways that a robot's address may begin", () => {
+  it("lists a server for each scheme of a robot's address", () => {
     const { servers, channels } = document;
     expect(Object.values(servers).map(({ protocol }) => protocol)).toEqual(["wss", "ws"]);
     for (const { description } of Object.values(servers)) expect(description).not.toBe("");
     expect(channels.robot.servers).toHaveLength(2);
   });
 
-  it("says of each side in which order it speaks, and names there no message that is none", () => {
+  it("describes the order of messages of each side, and mentions existing messages only", () => {
     const types = new Set(Object.values(document.components.messages).map(({ name }) => name));
     const fields = new Set(["key", "n"]);
     for (const { summary, description } of Object.values(document.operations)) {

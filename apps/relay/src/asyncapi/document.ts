@@ -1,6 +1,6 @@
 /**
- * The AsyncAPI 3.0 description of the robot's WebSocket, generated from the schemas that check the
- * messages. What a field must be is said by its schema alone; here is only who says what to whom.
+ * The AsyncAPI 3.0 description of the robot's WebSocket, generated from the schemas that validate
+ * the messages. The schemas describe the fields. This module adds the direction of each message.
  */
 import {
   commandRecordSchema,
@@ -16,11 +16,11 @@ import {
 } from "@corridor/protocol";
 import { z } from "zod";
 import { messageExamples, type MessageKinds } from "./examples.ts";
-import { CHANNEL, DESCRIPTION, MESSAGE_WORDS, OPERATIONS } from "./words.ts";
+import { CHANNEL, DESCRIPTION, MESSAGE_TEXTS, OPERATIONS } from "./texts.ts";
 
 type Message = z.ZodType & { shape: { type: z.ZodLiteral<string> } };
 
-/** Who says what to whom. A message's name is the side's, then its type. */
+/** Messages by sender. The name of a message is its side, then its type. */
 const sides = {
   script: {
     action: "receive",
@@ -49,12 +49,12 @@ const shared = {
   Snapshot: snapshotSchema,
 };
 
-/** The document knows no address of its own: the service that it comes from is the one. */
+/** The document does not contain the address of the service that serves it. */
 const servers = {
   service: {
     host: "{host}",
     protocol: "wss",
-    description: "The service that this document comes from, where its pages are at https.",
+    description: "The service that serves this document, over https.",
     variables: {
       host: {
         default: "robots.example.org",
@@ -65,7 +65,7 @@ const servers = {
   local: {
     host: "{host}",
     protocol: "ws",
-    description: "The same where the robot's address begins with http, as on one's own computer.",
+    description: "The same service over http, for example on your own computer.",
     variables: { host: { default: "localhost:8080", description: "as in the robot's address" } },
   },
 } as const;
@@ -75,7 +75,7 @@ export function messageName(side: string, type: string): string {
   return side + type.charAt(0).toUpperCase() + type.slice(1);
 }
 
-/** The whole document, as plain data. */
+/** Builds the document as plain data. */
 export function describeMessages(): Record<string, unknown> {
   const named = Object.entries(sides).flatMap(([side, { messages }]) =>
     messages.map((schema: Message) => {
@@ -123,7 +123,7 @@ export function describeMessages(): Record<string, unknown> {
       messages: Object.fromEntries(
         named.map(({ side, name, type }) => [
           name,
-          { name: type, ...aidsOf(side, type), payload: payloads[name] },
+          { name: type, ...descriptionOf(side, type), payload: payloads[name] },
         ]),
       ),
       schemas: Object.fromEntries(Object.keys(shared).map((name) => [name, payloads[name]])),
@@ -131,18 +131,18 @@ export function describeMessages(): Record<string, unknown> {
   };
 }
 
-/** What a message is for, and one as it is. */
-function aidsOf(side: string, type: string): object {
-  const words = (MESSAGE_WORDS as Record<string, Record<string, string>>)[side]?.[type];
+/** Description and example of a message. */
+function descriptionOf(side: string, type: string): object {
+  const text = (MESSAGE_TEXTS as Record<string, Record<string, string>>)[side]?.[type];
   const example = (messageExamples as Record<string, Record<string, object>>)[side]?.[type];
-  return { description: words, examples: [{ payload: example }] };
+  return { description: text, examples: [{ payload: example }] };
 }
 
-/** Every message and every shared part as JSON Schema; the shared ones are referred to. */
+/** Converts all messages and shared parts to JSON Schema. Messages reference the shared parts. */
 function schemasOf(named: readonly { name: string; schema: z.ZodType }[]): Record<string, unknown> {
   const registry = z.registry<{ id: string }>();
   for (const [id, schema] of Object.entries(shared)) registry.add(schema, { id });
-  // The same message in two directions would be one entry of the registry, but needs two names.
+  // A registry has one entry per schema, so a message of both directions is cloned.
   for (const { name, schema } of named) registry.add(schema.clone(), { id: name });
   const { schemas } = z.toJSONSchema(registry, {
     target: "draft-07",

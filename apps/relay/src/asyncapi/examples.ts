@@ -1,6 +1,6 @@
 /**
- * One message of each kind as it is on the wire, for those who read the description. Together they are one story:
- * a script lets a robot drive one metre.
+ * One example of each message as it is on the wire. Together they form one sequence: a script moves
+ * a robot by one metre.
  */
 import {
   expiredReason,
@@ -24,10 +24,10 @@ export interface MessageKinds {
 }
 
 const version = PROTOCOL_VERSION;
-/** of the page's time with the robot */
+/** of the page's connection to the robot */
 const epoch = 3;
 const { seq, key, command, acceptedAt } = recordExample;
-/** how it ends */
+/** final state of the command */
 const ending = {
   seq,
   state: "completed",
@@ -35,7 +35,7 @@ const ending = {
   pose: { x: 150, y: 250, heading: 180 },
   distance: 100,
 } as const;
-/** ms by the relay's own clock */
+/** ms by the relay's clock */
 const at = 1_767_268_800_050;
 
 const delivered = {

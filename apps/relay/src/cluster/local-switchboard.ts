@@ -1,48 +1,49 @@
 /**
- * The lines of one relay, on which nobody else is. In tests several relays of one process share one, and
- * are a cluster.
+ * In-process message bus of a single relay. In tests, several relays of one process share one bus
+ * and form a cluster.
  */
 import type { Ears, Line, News, Step, Switchboard } from "./switchboard.ts";
 
-interface Place {
+interface Member {
   ears: Ears;
-  /** the page that it has; null: it has none */
+  /** the page that it owns, or null */
   page: Extract<News, { kind: "page" }> | null;
 }
 
 export class LocalSwitchboard implements Switchboard {
-  readonly #lines = new Map<string, Set<Place>>();
+  readonly #lines = new Map<string, Set<Member>>();
 
   async join(robot: string, ears: Ears): Promise<Line> {
-    const places = this.#lines.get(robot) ?? new Set();
-    this.#lines.set(robot, places);
-    for (const { page } of places) if (page !== null) ears.heard(page);
-    const place: Place = { ears, page: null };
-    places.add(place);
+    const members = this.#lines.get(robot) ?? new Set();
+    this.#lines.set(robot, members);
+    for (const { page } of members) if (page !== null) ears.heard(page);
+    const member: Member = { ears, page: null };
+    members.add(member);
     const tell = (news: News): void => {
-      for (const other of places) if (other !== place) other.ears.heard(news);
+      for (const other of members) if (other !== member) other.ears.heard(news);
     };
     const leftPage = (saidGoodbye: boolean): void => {
-      const { page: left } = place;
-      place.page = null;
+      const { page: left } = member;
+      member.page = null;
       if (left !== null) tell({ kind: "page-left", epoch: left.epoch, saidGoodbye });
     };
     return {
       stepped: (step: Step) => {
-        // Its own readers are told of what has changed; what came is for others to know.
-        if (step.changed.length === 0 && (step.added === null || places.size === 1)) return;
-        for (const other of places) other.ears.stepped(step, other === place);
+        // The relay's own readers need the changed states. Only other relays need the added
+        // command.
+        if (step.changed.length === 0 && (step.added === null || members.size === 1)) return;
+        for (const other of members) other.ears.stepped(step, other === member);
       },
       tell: (news) => {
         if (news.kind === "page-left") return leftPage(news.saidGoodbye);
-        if (news.kind === "page") place.page = news;
+        if (news.kind === "page") member.page = news;
         return tell(news);
       },
       hurry: () => undefined,
       leave: () => {
-        places.delete(place);
+        members.delete(member);
         leftPage(false);
-        if (places.size === 0 && this.#lines.get(robot) === places) this.#lines.delete(robot);
+        if (members.size === 0 && this.#lines.get(robot) === members) this.#lines.delete(robot);
       },
     };
   }

@@ -7,12 +7,12 @@ import { RedisSessionStore } from "../store/redis/redis-session-store.ts";
 import { swallowingNet } from "../testing/swallowing-net.ts";
 import { hasRedis, startTestRedis } from "../testing/test-redis.ts";
 import { RedisSwitchboard } from "./redis-switchboard.ts";
-import { placeOf, switchboardCases } from "./testing/switchboard.cases.ts";
+import { subscribe, switchboardCases } from "./testing/switchboard.cases.ts";
 
-const TAKEN_FOR_DEAD_MS = 5_000;
+const DETECTION_MS = 5_000;
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 
-/** A clock whose timers stand still while its process does. */
+/** A clock that holds its timers while the process is stalled. */
 function stallingClock() {
   const held: (() => void)[] = [];
   let isStalled = false;
@@ -27,7 +27,7 @@ function stallingClock() {
   return {
     clock,
     stall: () => (isStalled = true),
-    goOn: () => {
+    resume: () => {
       isStalled = false;
       for (const call of held.splice(0)) call();
     },
@@ -38,24 +38,24 @@ async function relayAt(
   url: string,
   relay: string,
   clock: Clock = systemClock,
-  hearsAt: string = url,
+  subscribesAt: string = url,
 ) {
   const connect = async (to: string) => {
     const connection = await connectRedis(to, () => undefined);
     onTestFinished(() => connection.destroy());
     return connection;
   };
-  const [redis, hearing] = [await connect(url), await connect(hearsAt)];
+  const [redis, subscriber] = [await connect(url), await connect(subscribesAt)];
   const log = pino({ level: "silent" });
-  const options = { redis, hearing, relay, clock, log };
+  const options = { redis, subscriber, relay, clock, log };
   const switchboard = await RedisSwitchboard.open(options);
   const store = new RedisSessionStore(redis, new ForgottenBytes(redis), relay);
   const die = (): void => {
     redis.destroy();
-    hearing.destroy();
+    subscriber.destroy();
   };
   onTestFinished(() => switchboard.close());
-  return { switchboard, store, redis, hearing, die };
+  return { switchboard, store, redis, subscriber, die };
 }
 
 async function twoRelays() {
@@ -66,58 +66,58 @@ async function twoRelays() {
 describe.skipIf(!hasRedis)("with Redis", () => {
   switchboardCases("RedisSwitchboard", async () => [...(await twoRelays())]);
 
-  it("takes the page of a relay that has died for away, within five seconds", async () => {
+  it("reports the page of a dead relay as disconnected within five seconds", async () => {
     const [dying, other] = await twoRelays();
     await other.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
-    const epoch = await (await placeOf(dying)).take();
-    const { heard } = await placeOf(other);
+    const epoch = await (await subscribe(dying)).take();
+    const { heard } = await subscribe(other);
     expect(heard).toMatchObject([{ kind: "page", epoch }]);
     dying.die();
     await vi.waitFor(
       () => expect(heard.at(-1)).toMatchObject({ kind: "page-left", epoch }),
-      TAKEN_FOR_DEAD_MS,
+      DETECTION_MS,
     );
-    expect((await placeOf(other)).heard).toEqual([]);
+    expect((await subscribe(other)).heard).toEqual([]);
   });
 
-  it("finds the page again of a relay that stood still and was taken for dead, which learns of it", async () => {
+  it("restores the page of a stalled relay that was considered dead, and notifies that relay", async () => {
     const { url } = await startTestRedis();
-    const { clock, stall, goOn } = stallingClock();
+    const { clock, stall, resume } = stallingClock();
     const stalling = await relayAt(url, "relay-a", clock);
     const other = await relayAt(url, "relay-b");
     await other.store.create({ id: ID, createdAt: 1, keys: [] });
-    const [a, b] = [await placeOf(stalling), await placeOf(other)];
+    const [a, b] = [await subscribe(stalling), await subscribe(other)];
     const epoch = await a.take();
     stall();
     await vi.waitFor(
       () => expect(b.heard.at(-1)).toMatchObject({ kind: "page-left", epoch }),
-      TAKEN_FOR_DEAD_MS,
+      DETECTION_MS,
     );
-    goOn();
+    resume();
     await vi.waitFor(
       () => expect(b.heard.at(-1)).toMatchObject({ kind: "page", epoch }),
-      TAKEN_FOR_DEAD_MS,
+      DETECTION_MS,
     );
     expect(a.heard).toEqual([{ kind: "lapsed" }]);
   });
 
-  it("ends nothing of a robot whose page is at another relay that lives", async () => {
+  it("does not end commands while the page is connected to another live relay", async () => {
     const [dying, other] = await twoRelays();
     await other.store.create({ id: ID, createdAt: 1, keys: [] });
-    const epoch = await (await placeOf(dying)).take();
+    const epoch = await (await subscribe(dying)).take();
     expect(await other.store.abandon(ID, epoch, "gone")).toBeNull();
     dying.die();
     await vi.waitFor(
       async () => expect(await other.store.abandon(ID, epoch, "gone")).toEqual([]),
-      TAKEN_FOR_DEAD_MS,
+      DETECTION_MS,
     );
   });
 
-  it("has keys looked up again and again while it hears nothing: one may be revoked meanwhile", async () => {
+  it("requests repeated key checks while disconnected, because a key may have been revoked", async () => {
     const redis = await startTestRedis();
     const relay = await relayAt(redis.url, "relay-a");
     await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
-    const { heard } = await placeOf(relay);
+    const { heard } = await subscribe(relay);
     await redis.stop();
     await vi.waitFor(
       () => expect(heard.slice(0, 2)).toEqual([{ kind: "keys" }, { kind: "keys" }]),
@@ -125,25 +125,25 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     );
   });
 
-  it("has keys looked up long before it is sure that the line it hears by is dead", async () => {
+  it("requests key checks before it detects that its subscriber connection is dead", async () => {
     const { url, port } = await startTestRedis();
     const net = await swallowingNet(port);
     const relay = await relayAt(url, "relay-a", systemClock, net.url);
     await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
-    const { heard } = await placeOf(relay);
+    const { heard } = await subscribe(relay);
     net.swallow();
     await vi.waitFor(() => expect(heard).toContainEqual({ kind: "keys" }), 5_000);
-    // It still takes the line for a good one.
-    expect(relay.hearing.isReady).toBe(true);
+    // The connection still counts as working.
+    expect(relay.subscriber.isReady).toBe(true);
   });
 
-  it("has nothing looked up while all is well, or while Redis stands still", async () => {
+  it("requests no key checks while all connections work, or while Redis is stalled", async () => {
     const { url, port } = await startTestRedis();
     const net = await swallowingNet(port);
     const relay = await relayAt(net.url, "relay-a");
     const watcher = await relayAt(url, "relay-b");
     await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
-    const { heard } = await placeOf(relay);
+    const { heard } = await subscribe(relay);
     const beats = async (): Promise<void> => {
       for (let n = 0; n < 4; n++) {
         await new Promise((resolve) => void setTimeout(resolve, 300));
@@ -156,14 +156,14 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     expect(heard).toEqual([]);
   });
 
-  it("says that something was missed when the line was broken, and hears again", async () => {
+  it("reports missed messages after its connection broke, and receives again", async () => {
     const [relay, other] = await twoRelays();
     await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
-    const place = await placeOf(relay);
+    const place = await subscribe(relay);
     await other.redis.sendCommand(["CLIENT", "KILL", "TYPE", "pubsub"]);
     await vi.waitFor(() => expect(place.missed).toHaveBeenCalled(), 5_000);
-    // The other relay's line was cut too, and may take longer to be back.
-    const back = await vi.waitFor(() => placeOf(other), 5_000);
+    // The other relay's connection was closed too, and may reconnect later.
+    const back = await vi.waitFor(() => subscribe(other), 5_000);
     await back.add();
     await vi.waitFor(() => expect(place.steps).toEqual(["+1"]), 5_000);
   });

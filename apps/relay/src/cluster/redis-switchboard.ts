@@ -1,8 +1,8 @@
 /**
- * Lines over Redis: a channel for each robot that this relay holds. The scripts of the store tell the
- * steps there, numbered, in the moment in which they are done; a number that is missing, or a connection
- * that was broken, is heard as `missed`. A relay that does not give a sign of life for three seconds counts as
- * dead, and the pages that it had as away; one that was not dead after all lets its pages connect anew.
+ * Message bus over Redis: a channel for each robot that this relay holds. The store's Lua scripts
+ * publish steps there, numbered, in the same transaction. A missing number or a broken connection
+ * causes `missed`. A relay without a heartbeat for three seconds counts as dead, and its pages as
+ * disconnected. If it was only stalled, it lets its pages reconnect.
  */
 import {
   aliveDriverSchema,
@@ -23,16 +23,22 @@ import { Script } from "../store/redis/script.ts";
 import { readPost, SnapshotPost } from "./snapshot-post.ts";
 import type { Ears, Line, News, Switchboard } from "./switchboard.ts";
 
-const BEAT_MS = 1_000;
-/** A relay that was silent for so long counts as dead. */
+const HEARTBEAT_MS = 1_000;
+/** A relay without a heartbeat for this long counts as dead. */
 const ALIVE_MS = 3_000;
-/** While nothing can be heard, keys may be revoked unheard: those that count are asked for this often. */
-const DEAF_LOOK_MS = 300;
+/**
+ * Interval of key checks while the subscriber connection is broken, because revocations may be
+ * missed.
+ */
+const KEY_CHECK_MS = 300;
 
-/** of a page; an earlier Corridor kept none */
+/** name of a page; earlier versions of Corridor stored none */
 const name = z.string().default("");
 const holderSchema = z.object({ relay: z.string(), epoch: z.int(), name });
-const beatSchema = z.object({ lapsed: z.boolean(), holders: z.array(holderSchema.nullable()) });
+const heartbeatSchema = z.object({
+  lapsed: z.boolean(),
+  holders: z.array(holderSchema.nullable()),
+});
 const scriptsSchema = driversSchema.extend({
   alive: z.array(aliveDriverSchema),
   scripts: z.array(scriptSchema),
@@ -64,24 +70,24 @@ const messageSchema = z.discriminatedUnion("kind", [
 ]);
 type Message = z.infer<typeof messageSchema>;
 
-interface Place {
+interface Member {
   ears: Ears;
-  /** number of the newest step that was heard; null: none yet */
+  /** number of the last received step; null: none yet */
   n: number | null;
-  /** the other relay that has the page, as far as this one knows */
+  /** the other relay that owns the page, as far as known */
   holder: z.infer<typeof holderSchema> | null;
-  /** this relay has it */
+  /** whether this relay owns it */
   isOwn: boolean;
-  /** how often news of the page came: an answer that was on its way meanwhile is older */
-  pageNews: number;
-  /** other relays that hold the robot, and when they said so */
+  /** counter of page messages, to detect responses that are older than a message */
+  pageMessages: number;
+  /** other relays that hold the robot, with the time of their last message */
   others: Map<string, number>;
 }
 
 export interface RedisSwitchboardOptions {
   redis: Redis;
-  /** a connection of its own, for what is heard */
-  hearing: Redis;
+  /** a dedicated connection for subscriptions */
+  subscriber: Redis;
   relay: string;
   clock: Clock;
   log: Logger;
@@ -90,14 +96,14 @@ export interface RedisSwitchboardOptions {
 export class RedisSwitchboard implements Switchboard {
   readonly #options: RedisSwitchboardOptions;
   readonly #script: Script;
-  readonly #places = new Map<string, Place>();
+  readonly #members = new Map<string, Member>();
   readonly #post: SnapshotPost;
-  /** how news begin that this relay is here: most of what it hears of itself, and nothing to it */
+  /** prefix of this relay's own presence messages, which it ignores */
   readonly #ownPresence: string;
   #cancelTimer: () => void = () => undefined;
-  #cancelLook: () => void = () => undefined;
+  #cancelCheck: () => void = () => undefined;
   #isClosed = false;
-  /** no sign of life was asked for on the line to hear by that has not come */
+  /** whether the last ping of the subscriber connection was answered */
   #isAnswered = true;
 
   private constructor(options: RedisSwitchboardOptions) {
@@ -105,63 +111,62 @@ export class RedisSwitchboard implements Switchboard {
     this.#script = new Script(options.redis, "../../cluster/switchboard.lua", [options.relay]);
     this.#ownPresence = JSON.stringify({ kind: "here", from: options.relay }).slice(0, -1);
     this.#post = new SnapshotPost(options.clock, (relay, post) => {
-      // Lost with the connection: the next one is newer.
+      // Lost posts need no retry, because the next one is newer.
       options.redis.publish(postOf(relay), post).catch(() => undefined);
     });
   }
 
-  /** Opens the switchboard; from now on this relay counts as alive. */
+  /** Opens the message bus. From then on this relay counts as alive. */
   static async open(options: RedisSwitchboardOptions): Promise<RedisSwitchboard> {
     const switchboard = new RedisSwitchboard(options);
     await asked(
-      options.hearing.subscribe(
+      options.subscriber.subscribe(
         postOf(options.relay),
         (post) => {
           for (const [robot, snapshot] of readPost(post) ?? []) {
-            switchboard.#places.get(robot)?.ears.heard({ kind: "snapshot", snapshot });
+            switchboard.#members.get(robot)?.ears.heard({ kind: "snapshot", snapshot });
           }
         },
         true,
       ),
     );
-    await switchboard.#beat();
-    // The client listens again by itself, but nobody keeps for it what was said meanwhile.
-    options.hearing.on("ready", () => {
+    await switchboard.#sendHeartbeat();
+    // The client resubscribes automatically, but messages in between are lost.
+    options.subscriber.on("ready", () => {
       switchboard.#isAnswered = true;
-      switchboard.#missed();
+      switchboard.#onMissed();
     });
-    switchboard.#lookWhileDeaf();
+    switchboard.#checkSubscriber();
     return switchboard;
   }
 
   async join(robot: string, ears: Ears): Promise<Line> {
-    const { hearing, relay, log } = this.#options;
+    const { subscriber, relay, log } = this.#options;
     const others = new Map<string, number>();
-    const place: Place = { ears, n: null, holder: null, isOwn: false, pageNews: 0, others };
-    const hear = (text: string): void => {
+    const member: Member = { ears, n: null, holder: null, isOwn: false, pageMessages: 0, others };
+    const onMessage = (text: string): void => {
       if (text.startsWith(this.#ownPresence)) return;
       const message = messageSchema.safeParse(JSON.parse(text));
-      if (message.success) this.#hear(place, message.data);
-      else
-        log.warn({ err: message.error }, "another relay said something that this one cannot read");
+      if (message.success) this.#onMessage(member, message.data);
+      else log.warn({ err: message.error }, "invalid message from another relay");
     };
     const channel = lineOf(robot);
-    await asked(hearing.subscribe(channel, hear));
-    this.#places.set(robot, place);
+    await asked(subscriber.subscribe(channel, onMessage));
+    this.#members.set(robot, member);
     const holder = holderSchema.nullable().parse(await this.#run("holder", robot));
-    if (holder !== null && holder.relay !== relay && place.holder === null) {
-      place.holder = holder;
+    if (holder !== null && holder.relay !== relay && member.holder === null) {
+      member.holder = holder;
       ears.heard({ kind: "page", epoch: holder.epoch, name: holder.name });
     }
     return {
-      // The script that did the step has told it.
+      // The store's Lua script has published it.
       stepped: () => undefined,
-      tell: (news) => this.#tell(robot, news),
-      // By the same connection as the steps, so that it arrives in this order, too.
+      tell: (news) => this.#publish(robot, news),
+      // Uses the same connection as the steps, which preserves the order.
       hurry: () => this.#post.flush(),
       leave: () => {
-        if (this.#places.get(robot) === place) this.#places.delete(robot);
-        hearing.unsubscribe(channel, hear).catch(() => undefined);
+        if (this.#members.get(robot) === member) this.#members.delete(robot);
+        subscriber.unsubscribe(channel, onMessage).catch(() => undefined);
       },
     };
   }
@@ -169,124 +174,125 @@ export class RedisSwitchboard implements Switchboard {
   async close(): Promise<void> {
     this.#isClosed = true;
     this.#cancelTimer();
-    this.#cancelLook();
+    this.#cancelCheck();
     this.#post.close();
-    this.#places.clear();
+    this.#members.clear();
     await this.#run("stop", "").catch(() => undefined);
   }
 
-  #tell(robot: string, news: News): void {
+  #publish(robot: string, news: News): void {
     const { redis, relay, log } = this.#options;
-    // The script of the store has told it, a page with the new epoch.
+    // The store's Lua script has published it, for a page with the new epoch.
     if (news.kind === "page" || news.kind === "keys" || news.kind === "over") return;
-    if (news.kind === "snapshot") return this.#tellSnapshot(robot, news.snapshot);
-    const told =
+    if (news.kind === "snapshot") return this.#publishSnapshot(robot, news.snapshot);
+    const published =
       news.kind === "page-left"
         ? this.#run("left", robot, { epoch: news.epoch, saidGoodbye: news.saidGoodbye })
         : redis.publish(lineOf(robot), JSON.stringify({ ...news, from: relay }));
-    told.catch((error: unknown) =>
-      log.debug({ err: error }, "news did not reach the other relays"),
+    published.catch((error: unknown) =>
+      log.debug({ err: error }, "publishing to other relays failed"),
     );
   }
 
-  #tellSnapshot(robot: string, snapshot: CarriedSnapshot): void {
-    const others = this.#places.get(robot)?.others;
+  #publishSnapshot(robot: string, snapshot: CarriedSnapshot): void {
+    const others = this.#members.get(robot)?.others;
     if (others === undefined) return;
     const oldest = this.#options.clock.now() - limits.relaySilenceMs;
     for (const [relay, heardAt] of others) if (heardAt < oldest) others.delete(relay);
     this.#post.post(robot, snapshot, others.keys());
   }
 
-  #hear(place: Place, message: Message): void {
+  #onMessage(member: Member, message: Message): void {
     const { relay } = this.#options;
-    if (message.kind === "step") return this.#hearStep(place, message);
+    if (message.kind === "step") return this.#onStep(member, message);
     const isOwn = message.from === relay;
     if (message.kind === "page" || message.kind === "page-left") {
-      place.pageNews += 1;
-      place.isOwn = message.kind === "page" && isOwn;
-      place.holder = message.kind === "page" && !isOwn ? { ...message, relay: message.from } : null;
+      member.pageMessages += 1;
+      member.isOwn = message.kind === "page" && isOwn;
+      member.holder =
+        message.kind === "page" && !isOwn ? { ...message, relay: message.from } : null;
     }
     if (isOwn) return;
-    if (message.kind === "here") place.others.set(message.from, this.#options.clock.now());
-    place.ears.heard(message);
+    if (message.kind === "here") member.others.set(message.from, this.#options.clock.now());
+    member.ears.heard(message);
   }
 
-  #hearStep(place: Place, { n, from: teller, added, changed }: Message & { kind: "step" }): void {
-    if (place.n !== null && n !== place.n + 1) place.ears.missed();
-    place.n = n;
+  #onStep(member: Member, { n, from: sender, added, changed }: Message & { kind: "step" }): void {
+    if (member.n !== null && n !== member.n + 1) member.ears.missed();
+    member.n = n;
     const ended = changed.filter(({ record }) => hasEnded(record.state));
     const step = { added, ended, changed: changed.map(({ record }) => record) };
-    place.ears.stepped(step, teller === this.#options.relay);
+    member.ears.stepped(step, sender === this.#options.relay);
   }
 
-  #missed(): void {
-    for (const place of this.#places.values()) {
-      place.n = null;
-      place.ears.missed();
+  #onMissed(): void {
+    for (const member of this.#members.values()) {
+      member.n = null;
+      member.ears.missed();
     }
-    if (!this.#isClosed) this.#look().catch(() => undefined);
+    if (!this.#isClosed) this.#refreshOwners().catch(() => undefined);
   }
 
-  #lookWhileDeaf(): void {
-    const { clock, hearing, redis } = this.#options;
-    if (!hearing.isReady) this.#keysMayHaveChanged();
-    else if (this.#isAnswered) this.#askForLife();
+  #checkSubscriber(): void {
+    const { clock, subscriber, redis } = this.#options;
+    if (!subscriber.isReady) this.#requestKeyChecks();
+    else if (this.#isAnswered) this.#pingSubscriber();
     else {
-      // Cut without a word, or Redis stands still: then nobody revokes a key either, and nobody is sent away.
+      // The connection is dead, or Redis is stalled. In that case no key can be revoked.
       redis.ping().then(
-        () => this.#isAnswered || this.#keysMayHaveChanged(),
+        () => this.#isAnswered || this.#requestKeyChecks(),
         () => undefined,
       );
     }
-    this.#cancelLook = clock.after(DEAF_LOOK_MS, () => this.#lookWhileDeaf());
+    this.#cancelCheck = clock.after(KEY_CHECK_MS, () => this.#checkSubscriber());
   }
 
-  #askForLife(): void {
+  #pingSubscriber(): void {
     this.#isAnswered = false;
-    const heard = (): void => void (this.#isAnswered = true);
-    // An error is an answer, or the line is known to be broken.
-    this.#options.hearing.ping().then(heard, heard);
+    const onAnswer = (): void => void (this.#isAnswered = true);
+    // An error counts as an answer, or the connection is known to be broken.
+    this.#options.subscriber.ping().then(onAnswer, onAnswer);
   }
 
-  #keysMayHaveChanged(): void {
-    for (const { ears } of this.#places.values()) ears.heard({ kind: "keys" });
+  #requestKeyChecks(): void {
+    for (const { ears } of this.#members.values()) ears.heard({ kind: "keys" });
   }
 
-  async #beat(): Promise<void> {
+  async #sendHeartbeat(): Promise<void> {
     try {
-      await this.#look();
+      await this.#refreshOwners();
     } catch (error) {
-      this.#options.log.debug({ err: error }, "no sign of life could be given");
+      this.#options.log.debug({ err: error }, "heartbeat failed");
     }
     if (this.#isClosed) return;
-    this.#cancelTimer = this.#options.clock.after(BEAT_MS, () => void this.#beat());
+    this.#cancelTimer = this.#options.clock.after(HEARTBEAT_MS, () => void this.#sendHeartbeat());
   }
 
-  /** Gives a sign of life, and looks where the pages are: their relays may be dead, or not be dead after all. */
-  async #look(): Promise<void> {
-    const places = [...this.#places].map(([robot, place]) => ({
+  /** Sends a heartbeat and checks who owns the pages, because relays may have died or recovered. */
+  async #refreshOwners(): Promise<void> {
+    const members = [...this.#members].map(([robot, member]) => ({
       session: sessionOf(robot),
-      place,
-      pageNews: place.pageNews,
+      member,
+      pageMessages: member.pageMessages,
     }));
-    const sessions = places.map(({ session }) => session);
-    const answer = beatSchema.parse(await this.#run("beat", "", { ms: ALIVE_MS, sessions }));
-    for (const [index, { place, pageNews }] of places.entries()) {
-      if (place.isOwn && answer.lapsed) place.ears.heard({ kind: "lapsed" });
-      else if (!place.isOwn && place.pageNews === pageNews)
-        this.#learnHolder(place, answer.holders[index] ?? null);
+    const sessions = members.map(({ session }) => session);
+    const answer = heartbeatSchema.parse(await this.#run("beat", "", { ms: ALIVE_MS, sessions }));
+    for (const [index, { member, pageMessages }] of members.entries()) {
+      if (member.isOwn && answer.lapsed) member.ears.heard({ kind: "lapsed" });
+      else if (!member.isOwn && member.pageMessages === pageMessages)
+        this.#updateHolder(member, answer.holders[index] ?? null);
     }
   }
 
-  #learnHolder(place: Place, holder: Place["holder"]): void {
-    const before = place.holder;
+  #updateHolder(member: Member, holder: Member["holder"]): void {
+    const before = member.holder;
     const isOther = holder?.relay !== this.#options.relay;
-    place.holder = isOther ? holder : null;
-    if (place.holder?.epoch === before?.epoch) return;
-    if (place.holder !== null) {
-      place.ears.heard({ kind: "page", epoch: place.holder.epoch, name: place.holder.name });
+    member.holder = isOther ? holder : null;
+    if (member.holder?.epoch === before?.epoch) return;
+    if (member.holder !== null) {
+      member.ears.heard({ kind: "page", epoch: member.holder.epoch, name: member.holder.name });
     } else if (before !== null) {
-      place.ears.heard({ kind: "page-left", epoch: before.epoch, saidGoodbye: false });
+      member.ears.heard({ kind: "page-left", epoch: before.epoch, saidGoodbye: false });
     }
   }
 

@@ -7,7 +7,7 @@ import { readPost, SnapshotPost } from "./snapshot-post.ts";
 
 const [ONE, TWO] = ["AAAAAAAAAAAAAAAAAAAAAA", "BBBBBBBBBBBBBBBBBBBBBB"];
 
-/** The one post that brings all of these. */
+/** Returns the single post that contains these snapshots. */
 function posted(snapshots: [robot: string, snapshot: Snapshot][]): Buffer {
   const clock = new FakeClock();
   const posts: Buffer[] = [];
@@ -18,13 +18,13 @@ function posted(snapshots: [robot: string, snapshot: Snapshot][]): Buffer {
   return Buffer.concat(posts);
 }
 
-/** What a relay reads of a post, as objects. */
+/** Decodes a post to plain objects. */
 function read(post: Buffer | string): Record<string, Snapshot> | null {
   const found = readPost(Buffer.from(post));
   return found && Object.fromEntries([...found].map(([robot, { value }]) => [robot, value]));
 }
 
-it("brings the newest snapshot of each robot to the other relay, as it is", () => {
+it("delivers the latest snapshot of each robot unchanged", () => {
   const newest = snapshotOf({ seq: 2, line: "default", command: 7 });
   const other = snapshotOf({ seq: 3 });
   const post = posted([
@@ -35,7 +35,7 @@ it("brings the newest snapshot of each robot to the other relay, as it is", () =
   expect(read(post)).toEqual({ [ONE]: newest, [TWO]: other });
 });
 
-it("brings one with letters that are no ASCII, too", () => {
+it("delivers a snapshot with non-ASCII characters", () => {
   const snapshot = snapshotOf({ motion: "höher" });
   expect(read(posted([[ONE, snapshot]]))).toEqual({ [ONE]: snapshot });
 });
@@ -43,18 +43,18 @@ it("brings one with letters that are no ASCII, too", () => {
 it.each([
   { name: "spaces", of: (text: string) => text.replaceAll(":", ": ") },
   { name: "fields in another order", of: (text: string) => reordered(text) },
-])("reads what another version writes with $name", ({ of }) => {
+])("reads posts of another version with $name", ({ of }) => {
   const text = JSON.stringify({ [ONE]: snapshotOf(), [TWO]: snapshotOf({ seq: 9 }) });
   expect(of(text)).not.toBe(text);
   expect(read(of(text))).toEqual(JSON.parse(text));
 });
 
 it.each(["", "null", "[]", "{", '{"A":', '{"A":1}', '{"A":{}}', `{"${ONE}":{"seq":1}}`, "\u0000"])(
-  "takes nothing of what cannot be read: %j",
+  "rejects invalid input: %j",
   (text) => expect(read(text)).toBeNull(),
 );
 
-it("takes nothing of a post that is nearly JSON", () => {
+it("rejects a post that is nearly JSON", () => {
   const text = posted([
     [ONE, snapshotOf()],
     [TWO, snapshotOf()],
@@ -63,7 +63,7 @@ it("takes nothing of a post that is nearly JSON", () => {
   expect(read(text.replace(',"B', ',,"B'))).toBeNull();
 });
 
-it("takes nothing of a post that is cut", () => {
+it("rejects a truncated post", () => {
   const post = posted([
     [ONE, snapshotOf()],
     [TWO, snapshotOf()],

@@ -1,16 +1,17 @@
 /**
- * Snapshots on their way to other relays: those of all robots that one relay wants, in one message every
- * 15 ms. A message for each would cost both relays more than all else that they do with it.
+ * Batches snapshots for other relays: one message every 15 ms contains the snapshots of all robots
+ * that a relay needs. One message per snapshot would cost both relays more than all other work for
+ * it.
  *
- * A post is one JSON object, the newest snapshot by robot. Each is put in as it came from its page and taken
- * out as it is, without an object being made of it at either relay.
+ * A post is one JSON object with the latest snapshot by robot. Snapshots are copied as bytes,
+ * without parsing them at either relay.
  */
 import { findSnapshot, snapshotSchema } from "@corridor/protocol";
 import { z } from "zod";
 import type { Clock } from "../clock.ts";
 import { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 
-const GATHER_MS = 15;
+const BATCH_MS = 15;
 const END = Buffer.from("}");
 
 const postSchema = z.record(z.string(), snapshotSchema);
@@ -18,11 +19,11 @@ const postSchema = z.record(z.string(), snapshotSchema);
 export class SnapshotPost {
   readonly #clock: Clock;
   readonly #send: (relay: string, post: Buffer) => void;
-  /** by relay, the newest of each robot */
-  readonly #bags = new Map<string, Map<string, CarriedSnapshot>>();
+  /** by relay, the latest snapshot of each robot */
+  readonly #batches = new Map<string, Map<string, CarriedSnapshot>>();
   #cancelTimer: (() => void) | null = null;
 
-  /** @param send takes a post to one relay, or loses it */
+  /** @param send sends a post to one relay; delivery is not guaranteed */
   constructor(clock: Clock, send: (relay: string, post: Buffer) => void) {
     this.#clock = clock;
     this.#send = send;
@@ -30,41 +31,41 @@ export class SnapshotPost {
 
   post(robot: string, snapshot: CarriedSnapshot, relays: Iterable<string>): void {
     for (const relay of relays) {
-      const bag = this.#bags.get(relay) ?? new Map<string, CarriedSnapshot>();
-      this.#bags.set(relay, bag.set(robot, snapshot));
+      const batch = this.#batches.get(relay) ?? new Map<string, CarriedSnapshot>();
+      this.#batches.set(relay, batch.set(robot, snapshot));
     }
-    this.#cancelTimer ??= this.#clock.after(GATHER_MS, () => this.flush());
+    this.#cancelTimer ??= this.#clock.after(BATCH_MS, () => this.flush());
   }
 
-  /** Sends what was gathered. */
+  /** Sends the pending snapshots. */
   flush(): void {
     this.#cancelTimer?.();
     this.#cancelTimer = null;
-    for (const [relay, bag] of this.#bags) this.#send(relay, written(bag));
-    this.#bags.clear();
+    for (const [relay, batch] of this.#batches) this.#send(relay, encode(batch));
+    this.#batches.clear();
   }
 
   close(): void {
     this.#cancelTimer?.();
-    this.#bags.clear();
+    this.#batches.clear();
   }
 }
 
-function written(bag: ReadonlyMap<string, CarriedSnapshot>): Buffer {
+function encode(batch: ReadonlyMap<string, CarriedSnapshot>): Buffer {
   const parts: Buffer[] = [];
-  for (const [robot, { json }] of bag) {
+  for (const [robot, { json }] of batch) {
     parts.push(Buffer.from(`${parts.length === 0 ? "{" : ","}"${robot}":`, "latin1"), json);
   }
   return Buffer.concat([...parts, END]);
 }
 
-/** What a relay has sent, by robot; null when it cannot be read. */
+/** Decodes a post to snapshots by robot. Returns null if it is invalid. */
 export function readPost(post: Buffer): ReadonlyMap<string, CarriedSnapshot> | null {
-  return readPlainPost(post) ?? readAnyPost(post);
+  return readFastPost(post) ?? readAnyPost(post);
 }
 
-/** A post as it is written above, of snapshots without anything unusual; null for all else. */
-function readPlainPost(post: Buffer): Map<string, CarriedSnapshot> | null {
+/** Fast path for posts in the format of `encode`. Returns null for all others. */
+function readFastPost(post: Buffer): Map<string, CarriedSnapshot> | null {
   const text = post.toString("latin1");
   const found = new Map<string, CarriedSnapshot>();
   for (let at = 0; text.charAt(at) === (at === 0 ? "{" : ",");) {
@@ -72,7 +73,7 @@ function readPlainPost(post: Buffer): Map<string, CarriedSnapshot> | null {
     const isName = text.charAt(at + 1) === '"' && endOfName > 0;
     const place = !isName ? null : findSnapshot(text, endOfName + 2);
     if (place === null) return null;
-    // Whatever stands there: nobody has a robot of any other name than robots have.
+    // The name needs no check, because no robot has an invalid name.
     found.set(text.slice(at + 2, endOfName), CarriedSnapshot.found(post, place));
     if (text.charAt(place.end) === "}") return place.end === text.length - 1 ? found : null;
     at = place.end;
@@ -81,12 +82,12 @@ function readPlainPost(post: Buffer): Map<string, CarriedSnapshot> | null {
 }
 
 function readAnyPost(post: Buffer): Map<string, CarriedSnapshot> | null {
-  const { data } = postSchema.safeParse(parsed(post));
+  const { data } = postSchema.safeParse(parseJson(post));
   if (data === undefined) return null;
   return new Map(Object.entries(data).map(([robot, value]) => [robot, CarriedSnapshot.of(value)]));
 }
 
-function parsed(post: Buffer): unknown {
+function parseJson(post: Buffer): unknown {
   try {
     return JSON.parse(post.toString());
   } catch {

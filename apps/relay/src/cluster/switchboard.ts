@@ -1,70 +1,78 @@
 /**
- * What relays that serve the same robot tell each other: a line for each robot. Nothing on it is needed
- * for a command to be neither lost nor doubled; the store alone sees to that. Every form of it passes
- * `testing/switchboard.cases.ts`; see docs/adr/0010-several-relays.md.
+ * Messages between relays that serve the same robot, on one channel per robot. Commands are neither
+ * lost nor duplicated without them, because the store alone guarantees that. Every implementation
+ * passes `testing/switchboard.cases.ts`. See docs/adr/0010-several-relays.md.
  */
 import type { CommandRecord, RecallCause } from "@corridor/protocol";
 import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 import type { Scripts } from "../sessions/driver-roster.ts";
 import type { TermedRecord } from "../store/session-store.ts";
 
-/** What one step of the store has changed. */
+/** Changes of one step of the store. */
 export interface Step {
-  /** a command that was accepted and waits */
+  /** an accepted command that waits */
   added: TermedRecord | null;
-  /** new states, for whoever reads */
+  /** new states, for readers */
   changed: CommandRecord[];
-  /** which of them a relay has ended, for the page to show */
+  /** commands that a relay has ended, for display on the page */
   ended: TermedRecord[];
 }
 
-/** Whatever else there is to say. */
+/** All other messages. */
 export type News =
-  /** the newest, many times a second; for those who said that they are here */
+  /** the latest snapshot, many times a second, for relays that have announced themselves */
   | { kind: "snapshot"; snapshot: CarriedSnapshot }
-  /** a page has taken the robot at another relay */
+  /** a page has acquired the robot at another relay */
   | { kind: "page"; epoch: number; name: string }
-  /** that page is away, or its relay is; whether it had said goodbye, so that all it had begun was heard */
+  /**
+   * that page or its relay is disconnected; saidGoodbye: the page closed the connection, so all of
+   * its messages were received
+   */
   | { kind: "page-left"; epoch: number; saidGoodbye: boolean }
-  /** this relay gave no sign of life for so long that the others took its pages for away */
+  /** this relay sent no heartbeat for so long that the others consider its pages disconnected */
   | { kind: "lapsed" }
-  /** another relay has the robot on its line, and these scripts; `asks` for the newest snapshot at once */
+  /**
+   * another relay holds the robot and has these scripts; `asks` requests the latest snapshot
+   * immediately
+   */
   | { kind: "here"; from: string; scripts: Scripts; asks: boolean }
-  /** a page has come to another relay: the one with this epoch is asked to give the robot up */
+  /** a page has connected to another relay; asks the page with this epoch to release the robot */
   | { kind: "yield"; epoch: number }
-  /** it has told its relay all that it has begun, and begins nothing any more */
+  /** that page has reported everything that it started, and starts nothing more */
   | { kind: "yielded"; epoch: number }
-  /** the page is asked to end this command */
+  /** asks the page to end this command */
   | { kind: "cancel"; seq: number; why: RecallCause }
-  /** keys or who is away were changed, or may have been: the store has what counts */
+  /** keys or blocked scripts have changed, or may have; read them from the store */
   | { kind: "keys" }
-  /** the robot is in another maze, which the store has */
+  /** the robot's maze has changed; read it from the store */
   | { kind: "maze"; version: string }
-  /** the robot was forgotten */
+  /** the robot was deleted */
   | { kind: "over" };
 
 export interface Ears {
-  /** A step of a relay, this one included: everyone on the line hears all steps in the same order. */
+  /**
+   * A step of any relay, including this one. All subscribers receive all steps in the same order.
+   */
   stepped(step: Step, isOwn: boolean): void;
-  /** Steps may not have been heard. */
+  /** Steps may have been missed. */
   missed(): void;
-  /** News of another relay. */
+  /** A message of another relay. */
   heard(news: News): void;
 }
 
 export interface Line {
-  /** Passes on what a step of this relay has changed, unless the store has done so. */
+  /** Publishes a step of this relay, unless the store has done so. */
   stepped(step: Step): void;
   tell(news: News): void;
-  /** What was told so far goes before the next step of the store. */
+  /** Flushes pending messages, so that they precede the next step of the store. */
   hurry(): void;
   leave(): void;
 }
 
 export interface Switchboard {
   /**
-   * Puts this relay on a robot's line. Where a page has the robot at another relay, that is heard
-   * before this returns.
+   * Subscribes this relay to a robot's channel. If a page owns the robot at another relay, the
+   * subscriber receives that before the promise resolves.
    */
   join(robot: string, ears: Ears): Promise<Line>;
   close(): Promise<void>;

@@ -1,4 +1,6 @@
-/** Documents that may stand behind a short link, read by the very schemas that the page reads with. */
+/**
+ * Schemas of the documents that a short link can store. The page validates with the same schemas.
+ */
 import { challengeSchema } from "@corridor/challenge/document";
 import { mazeSchema } from "@corridor/maze";
 import { programSchema } from "@corridor/program";

@@ -1,6 +1,13 @@
-/** What pages and scripts get whose messages are wrong, by WebSocket and by plain HTTPS. */
-import { testDoors } from "../testing/bad-input.cases.ts";
-import { asking, bodies, bringing, greeting, messages, openedLine } from "../testing/doors.ts";
+/** Responses to invalid messages of pages and scripts, by WebSocket and long polling. */
+import { testEndpoints } from "../testing/bad-input.cases.ts";
+import {
+  requesting,
+  bodies,
+  sending,
+  greeting,
+  messages,
+  openedConnection,
+} from "../testing/endpoints.ts";
 import { completed } from "../testing/messages.ts";
 
 const KIB = 1024;
@@ -8,12 +15,12 @@ const STOP = '{"action":"stop"}';
 const HELLO = { type: "hello", version: 1 };
 const RESUME = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
 
-testDoors({
+testEndpoints({
   "a page's WebSocket": {
-    knocks: {
+    attempts: {
       ...messages("page", { type: "ended", epoch: 1, ...completed(40) }),
-      "wrong order": bringing("page", (page) => page.send(RESUME)),
-      "half-closed": bringing("page", (page) => page.halfClose()),
+      "wrong order": sending("page", (page) => page.send(RESUME)),
+      "half-closed": sending("page", (page) => page.halfClose()),
       "a key of another robot": greeting(({ other }) => ({
         ...HELLO,
         role: "own",
@@ -30,17 +37,17 @@ testDoors({
       "1e308": "4400 | seq",
       "wrong UTF-8": "1007 | UTF-8",
       "wrong order": "4400 | expected one of snapshot, started, ended",
-      // Nothing is said to somebody who has hung up.
+      // A closed connection receives no response.
       "half-closed": "1006",
       "a key of another robot": "4401 | Copy the robot's address again",
     },
   },
 
   "a script's WebSocket": {
-    knocks: {
+    attempts: {
       ...messages("script", { type: "command", command: { action: "move", distance: 40 } }),
       "wrong order": greeting(() => ({ type: "command", command: { action: "stop" } })),
-      "half-closed": bringing("script", (script) => script.halfClose()),
+      "half-closed": sending("script", (script) => script.halfClose()),
       "a key of another robot": greeting(({ other }) => ({
         ...HELLO,
         role: "drive",
@@ -63,14 +70,16 @@ testDoors({
   },
 
   "a line by HTTPS": {
-    knocks: {
-      ...bodies('{"first":40,"messages":[]}', 16 * KIB, (place) => openedLine(place, place.robot)),
-      "wrong order": asking(async (place) => ({
-        ...(await openedLine(place, place.robot)),
+    attempts: {
+      ...bodies('{"first":40,"messages":[]}', 16 * KIB, (place) =>
+        openedConnection(place, place.robot),
+      ),
+      "wrong order": requesting(async (place) => ({
+        ...(await openedConnection(place, place.robot)),
         body: `{"first":9,"messages":[{"type":"command","command":${STOP}}]}`,
       })),
-      "a key of another robot": asking(async (place) => ({
-        ...(await openedLine(place, place.other)),
+      "a key of another robot": requesting(async (place) => ({
+        ...(await openedConnection(place, place.other)),
         path: `/robots/${place.robot.id}/line/messages`,
         body: '{"first":1,"messages":[]}',
       })),
@@ -85,13 +94,13 @@ testDoors({
       "1e308": "400 bad-request | first",
       "wrong UTF-8": "400 bad-request | JSON document in UTF-8",
       "wrong order": '200 | {"taken":0}',
-      "half-closed": "400 bad-request | cut off",
+      "half-closed": "400 bad-request | incomplete",
       "a key of another robot": "404 no-line | Open a new one",
     },
   },
 
   "a hello by HTTPS": {
-    knocks: {
+    attempts: {
       ...bodies(
         '{"type":"hello","version":40,"role":"drive","key":"drv_"}',
         16 * KIB,
@@ -99,7 +108,7 @@ testDoors({
           path: `/robots/${robot.id}/line`,
         }),
       ),
-      "a key of another robot": asking(({ robot, other }) => ({
+      "a key of another robot": requesting(({ robot, other }) => ({
         method: "POST",
         path: `/robots/${robot.id}/line`,
         body: JSON.stringify({ ...HELLO, role: "drive", key: other.driverKey }),
@@ -115,7 +124,7 @@ testDoors({
       "1e308": "400 bad-request | version",
       "wrong UTF-8": "400 bad-request | JSON document in UTF-8",
       "wrong order": null,
-      "half-closed": "400 bad-request | cut off",
+      "half-closed": "400 bad-request | incomplete",
       "a key of another robot": "401 not-authorised | after the #",
     },
   },

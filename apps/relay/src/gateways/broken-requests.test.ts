@@ -3,12 +3,12 @@ import { createServer, type RequestListener } from "node:http";
 import { connect, type AddressInfo } from "node:net";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { sendBare } from "../testing/bare-http.ts";
-import { toldBy } from "../testing/doors.ts";
+import { outcomeOf } from "../testing/endpoints.ts";
 import { startTestRelay } from "../testing/test-relay.ts";
 import { answerBrokenRequests } from "./broken-requests.ts";
 
-/** A server of little patience. @returns its origin and what it refused */
-async function impatientServer(application: RequestListener) {
+/** Starts a server with short timeouts. @returns its origin and the problems it reported */
+async function startServer(application: RequestListener) {
   const refused: string[] = [];
   const server = createServer({ headersTimeout: 50, connectionsCheckingInterval: 10 });
   answerBrokenRequests(server, application, (kind) => void refused.push(kind));
@@ -19,47 +19,47 @@ async function impatientServer(application: RequestListener) {
   return { origin: `http://127.0.0.1:${(server.address() as AddressInfo).port}`, refused };
 }
 
-describe("a request that no application could get", () => {
+describe("a request that the application cannot handle", () => {
   it.each([
-    { name: "no HTTP at all", bytes: "hello robot\r\n\r\n", answer: "400 bad-request" },
+    { name: "not HTTP", bytes: "hello robot\r\n\r\n", answer: "400 bad-request" },
     {
-      name: "no Host",
+      name: "without Host",
       bytes: "GET / HTTP/1.1\r\nConnection: close\r\n\r\n",
       answer: "400 bad-request",
     },
     {
-      name: "a tunnel",
+      name: "CONNECT",
       bytes: "CONNECT school.example:443 HTTP/1.1\r\nHost: a\r\n\r\n",
       answer: "405 method-not-allowed",
     },
     {
-      name: "two lengths",
+      name: "with two Content-Length headers",
       bytes:
         "POST / HTTP/1.1\r\nHost: a\r\nContent-Length: 1\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n",
       answer: "400 bad-request",
     },
     {
-      name: "an expectation that nobody knows",
+      name: "with an unknown expectation",
       bytes:
         "GET /api/v1/robots HTTP/1.1\r\nHost: a\r\nExpect: wonders\r\nConnection: close\r\n\r\n",
       answer: "405 method-not-allowed",
     },
-  ])("is answered in words: $name", async ({ bytes, answer }) => {
+  ])("receives an explanation: $name", async ({ bytes, answer }) => {
     const relay = await startTestRelay();
-    expect(toldBy(await sendBare(relay.origin, bytes))).toMatchObject({
+    expect(outcomeOf(await sendBare(relay.origin, bytes))).toMatchObject({
       answer,
     });
   });
 
-  it("is told how long it may take when its headers do not come to an end", async () => {
-    const { origin, refused } = await impatientServer(() => undefined);
-    const told = toldBy(await sendBare(origin, "GET / HTTP/1.1\r\nHost: a\r\n"));
+  it("receives the time limit if its headers are incomplete", async () => {
+    const { origin, refused } = await startServer(() => undefined);
+    const told = outcomeOf(await sendBare(origin, "GET / HTTP/1.1\r\nHost: a\r\n"));
     expect(told).toMatchObject({ answer: "408 too-slow", says: expect.stringContaining("10 s") });
     expect(refused).toEqual(["too-slow"]);
   });
 
-  it("is cut off without a word where an answer is under way", async () => {
-    const { origin } = await impatientServer((_request, response) => {
+  it("is dropped without a response if one has already started", async () => {
+    const { origin } = await startServer((_request, response) => {
       response.writeHead(200, { "Content-Type": "text/event-stream" });
       response.write("data: 1\n\n");
     });

@@ -1,6 +1,7 @@
 /**
- * Answers to what is no request that an application could get: broken bytes, headers without end, a request
- * that never comes to its end, a tunnel. Node would answer without a word, or hang up.
+ * Responses to requests that Node's HTTP server cannot pass to the application: invalid bytes,
+ * endless headers, incomplete requests and CONNECT. Node would respond without a body or close the
+ * connection.
  */
 import type { RequestListener, Server, ServerResponse } from "node:http";
 import type { Duplex } from "node:stream";
@@ -9,34 +10,37 @@ import { Refusal } from "../problems.ts";
 import { refuseUpgrade } from "./refuse-upgrade.ts";
 
 /**
- * @param application answers every whole request
- * @param refused is told of each refusal
+ * @param application handles complete requests
+ * @param onRefusal called for each rejected request
  */
 export function answerBrokenRequests(
   server: Server,
   application: RequestListener,
-  refused: (kind: ProblemKind) => void,
+  onRefusal: (kind: ProblemKind) => void,
 ): void {
-  const answers = new WeakMap<Duplex, ServerResponse>();
+  const responses = new WeakMap<Duplex, ServerResponse>();
   server.on("request", ({ socket }, response) => {
-    answers.set(socket, response);
-    response.once("close", () => answers.delete(socket));
+    responses.set(socket, response);
+    response.once("close", () => responses.delete(socket));
   });
   server.on("clientError", (error: NodeJS.ErrnoException, socket) => {
-    // Words of ours would land in the midst of an answer that has begun.
-    const isTooLate = answers.get(socket)?.headersSent === true;
-    if (!socket.writable || isTooLate) return void socket.destroy();
+    // A second response would corrupt one that has already started.
+    const hasStarted = responses.get(socket)?.headersSent === true;
+    if (!socket.writable || hasStarted) return void socket.destroy();
     const refusal = refusalOf(error);
-    refused(refusal.kind);
+    onRefusal(refusal.kind);
     refuseUpgrade(socket, refusal);
   });
-  // No expectation but 100-continue has a meaning: the request counts all the same.
+  // Only 100-continue has a meaning. Requests with other expectations are served normally.
   server.on("checkExpectation", application);
   server.on("connect", (_request, socket) => {
-    refused("method-not-allowed");
+    onRefusal("method-not-allowed");
     refuseUpgrade(
       socket,
-      new Refusal("method-not-allowed", "This is no proxy. Use GET, POST, PUT and DELETE here."),
+      new Refusal(
+        "method-not-allowed",
+        "This server is not a proxy. Use GET, POST, PUT or DELETE.",
+      ),
     );
   });
 }
@@ -45,14 +49,17 @@ function refusalOf({ code }: NodeJS.ErrnoException): Refusal {
   if (code === "HPE_HEADER_OVERFLOW") {
     return new Refusal(
       "headers-too-large",
-      "Address and headers may have 8 KiB together. Put what is longer into the body.",
+      "Address and headers together are limited to 8 KiB. Put longer data into the body.",
     );
   }
   if (code === "ERR_HTTP_REQUEST_TIMEOUT") {
     return new Refusal(
       "too-slow",
-      "Headers may take 10 s and a whole request 15 s. Send it again, in one go.",
+      "Headers must arrive within 10 s and the whole request within 15 s. Send it again.",
     );
   }
-  return new Refusal("bad-request", "This is no HTTP request, or it was cut off. Send it again.");
+  return new Refusal(
+    "bad-request",
+    "The request is not valid HTTP or is incomplete. Send it again.",
+  );
 }

@@ -1,9 +1,9 @@
-/** The WebSocket of /check: it says again what it hears, for a minute, to anybody. */
+/** The WebSocket of /check: echoes messages for up to a minute, without authentication. */
 import type { IncomingMessage } from "node:http";
 import type { Duplex } from "node:stream";
 import { WebSocketServer, type WebSocket } from "ws";
 import type { Clock } from "../clock.ts";
-import type { Entrance } from "../entrance/entrance.ts";
+import type { RequestGuard } from "../request-guard/request-guard.ts";
 import { asRefusal, Refusal } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import { refuseUpgrade } from "./refuse-upgrade.ts";
@@ -13,7 +13,7 @@ const LIFE_MS = 60_000;
 const MAX_MESSAGES = 20;
 
 export class CheckSocket {
-  readonly #entrance: Entrance;
+  readonly #guard: RequestGuard;
   readonly #clock: Clock;
   readonly #server = new WebSocketServer({
     noServer: true,
@@ -21,8 +21,8 @@ export class CheckSocket {
     perMessageDeflate: false,
   });
 
-  constructor(entrance: Entrance, clock: Clock) {
-    this.#entrance = entrance;
+  constructor(guard: RequestGuard, clock: Clock) {
+    this.#guard = guard;
     this.#clock = clock;
   }
 
@@ -32,12 +32,12 @@ export class CheckSocket {
 
   upgrade(request: IncomingMessage, socket: Duplex, head: Buffer): void {
     try {
-      this.#entrance.checkHost(request);
-      if (!this.#entrance.isOwnPage(request)) {
+      this.#guard.checkHost(request);
+      if (!this.#guard.isOwnPage(request)) {
         throw new Refusal("forbidden", "Pages of other sites cannot open this socket.");
       }
       if (this.#server.clients.size >= limits.heldChecks) {
-        throw new Refusal("too-many-readers", "Too many check this network at once.");
+        throw new Refusal("too-many-readers", "Too many network checks are running.");
       }
     } catch (error) {
       return refuseUpgrade(socket, asRefusal(error));
@@ -51,14 +51,14 @@ export class CheckSocket {
   }
 
   #echo(socket: WebSocket): void {
-    let left = MAX_MESSAGES;
+    let remaining = MAX_MESSAGES;
     const cancel = this.#clock.after(LIFE_MS, () => socket.terminate());
     socket.on("message", (data: Buffer, isBinary) => {
-      left -= 1;
-      if (left < 0 || isBinary) socket.close(1008);
+      remaining -= 1;
+      if (remaining < 0 || isBinary) socket.close(1008);
       else socket.send(data.toString("utf8"));
     });
-    // A line that breaks is told by "close" as well.
+    // A connection error also emits "close".
     socket.on("error", () => undefined);
     socket.on("close", cancel);
   }

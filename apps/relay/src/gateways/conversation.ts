@@ -1,6 +1,6 @@
 /**
- * What is said on one socket after its first message: a page's or a script's part of the protocol.
- * Knows the messages, not the WebSocket.
+ * Protocol of one connection after its first message, as a page or a script. Independent of the
+ * transport.
  */
 import { closeReasons, type CloseReason } from "@corridor/protocol";
 import type { OverReason } from "../sessions/reader-feed.ts";
@@ -8,35 +8,36 @@ import { scriptIsAway } from "../sessions/script-gate.ts";
 
 export interface Conversation {
   /**
-   * One message of the client, JSON as UTF-8; the bytes are the conversation's from then on. Calls do not overlap in effect: the session puts them in order.
-   * @returns once it is done; undefined where it is already: most are snapshots and what readers have
-   *   seen of them, tens of thousands a second, which wait for nothing
-   * @throws Refusal when it may not be said
+   * Handles one client message, JSON in UTF-8. The conversation owns the bytes. The session
+   * serialises the effects of calls.
+   * @returns a promise for completion, or undefined if already complete. Most messages are
+   * snapshots and acknowledgements of them, tens of thousands a second, which never wait
+   * @throws Refusal if the client may not send the message
    */
   received(bytes: Buffer): Promise<void> | undefined;
-  /** Keeps the client sure that the line is alive. */
+  /** Sends a heartbeat, as evidence for the client that the connection works. */
   heartbeat(): void;
   /**
-   * The socket is closed.
-   * @param saidGoodbye the other side closed it, so all that it had to say was heard
+   * Called once when the connection is closed.
+   * @param isClosedByClient the client closed it, so all of its messages were received
    */
-  closed(saidGoodbye: boolean): void;
+  closed(isClosedByClient: boolean): void;
 }
 
-/** Passes a message on. @param failed is told why it could not be served, now or later */
-export function hear(
+/** Handles a message. @param onError receives synchronous and asynchronous errors */
+export function handleMessage(
   conversation: Conversation,
   bytes: Buffer,
-  failed: (error: unknown) => void,
+  onError: (error: unknown) => void,
 ): void {
   try {
-    conversation.received(bytes)?.catch(failed);
+    conversation.received(bytes)?.catch(onError);
   } catch (error) {
-    failed(error);
+    onError(error);
   }
 }
 
-/** Closes a socket with a known reason, in words that a student can act on. */
+/** Closes a connection with a standard reason and a text that a student can act on. */
 export function closeWith(
   port: { close(code: number, reason: string): void },
   reason: CloseReason,
@@ -45,8 +46,8 @@ export function closeWith(
   port.close(reason.code, shortReason(detail ?? `${reason.cause}. ${reason.remedy}`));
 }
 
-/** Tells a reader why it gets nothing more. */
-export function sayGoodbye(port: Parameters<typeof closeWith>[0], reason: OverReason): void {
+/** Closes the connection of a reader with the reason. */
+export function closeReader(port: Parameters<typeof closeWith>[0], reason: OverReason): void {
   if (reason === "revoked") {
     const detail = "This key was revoked. Copy the robot's new address from its page.";
     return closeWith(port, closeReasons.notAuthorised, detail);
@@ -57,7 +58,7 @@ export function sayGoodbye(port: Parameters<typeof closeWith>[0], reason: OverRe
   closeWith(port, closeReasons[reason]);
 }
 
-/** A close reason may have 123 bytes of UTF-8. */
+/** A close reason is limited to 123 bytes of UTF-8. */
 function shortReason(text: string): string {
   const bytes = new TextEncoder().encode(text);
   if (bytes.length <= 123) return text;

@@ -1,4 +1,4 @@
-/** A script whose commands wait for a store that takes its time. */
+/** A script whose commands wait for a slow store. */
 import { decodeFrame, relayToDriverSchema, type RelayToDriver } from "@corridor/protocol";
 import { expect, it } from "vitest";
 import { RightsVersion } from "../sessions/rights.ts";
@@ -21,9 +21,9 @@ function withSlowStore() {
     submit: async () => new Promise<void>((resolve) => void waiting.push(resolve)),
   };
   const conversation = new DriverConversation({
-    // oxlint-disable-next-line typescript/consistent-type-assertions -- what a conversation asks of a session
+    // oxlint-disable-next-line typescript/consistent-type-assertions -- the part of a session that a conversation uses
     grant: { session: session as unknown as Session, key },
-    line: {
+    connection: {
       door: "websocket",
       flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
       send: (...texts) => {
@@ -32,7 +32,7 @@ function withSlowStore() {
           if (message.ok) told.push(message.value);
         }
       },
-      pass: () => undefined,
+      sendSnapshot: () => undefined,
       close: (code) => void closed.push(code),
       isOpen: true,
       waitingBytes: 0,
@@ -40,7 +40,7 @@ function withSlowStore() {
     since: null,
     sentAt: undefined,
     clock: new FakeClock(),
-    refused: () => undefined,
+    onRefusal: () => undefined,
   });
   const send = (count: number, action = "left 90"): void => {
     const message = Buffer.from(JSON.stringify({ type: "command", command: { action } }));
@@ -53,14 +53,14 @@ function withSlowStore() {
   return { say, send, told, waiting, problems, closed, turn };
 }
 
-it("lets a script send 64 commands ahead, and twice that", async () => {
+it("accepts 64 commands ahead, repeatedly", async () => {
   const { send, problems, turn, waiting } = withSlowStore();
   send(128);
   await turn();
   expect([problems(), waiting.length]).toEqual([[], 128]);
 });
 
-it("refuses what is more, but not a stop, until the first are answered", async () => {
+it("rejects further commands, but not a stop, until the first are answered", async () => {
   const { send, problems, turn, waiting, closed } = withSlowStore();
   send(limits.unfinishedCommands + 3);
   send(1, "stop");
@@ -74,7 +74,7 @@ it("refuses what is more, but not a stop, until the first are answered", async (
   expect([problems().length, waiting.length, closed]).toEqual([3, 64, []]);
 });
 
-it("sends a script away that goes on without waiting", async () => {
+it("closes a script that keeps sending without waiting", async () => {
   const { send, turn, waiting, closed } = withSlowStore();
   send(5_000, "stop");
   await turn();
@@ -86,7 +86,7 @@ it("sends a script away that goes on without waiting", async () => {
   expect(closed[0]).toBe(4400);
 });
 
-it("names the command that was wrong, where its key can be read", () => {
+it("includes the idempotency key of an invalid command, if it is readable", () => {
   const { say, told } = withSlowStore();
   const wrong = (key: unknown) =>
     JSON.stringify({ type: "command", key, command: { action: "move", dist: 5 } });

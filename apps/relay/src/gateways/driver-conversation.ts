@@ -1,4 +1,7 @@
-/** A script's part: it sends commands and gets records, states and snapshots. A watcher's: it gets them. */
+/**
+ * Protocol of a script or a watcher. A script sends commands and receives records, states and
+ * snapshots. A watcher only receives.
+ */
 import {
   closeReasons,
   decodeDriverFrame,
@@ -21,26 +24,26 @@ import type { OverReason, ReaderSink, ReaderStart } from "../sessions/reader-fee
 import type { Grant } from "../sessions/session-hub.ts";
 import type { JoinedReader } from "../sessions/readers.ts";
 import { TransitEstimate } from "../sessions/transit-estimate.ts";
-import { closeWith, sayGoodbye, type Conversation } from "./conversation.ts";
-import type { ReaderLine } from "./reader-line.ts";
+import { closeWith, closeReader, type Conversation } from "./conversation.ts";
+import type { ReaderConnection } from "./reader-connection.ts";
 
 const keyedSchema = z.object({ key: idempotencyKeySchema });
 
-/** What it takes to say this. */
+/** Permission that each message type requires. */
 const verbs = { command: "command", seen: "read" } as const;
 
 type CommandMessage = Extract<DriverToRelay, { type: "command" }>;
 
 export interface DriverOptions {
   grant: Grant;
-  line: ReaderLine;
-  /** the last state that it was told on an earlier line */
+  connection: ReaderConnection;
+  /** the last event that it received on an earlier connection */
   since: string | null;
   /** when it sent its hello, by its own clock */
   sentAt: number | undefined;
   clock: Clock;
-  /** is told of every message that is refused */
-  refused(kind: ProblemKind): void;
+  /** called for every rejected message */
+  onRefusal(kind: ProblemKind): void;
 }
 
 export class DriverConversation implements Conversation, ReaderSink {
@@ -48,31 +51,32 @@ export class DriverConversation implements Conversation, ReaderSink {
   readonly flow: ReaderSink["flow"];
   readonly #options: DriverOptions;
   readonly #reader: JoinedReader;
-  /** one connection is of one script, and so of one clock */
+  /** a connection belongs to one script, and so to one clock */
   readonly #transit = new TransitEstimate();
-  /** versions of the rights by which it may say this */
-  readonly #mayAt = { command: -1, seen: -1 };
+  /** version of the rights at the last successful check, by message type */
+  readonly #checkedAt = { command: -1, seen: -1 };
   #badFrames = 0;
   #tooFastInARow = 0;
   /** commands that wait for the store */
   #unfinished = 0;
 
   /**
-   * Joins the session as a reader, which says welcome.
-   * @throws Refusal when too many read already
+   * Joins the session as a reader, which sends the welcome.
+   * @throws Refusal if the robot has too many readers
    */
   constructor(options: DriverOptions) {
     this.#options = options;
-    const { grant, line, since, sentAt } = options;
-    this.door = line.door;
-    this.flow = line.flow;
-    // Before the welcome: by the time until that comes the script knows what its hello took at most.
-    this.#transitOf(sentAt);
+    const { grant, connection, since, sentAt } = options;
+    this.door = connection.door;
+    this.flow = connection.flow;
+    // Before the welcome: the time until it arrives bounds the transit time of the hello for the
+    // script.
+    this.#transitTime(sentAt);
     this.#reader = grant.session.readers.join(grant.key, this, since);
     grant.session.spoke(grant.key);
   }
 
-  // --- what it is told, as a reader ---
+  // --- messages to the client, as a ReaderSink ---
 
   began({ stream, n, snapshot }: ReaderStart): void {
     const newest = snapshot?.value ?? null;
@@ -80,7 +84,7 @@ export class DriverConversation implements Conversation, ReaderSink {
   }
 
   snapshot(snapshot: CarriedSnapshot): void {
-    this.#options.line.pass(snapshot);
+    this.#options.connection.sendSnapshot(snapshot);
   }
 
   state(event: StateEvent): void {
@@ -96,10 +100,10 @@ export class DriverConversation implements Conversation, ReaderSink {
   }
 
   over(reason: OverReason): void {
-    sayGoodbye(this.#options.line, reason);
+    closeReader(this.#options.connection, reason);
   }
 
-  // --- what it says ---
+  // --- messages from the client ---
 
   received(bytes: Buffer): Promise<void> | undefined {
     const text = bytes.toString();
@@ -110,16 +114,16 @@ export class DriverConversation implements Conversation, ReaderSink {
     }
     const { value } = message;
     const { type } = value;
-    // What was found is found again until rights change, or a second has passed.
-    if (this.#mayAt[type] !== session.rights.value) {
+    // The result of a check holds until rights change or a second has passed.
+    if (this.#checkedAt[type] !== session.rights.value) {
       session.check(grant, verbs[type]);
-      this.#mayAt[type] = session.rights.value;
+      this.#checkedAt[type] = session.rights.value;
     }
     if (value.type === "command") {
       session.spoke(grant);
       return this.#submit(value);
     }
-    // What a script wishes to go on with goes on for as long as it is heard.
+    // Motions without an end continue while their script is active.
     if (grant.script !== null) session.spoke(grant);
     this.#reader.seen(value.seq);
     return undefined;
@@ -129,31 +133,31 @@ export class DriverConversation implements Conversation, ReaderSink {
     const { session, key: grant } = this.#options.grant;
     const { key = null, command, sentAt } = message;
     const terms = termsOf(command);
-    terms.age += this.#transitOf(sentAt);
+    terms.age += this.#transitTime(sentAt);
     const isStop = command.action === "stop";
-    const most = limits.unfinishedCommands + (isStop ? limits.unfinishedStops : 0);
+    const maxUnfinished = limits.unfinishedCommands + (isStop ? limits.unfinishedStops : 0);
     this.#unfinished += 1;
     try {
-      if (this.#unfinished > most) throw tooManyUnfinished();
+      if (this.#unfinished > maxUnfinished) throw tooManyUnfinished();
       await session.submit(grant, { key, ...terms }, (record) => {
         this.#tooFastInARow = 0;
         this.#send({ type: "ack", record });
       });
     } catch (error) {
       const refusal = asRefusal(error);
-      if (refusal.kind !== "internal") this.#options.refused(refusal.kind);
+      if (refusal.kind !== "internal") this.#options.onRefusal(refusal.kind);
       this.#send({ type: "problem", problem: refusal.problem, key });
-      // Nobody is sent away for stopping.
+      // Stops never count against a script.
       if (refusal.kind === "too-fast" && !isStop) this.#countTooFast();
-      // A mistake of the relay goes on to whoever writes the log.
+      // Internal errors also go to the log.
       if (refusal.kind === "internal") throw error;
     } finally {
       this.#unfinished -= 1;
     }
   }
 
-  /** ms that a message was on its way longer than the quickest one; 0 where it tells no time */
-  #transitOf(sentAt: number | undefined): number {
+  /** ms that a message took longer than the fastest one; 0 without a timestamp */
+  #transitTime(sentAt: number | undefined): number {
     return sentAt === undefined ? 0 : this.#transit.came(sentAt, this.#options.clock.now());
   }
 
@@ -167,27 +171,28 @@ export class DriverConversation implements Conversation, ReaderSink {
 
   #refuse(refusal: ReturnType<typeof badRequest>, key: string | null): undefined {
     this.#badFrames += 1;
-    this.#options.refused(refusal.kind);
+    this.#options.onRefusal(refusal.kind);
     this.#send({ type: "problem", problem: refusal.problem, key });
-    if (this.#badFrames >= limits.badFrames) closeWith(this.#options.line, closeReasons.badFrame);
+    if (this.#badFrames >= limits.badFrames)
+      closeWith(this.#options.connection, closeReasons.badFrame);
   }
 
   #countTooFast(): void {
     this.#tooFastInARow += 1;
     if (this.#tooFastInARow < limits.tooFastInARow) return;
     closeWith(
-      this.#options.line,
+      this.#options.connection,
       closeReasons.badFrame,
-      "Too many commands came too fast. Wait for the ack of each before the next.",
+      "Too many commands too fast. Wait for the ack of each command before the next.",
     );
   }
 
   #send(message: RelayToDriver): void {
-    this.#options.line.send(encodeFrame(message));
+    this.#options.connection.send(encodeFrame(message));
   }
 }
 
-/** The idempotency key in a message that is wrong otherwise, so that its sender knows which one it was. */
+/** Reads the idempotency key of an invalid message, so that its sender can identify it. */
 function keyIn(text: string): string | null {
   try {
     return keyedSchema.parse(JSON.parse(text)).key;
@@ -196,11 +201,11 @@ function keyIn(text: string): string | null {
   }
 }
 
-/** A store that takes long would let the commands of a script that waits for nothing fill the memory. */
+/** With a slow store, the pending commands of a script that never waits could exhaust memory. */
 function tooManyUnfinished(): Refusal {
   return new Refusal(
     "too-fast",
-    "Too many commands came before the first were answered. Wait for the answers, then send this one again.",
+    "Too many unanswered commands. Wait for the responses, then send this command again.",
     { headers: retryAfter(1_000) },
   );
 }

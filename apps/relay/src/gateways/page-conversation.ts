@@ -1,4 +1,6 @@
-/** The page's part: it resumes with what it has done, then reports; it is told commands. */
+/**
+ * Protocol of a page: it first reports what it has done, then sends events and receives commands.
+ */
 import {
   closeReasons,
   decodeFrame,
@@ -12,19 +14,19 @@ import { readSnapshotMessage } from "../sessions/carried-snapshot.ts";
 import type { PageLink } from "../sessions/page-link.ts";
 import type { Grant } from "../sessions/session-hub.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
-import type { ReaderLine } from "./reader-line.ts";
+import type { ReaderConnection } from "./reader-connection.ts";
 
-type PagePort = Pick<ReaderLine, "send" | "close" | "isOpen">;
+type PageConnection = Pick<ReaderConnection, "send" | "close" | "isOpen">;
 
 export class PageConversation implements Conversation {
   readonly #grant: Grant;
-  readonly #port: PagePort;
+  readonly #port: PageConnection;
   readonly #link: PageLink;
   #hasResumed = false;
-  /** version of the rights by which it may be the robot */
-  #mayHostAt = -1;
+  /** version of the rights at the last successful check */
+  #checkedAt = -1;
 
-  constructor(grant: Grant, port: PagePort) {
+  constructor(grant: Grant, port: PageConnection) {
     this.#grant = grant;
     this.#port = port;
     this.#link = {
@@ -38,10 +40,10 @@ export class PageConversation implements Conversation {
 
   received(bytes: Buffer): Promise<void> | undefined {
     const { session, key } = this.#grant;
-    // What was found is found again until rights change, or a second has passed.
-    if (this.#mayHostAt !== session.rights.value) {
+    // The result of a check holds until rights change or a second has passed.
+    if (this.#checkedAt !== session.rights.value) {
       session.check(key, "host");
-      this.#mayHostAt = session.rights.value;
+      this.#checkedAt = session.rights.value;
     }
     if (!this.#hasResumed) {
       const resume = decodeFrame(resumeSchema, bytes.toString());
@@ -63,8 +65,8 @@ export class PageConversation implements Conversation {
     this.#link.send({ type: "heartbeat" });
   }
 
-  closed(saidGoodbye: boolean): void {
-    this.#grant.session.leavePage(this.#link, saidGoodbye);
+  closed(isClosedByClient: boolean): void {
+    this.#grant.session.leavePage(this.#link, isClosedByClient);
   }
 
   #refuse([first]: FieldProblem[]): undefined {

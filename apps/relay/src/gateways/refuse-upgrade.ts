@@ -1,11 +1,11 @@
-/** Answers an upgrade request that is refused: an ordinary HTTP answer on the bare connection. */
+/** Rejects an upgrade request with an ordinary HTTP response on the raw connection. */
 import { STATUS_CODES } from "node:http";
 import type { Duplex } from "node:stream";
 import type { Refusal } from "../problems.ts";
 
 export function refuseUpgrade(socket: Duplex, { problem }: Refusal): void {
   const body = JSON.stringify(problem);
-  // A client that is gone already makes this fail; there is nobody left to tell.
+  // Fails if the client has already disconnected.
   socket.on("error", () => socket.destroy());
   socket.end(
     [

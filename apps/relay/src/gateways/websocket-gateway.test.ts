@@ -8,7 +8,7 @@ import { completed } from "../testing/messages.ts";
 import { startTestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 
-/** The status with which an upgrade is refused. */
+/** The status of a rejected upgrade. */
 function upgradeStatus(url: string, headers: Record<string, string> = {}): Promise<number> {
   const socket = new WebSocket(url, { headers });
   return new Promise((resolve, reject) => {
@@ -18,19 +18,19 @@ function upgradeStatus(url: string, headers: Record<string, string> = {}): Promi
   });
 }
 
-describe("the WebSocket: who may", () => {
+describe("the WebSocket: admission", () => {
   const hello = { type: "hello", version: 1, role: "drive" };
   it.each([
-    { name: "no JSON", frame: () => "hello", code: 4401 },
+    { name: "invalid JSON", frame: () => "hello", code: 4401 },
     { name: "null", frame: () => "null", code: 4401 },
-    { name: "something else than hello", frame: () => '{"type":"command"}', code: 4401 },
+    { name: "a message other than hello", frame: () => '{"type":"command"}', code: 4401 },
     {
       name: "another version",
       frame: (key: string) => JSON.stringify({ ...hello, version: 2, key }),
       code: 4401,
     },
     {
-      name: "a key of nobody",
+      name: "an unknown key",
       frame: () => JSON.stringify({ ...hello, key: "drv_nobody" }),
       code: 4401,
     },
@@ -40,13 +40,13 @@ describe("the WebSocket: who may", () => {
       code: 4401,
     },
     {
-      name: "the driver's key for the page",
+      name: "a driver key for the page role",
       frame: (key: string) => JSON.stringify({ ...hello, role: "own", key }),
       code: 4403,
     },
-    { name: "bytes instead of text", frame: () => new Uint8Array([1, 2, 3]), code: 4400 },
+    { name: "a binary message", frame: () => new Uint8Array([1, 2, 3]), code: 4400 },
     { name: "more than 16 KiB", frame: () => "x".repeat(17_000), code: 1009 },
-  ])("is closed when it begins with $name", async ({ frame, code }) => {
+  ])("is closed if the first message is $name", async ({ frame, code }) => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const socket = await TestSocket.open(relay, robot.id);
@@ -56,7 +56,7 @@ describe("the WebSocket: who may", () => {
     await TestSocket.driver(relay, robot);
   });
 
-  it("is closed for a robot that does not exist", async () => {
+  it("is closed if the robot does not exist", async () => {
     const relay = await startTestRelay();
     const socket = await TestSocket.open(relay, "AAAAAAAAAAAAAAAAAAAAAA");
     socket.send({ ...hello, key: "drv_AAAAAAAAAAAAAAAAAAAAAA" });
@@ -66,7 +66,7 @@ describe("the WebSocket: who may", () => {
     });
   });
 
-  it("is closed when nothing comes for five seconds", async () => {
+  it("is closed if no message arrives within five seconds", async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });
     const robot = await relay.register();
@@ -75,7 +75,7 @@ describe("the WebSocket: who may", () => {
     expect((await socket.closed).code).toBe(4401);
   });
 
-  it("is refused to pages of other sites and at other addresses, with an HTTP answer", async () => {
+  it("is rejected with an HTTP response for pages of other sites and at other paths", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const base = relay.origin.replace("http", "ws");
@@ -86,7 +86,7 @@ describe("the WebSocket: who may", () => {
     await TestSocket.open(relay, robot.id, { Origin: relay.origin });
   });
 
-  it("gives one key four scripts, and the fifth a reason", async () => {
+  it("allows four scripts per key and closes the fifth with a reason", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     for (let n = 0; n < 4; n++) await TestSocket.driver(relay, robot);
@@ -95,7 +95,7 @@ describe("the WebSocket: who may", () => {
     expect((await fifth.closed).code).toBe(4429);
   });
 
-  it("goes to the page that came last", async () => {
+  it("belongs to the page that connected last", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const first = await TestSocket.page(relay, robot);
@@ -104,7 +104,7 @@ describe("the WebSocket: who may", () => {
     expect(second.epoch).toBe(first.epoch + 1);
   });
 
-  it("is ended when the other side is dead, and kept when it answers pings", async () => {
+  it("is closed if the client does not answer pings, and stays open otherwise", async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });
     const robot = await relay.register();
@@ -115,7 +115,7 @@ describe("the WebSocket: who may", () => {
     for (let beat = 0; beat < 3; beat++) {
       await clock.pass(limits.heartbeatMs);
       await alive.next("heartbeat");
-      // A round trip later the relay has the pong too.
+      // The relay has the pong after another round trip.
       alive.send({ type: "command", command: { action: "stop" } });
       await alive.next("ack");
     }
@@ -124,7 +124,7 @@ describe("the WebSocket: who may", () => {
     expect(await alive.next("ack")).toMatchObject({ record: { seq: 4 } });
   });
 
-  it("is closed after 45 s without an answer, also when the answer comes later", async () => {
+  it("is closed after 45 s without an answer, even if an answer arrives later", async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });
     const robot = await relay.register();
@@ -135,7 +135,7 @@ describe("the WebSocket: who may", () => {
     expect((await late.closed).code).toBe(1006);
   });
 
-  it("asks whether they live those who have said nothing for a while, and nobody else", async () => {
+  it("sends pings to idle clients only", async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });
     const script = await TestSocket.driver(relay, await relay.register());
@@ -150,12 +150,12 @@ describe("the WebSocket: who may", () => {
     expect(script.pings).toBe(1);
   });
 
-  it("asks at each heartbeat whoever was last heard shortly after the one before", async () => {
+  it("sends a ping at each heartbeat if the last message arrived shortly after the previous one", async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });
     const script = await TestSocket.driver(relay, await relay.register());
     for (let beat = 1; beat <= 3; beat++) {
-      // As late as the answer to a ping over a long line.
+      // As late as a pong over a slow connection.
       await clock.pass(200);
       script.send({ type: "command", command: { action: "stop" } });
       await script.next("ack");
@@ -186,7 +186,7 @@ describe("the WebSocket: messages", () => {
     expect(await page.next("stored")).toEqual({ type: "stored", seq: 1 });
   });
 
-  it("shows the page which scripts are there", async () => {
+  it("reports the connected scripts to the page", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const { socket: page } = await TestSocket.page(relay, robot);
@@ -212,7 +212,7 @@ describe("the WebSocket: messages", () => {
     },
   );
 
-  it("closes a script that sends nothing but nonsense", async () => {
+  it("closes a script that sends only invalid messages", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const driver = await TestSocket.driver(relay, robot);
@@ -223,7 +223,7 @@ describe("the WebSocket: messages", () => {
   it.each([
     { name: "null", frame: "null" },
     {
-      name: "a command, which only scripts send",
+      name: "a command, which pages may not send",
       frame: { type: "command", command: { action: "stop" } },
     },
     {
@@ -235,7 +235,7 @@ describe("the WebSocket: messages", () => {
       frame: { type: "snapshot", epoch: 1, snapshot: { seq: 1 } },
     },
     {
-      name: "a place outside of every maze",
+      name: "a position outside of every maze",
       frame: {
         type: "snapshot",
         epoch: 1,
@@ -251,7 +251,7 @@ describe("the WebSocket: messages", () => {
       },
     },
     {
-      name: "an ending that is none",
+      name: "an unknown final state",
       frame: { type: "ended", epoch: 1, ...completed(1), state: "delivered" },
     },
     { name: "a command number of 0", frame: { type: "started", epoch: 1, seq: 0 } },
@@ -265,7 +265,7 @@ describe("the WebSocket: messages", () => {
     await TestSocket.page(relay, robot);
   });
 
-  it("ignores news of commands that the page was never given", async () => {
+  it("ignores reports about commands that the page never received", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const { socket, epoch } = await TestSocket.page(relay, robot);
@@ -275,7 +275,7 @@ describe("the WebSocket: messages", () => {
     expect((await relay.ask(robot, "/commands/77")).status).toBe(404);
   });
 
-  it("says goodbye with 1012 when the relay stops", async () => {
+  it("is closed with 1012 when the relay shuts down", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const { socket } = await TestSocket.page(relay, robot);

@@ -11,7 +11,7 @@ import { limits } from "../sessions/limits.ts";
 import { FakeClock } from "../testing/fake-clock.ts";
 import { WsPort } from "./ws-port.ts";
 
-/** A port, and whoever is at the other end, with all that they were told in the order in which it came. */
+/** A port and its client, with everything that the client received in order. */
 async function opened() {
   const server = createServer().listen(0, "127.0.0.1");
   await once(server, "listening");
@@ -37,16 +37,16 @@ async function opened() {
   return { port, line, client, told };
 }
 
-describe("a WebSocket's port", () => {
+describe("a WebSocket connection", () => {
   it.each([
-    { name: "nothing", text: "" },
+    { name: "an empty text", text: "" },
     { name: "125 bytes", text: "a".repeat(125) },
     { name: "126 bytes", text: "a".repeat(126) },
     { name: "65,535 bytes", text: "a".repeat(65_535) },
     { name: "65,536 bytes", text: "a".repeat(65_536) },
-    { name: "126 bytes of other letters", text: "→".repeat(42) },
-    { name: "65,535 bytes of other letters", text: "→".repeat(21_845) },
-    { name: "65,536 bytes of other letters", text: "🤖".repeat(16_384) },
+    { name: "126 bytes of multi-byte characters", text: "→".repeat(42) },
+    { name: "65,535 bytes of multi-byte characters", text: "→".repeat(21_845) },
+    { name: "65,536 bytes of multi-byte characters", text: "🤖".repeat(16_384) },
   ])("sends a text in one write, as every client reads it: $name", async ({ text }) => {
     const { port, line, client, told } = await opened();
     const before = port.sentBytes;
@@ -63,7 +63,7 @@ describe("a WebSocket's port", () => {
     expect(port.sentBytes - before).toBeGreaterThanOrEqual(Buffer.byteLength(text));
   });
 
-  it("sends several texts in one write, as messages of their own", async () => {
+  it("sends several texts in one write, as separate messages", async () => {
     const { port, line, client, told } = await opened();
     let writes = 0;
     const write = line.write.bind(line);
@@ -82,39 +82,39 @@ describe("a WebSocket's port", () => {
     client.terminate();
   });
 
-  it("lets nothing overtake what was said before", async () => {
+  it("keeps the order of messages", async () => {
     const { port, client, told } = await opened();
     const long = "x".repeat(300_000);
     const snapshot = CarriedSnapshot.of(snapshotOf({ seq: 1 }));
     port.send("first");
     port.ask();
     port.send(long);
-    port.pass(snapshot);
+    port.sendSnapshot(snapshot);
     port.send("last");
     port.close(1000, "that is all");
     port.send("too late");
-    port.pass(snapshot);
+    port.sendSnapshot(snapshot);
     await once(client, "close");
     const passed = String(snapshot.message);
     expect(told).toEqual(["first", "a ping", long, passed, "last", "closed with 1000"]);
   });
 
-  it("knows what the other side has taken, to the byte", async () => {
+  it("reports what the client has received, to the byte", async () => {
     const { port, client } = await opened();
     port.send("é".repeat(100));
-    port.pass(CarriedSnapshot.of(snapshotOf({ seq: 1 })));
+    port.sendSnapshot(CarriedSnapshot.of(snapshotOf({ seq: 1 })));
     const { sentBytes } = port;
     port.ask();
     await expect.poll(() => port.takenBytes).toBe(sentBytes);
     client.terminate();
   });
 
-  it("closes for somebody who reads nothing, and keeps no more than a bound for them", async () => {
+  it("closes for a client that does not read, with a bounded buffer", async () => {
     const { port, client, told } = await opened();
     client.pause();
     const text = "x".repeat(100_000);
     let most = 0;
-    // The net itself holds some megabytes.
+    // The network itself buffers some megabytes.
     for (let sent = 0; port.isOpen && sent < 1_000; sent++) {
       port.send(text);
       most = Math.max(most, port.waitingBytes);

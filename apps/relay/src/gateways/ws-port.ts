@@ -1,13 +1,13 @@
 /**
- * A `ws` socket as the smallest socket that the rest of the relay needs. Every message goes through
- * here, so that none, however it came about, can pile up for somebody who does not read. (Pongs have
- * a limit of their own in `ws`.)
+ * Adapter from a `ws` socket to the connection that the rest of the relay uses. Every message
+ * passes through it, so that its buffer limit covers all of them. (`ws` limits pongs itself.)
  *
- * Messages go to the connection under `ws` as whole frames, in one write each. Pings, pongs and goodbyes, which `ws`
- * writes, keep their place among them: it holds back nothing as long as nothing is compressed.
+ * Messages are written as whole frames, in one write each, to the connection below `ws`. Pings,
+ * pongs and close frames, which `ws` writes, keep their order, because `ws` buffers nothing while
+ * compression is off.
  *
- * What the other side has taken is found out by pings: its WebSocket library answers each one by
- * itself, after all that came before.
+ * Pings measure what the client has received: its WebSocket library answers each ping
+ * automatically, after all earlier messages.
  */
 import type { Duplex } from "node:stream";
 import { closeReasons } from "@corridor/protocol";
@@ -18,10 +18,13 @@ import { textFrame } from "../text-frame.ts";
 import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 import type { ReaderFlow } from "../sessions/reader-feed.ts";
 import { closeWith } from "./conversation.ts";
-import type { ReaderLine } from "./reader-line.ts";
+import type { ReaderConnection } from "./reader-connection.ts";
 
-/** A class, where a relay holds thousands: an object of closures and getters takes five times the memory. */
-export class WsPort implements ReaderLine, ReaderFlow {
+/**
+ * A class, because a relay has thousands of instances. An object of closures and getters takes five
+ * times the memory.
+ */
+export class WsPort implements ReaderConnection, ReaderFlow {
   readonly door = "websocket";
   readonly isProof = true;
   sentBytes = 0;
@@ -29,19 +32,19 @@ export class WsPort implements ReaderLine, ReaderFlow {
   readonly #socket: WebSocket;
   readonly #connection: Duplex;
   readonly #clock: Clock;
-  /** what was sent before the ping that is not answered yet */
-  #asked: number | null = null;
-  #asksAgain = false;
+  /** bytes sent before the unanswered ping */
+  #pingedBytes: number | null = null;
+  #mustPingAgain = false;
 
   /**
-   * @param connection on which the socket speaks, one whole message after the other, uncompressed
-   * @param clock counts the time that a goodbye may take
+   * @param connection carries the socket's frames, unfragmented and uncompressed
+   * @param clock measures the time limit of the closing handshake
    */
   constructor(socket: WebSocket, connection: Duplex, clock: Clock) {
     this.#socket = socket;
     this.#connection = connection;
     this.#clock = clock;
-    socket.on("pong", (data: Buffer) => this.#answered(data));
+    socket.on("pong", (data: Buffer) => this.#onPong(data));
   }
 
   get flow(): ReaderFlow {
@@ -57,20 +60,20 @@ export class WsPort implements ReaderLine, ReaderFlow {
   }
 
   send(...texts: string[]): void {
-    if (!this.#mayPass()) return;
+    if (!this.#canSend()) return;
     const [frame, ...more] = texts.map(textFrame);
     if (frame !== undefined)
       this.#write(more.length === 0 ? frame : Buffer.concat([frame, ...more]));
   }
 
-  pass({ frame }: CarriedSnapshot): void {
-    if (this.#mayPass()) this.#write(frame);
+  sendSnapshot({ frame }: CarriedSnapshot): void {
+    if (this.#canSend()) this.#write(frame);
   }
 
   close(code: number, reason: string): void {
     if (!this.isOpen) return;
     this.#socket.close(code, reason);
-    // Who does not read does not answer the goodbye either.
+    // A client that does not read does not answer the close frame either.
     this.#socket.once(
       "close",
       this.#clock.after(limits.goodbyeMs, () => this.#socket.terminate()),
@@ -78,13 +81,13 @@ export class WsPort implements ReaderLine, ReaderFlow {
   }
 
   ask(): void {
-    this.#asksAgain = this.#asked !== null;
-    if (this.#asksAgain || !this.isOpen) return;
-    this.#asked = this.sentBytes;
-    this.#socket.ping(String(this.#asked));
+    this.#mustPingAgain = this.#pingedBytes !== null;
+    if (this.#mustPingAgain || !this.isOpen) return;
+    this.#pingedBytes = this.sentBytes;
+    this.#socket.ping(String(this.#pingedBytes));
   }
 
-  #mayPass(): boolean {
+  #canSend(): boolean {
     if (!this.isOpen) return false;
     if (this.waitingBytes <= limits.stuckReaderBytes) return true;
     closeWith(this, closeReasons.tooSlow);
@@ -96,10 +99,10 @@ export class WsPort implements ReaderLine, ReaderFlow {
     this.#connection.write(frame);
   }
 
-  #answered(data: Buffer): void {
-    if (this.#asked === null || data.toString() !== String(this.#asked)) return;
-    this.takenBytes = this.#asked;
-    this.#asked = null;
-    if (this.#asksAgain) this.ask();
+  #onPong(data: Buffer): void {
+    if (this.#pingedBytes === null || data.toString() !== String(this.#pingedBytes)) return;
+    this.takenBytes = this.#pingedBytes;
+    this.#pingedBytes = null;
+    if (this.#mustPingAgain) this.ask();
   }
 }

@@ -1,6 +1,6 @@
 /**
- * `/metrics` on a port of its own. The relay's port is meant for everybody, often through a proxy that
- * passes on every path; figures of the process are for the operator only, so they are not there at all.
+ * Serves `/metrics` on a separate port. The public port is often behind a proxy that forwards every
+ * path, and process metrics are for the operator only.
  */
 import { createServer, type Server } from "node:http";
 import type { Logger } from "pino";
@@ -14,7 +14,7 @@ export function metricsServer(metrics: Metrics, log: Logger): Server {
     void metrics.report().then(
       ({ type, text }) => response.writeHead(200, { "Content-Type": type }).end(text),
       (error: unknown) => {
-        log.error({ err: error }, "the figures could not be told");
+        log.error({ err: error }, "collecting the metrics failed");
         response.writeHead(500).end();
       },
     );

@@ -10,20 +10,20 @@ import { Metrics } from "./metrics.ts";
 
 const config = { metricsPort: 0 };
 
-async function figures({ metricsPort }: TestRelay): Promise<string> {
+async function scrape({ metricsPort }: TestRelay): Promise<string> {
   const answer = await fetch(`http://127.0.0.1:${metricsPort}/metrics`);
   expect(answer.headers.get("content-type")).toMatch(/^text\/plain; version=0\.0\.4/);
   return answer.text();
 }
 
-/** The value of one figure; null when it is not there. */
+/** Value of a metric, or null if it is missing. */
 function valueOf(text: string, name: string): number | null {
   const line = text.split("\n").find((each) => each.startsWith(`${name} `));
   return line === undefined ? null : Number(line.slice(name.length + 1));
 }
 
 describe("/metrics", () => {
-  it("tells what happened, and nothing of whom it happened to", async () => {
+  it("reports events without identifying robots, keys or clients", async () => {
     const relay = await startTestRelay({ config });
     const robot = await relay.register();
     const { socket: page, epoch } = await TestSocket.page(relay, robot);
@@ -44,7 +44,7 @@ describe("/metrics", () => {
     stranger.sendRaw("hello");
     await stranger.closed;
 
-    const text = await figures(relay);
+    const text = await scrape(relay);
     const expected = {
       corridor_robots_with_page: 1,
       'corridor_readers{door="websocket"}': 1,
@@ -69,21 +69,21 @@ describe("/metrics", () => {
     await events.text().catch(() => undefined);
   });
 
-  it("is not on the port that everybody reaches", async () => {
+  it("is not served on the public port", async () => {
     const relay = await startTestRelay({ config });
     expect((await fetch(`${relay.origin}/metrics`)).status).toBe(404);
     expect((await fetch(`http://127.0.0.1:${relay.metricsPort}/`)).status).toBe(404);
     const post = { method: "POST" };
     expect((await fetch(`http://127.0.0.1:${relay.metricsPort}/metrics`, post)).status).toBe(405);
     await relay.close();
-    await expect(figures(relay)).rejects.toThrow(/fetch failed/);
+    await expect(scrape(relay)).rejects.toThrow(/fetch failed/);
   });
 
-  it("is nowhere unless it is asked for", async () => {
+  it("is disabled by default", async () => {
     expect((await startTestRelay()).metricsPort).toBeNull();
   });
 
-  it("says which port is in use when it is this one", async () => {
+  it("reports that the metrics port is in use", async () => {
     const other = createServer().listen(0, "127.0.0.1");
     onTestFinished(() => void other.close());
     await once(other, "listening");
@@ -94,7 +94,7 @@ describe("/metrics", () => {
     expect(relay.output()).toContain(`METRICS_PORT=${port + 1}`);
   });
 
-  it("keeps few figures, whatever codes sockets are closed with", async () => {
+  it("limits the number of time series for close codes", async () => {
     const metrics = new Metrics();
     for (let code = 3000; code < 5000; code++) metrics.socketClosed(code);
     const { text } = await metrics.report();

@@ -1,6 +1,6 @@
 /**
- * What the relay counts, for Prometheus. A label is always one of a few fixed words: no id, key, name or
- * address ever gets into a figure.
+ * Prometheus metrics of the relay. Label values come from a small fixed set and never contain an
+ * id, key, name or address.
  */
 import { closeReasons, type CommandRecord } from "@corridor/protocol";
 import { collectDefaultMetrics, Counter, Gauge, Histogram, Registry } from "prom-client";
@@ -8,7 +8,9 @@ import type { ProblemKind } from "../problem-kinds.ts";
 import type { Census } from "../sessions/session-hub.ts";
 import type { Witness } from "../sessions/witness.ts";
 
-/** A client may close with any of thousands of codes; those that mean something here are told apart. */
+/**
+ * Close codes with a time series of their own. Clients may close with any of thousands of codes.
+ */
 const KNOWN_CODES = new Set<number>([
   1000,
   1001,
@@ -29,7 +31,7 @@ export class Metrics implements Witness {
   });
   readonly #readers = new Gauge({
     name: "corridor_readers",
-    help: "Scripts that follow a robot, by the way in which they do.",
+    help: "Scripts that read a robot, by transport.",
     labelNames: ["door"] as const,
     registers: [this.#registry],
   });
@@ -41,7 +43,7 @@ export class Metrics implements Witness {
   });
   readonly #refusals = new Counter({
     name: "corridor_refusals_total",
-    help: "Requests and messages that were refused, by kind of problem.",
+    help: "Rejected requests and messages, by kind of problem.",
     labelNames: ["problem"] as const,
     registers: [this.#registry],
   });
@@ -64,7 +66,7 @@ export class Metrics implements Witness {
     "Steps of the store that end in a commit.",
   );
 
-  #count: (() => Promise<Census>) | null = null;
+  #readGauges: (() => Promise<Census>) | null = null;
 
   stored(seconds: number): void {
     this.#stored.observe(seconds);
@@ -90,15 +92,15 @@ export class Metrics implements Witness {
     this.#closed.inc({ code: KNOWN_CODES.has(code) ? String(code) : "other" });
   }
 
-  /** Adds the figures that cost something to keep: those of the process, and who is there. */
-  watch(count: () => Promise<Census>): void {
+  /** Enables the metrics with a cost of their own: process metrics and gauges of connections. */
+  observeGauges(readGauges: () => Promise<Census>): void {
     collectDefaultMetrics({ register: this.#registry });
-    this.#count = count;
+    this.#readGauges = readGauges;
   }
 
-  /** All figures in the text format of Prometheus. */
+  /** All metrics in the text format of Prometheus. */
   async report(): Promise<{ type: string; text: string }> {
-    const census = await this.#count?.();
+    const census = await this.#readGauges?.();
     if (census !== undefined) {
       this.#pages.set(census.pages);
       for (const [door, number] of Object.entries(census.readers)) {

@@ -1,4 +1,4 @@
-/** Every HTTP call of the API, in words, with the schemas that check what goes in and what comes out. */
+/** All operations of the HTTP API, with the schemas that validate requests and responses. */
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { documentCalls } from "./document-calls.ts";
 import { healthCalls } from "./health-calls.ts";

@@ -1,4 +1,4 @@
-/** The HTTP calls of short links. */
+/** Operations for short links. */
 import { shortLinkIdSchema, shortLinkSchema } from "@corridor/protocol";
 import { z } from "zod";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
@@ -11,11 +11,11 @@ export const documentCalls: ZodOpenApiPathsObject = {
   "/api/v1/mazes": {
     post: {
       operationId: "storeDocument",
-      summary: "Make a short link for a maze, program or challenge",
+      summary: "Create a short link for a maze, program or challenge",
       description:
-        "The shortest free code of 4 to 6 letters. " +
-        "The same document gets the same link, and each time a key of its own that deletes it. It is " +
-        "kept until nobody has used it for 180 days.",
+        "The link has the shortest free code of 4 to 6 letters. " +
+        "Equal documents share one link, and each request returns a new key that deletes the document. " +
+        "A document is deleted after 180 days without use.",
       security: [],
       requestBody: { required: true, content: { "application/json": { schema: documentSchema } } },
       responses: {
@@ -38,10 +38,10 @@ export const documentCalls: ZodOpenApiPathsObject = {
     delete: {
       operationId: "deleteDocument",
       summary: "Delete the document behind a short link",
-      description: "It is gone when all who stored the same document have deleted it.",
+      description: "The document is deleted once everyone who stored it has deleted it.",
       security: [{ deleteKey: [] }],
       responses: {
-        204: { description: "What was stored with this key is deleted." },
+        204: { description: "The document of this key is deleted." },
         ...refusals("bad-request", "not-authorised", "no-document", "too-fast", "storage-full"),
       },
     },

@@ -5,7 +5,7 @@ import { describeApi } from "./document.ts";
 
 const document = describeApi();
 
-/** Everything in the document that has fields, however deep. */
+/** All objects in the document, recursively. */
 function* nodes(value: unknown): Generator<Record<string, unknown>> {
   if (typeof value !== "object" || value === null) return;
   yield value as Record<string, unknown>;
@@ -27,11 +27,11 @@ describe("the description of the API", () => {
     expect(document.openapi).toMatch(/^3\.1\.\d$/);
     expect(document.info).toMatchObject({ title: "Corridor", version: "1.0.0" });
     expect(document.info.description).toContain("/docs");
-    // Plain JSON: nothing is lost on the way.
+    // Plain JSON: serialisation is lossless.
     expect(JSON.parse(JSON.stringify(document))).toEqual(document);
   });
 
-  it("has an answer to every reference", () => {
+  it("resolves every reference", () => {
     const references = [...nodes(document)].flatMap(({ $ref }) =>
       typeof $ref === "string" ? [$ref] : [],
     );
@@ -48,7 +48,7 @@ describe("the description of the API", () => {
     "ShortLink",
     "SharedDocument",
     "Problem",
-  ])("says what a %s is in one place, and refers to it", (name) => {
+  ])("defines %s in one place and references it elsewhere", (name) => {
     const reference = `#/components/schemas/${name}`;
     const uses = [...nodes(document)].filter(({ $ref }) => $ref === reference);
     expect(uses.length).toBeGreaterThan(0);
@@ -56,7 +56,7 @@ describe("the description of the API", () => {
     expect(JSON.stringify(document).split(text)).toHaveLength(2);
   });
 
-  it("names every object of a body, and every alternative", () => {
+  it("names every object of a body and every alternative", () => {
     const bodies = calls.flatMap(({ operation: { requestBody, responses } }) =>
       [requestBody, ...Object.values(responses ?? {})].flatMap((holder) =>
         Object.values((holder as oas31.ResponseObject | undefined)?.content ?? {}),
@@ -68,7 +68,7 @@ describe("the description of the API", () => {
     for (const alternative of alternatives) expect(alternative).toHaveProperty("$ref");
   });
 
-  it("gives every call a name of its own", () => {
+  it("gives every operation a unique id", () => {
     const names = calls.map(({ operation }) => operation.operationId);
     expect(names).not.toContain(undefined);
     expect(new Set(names).size).toBe(calls.length);
@@ -83,7 +83,7 @@ describe("the description of the API", () => {
     for (const { schema } of parameters) expect(schema).toHaveProperty("type");
   });
 
-  it.each(calls)("tells who may and what comes back: $name", ({ operation }) => {
+  it.each(calls)("documents security and responses: $name", ({ operation }) => {
     expect(operation.summary).toMatch(/\w+ \w+/);
     for (const requirement of operation.security ?? [{ missing: [] }]) {
       for (const scheme of Object.keys(requirement)) {
@@ -95,7 +95,7 @@ describe("the description of the API", () => {
       }
     }
     const answers = Object.entries(operation.responses ?? {}) as [string, oas31.ResponseObject][];
-    // 304 answers with nothing but the tag of what is known already.
+    // 304 has no body, only the ETag.
     const refusals = answers.filter(([status]) => !status.startsWith("2") && status !== "304");
     expect(answers.filter(([status]) => status.startsWith("2"))).toHaveLength(1);
     for (const [, { description }] of answers) expect(description).not.toBe("");
@@ -108,7 +108,7 @@ describe("the description of the API", () => {
     for (const [, { headers }] of later) expect(headers).toHaveProperty("Retry-After");
   });
 
-  it("describes a query by the numbers that it may carry, with the limits that are checked", () => {
+  it("describes query parameters as numbers with the validated limits", () => {
     const sensors = calls.find(({ operation }) => operation.operationId === "readSensors");
     const parameterOf = (wanted: string) =>
       sensors?.parameters?.find((each) => "name" in each && each.name === wanted);

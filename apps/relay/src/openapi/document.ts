@@ -1,6 +1,6 @@
 /**
- * The OpenAPI 3.1 description of the HTTP calls, generated from the schemas that check the traffic.
- * What a field must be is said by its schema alone; here are only the calls and what they are for.
+ * The OpenAPI 3.1 description of the HTTP API, generated from the schemas that validate the
+ * traffic. The schemas describe the fields. This module adds the operations.
  */
 import { PROTOCOL_VERSION } from "@corridor/protocol";
 import { createDocument, type oas31 } from "zod-openapi";
@@ -9,27 +9,27 @@ import { describeByExpectation } from "./describe-by-expectation.ts";
 import { withReadingAids } from "./reading-aids.ts";
 import { describeCondition, schemas } from "./schemas.ts";
 
-const DESCRIPTION = `A robot lives in a page. The page registers it, and gets an address
-\`https://HOST/r/ID#KEY\`, which is all that a script needs: send the key after the # as a bearer key.
+const DESCRIPTION = `A robot runs in a page. The page registers it, and receives the address
+\`https://HOST/r/ID#KEY\`. A script needs only this address: send the key after the # as a bearer key.
 
 Lengths are in cm, angles in degrees clockwise from north, x to the right and y downward. A tick is 1/60 s.
 
-The same events and commands go over a WebSocket at \`/api/v1/robots/{id}/socket\`: \`/asyncapi.json\` describes its
-messages. \`/docs\` shows these calls, with the life of a command and the WebSocket in words.`;
+The same events and commands are available over a WebSocket at \`/api/v1/robots/{id}/socket\`. \`/asyncapi.json\` describes
+its messages. \`/docs\` explains these operations, the life of a command and the WebSocket.`;
 
-/** The whole document, as plain data. */
+/** Builds the document as plain data. */
 export function describeApi(): oas31.OpenAPIObject {
   const document = createDocument(
     {
       openapi: "3.1.0",
       info: {
         title: "Corridor",
-        // Three numbers: what is generated is a package of npm or PyPI.
+        // Three numbers, because generators use it as the version of an npm or PyPI package.
         version: `${PROTOCOL_VERSION}.0.0`,
         description: DESCRIPTION,
         license: { name: "MIT", identifier: "MIT" },
       },
-      servers: [{ url: "/", description: "the service that this document comes from" }],
+      servers: [{ url: "/", description: "the service that serves this document" }],
       paths: calls,
       components: {
         schemas,
@@ -42,28 +42,30 @@ export function describeApi(): oas31.OpenAPIObject {
           deleteKey: {
             type: "http",
             scheme: "bearer",
-            description: "The key that came with a short link: deletes what it leads to.",
+            description:
+              "The key in the response to the creation of a short link: deletes its document.",
           },
           lineKey: {
             type: "http",
             scheme: "bearer",
-            description: "The key of one line, which came with it.",
+            description: "The key of one long-poll connection, from the response that opened it.",
           },
           ownerKey: {
             type: "http",
             scheme: "bearer",
             description:
-              "The key of the robot's own page: shows and deletes what is held, makes keys.",
+              "The key of the robot's page: shows and deletes stored data, creates keys.",
           },
           pairingKey: {
             type: "http",
             scheme: "bearer",
-            description: "The key that came with the question; a yes makes it a driver key.",
+            description:
+              "The key in the response to a pairing request; it becomes a driver key when the owner accepts.",
           },
           watchKey: {
             type: "http",
             scheme: "bearer",
-            description: "A key that its owner made for watching: reads only.",
+            description: "A read-only key that the owner created for watchers.",
           },
         },
       },
@@ -73,7 +75,7 @@ export function describeApi(): oas31.OpenAPIObject {
         describeByExpectation(context);
         describeCondition(context);
       },
-      // Shapes of requests alone: what is read from them has no description.
+      // Only for request schemas, whose output has no description.
       allowEmptySchema: { pipe: { output: true }, transform: { output: true } },
     },
   );

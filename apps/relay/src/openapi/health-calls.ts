@@ -1,4 +1,4 @@
-/** The HTTP calls of whoever watches over the service. */
+/** Operations for operators. */
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { healthSchema, readySchema } from "../routes/answers.ts";
 import { answer, refusals } from "./parts.ts";
@@ -7,18 +7,18 @@ export const healthCalls: ZodOpenApiPathsObject = {
   "/healthz": {
     get: {
       operationId: "checkHealth",
-      summary: "Ask whether the service answers",
+      summary: "Check whether the service responds",
       security: [],
-      responses: { 200: answer("It does.", healthSchema) },
+      responses: { 200: answer("The service responds.", healthSchema) },
     },
   },
   "/readyz": {
     get: {
       operationId: "checkReadiness",
-      summary: "Ask whether the service should be sent work",
+      summary: "Check whether the service is ready for requests",
       security: [],
       responses: {
-        200: answer("It should.", readySchema),
+        200: answer("The service is ready.", readySchema),
         ...refusals("restarting", "no-store"),
       },
     },

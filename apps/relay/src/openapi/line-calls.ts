@@ -1,4 +1,4 @@
-/** The HTTP calls that take the place of a WebSocket. */
+/** Operations of long-poll connections, the alternative to a WebSocket. */
 import {
   fetchedMessagesSchema,
   helloSchema,
@@ -17,23 +17,23 @@ export const lineCalls: ZodOpenApiPathsObject = {
     parameters: robot,
     post: {
       operationId: "openLine",
-      summary: "Open a line for networks without WebSockets",
+      summary: "Open a long-poll connection, for networks without WebSockets",
       description:
-        "The messages are those of the WebSocket, which `/asyncapi.json` describes; `hello` is the body " +
-        "of this call. A line on which no request waits is closed after 15 s without one.",
+        "The messages are those of the WebSocket, which `/asyncapi.json` describes. The body of this request is " +
+        "`hello`. A connection closes 15 s after its last request has ended.",
       security: [],
       requestBody: { required: true, content: { "application/json": { schema: helloSchema } } },
       responses: {
-        201: answer("The key of the line.", openedLineSchema),
+        201: answer("The key of the connection.", openedLineSchema),
         ...refusals(...asScript, "too-large", "not-json", "too-many-readers"),
       },
     },
     delete: {
       operationId: "leaveLine",
-      summary: "Close a line",
+      summary: "Close a long-poll connection",
       security: line,
       responses: {
-        204: { description: "It is closed." },
+        204: { description: "The connection is closed." },
         ...refusals("bad-request", "not-authorised", "no-line"),
       },
     },
@@ -42,26 +42,28 @@ export const lineCalls: ZodOpenApiPathsObject = {
     parameters: robot,
     post: {
       operationId: "sendMessages",
-      summary: "Send messages on a line",
-      description: "In the order of their numbers; what was sent before is taken once.",
+      summary: "Send messages on a long-poll connection",
+      description:
+        "Messages are processed in the order of their numbers, and repeated messages once.",
       security: line,
       requestBody: {
         required: true,
         content: { "application/json": { schema: sentMessagesSchema } },
       },
       responses: {
-        200: answer("How far they were taken.", takenMessagesSchema),
+        200: answer("The number of the last message that was processed.", takenMessagesSchema),
         ...refusals("bad-request", "not-authorised", "too-large", "not-json", "no-line"),
       },
     },
     get: {
       operationId: "fetchMessages",
-      summary: "Fetch the messages of a line, or wait for one",
-      description: "What came before `after` is forgotten; the rest is told again until it came.",
+      summary: "Fetch the messages of a long-poll connection, or wait for one",
+      description:
+        "Messages up to `after` are acknowledged and deleted. The others are returned again until then.",
       security: line,
       parameters: parameters("query", fetchQuery),
       responses: {
-        200: answer("What there is.", fetchedMessagesSchema),
+        200: answer("The pending messages.", fetchedMessagesSchema),
         ...refusals("bad-request", "not-authorised", "no-line"),
       },
     },

@@ -1,4 +1,4 @@
-/** The HTTP calls of pairing: a code in the robot's page, a script that asks by it, the owner's answer. */
+/** Operations for pairing: a code on the robot's page, a script's request, the owner's answer. */
 import {
   pairingAnswerSchema,
   pairingAskedSchema,
@@ -16,10 +16,10 @@ export const pairingCalls: ZodOpenApiPathsObject = {
     parameters: robot,
     post: {
       operationId: "makePairingCode",
-      summary: "Make a pairing code, to be typed in place of a long address",
+      summary: "Create a pairing code, to type in place of a long address",
       description:
-        "It counts for 10 minutes and for one script. An earlier one of the robot counts no more. The code is " +
-        "shown here and never again.",
+        "It is valid for 10 minutes and for one script. An earlier code of the robot becomes invalid. The code is " +
+        "returned only once.",
       security: owner,
       responses: {
         201: answer("The code.", pairingMadeSchema),
@@ -28,43 +28,46 @@ export const pairingCalls: ZodOpenApiPathsObject = {
     },
     get: {
       operationId: "showPairing",
-      summary: "Show how it stands with the pairing code, or wait until a script asks by it",
+      summary: "Read the state of the pairing code, or wait until a script uses it",
       security: owner,
       parameters: parameters("query", waitQuery),
       responses: {
-        200: answer("How it stands, with the script that asks.", pairingSchema),
+        200: answer("The state, with the script that requests access.", pairingSchema),
         ...refusals(...keyed, "too-many-readers"),
       },
     },
     put: {
       operationId: "answerPairing",
-      summary: "Answer the script that asks: yes or no",
-      description: "By a yes the script gets a key of its own, which is listed and can be revoked.",
+      summary: "Accept or decline the request of a script",
+      description: "An accepted script receives its own key, which is listed and can be revoked.",
       security: owner,
       requestBody: {
         required: true,
         content: { "application/json": { schema: pairingReplySchema } },
       },
       responses: {
-        204: { description: "It is answered." },
+        204: { description: "The answer is stored." },
         ...refusals(...keyed, "no-question", "too-many-keys", "too-large", "not-json"),
         ...refusals("storage-full"),
       },
     },
     delete: {
       operationId: "takeBackPairingCode",
-      summary: "Take the pairing code back",
+      summary: "Revoke the pairing code",
       security: owner,
-      responses: { 204: { description: "No code counts." }, ...refusals(...keyed, "storage-full") },
+      responses: {
+        204: { description: "The robot has no valid code." },
+        ...refusals(...keyed, "storage-full"),
+      },
     },
   },
   "/api/v1/pairing": {
     post: {
       operationId: "askToPair",
-      summary: "Ask the owner of a robot by the code that its page shows",
+      summary: "Request access to a robot with the code that its page displays",
       description:
-        "The answer comes by `GET` with the key that is given here. The codes of one network are checked in order " +
-        "of arrival, at most 5 a second after wrong ones. 429: 50 codes wait already; this one was not checked.",
+        "Poll for the answer with `GET` and the returned key. The codes of one network are checked in order " +
+        "of arrival, at most 5 a second after wrong ones. 429: 50 codes are already waiting, and this one was not checked.",
       security: [],
       parameters: parameters("header", nameHeader),
       requestBody: {
@@ -72,18 +75,18 @@ export const pairingCalls: ZodOpenApiPathsObject = {
         content: { "application/json": { schema: pairingWishSchema } },
       },
       responses: {
-        202: answer("The owner is asked.", pairingAskedSchema, location),
+        202: answer("The request is sent to the owner.", pairingAskedSchema, location),
         ...refusals("bad-request", "no-pairing", "code-used", "too-large", "not-json", "too-fast"),
         ...refusals("storage-full"),
       },
     },
     get: {
       operationId: "awaitPairing",
-      summary: "Wait until the owner has said yes or no",
+      summary: "Wait for the owner's answer",
       security: [{ pairingKey: [] }],
       parameters: parameters("query", waitQuery),
       responses: {
-        200: answer("The robot's address, once the owner said yes.", pairingAnswerSchema),
+        200: answer("The robot's address, once the owner has accepted.", pairingAnswerSchema),
         ...refusals("bad-request", "not-authorised", "pairing-refused", "no-pairing"),
         ...refusals("too-many-readers"),
       },

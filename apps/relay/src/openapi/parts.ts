@@ -1,4 +1,4 @@
-/** Parts that the described calls share: parameters, answers and refusals. */
+/** Shared parts of the operations: parameters, responses and errors. */
 import { problemSchema, robotIdSchema } from "@corridor/protocol";
 import { z } from "zod";
 import {
@@ -13,16 +13,16 @@ import { describeByExpectation } from "./describe-by-expectation.ts";
 const retryAfter: oas31.HeadersObject = {
   "Retry-After": {
     required: true,
-    description: "seconds after which another try may succeed",
+    description: "seconds after which a retry may succeed",
     schema: { type: "integer", minimum: 1 },
   },
 };
 
-/** What every call with a key may meet. */
+/** Errors of every operation with a key. */
 export const keyed = ["bad-request", "not-authorised", "forbidden", "no-robot"] as const;
-/** The same for a call that scripts make. */
+/** Errors of every operation for scripts. */
 export const asScript = [...keyed, "sent-away"] as const;
-/** The key of a call that only the robot's owner makes. */
+/** Security of operations for the robot's owner. */
 export const owner = [{ ownerKey: [] }];
 
 const headersByStatus: Partial<Record<number, oas31.HeadersObject>> = {
@@ -32,27 +32,27 @@ const headersByStatus: Partial<Record<number, oas31.HeadersObject>> = {
   507: retryAfter,
 };
 
-/** Where the record of a command can be followed. */
+/** Header with the path of the created resource. */
 export const location: oas31.HeadersObject = {
   Location: {
     required: true,
-    description: "path of what was made",
+    description: "path of the created resource",
     schema: { type: "string", format: "uri-reference" },
   },
 };
 
-/** By what a document is told from another one. */
+/** Header with the version of a document. */
 export const entityTag: oas31.HeadersObject = {
   ETag: {
     required: true,
-    description: "the version of what is answered, in quotation marks",
+    description: "the version of the document, in quotation marks",
     schema: { type: "string" },
   },
 };
 
 /**
- * The parameters that a schema reads. In a path or query all is text: each is described as the value
- * that its text stands for.
+ * Describes the parameters of a schema. Paths and queries contain text, so each parameter is
+ * described as the value that its text represents.
  */
 export function parameters(
   place: "path" | "query" | "header",
@@ -71,10 +71,10 @@ export function parameters(
   });
 }
 
-/** Which robot is meant. */
+/** Path parameter of the robot. */
 export const robot = parameters("path", z.object({ id: robotIdSchema }));
 
-/** An answer in JSON. */
+/** A JSON response. */
 export function answer(
   description: string,
   schema: z.ZodType,
@@ -83,13 +83,15 @@ export function answer(
   return { description, headers, content: { "application/json": { schema } } };
 }
 
-/** Every refusal that a call knows, by status, and the one for all that any call may meet. */
+/**
+ * Error responses of an operation by status, and the default response for errors of any operation.
+ */
 export function refusals(...kinds: ProblemKind[]): ZodOpenApiResponsesObject {
   const responses: ZodOpenApiResponsesObject = {
     default: refusal(
-      "Any other refusal: 405 with `Allow` for an unknown method, 408 and 431 for a request that takes " +
-        "too long or whose headers are too large, 421 for a name that is not this service's, 500 for a " +
-        "mistake, 503 with `Retry-After` while the relay restarts.",
+      "Any other error: 405 with `Allow` for an unsupported method, 408 and 431 for a request that takes " +
+        "too long or has too large headers, 421 for another host, 500 for an " +
+        "internal error, 503 with `Retry-After` while the relay restarts.",
     ),
   };
   for (const [status, same] of Map.groupBy(kinds, (kind) => problemKinds[kind].status)) {

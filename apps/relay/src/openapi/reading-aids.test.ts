@@ -6,13 +6,13 @@ import { groups, orderExample, recordExample, snapshotExample } from "./reading-
 
 const calls = describedCalls(describeApi());
 
-describe("what helps to read the description", () => {
-  it("puts every call into one group, and leaves no group empty", () => {
+describe("groups and examples of the description", () => {
+  it("assigns every operation to one group, and leaves no group empty", () => {
     const used = calls.map(({ operation }) => operation.tags?.join() ?? "none");
     expect(new Set(used)).toEqual(new Set(groups.map(({ name }) => name)));
   });
 
-  it("offers a command that is taken as it stands", () => {
+  it("offers a valid example command", () => {
     const send = calls.find(({ operation }) => operation.operationId === "sendCommand");
     expect(send?.operation.requestBody).toHaveProperty(
       ["content", "application/json", "example"],
@@ -21,7 +21,7 @@ describe("what helps to read the description", () => {
     expect(orderSchema.parse(orderExample)).toEqual(orderExample);
   });
 
-  it("shows answers as they are", () => {
+  it("contains valid example responses", () => {
     expect(snapshotSchema.parse(snapshotExample)).toEqual(snapshotExample);
     expect(commandRecordSchema.parse(recordExample)).toEqual(recordExample);
     expect(JSON.stringify(calls)).toContain(JSON.stringify(snapshotExample));

@@ -1,6 +1,6 @@
 /**
- * What helps people to read the description and to try the calls: groups, in the order in which somebody who
- * writes a script needs them, and examples that work as they stand.
+ * Groups and examples for readers of the description. Groups are in the order in which the author
+ * of a script needs them, and examples are valid requests.
  */
 import type { CommandRecord, Order, Snapshot } from "@corridor/protocol";
 import type { oas31 } from "zod-openapi";
@@ -8,30 +8,30 @@ import type { oas31 } from "zod-openapi";
 interface Group {
   name: string;
   description: string;
-  /** the group's calls are at these paths and below them */
+  /** path prefixes of the group's operations */
   paths: readonly string[];
 }
 
-/** A call belongs to the first group that knows its path. */
+/** An operation belongs to the first group with a matching path. */
 export const groups: readonly Group[] = [
   {
     name: "Driving",
-    description: "What a script needs: commands, readings and what became of the commands.",
+    description: "For scripts: commands, sensor readings and the states of commands.",
     paths: ["commands", "sensors", "events", "maze"].map((part) => `/api/v1/robots/{id}/${part}`),
   },
   {
     name: "Pairing",
-    description: "An address by a code that is typed by hand.",
+    description: "Exchange a typed code for a robot's address.",
     paths: ["/api/v1/pairing"],
   },
   {
     name: "Plain HTTPS",
-    description: "The WebSocket's messages for networks that let no WebSocket through.",
+    description: "The messages of the WebSocket, for networks that block WebSockets.",
     paths: ["/api/v1/robots/{id}/line"],
   },
   {
     name: "Owning",
-    description: "What a robot's own page does: keys, scripts by name, pause, and the end.",
+    description: "For a robot's page: keys, scripts, pausing, and deletion.",
     paths: ["/api/v1/robots"],
   },
   {
@@ -41,7 +41,7 @@ export const groups: readonly Group[] = [
   },
   {
     name: "Service",
-    description: "For whoever runs the service.",
+    description: "For operators of the service.",
     paths: ["/healthz", "/readyz"],
   },
 ];
@@ -76,18 +76,18 @@ export const recordExample: CommandRecord = {
   duplicate: false,
 };
 
-/** By the schema that a body refers to. */
+/** Examples by the schema that a body references. */
 const examples: Readonly<Record<string, unknown>> = {
   "#/components/schemas/Order": orderExample,
   "#/components/schemas/Snapshot": snapshotExample,
   "#/components/schemas/CommandRecord": recordExample,
 };
 
-/** The same document with groups and examples. */
+/** Adds groups and examples to the document. */
 export function withReadingAids(document: oas31.OpenAPIObject): oas31.OpenAPIObject {
   for (const [path, item] of Object.entries(document.paths ?? {})) {
     const group = groups.find(({ paths }) =>
-      paths.some((known) => path === known || path.startsWith(`${known}/`)),
+      paths.some((prefix) => path === prefix || path.startsWith(`${prefix}/`)),
     );
     for (const method of ["get", "post", "put", "delete"] as const) {
       const operation = item[method];

@@ -1,4 +1,4 @@
-/** The HTTP calls of a robot's owner: register it, give keys, see and send away scripts, delete it. */
+/** Operations for a robot's owner: register and delete a robot, manage its keys and scripts. */
 import {
   keyListSchema,
   keyWishSchema,
@@ -30,16 +30,16 @@ export const robotCalls: ZodOpenApiPathsObject = {
     parameters: robot,
     get: {
       operationId: "showRobot",
-      summary: "Show what is held of a robot",
+      summary: "Read the stored data of a robot",
       security: owner,
-      responses: { 200: answer("What is held.", heldSessionSchema), ...refusals(...keyed) },
+      responses: { 200: answer("The stored data.", heldSessionSchema), ...refusals(...keyed) },
     },
     delete: {
       operationId: "deleteRobot",
-      summary: "Delete a robot with all that is held of it",
+      summary: "Delete a robot with all of its data",
       security: owner,
       responses: {
-        204: { description: "All of it is deleted." },
+        204: { description: "The robot is deleted." },
         ...refusals(...keyed, "storage-full"),
       },
     },
@@ -48,14 +48,14 @@ export const robotCalls: ZodOpenApiPathsObject = {
     parameters: robot,
     post: {
       operationId: "makeKey",
-      summary: "Make a key for a script or for somebody who only watches",
+      summary: "Create a key for a script or a watcher",
       description:
-        "With `replace` earlier keys are revoked in the same step: all of the kind by true, the one of the " +
-        "kind with this id by an id. The key is shown here and never again.",
+        "With `replace`, earlier keys are revoked in the same transaction: true revokes all keys of this kind, an id " +
+        "revokes one of them. The key is returned only once.",
       security: owner,
       requestBody: { required: true, content: { "application/json": { schema: keyWishSchema } } },
       responses: {
-        201: answer("The key, with the address for whoever uses it.", madeKeySchema, location),
+        201: answer("The key, with the address for its user.", madeKeySchema, location),
         ...refusals(
           ...keyed,
           "nothing-to-replace",
@@ -70,7 +70,7 @@ export const robotCalls: ZodOpenApiPathsObject = {
       operationId: "listKeys",
       summary: "List the keys of a robot by their ids",
       security: owner,
-      responses: { 200: answer("All that count.", keyListSchema), ...refusals(...keyed) },
+      responses: { 200: answer("All valid keys.", keyListSchema), ...refusals(...keyed) },
     },
   },
   "/api/v1/robots/{id}/keys/{keyId}": {
@@ -79,11 +79,11 @@ export const robotCalls: ZodOpenApiPathsObject = {
       operationId: "revokeKey",
       summary: "Revoke a key",
       description:
-        "It counts no more at once. Lines, event streams and requests that wait by it are closed, and " +
-        "commands that were sent by it and have not ended are cancelled.",
+        "The key becomes invalid immediately. Its connections, event streams and waiting requests are closed, and its " +
+        "open commands are cancelled.",
       security: owner,
       responses: {
-        204: { description: "It is revoked." },
+        204: { description: "The key is revoked." },
         ...refusals(...keyed, "no-key", "storage-full"),
       },
     },
@@ -92,10 +92,10 @@ export const robotCalls: ZodOpenApiPathsObject = {
     parameters: robot,
     get: {
       operationId: "listScripts",
-      summary: "List the scripts of a robot by name, with what each did last",
+      summary: "List the scripts of a robot by name, with the last command of each",
       description:
-        "Those that have a line or were heard in the last 2 minutes, and those that are away. A script is " +
-        "told apart by its key and its name; one without a name, by its key and its language.",
+        "Lists the scripts that are connected, were active in the last 2 minutes, or are blocked. A script is " +
+        "identified by its key and its name, or without a name by its key and its language.",
       security: owner,
       responses: { 200: answer("The scripts.", scriptListSchema), ...refusals(...keyed) },
     },
@@ -106,16 +106,16 @@ export const robotCalls: ZodOpenApiPathsObject = {
       operationId: "pauseDriving",
       summary: "Pause remote driving",
       description:
-        "Commands of scripts are refused until they may drive again, all but a stop; what they asked for and " +
-        "has not ended is cancelled. Scripts stay connected and read on. It is stored.",
+        "Commands of scripts are rejected until driving is resumed, except for stops. Open commands of scripts are " +
+        "cancelled. Scripts stay connected and can read. The state persists across restarts.",
       security: owner,
-      responses: { 204: { description: "It is paused." }, ...refusals(...keyed) },
+      responses: { 204: { description: "Driving is paused." }, ...refusals(...keyed) },
     },
     delete: {
       operationId: "resumeDriving",
       summary: "Let scripts drive again",
       security: owner,
-      responses: { 204: { description: "They may drive." }, ...refusals(...keyed) },
+      responses: { 204: { description: "Scripts may drive." }, ...refusals(...keyed) },
     },
   },
   "/api/v1/robots/{id}/away": {
@@ -124,12 +124,12 @@ export const robotCalls: ZodOpenApiPathsObject = {
       operationId: "sendScriptAway",
       summary: "Block a script, until it is unblocked",
       description:
-        "Its lines are closed, its requests refused, and what it asked for and has not ended is cancelled. " +
-        "Other scripts with the same key go on. It is no lock: to shut out whoever has the key, revoke it.",
+        "Its connections are closed, its requests are rejected, and its open commands are cancelled. " +
+        "Other scripts with the same key are not affected. This is not access control: to exclude everyone who has the key, revoke it.",
       security: owner,
       requestBody: { required: true, content: { "application/json": { schema: scriptRefSchema } } },
       responses: {
-        201: answer("The script that is away.", sentAwaySchema, location),
+        201: answer("The blocked script.", sentAwaySchema, location),
         ...refusals(...keyed, "unknown-driver", "too-many-away", "too-large", "not-json"),
       },
     },
@@ -140,7 +140,10 @@ export const robotCalls: ZodOpenApiPathsObject = {
       operationId: "letScriptBack",
       summary: "Unblock a script",
       security: owner,
-      responses: { 204: { description: "It may come again." }, ...refusals(...keyed, "no-script") },
+      responses: {
+        204: { description: "The script may connect again." },
+        ...refusals(...keyed, "no-script"),
+      },
     },
   },
 };

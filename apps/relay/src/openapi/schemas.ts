@@ -1,6 +1,6 @@
 /**
- * The names of the shapes, as generated clients show them. Objects inside of a named one have names, too:
- * generators would make up long ones, and some fail on alternatives without a name.
+ * Names of the schemas, as generated clients show them. Nested objects are named too, because
+ * generators create long names for them, and some fail on unnamed alternatives.
  */
 import { challengeSchema } from "@corridor/challenge/document";
 import { mazeSchema } from "@corridor/maze";
@@ -111,14 +111,17 @@ export const schemas: Record<string, z.ZodType> = {
   Ready: readySchema,
 };
 
-/** A condition is read by hand, from anything: this says what it has to be. */
+/** Conditions have a custom parser. This describes the expected value. */
 export const describeCondition: ZodOpenApiOverride = ({ zodSchema, jsonSchema }) => {
   if (zodSchema !== condition) return;
   const opts = { override: describeByExpectation };
   Object.assign(jsonSchema, createSchema(condition.def.out, { opts }).schema);
 };
 
-/** The alternatives of a union by the word that tells them apart: `left 90` of Command is `Left90Command`. */
+/**
+ * Names the alternatives of a union by their discriminator: `left 90` of Command is
+ * `Left90Command`.
+ */
 function alternatives(
   name: string,
   field: string,

@@ -1,4 +1,7 @@
-/** The HTTP calls of scripts and watchers: read the robot and its maze, send commands, follow what becomes of them. */
+/**
+ * Operations for scripts and watchers: read the robot and its maze, send commands, follow their
+ * states.
+ */
 import {
   commandRecordSchema,
   eventPageSchema,
@@ -34,7 +37,7 @@ import {
 import { streamedEventSchema } from "./streamed-event.ts";
 
 const idempotencyKey = parameters("header", idempotencyHeader);
-/** what every request of a script may say of itself */
+/** headers with which a script identifies itself */
 const ofScript = [...parameters("header", nameHeader), ...parameters("header", clockHeader)];
 const driver = [{ driverKey: [] }];
 const reader = [{ driverKey: [] }, { watchKey: [] }];
@@ -47,8 +50,8 @@ export const scriptCalls: ZodOpenApiPathsObject = {
       operationId: "readSensors",
       summary: "Read the newest snapshot, or wait for a newer one",
       description:
-        "With `after` and `wait`, answers as soon as there is a snapshot with a higher `seq`, and " +
-        "with the newest there is when the time is over.",
+        "With `after` and `wait`, responds as soon as there is a snapshot with a higher `seq`, and " +
+        "with the newest snapshot at the timeout.",
       security: reader,
       parameters: parameters("query", newerQuery),
       responses: {
@@ -61,28 +64,28 @@ export const scriptCalls: ZodOpenApiPathsObject = {
     parameters: robot,
     get: {
       operationId: "readMaze",
-      summary: "Read the maze that the robot is in",
+      summary: "Read the maze of the robot",
       description:
-        "The document as the robot's page gave it. Who follows the robot is told of another one by a `maze` " +
-        "message or event, whose `version` is the new `ETag`.",
+        "The document that the robot's page published. Readers of the robot receive a `maze` message or event when it " +
+        "changes, whose `version` is the new `ETag`.",
       security: logReader,
       parameters: [...ofScript, ...parameters("header", ifNoneMatchHeader)],
       responses: {
         200: answer("The maze.", mazeSchema, entityTag),
-        304: { description: "It is the one that is known already.", headers: entityTag },
+        304: { description: "The cached maze is current.", headers: entityTag },
         ...refusals(...asScript, "no-maze"),
       },
     },
     put: {
       operationId: "keepMaze",
-      summary: "Give the maze that the robot is in; its page does this",
+      summary: "Publish the maze of the robot; its page does this",
       description:
-        "It is kept with the robot in the place of the one before, and deleted with it. The same maze again " +
-        "changes nothing. A robot may give one a second, 20 at once.",
+        "It replaces the previous maze and is deleted with the robot. An equal maze " +
+        "changes nothing. A robot may publish one a second, with bursts of 20.",
       security: owner,
       requestBody: { required: true, content: { "application/json": { schema: mazeSchema } } },
       responses: {
-        204: { description: "It is kept.", headers: entityTag },
+        204: { description: "The maze is stored.", headers: entityTag },
         ...refusals(...keyed, "too-large", "not-json", "too-fast", "storage-full"),
       },
     },
@@ -93,14 +96,14 @@ export const scriptCalls: ZodOpenApiPathsObject = {
       operationId: "sendCommand",
       summary: "Send a command",
       description:
-        "One that has not started within `ttl` ms (10 s where nothing is said) ends as `expired`. Send a " +
-        "retry with the same key and with its `age`, the ms since the first try. Time on the way counts only with " +
-        "`Script-Clock`: with it, and with the smallest round trip in `age`, a command never runs late.",
+        "A command that has not started within `ttl` ms (default: 10 s) ends as `expired`. Send a " +
+        "retry with the same key and with its `age`, the ms since the first attempt. Transit time counts only with " +
+        "`Script-Clock`. With it, and with the smallest round trip in `age`, a command never runs late.",
       security: driver,
       parameters: idempotencyKey,
       requestBody: { required: true, content: { "application/json": { schema: orderSchema } } },
       responses: {
-        202: answer("The record of the command, which is stored.", commandRecordSchema, location),
+        202: answer("The record of the stored command.", commandRecordSchema, location),
         ...refusals(
           ...asScript,
           "key-conflict",
@@ -117,21 +120,25 @@ export const scriptCalls: ZodOpenApiPathsObject = {
     get: {
       operationId: "listCommands",
       summary: "List the commands of a robot in their order, with their states",
-      description: "Ask again with `after` set to the last `seq` for the next part.",
+      description: "Repeat with `after` set to the last `seq` for the next page.",
       security: logReader,
       parameters: parameters("query", logQuery),
       responses: {
-        200: answer("The next part of the log; empty at its end.", commandLogSchema),
+        200: answer("The next page of the log; empty at its end.", commandLogSchema),
         ...refusals(...asScript),
       },
     },
     delete: {
       operationId: "stopRobot",
-      summary: "Drop what waits and stop the robot",
+      summary: "Discard waiting commands and stop the robot",
       security: driver,
       parameters: idempotencyKey,
       responses: {
-        202: answer("The record of the stop, which overtakes.", commandRecordSchema, location),
+        202: answer(
+          "The record of the stop, which overtakes other commands.",
+          commandRecordSchema,
+          location,
+        ),
         ...refusals(...asScript, "key-conflict", "too-fast", "storage-full"),
       },
     },
@@ -144,17 +151,21 @@ export const scriptCalls: ZodOpenApiPathsObject = {
       security: logReader,
       parameters: parameters("query", waitQuery),
       responses: {
-        200: answer("The record, at its end or when the time is over.", commandRecordSchema),
+        200: answer(
+          "The record, when the command has ended or at the timeout.",
+          commandRecordSchema,
+        ),
         ...refusals(...asScript, "no-command", "too-many-readers"),
       },
     },
     delete: {
       operationId: "cancelCommand",
-      summary: "Take back one command that was sent with the same key",
-      description: "What waits is cancelled at once; for what the robot has, the robot is asked.",
+      summary: "Cancel one command that was sent with the same key",
+      description:
+        "A waiting command is cancelled immediately. For a delivered command, the robot is asked to end it.",
       security: driver,
       responses: {
-        202: answer("The record, as it is now.", commandRecordSchema, location),
+        202: answer("The current record.", commandRecordSchema, location),
         ...refusals(...asScript, "no-command", "storage-full"),
       },
     },
@@ -163,22 +174,23 @@ export const scriptCalls: ZodOpenApiPathsObject = {
     parameters: [...robot, ...ofScript],
     get: {
       operationId: "followEvents",
-      summary: "Follow a robot by server-sent events, or by long poll",
+      summary: "Follow a robot by server-sent events, or by long polling",
       description:
-        "Without `wait`: events without end. `snapshot`, whose data is a Snapshot; `state`, whose data is " +
-        "the CommandRecord of a command with a new state; `gap` in place of states that are not kept any " +
-        "more; `maze` when the robot is in another one. The `id` of the last event, sent as `Last-Event-ID` or `since`, goes on from there.\n\n" +
-        "With `wait`: one answer, as soon as there is a state after `since` or a snapshot newer than " +
-        "`after`. Ask first without `since`, then each time with the `since` of the answer before. The " +
-        "newest 1,000 states are kept, for 10 minutes.",
+        "Without `wait`: an endless stream of events. `snapshot` contains a Snapshot; `state` contains " +
+        "the CommandRecord of a command with a new state; `gap` replaces states that are no longer stored; " +
+        "`maze` reports another maze. Send the `id` of the last event as `Last-Event-ID` or `since` to resume there.\n\n" +
+        "With `wait`: one response, as soon as there is a state after `since` or a snapshot newer than " +
+        "`after`. Send the first request without `since`, then each with the `since` of the previous response. The " +
+        "newest 1,000 states are stored, for 10 minutes.",
       security: reader,
       parameters: [...parameters("query", eventsQuery), ...parameters("header", lastEventHeader)],
       responses: {
         200: {
-          description: "Events without end or, with `wait`, those that there are.",
+          description: "An endless stream or, with `wait`, the pending events.",
           content: {
             "application/json": { schema: eventPageSchema },
-            // Before OpenAPI 3.2, which has `itemSchema`, the schema of a stream describes one event.
+            // Before OpenAPI 3.2, which has `itemSchema`, the schema of a stream describes one
+            // event.
             "text/event-stream": { schema: streamedEventSchema },
           },
         },

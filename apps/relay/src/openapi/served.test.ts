@@ -6,13 +6,13 @@ import { pino } from "pino";
 import { describe, expect, it, onTestFinished } from "vitest";
 import type { oas31 } from "zod-openapi";
 import { createApp } from "../app.ts";
-import { Entrance } from "../entrance/entrance.ts";
-import { HttpLines } from "../gateways/http-lines.ts";
+import { RequestGuard } from "../request-guard/request-guard.ts";
+import { LongPollConnections } from "../gateways/long-poll-connections.ts";
 import { Metrics } from "../metrics/metrics.ts";
 import { Readiness } from "../readiness.ts";
 import { systemClock } from "../clock.ts";
-import { DocumentShelf } from "../documents/document-shelf.ts";
-import { PairingDesk } from "../pairing/pairing-desk.ts";
+import { DocumentService } from "../documents/document-service.ts";
+import { PairingService } from "../pairing/pairing-service.ts";
 import { SessionHub } from "../sessions/session-hub.ts";
 import { SqliteDocumentStore } from "../store/sqlite-document-store.ts";
 import { SqliteFile } from "../store/sqlite-file.ts";
@@ -35,17 +35,17 @@ const LINE = `${ROBOT}/line`;
 const MESSAGES = `${LINE}/messages`;
 const PAIRING = `${ROBOT}/pairing`;
 const PAIR = "/api/v1/pairing";
-/** Files to take along, which are no calls of the API. */
+/** Static files, which are not part of the API. */
 const FILES = new Set(["get /openapi.json", "get /asyncapi.json", "get /corridor.py"]);
 
-/** What Express keeps of a route or of a router that was mounted. */
+/** Express's internal representation of a route or a mounted router. */
 interface Layer {
   rawPath: string;
   route?: { methods: Record<string, boolean> };
   handle: { stack?: Layer[] };
 }
 
-/** Every call that Express has a handler for, such as "get /api/v1/robots/{id}". */
+/** Every operation with an Express handler, such as "get /api/v1/robots/{id}". */
 function servedCalls(layers: Layer[], prefix = ""): string[] {
   return layers.flatMap(({ rawPath, route, handle }) => {
     const path = prefix + (rawPath === "/" ? "" : rawPath.replaceAll(/:(\w+)/g, "{$1}"));
@@ -59,9 +59,9 @@ function appWithoutPage(): Express {
   const store = new SqliteStore(file);
   const log = pino({ level: "silent" });
   const hub = new SessionHub(store, systemClock, log);
-  const documents = new DocumentShelf(new SqliteDocumentStore(file), systemClock, log);
+  const documents = new DocumentService(new SqliteDocumentStore(file), systemClock, log);
   const pairings = new SqlitePairingStore(file);
-  const pairing = new PairingDesk({ pairings, sessions: store, clock: systemClock, log });
+  const pairing = new PairingService({ pairings, sessions: store, clock: systemClock, log });
   onTestFinished(async () => {
     lines.close();
     pairing.close();
@@ -69,17 +69,17 @@ function appWithoutPage(): Express {
     await hub.close();
     await store.close();
   });
-  const entrance = new Entrance(defaults());
+  const guard = new RequestGuard(defaults());
   const readiness = new Readiness(store, systemClock, log);
   const metrics = new Metrics();
-  const lines = new HttpLines({ hub, clock: systemClock, log, metrics });
-  const served = { hub, lines, documents, pairing, entrance, readiness, metrics };
+  const lines = new LongPollConnections({ hub, clock: systemClock, log, metrics });
+  const served = { hub, lines, documents, pairing, guard, readiness, metrics };
   const parts = { ...served, clock: systemClock, log, page: Router() };
   return createApp({ ...parts, isDevelopment: false });
 }
 
 describe("/openapi.json", () => {
-  it("may be read from every site, and kept for a while", async () => {
+  it("can be read from every site and cached for a while", async () => {
     const { origin } = await startTestRelay();
     const answer = await fetch(`${origin}/openapi.json`);
     expect(answer.status).toBe(200);
@@ -91,7 +91,7 @@ describe("/openapi.json", () => {
     expect(wrong.headers.get("cache-control")).toBe("no-store");
   });
 
-  it("describes every call that the application serves, and no other", async () => {
+  it("describes every operation of the application, and no other", async () => {
     const { document } = await DescribedRelay.start();
     const { stack } = appWithoutPage().router as unknown as { stack: Layer[] };
     const served = servedCalls(stack).filter(
@@ -102,7 +102,7 @@ describe("/openapi.json", () => {
     expect(described.toSorted()).toEqual(served.toSorted());
   });
 
-  it("describes only calls that the real server knows", async () => {
+  it("describes only operations that the server implements", async () => {
     const { relay, document } = await DescribedRelay.start();
     const unknown: string[] = [];
     for (const { name, method, path, operation } of describedCalls(document)) {
@@ -118,7 +118,7 @@ describe("/openapi.json", () => {
         },
       );
       const isDescribed = String(answer.status) in (operation.responses ?? {});
-      // A stream of events has no end.
+      // An event stream has no end.
       const problem = answer.ok ? "" : await answer.text();
       if (!isDescribed || problem.includes("/problems/not-found")) unknown.push(name);
       stop.abort();
@@ -127,7 +127,7 @@ describe("/openapi.json", () => {
   });
 });
 
-describe("real answers are as described", () => {
+describe("responses match the description", () => {
   it("from the registration to the end of a driven robot", async () => {
     const api = await DescribedRelay.start();
     const { socket: page, epoch } = await TestSocket.page(api.relay, api.robot);
@@ -167,7 +167,7 @@ describe("real answers are as described", () => {
     expect((await api.call("get", SENSORS)).status).toBe(404);
   });
 
-  it("from the opening of a line to its end, and of events by long poll", async () => {
+  it("of a long-poll connection and of events by long polling", async () => {
     const api = await DescribedRelay.start();
     const hello = { type: "hello", version: 1, role: "drive", key: api.robot.driverKey };
     const opened = await api.call("post", LINE, { body: hello });
@@ -182,7 +182,7 @@ describe("real answers are as described", () => {
     expect(fetched.body).toMatchObject({ first: 1, closed: null });
     expect((await api.call("delete", LINE, { key })).status).toBe(204);
     expect((await api.call("get", MESSAGES, { key })).status).toBe(404);
-    // What a line is, only its key says.
+    // The key alone identifies a connection.
     expect((await api.call("get", MESSAGES, { key: "" })).status).toBe(401);
     expect((await api.call("delete", LINE, { key: "" })).status).toBe(401);
     const late = { key: "", body: { first: 1, messages } };
@@ -196,7 +196,7 @@ describe("real answers are as described", () => {
     expect(missed.body).toMatchObject({ gap: { open: [{ seq: 1, state: "accepted" }] } });
   });
 
-  it("from a pairing code to the owner's yes", async () => {
+  it("from a pairing code to the owner's acceptance", async () => {
     const api = await DescribedRelay.start();
     const key = api.robot.ownerKey;
     expect((await api.call("get", PAIRING, { key })).body).toMatchObject({ state: "none" });
@@ -226,7 +226,7 @@ describe("real answers are as described", () => {
     { name: "a maze", document: maze },
     { name: "a program", document: program },
     { name: "a challenge", document: challenge },
-  ])("from the short link of $name to its end", async ({ document }) => {
+  ])("of the short link of $name", async ({ document }) => {
     const api = await DescribedRelay.start();
     const asked = api.document.paths?.[DOCUMENTS]?.post?.requestBody as oas31.RequestBodyObject;
     const schema = api.schemaOf({ description: "", content: asked.content });
@@ -280,17 +280,17 @@ describe("real answers are as described", () => {
       status: 413,
     },
     {
-      name: "a body that is no JSON",
+      name: "a body that is not JSON",
       call: post,
       request: { body: "stop", headers: { "Content-Type": "text/plain" } },
       status: 415,
     },
-  ])("when it is refused: $name", async ({ call: [method, path], request, status }) => {
+  ])("for an error: $name", async ({ call: [method, path], request, status }) => {
     const api = await DescribedRelay.start();
     expect((await api.call(method, path, request)).status).toBe(status);
   });
 
-  it("when too many commands come, with the time to wait", async () => {
+  it("for too many commands, with the time to wait", async () => {
     const api = await DescribedRelay.start();
     const request = { body: { action: "left 90" } };
     const answers = Array.from({ length: 80 }, () => api.call("post", COMMANDS, request));
@@ -298,7 +298,7 @@ describe("real answers are as described", () => {
     expect(new Set(statuses)).toEqual(new Set([202, 429]));
   });
 
-  it("and would not pass if they were not", async () => {
+  it("and invalid ones are detected", async () => {
     const api = await DescribedRelay.start();
     const schema = api.schemaOf(api.answerOf("get", SENSORS, 200));
     const wrong = [

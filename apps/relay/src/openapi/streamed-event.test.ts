@@ -6,7 +6,7 @@ import { DescribedRelay } from "../testing/described-relay.ts";
 import { maze } from "../testing/sample-documents.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 
-/** The events of a stream as objects, one after the other. */
+/** Parses the events of a stream. */
 async function* eventsOf(answer: Response): AsyncGenerator<Record<string, string>> {
   let text = "";
   for await (const part of (answer.body ?? new ReadableStream()).pipeThrough(
@@ -23,7 +23,7 @@ async function* eventsOf(answer: Response): AsyncGenerator<Record<string, string
   }
 }
 
-/** What `data` of an event is described to be. */
+/** Described schema of the `data` of an event. */
 function shapeOfData(api: DescribedRelay, event: string): z.ZodType {
   const name = `${event[0]?.toUpperCase()}${event.slice(1)}Event`;
   const described = api.document.components?.schemas?.[name] as {
@@ -33,7 +33,7 @@ function shapeOfData(api: DescribedRelay, event: string): z.ZodType {
   return api.schemaOf({ description: "", content: { data: { schema } } });
 }
 
-it("the stream of events is as described, each event and the data in it", async () => {
+it("describes the event stream as it is, each event and its data", async () => {
   const api = await DescribedRelay.start();
   const { robot, relay } = api;
   const { socket: page, epoch } = await TestSocket.page(relay, robot);

@@ -1,9 +1,11 @@
-/** One event of the stream at `/events`: in a stream every event is described, not the text as a whole. */
+/**
+ * Schema of one event of the stream at `/events`. The description of a stream describes its events.
+ */
 import { mazeVersionSchema, sinceSchema } from "@corridor/protocol";
 import { z } from "zod";
 import { createSchema } from "zod-openapi";
 
-/** What the line `data` holds: JSON of another shape. */
+/** The field `data`, which contains JSON of another schema. */
 const json = (description: string, contentSchema: object) =>
   z.string().meta({ description, contentMediaType: "application/json", contentSchema });
 
@@ -11,7 +13,7 @@ const dataOf = (shape: string) => json(`JSON: ${shape}`, { $ref: `#/components/s
 
 const mazeChanged = createSchema(z.strictObject({ version: mazeVersionSchema })).schema;
 
-const id = sinceSchema.meta({ description: "to be sent as `Last-Event-ID` or `since`" });
+const id = sinceSchema.meta({ description: "send it as `Last-Event-ID` or `since`" });
 
 export const streamedEventSchema = z.discriminatedUnion("event", [
   z.strictObject({ event: z.literal("snapshot"), data: dataOf("Snapshot") }),

@@ -8,26 +8,26 @@ const right = async () => "robot";
 
 function withQueue(all: typeof rule | null = null) {
   const clock = new FakeClock();
-  const began = clock.now();
+  const start = clock.now();
   const queue = new CheckQueue(clock, rule, all);
   const times: [string, number][] = [];
-  /** notes when a check ran */
-  const noted = (name: string, check: () => Promise<string | null>) => async () => {
-    times.push([name, clock.now() - began]);
+  /** wraps a check to record when it ran */
+  const recorded = (name: string, check: () => Promise<string | null>) => async () => {
+    times.push([name, clock.now() - start]);
     return check();
   };
-  return { clock, queue, times, noted };
+  return { clock, queue, times, recorded };
 }
 
-it("checks right codes at once, however many come", async () => {
+it("runs checks of right codes immediately, in any number", async () => {
   const { queue } = withQueue();
   for (let count = 0; count < 120; count++) expect(await queue.run("a", right)).toBe("robot");
 });
 
-it("checks at most five codes a second of an address that sends wrong ones, in order", async () => {
-  const { clock, queue, times, noted } = withQueue();
-  const answers = ["1", "2", "3"].map((name) => queue.run("a", noted(name, wrong)));
-  const last = queue.run("a", noted("4", right));
+it("checks at most five codes a second from an address that sends wrong codes, in order", async () => {
+  const { clock, queue, times, recorded } = withQueue();
+  const answers = ["1", "2", "3"].map((name) => queue.run("a", recorded(name, wrong)));
+  const last = queue.run("a", recorded("4", right));
   await settled();
   await clock.pass(1_000);
   expect(times).toEqual([
@@ -40,7 +40,7 @@ it("checks at most five codes a second of an address that sends wrong ones, in o
   expect(await last).toBe("robot");
 });
 
-it("delays no other address", async () => {
+it("does not delay other addresses", async () => {
   const { queue } = withQueue();
   await queue.run("a", wrong);
   const waiting = queue.run("a", right);
@@ -49,7 +49,7 @@ it("delays no other address", async () => {
   await expect(waiting).rejects.toMatchObject({ kind: "restarting" });
 });
 
-it("refuses a code unchecked when too many wait, and checks the next as soon as there is room", async () => {
+it("rejects a code unchecked if too many wait, and accepts the next once there is room", async () => {
   const { clock, queue } = withQueue();
   const check = vi.fn<typeof wrong>(wrong);
   await queue.run("a", check);
@@ -66,9 +66,9 @@ it("refuses a code unchecked when too many wait, and checks the next as soon as 
   await Promise.all(waiting);
 });
 
-it("shares a limit among all addresses", async () => {
-  const { clock, queue, times, noted } = withQueue({ perSecond: 100, waiting: 3 });
-  const answers = ["a", "b", "c"].map((name) => queue.run(name, noted(name, wrong)));
+it("shares one limit between all addresses", async () => {
+  const { clock, queue, times, recorded } = withQueue({ perSecond: 100, waiting: 3 });
+  const answers = ["a", "b", "c"].map((name) => queue.run(name, recorded(name, wrong)));
   await settled();
   await clock.pass(100);
   expect(times).toEqual([
@@ -79,7 +79,7 @@ it("shares a limit among all addresses", async () => {
   await Promise.all(answers);
 });
 
-it("does not count a store that fails as a wrong code, and stores no address for longer than the delay", async () => {
+it("does not count a store failure as a wrong code, and stores an address only during its delay", async () => {
   const { clock, queue } = withQueue();
   await expect(queue.run("a", () => Promise.reject(new Error("disk")))).rejects.toThrow("disk");
   await settled();

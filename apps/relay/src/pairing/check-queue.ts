@@ -1,53 +1,54 @@
 /**
- * Slows down the guessing of codes without a lockout. The codes of one address are checked in order of arrival, one
- * at a time, and a wrong one delays the next check. A right code costs no delay, so a class that types right codes
- * never waits, and a neighbour's wrong codes delay a right one but never refuse it.
+ * Slows down guessing of codes without a lockout. The codes of one address are checked one at a
+ * time in order of arrival, and a wrong code delays the next check. A right code adds no delay, so
+ * a class that types right codes never waits. Wrong codes from the same network delay a right code
+ * but never block it.
  */
 import type { Clock } from "../clock.ts";
 import { Refusal, restarting, retryAfter } from "../problems.ts";
 
 export interface CheckQueueRule {
-  /** checks a second after wrong codes */
+  /** checks per second after wrong codes */
   perSecond: number;
-  /** checks that wait; one more is refused */
+  /** maximum number of pending checks; further checks are rejected */
   waiting: number;
 }
 
-/** @returns null where no such code exists */
+/** @returns null if the code does not exist */
 type Check<T> = () => Promise<T | null>;
 
-interface Waiting {
+interface PendingCheck {
   start(): Promise<"right" | "wrong">;
   cancel(): void;
 }
 
-/** Checks of one address, or of all. */
-class Lane {
-  readonly #waiting: Waiting[] = [];
+/** Serial queue of checks, for one address or for all. */
+class SerialQueue {
+  readonly #pending: PendingCheck[] = [];
   readonly #clock: Clock;
   readonly #rule: CheckQueueRule;
-  readonly #ended: () => void;
+  readonly #onIdle: () => void;
   #isBusy = false;
 
-  /** @param ended is called when nothing waits and the delay of a wrong code is over */
-  constructor(clock: Clock, rule: CheckQueueRule, ended: () => void = () => undefined) {
+  /** @param onIdle called when no check is pending and the delay of a wrong code has passed */
+  constructor(clock: Clock, rule: CheckQueueRule, onIdle: () => void = () => undefined) {
     this.#clock = clock;
     this.#rule = rule;
-    this.#ended = ended;
+    this.#onIdle = onIdle;
   }
 
-  /** @throws Refusal too-fast when too many wait; restarting when the lane closes */
+  /** @throws Refusal too-fast if too many checks wait, restarting if the queue closes */
   async run<T>(check: Check<T>): Promise<T | null> {
-    if (this.#waiting.length >= this.#rule.waiting) throw tooMany();
+    if (this.#pending.length >= this.#rule.waiting) throw tooMany();
     return new Promise<T | null>((resolve, reject) => {
-      this.#waiting.push({
+      this.#pending.push({
         start: async () => {
           try {
             const found = await check();
             resolve(found);
             return found === null ? "wrong" : "right";
           } catch (error) {
-            // A store that does not answer says nothing about the code.
+            // A store failure does not show whether the code is right.
             reject(error);
             return "right";
           }
@@ -59,12 +60,12 @@ class Lane {
   }
 
   close(): void {
-    for (const waiting of this.#waiting.splice(0)) waiting.cancel();
+    for (const waiting of this.#pending.splice(0)) waiting.cancel();
   }
 
   async #next(): Promise<void> {
     this.#isBusy = true;
-    for (let next = this.#waiting.shift(); next !== undefined; next = this.#waiting.shift()) {
+    for (let next = this.#pending.shift(); next !== undefined; next = this.#pending.shift()) {
       const outcome = await next.start();
       if (outcome === "wrong") {
         await new Promise<void>((resolve) => {
@@ -73,59 +74,60 @@ class Lane {
       }
     }
     this.#isBusy = false;
-    this.#ended();
+    this.#onIdle();
   }
 }
 
 export class CheckQueue {
-  readonly #lanes = new Map<string, Lane>();
+  readonly #queues = new Map<string, SerialQueue>();
   readonly #clock: Clock;
   readonly #rule: CheckQueueRule;
-  readonly #all: Lane | null;
+  readonly #all: SerialQueue | null;
 
   /**
-   * @param rule for one address
-   * @param ruleForAll for all addresses together; null: no limit
+   * @param rule limit for each address
+   * @param ruleForAll limit for all addresses together; null: no limit
    */
   constructor(clock: Clock, rule: CheckQueueRule, ruleForAll: CheckQueueRule | null) {
     this.#clock = clock;
     this.#rule = rule;
-    this.#all = ruleForAll && new Lane(clock, ruleForAll);
+    this.#all = ruleForAll && new SerialQueue(clock, ruleForAll);
   }
 
   /**
-   * Runs a check when it is the turn of its address.
-   * @throws Refusal too-fast with the seconds to wait when too many checks wait; no code was checked then
+   * Runs a check in the queue of its address.
+   * @throws Refusal too-fast with the seconds to wait if too many checks are pending; the code is
+   * not checked
    */
   async run<T>(address: string, check: Check<T>): Promise<T | null> {
     const all = this.#all;
-    return this.#laneOf(address).run(all === null ? check : async () => all.run(check));
+    return this.#queueOf(address).run(all === null ? check : async () => all.run(check));
   }
 
-  /** Addresses with a check that waits, or a delay that is not over. */
+  /** Number of addresses with a pending check or delay. */
   get size(): number {
-    return this.#lanes.size;
+    return this.#queues.size;
   }
 
-  /** Refuses all checks that wait. */
+  /** Rejects all pending checks. */
   close(): void {
     this.#all?.close();
-    for (const lane of this.#lanes.values()) lane.close();
+    for (const queue of this.#queues.values()) queue.close();
   }
 
-  #laneOf(address: string): Lane {
-    const open = this.#lanes.get(address);
+  #queueOf(address: string): SerialQueue {
+    const open = this.#queues.get(address);
     if (open !== undefined) return open;
-    const lane = new Lane(this.#clock, this.#rule, () => this.#lanes.delete(address));
-    this.#lanes.set(address, lane);
-    return lane;
+    const queue = new SerialQueue(this.#clock, this.#rule, () => this.#queues.delete(address));
+    this.#queues.set(address, queue);
+    return queue;
   }
 }
 
 function tooMany(): Refusal {
   return new Refusal(
     "too-fast",
-    "Many codes from this network wait to be checked. This code was not checked: send it again in a second.",
+    "Too many codes from this network are waiting. This code was not checked. Send it again in a second.",
     { headers: retryAfter(1_000) },
   );
 }

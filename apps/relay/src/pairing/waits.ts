@@ -1,4 +1,4 @@
-/** Requests that wait for something in the store, which this relay or another one may bring about. */
+/** Waits for changes in the store, which this relay or another one may write. */
 import type { Clock } from "../clock.ts";
 import { Refusal, retryAfter } from "../problems.ts";
 import type { Patience } from "../sessions/audience.ts";
@@ -6,7 +6,7 @@ import { limits } from "../sessions/limits.ts";
 
 export class Waits {
   readonly #clock: Clock;
-  readonly #wakers = new Map<() => void, string>();
+  readonly #waiters = new Map<() => void, string>();
   #isClosed = false;
 
   constructor(clock: Clock) {
@@ -14,53 +14,57 @@ export class Waits {
   }
 
   /**
-   * Looks until what it finds is what was waited for, or the patience is over.
-   * @param what names that which is waited for; not too many may wait for the same
-   * @returns what was found last
+   * Polls until a result is final or the timeout ends.
+   * @param topic name of the awaited change; the number of waits for one topic is limited
+   * @returns the last result
    */
   async until<T>(
-    what: string,
-    look: () => Promise<T>,
+    topic: string,
+    poll: () => Promise<T>,
     isDone: (found: T) => boolean,
     { milliseconds, signal }: Patience,
   ): Promise<T> {
     const end = this.#clock.now() + milliseconds;
     for (;;) {
-      const found = await look();
+      const found = await poll();
       const leftMs = end - this.#clock.now();
       if (isDone(found) || leftMs <= 0 || signal.aborted || this.#isClosed) return found;
-      await this.#pause(what, Math.min(leftMs, limits.pairingLookMs), signal);
+      await this.#wait(topic, Math.min(leftMs, limits.pairingLookMs), signal);
     }
   }
 
-  /** Something has changed at this relay: all look again at once. */
+  /** Polls again immediately in all waits, after a change by this relay. */
   wake(): void {
-    for (const wake of this.#wakers.keys()) wake();
+    for (const wake of this.#waiters.keys()) wake();
   }
 
-  /** Ends all waits, now and later. */
+  /** Ends all current and future waits. */
   close(): void {
     this.#isClosed = true;
     this.wake();
   }
 
-  async #pause(what: string, ms: number, signal: AbortSignal): Promise<void> {
-    const same = [...this.#wakers.values()].filter((other) => other === what).length;
-    if (same >= limits.waitsPerPairing || this.#wakers.size >= limits.pairingWaits) {
-      throw new Refusal("too-many-readers", "Too many wait for this already. Wait a moment.", {
-        headers: retryAfter(2_000),
-      });
+  async #wait(topic: string, ms: number, signal: AbortSignal): Promise<void> {
+    const same = [...this.#waiters.values()].filter((other) => other === topic).length;
+    if (same >= limits.waitsPerPairing || this.#waiters.size >= limits.pairingWaits) {
+      throw new Refusal(
+        "too-many-readers",
+        "Too many requests wait for this already. Wait a moment.",
+        {
+          headers: retryAfter(2_000),
+        },
+      );
     }
     await new Promise<void>((resolve) => {
       const wake = (): void => {
-        this.#wakers.delete(wake);
+        this.#waiters.delete(wake);
         cancelTimer();
         signal.removeEventListener("abort", wake);
         resolve();
       };
       const cancelTimer = this.#clock.after(ms, wake);
       signal.addEventListener("abort", wake);
-      this.#wakers.set(wake, what);
+      this.#waiters.set(wake, topic);
     });
   }
 }

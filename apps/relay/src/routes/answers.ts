@@ -1,4 +1,7 @@
-/** Answers that only HTTP has; the other shapes are the protocol's. The routes are typed by these. */
+/**
+ * Schemas of the responses that only the HTTP API has. The protocol package defines the others.
+ * Route types derive from them.
+ */
 import {
   commandRecordSchema,
   driversSchema,
@@ -15,17 +18,17 @@ export type Health = z.infer<typeof healthSchema>;
 export const readySchema = z.strictObject({
   status: z
     .enum(["ready", "degraded"])
-    .describe("degraded: the disk is full, so that nothing new can be stored"),
+    .describe("degraded: the disk is full, so the relay stores no new data"),
 });
 export type Ready = z.infer<typeof readySchema>;
 
 export const commandLogSchema = z.strictObject({
-  /** in the order of their numbers */
+  /** in order of their numbers */
   commands: z.array(commandRecordSchema).max(limits.logPage),
 });
 export type CommandLog = z.infer<typeof commandLogSchema>;
 
-/** What is held of a robot, besides its commands. */
+/** Stored state of a robot, without its commands. */
 export const heldSessionSchema = z.strictObject({
   id: robotIdSchema,
   createdAt: z.iso.datetime(),
@@ -34,13 +37,13 @@ export const heldSessionSchema = z.strictObject({
     .int()
     .min(0)
     .describe(
-      "until it is forgotten, however much it is used; earlier when nobody uses it for 2 h",
+      "until the robot is deleted at the latest; it is deleted earlier after 2 h without use",
     ),
   drivers: driversSchema,
   maze: mazeVersionSchema
     .nullable()
-    .describe("version of the maze that its page gave, to be read below; null while it gave none"),
-  /** null while the robot has not reported */
+    .describe("version of the maze that its page published; null if there is none"),
+  /** null until the robot has reported */
   snapshot: snapshotSchema.nullable(),
 });
 export type HeldSession = z.infer<typeof heldSessionSchema>;

@@ -5,7 +5,7 @@ import { describe, expect, it } from "vitest";
 import { badCommands } from "../testing/bad-commands.ts";
 import { startTestRelay } from "../testing/test-relay.ts";
 
-/** The problem document of an answer, which must be one. */
+/** Parses the problem document of a response. */
 async function problemOf(answer: Response) {
   expect(answer.headers.get("content-type")).toMatch(/^application\/problem\+json/);
   const text = await answer.text();
@@ -15,15 +15,15 @@ async function problemOf(answer: Response) {
   return problem;
 }
 
-describe("a wrong command", () => {
-  it.each(badCommands)("is refused with its field: $name", async ({ body, path }) => {
+describe("an invalid command", () => {
+  it.each(badCommands)("is rejected with the name of its field: $name", async ({ body, path }) => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const answer = await relay.ask(robot, "/commands", { method: "POST", body });
     const problem = await problemOf(answer);
     expect(problem).toMatchObject({ status: 400, type: "/problems/bad-request" });
     expect(problem.errors[0]?.path).toBe(path);
-    // What a script prints that shows no more than `detail`, or reads it without a JSON parser.
+    // Scripts may print only `detail`, or read it without a JSON parser.
     expect(problem.detail).toContain(`The command is wrong. ${path || "document"}: found `);
     expect(problem.detail).not.toContain('"');
     const log = await relay.ask(robot, "/commands");
@@ -40,7 +40,7 @@ describe("a key", () => {
       sent: "Bearer drv_AAAAAAAAAAAAAAAAAAAAAA",
       says: "press 'Copy address with key'",
     },
-  ])("that is $what is refused with what to do", async ({ sent, says }) => {
+  ])("that is $what is rejected with advice", async ({ sent, says }) => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const headers = { Authorization: sent };
@@ -50,18 +50,18 @@ describe("a key", () => {
   });
 });
 
-describe("a wrong request", () => {
+describe("an invalid request", () => {
   const json = { "Content-Type": "application/json" };
   const stop = '{"action":"stop"}';
   it.each([
     {
-      name: "a body that is no JSON by its type",
+      name: "a body with another content type",
       path: "/commands",
       request: { method: "POST", body: stop, headers: { "Content-Type": "text/plain" } },
       status: 415,
     },
     {
-      name: "a form",
+      name: "form data",
       path: "/commands",
       request: {
         method: "POST",
@@ -104,25 +104,30 @@ describe("a wrong request", () => {
       request: { method: "POST", body: stop, headers: { "Idempotency-Key": "has some spaces" } },
       status: 400,
     },
-    { name: "a wait in words", path: "/sensors?wait=long", request: {}, status: 400 },
+    { name: "a wait that is not a number", path: "/sensors?wait=long", request: {}, status: 400 },
     { name: "a wait that is too long", path: "/sensors?wait=26", request: {}, status: 400 },
     { name: "a negative wait", path: "/commands/1?wait=-1", request: {}, status: 400 },
     { name: "two waits", path: "/sensors?wait=1&wait=2", request: {}, status: 400 },
-    { name: "an after in words", path: "/commands?after=first", request: {}, status: 400 },
     {
-      name: "an after that is no whole number",
+      name: "an after that is not a number",
+      path: "/commands?after=first",
+      request: {},
+      status: 400,
+    },
+    {
+      name: "an after that is not an integer",
       path: "/sensors?after=1.5",
       request: {},
       status: 400,
     },
     {
-      name: "a last event that is none, beside a right since",
+      name: "an invalid Last-Event-ID with a valid since",
       path: "/events?wait=0&since=AAAAAAAA-1",
       request: { headers: { "Last-Event-ID": "first" } },
       status: 400,
     },
     { name: "a command that does not exist", path: "/commands/99", request: {}, status: 404 },
-    { name: "a command that is no number", path: "/commands/first", request: {}, status: 400 },
+    { name: "a command that is not a number", path: "/commands/first", request: {}, status: 400 },
     { name: "an address that does not exist", path: "/legs", request: {}, status: 404 },
     {
       name: "a method that does not exist here",
@@ -131,15 +136,15 @@ describe("a wrong request", () => {
       status: 405,
     },
     { name: "PATCH on the commands", path: "/commands", request: { method: "PATCH" }, status: 405 },
-    { name: "a damaged address", path: "/commands/%E0%A4%A", request: {}, status: 400 },
+    { name: "a malformed address", path: "/commands/%E0%A4%A", request: {}, status: 400 },
     {
-      name: "a key of nobody",
+      name: "an unknown key",
       path: "/sensors",
       request: { key: "drv_AAAAAAAAAAAAAAAAAAAAAA" },
       status: 401,
     },
     {
-      name: "no bearer key",
+      name: "without a bearer key",
       path: "/sensors",
       request: { headers: { Authorization: "Basic abc" } },
       status: 401,
@@ -150,7 +155,7 @@ describe("a wrong request", () => {
       request: { headers: { Authorization: "Bearer " } },
       status: 401,
     },
-  ])("is answered in words: $name", async ({ path, request, status }) => {
+  ])("is explained in the response: $name", async ({ path, request, status }) => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const problem = await problemOf(await relay.ask(robot, path, request));
@@ -160,7 +165,7 @@ describe("a wrong request", () => {
     expect(await health.json()).toEqual({ status: "ok" });
   });
 
-  it("with the key of another robot is refused", async () => {
+  it("with the key of another robot is rejected", async () => {
     const relay = await startTestRelay();
     const [robot, other] = [await relay.register(), await relay.register()];
     const answer = await relay.ask(robot, "/commands", {
@@ -171,7 +176,7 @@ describe("a wrong request", () => {
     expect((await problemOf(answer)).status).toBe(401);
   });
 
-  it("with a key for something else is forbidden", async () => {
+  it("with a key of another kind is forbidden", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const asOwner = await relay.ask(robot, "/sensors", { key: robot.ownerKey });
@@ -180,7 +185,7 @@ describe("a wrong request", () => {
     expect((await problemOf(asDriver)).status).toBe(403);
   });
 
-  it("for a robot that does not exist asks for a key before it says so", async () => {
+  it("for an unknown robot requires a key first", async () => {
     const relay = await startTestRelay();
     const { driverKey } = await relay.register();
     const kindFor = async (id: string, headers: HeadersInit): Promise<string> =>
@@ -188,7 +193,7 @@ describe("a wrong request", () => {
         .type;
     for (const id of ["AAAAAAAAAAAAAAAAAAAAAA", "__proto__", "x".repeat(500)]) {
       expect(await kindFor(id, {})).toBe("/problems/not-authorised");
-      // Cut off while it was copied.
+      // Truncated while copying.
       const cut = { Authorization: `Bearer ${driverKey.slice(0, -1)}` };
       expect(await kindFor(id, cut)).toBe("/problems/not-authorised");
       const whole = { Authorization: `Bearer ${driverKey}` };
@@ -197,13 +202,13 @@ describe("a wrong request", () => {
   });
 
   it.each([
-    { name: "no HTTP at all", bytes: "hello robot\r\n\r\n" },
+    { name: "not HTTP", bytes: "hello robot\r\n\r\n" },
     {
       name: "headers of more than 8 KiB",
       bytes: `GET / HTTP/1.1\r\nHost: a\r\nX: ${"x".repeat(9_000)}\r\n\r\n`,
     },
     {
-      name: "a host that is no address",
+      name: "an invalid Host",
       bytes: "POST /api/v1/robots HTTP/1.1\r\nHost: a b/c\r\nConnection: close\r\n\r\n",
     },
   ])("on the bare line gets a 4xx: $name", async ({ bytes }) => {

@@ -1,14 +1,16 @@
-/** The page as `npm run build` made it: one document for all its addresses, and its files. */
+/**
+ * Serves the build of `npm run build`: one HTML document for all paths of the page, and its files.
+ */
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import express, { Router } from "express";
 import { Refusal } from "../problems.ts";
-import { preferCompressed, tellEncoding } from "./compressed-files.ts";
+import { preferCompressed, setEncodingHeaders } from "./compressed-files.ts";
 
-/** Addresses at which the page shows itself; everything else is a file or nothing. */
+/** Paths of the page. Every other path is a file or does not exist. */
 export const PAGE_PATHS = ["/", "/r/:id", "/m/:id"];
 
-/** @param folder where the build is, with index.html */
+/** @param folder the build folder, with index.html */
 export function builtPage(folder: string): Router {
   const router = Router();
   const assets = join(folder, "assets");
@@ -28,13 +30,13 @@ export function builtPage(folder: string): Router {
       index: false,
       cacheControl: false,
       setHeaders(response, path) {
-        tellEncoding(response, path);
-        // File names in assets carry a hash of their content, so they never change. All else is
-        // asked for each time, the service worker above all: it tells of a new version.
-        const isForEver = path.startsWith(assets);
+        setEncodingHeaders(response, path);
+        // File names in assets contain a hash of their content, so they never change. All other
+        // files are revalidated, above all the service worker, which detects a new version.
+        const isImmutable = path.startsWith(assets);
         response.setHeader(
           "Cache-Control",
-          isForEver ? "public, max-age=31536000, immutable" : "no-cache",
+          isImmutable ? "public, max-age=31536000, immutable" : "no-cache",
         );
       },
     }),

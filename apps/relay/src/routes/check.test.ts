@@ -7,7 +7,7 @@ const languages = [...checkWords];
 const english = checkWords.get("en") ?? {};
 
 describe("/check", () => {
-  it("is a page of its own under the strict policy, with everything that it loads", async () => {
+  it("is a self-contained page under the strict content security policy", async () => {
     const { origin } = await startTestRelay();
     const page = await fetch(`${origin}/check`);
     expect(page.headers.get("content-security-policy")).not.toMatch(/unsafe/);
@@ -29,7 +29,7 @@ describe("/check", () => {
     { query: "", accept: "nl", lang: "en", dir: "ltr" },
     { query: "?lang=ar", accept: "de", lang: "ar", dir: "rtl" },
     { query: "?lang=<b>", accept: "fr", lang: "fr", dir: "ltr" },
-  ])("speaks $lang where the browser says $accept and the address $query", async (wanted) => {
+  ])("is in $lang if the browser accepts $accept and the query is $query", async (wanted) => {
     const { origin } = await startTestRelay();
     const headers = { "Accept-Language": wanted.accept };
     const html = await (await fetch(`${origin}/check${wanted.query}`, { headers })).text();
@@ -37,13 +37,13 @@ describe("/check", () => {
     expect(html).toContain(checkWords.get(wanted.lang)?.["title"]);
   });
 
-  it.each(languages)("has every word in %s", (_language, words) => {
+  it.each(languages)("has every text in %s", (_language, words) => {
     expect(Object.keys(words)).toEqual(Object.keys(english));
     expect(words["intro"]).toContain("{{host}}");
     for (const text of Object.values(words)) expect(text.trim()).not.toBe("");
   });
 
-  it("sends back what came", async () => {
+  it("echoes a request", async () => {
     const { origin } = await startTestRelay();
     const body = JSON.stringify({ text: "ä" });
     const headers = { Authorization: "Bearer x", "Content-Type": "application/json" };
@@ -59,14 +59,14 @@ describe("/check", () => {
     expect(large.status).toBe(413);
   });
 
-  it("waits as long as it is asked, within limits", async () => {
+  it("waits for the requested time, within limits", async () => {
     const { origin } = await startTestRelay();
     expect(await (await fetch(`${origin}/check/wait?seconds=0.1`)).json()).toEqual({ waited: 0.1 });
     expect((await fetch(`${origin}/check/wait?seconds=600`)).status).toBe(400);
     expect((await fetch(`${origin}/check/wait`)).status).toBe(400);
   });
 
-  it("tells events one by one, and sends a compressed file", async () => {
+  it("streams events one by one, and sends a compressed response", async () => {
     const { origin } = await startTestRelay();
     const events = await (await fetch(`${origin}/check/events`)).text();
     expect(events.match(/data: \d/g)).toHaveLength(5);
@@ -75,7 +75,7 @@ describe("/check", () => {
     expect(await compressed.text()).toBe("Corridor ".repeat(500));
   });
 
-  it("echoes on a WebSocket, to its own page alone", async () => {
+  it("echoes on a WebSocket, for its own origin only", async () => {
     const { origin } = await startTestRelay();
     const url = `${origin.replace("http", "ws")}/check/socket`;
     const socket = new WebSocket(url);

@@ -1,6 +1,6 @@
 /**
- * `/check`: a page that tells a school's administrator what their filter lets through, and the answers
- * that it tries it with. It is a small page of its own, since it is asked for where little comes through.
+ * `/check`: a page that shows a school's administrator what their filter blocks, and the endpoints
+ * that it tests. The page is small and self-contained, because a filter may block most requests.
  */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -8,11 +8,11 @@ import { gzipSync } from "node:zlib";
 import express, { Router, type RequestHandler } from "express";
 import { checkPage, checkWords } from "../check/check-words.ts";
 import type { Clock } from "../clock.ts";
-import type { Entrance } from "../entrance/entrance.ts";
+import type { RequestGuard } from "../request-guard/request-guard.ts";
 import { Refusal, retryAfter } from "../problems.ts";
 import { limits } from "../sessions/limits.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
-import { ownFiles } from "./own-files.ts";
+import { listedFiles } from "./listed-files.ts";
 import { patienceOf, readWaitSeconds } from "./reading.ts";
 
 const FOLDER = join(import.meta.dirname, "../check");
@@ -26,9 +26,9 @@ const COMPRESSED = gzipSync("Corridor ".repeat(500));
 const EVENTS = 5;
 const EVENT_MS = 400;
 
-export function checkRoutes(entrance: Entrance, clock: Clock): Router {
-  // Before the routes: a router that ends with another one lets every other request wait for a turn.
-  const router = Router().use(ownFiles(FILES));
+export function checkRoutes(guard: RequestGuard, clock: Clock): Router {
+  // Before the routes, because a nested router at the end delays every other request by a turn.
+  const router = Router().use(listedFiles(FILES));
   const html = readFileSync(join(FOLDER, "check.html"), "utf8");
   router
     .route("/check")
@@ -36,10 +36,10 @@ export function checkRoutes(entrance: Entrance, clock: Clock): Router {
       const { lang } = request.query;
       const known = [...checkWords.keys()];
       const asked = known.find((language) => language === lang);
-      // The Chinese that there is answers to every name of it.
+      // One Chinese translation serves all Chinese locales.
       const accepted = request.acceptsLanguages(["en", "zh", ...known]);
       const best = accepted === "zh" ? "zh-Hans" : accepted === false ? "en" : accepted;
-      const { host } = new URL(entrance.originOf(request));
+      const { host } = new URL(guard.originOf(request));
       response.vary("Accept-Language").set("Cache-Control", "no-cache");
       response.type("html").send(checkPage(html, asked ?? best, host));
     })
@@ -67,14 +67,14 @@ export function checkRoutes(entrance: Entrance, clock: Clock): Router {
     })
     .all(methodNotAllowed("GET"));
 
-  const held = new HeldAnswers();
+  const held = new SlowResponses();
   router
     .route("/check/wait")
     .get(async (request, response) => {
       const waited = readWaitSeconds(request);
       await held.hold(async () => {
         const { milliseconds, signal } = patienceOf(response, waited);
-        await pause(clock, milliseconds, signal);
+        await delay(clock, milliseconds, signal);
       });
       response.set("Cache-Control", "no-store").json({ waited });
     })
@@ -93,7 +93,7 @@ export function checkRoutes(entrance: Entrance, clock: Clock): Router {
         });
         for (let n = 1; n <= EVENTS && !signal.aborted; n++) {
           response.write(`data: ${n}\n\n`);
-          if (n < EVENTS) await pause(clock, EVENT_MS, signal);
+          if (n < EVENTS) await delay(clock, EVENT_MS, signal);
         }
         response.end();
       });
@@ -103,14 +103,14 @@ export function checkRoutes(entrance: Entrance, clock: Clock): Router {
   return router;
 }
 
-/** Answers that take their time: anybody may ask for them, so there are not many at once. */
-class HeldAnswers {
+/** Limits concurrent slow responses, because they need no authentication. */
+class SlowResponses {
   #count = 0;
 
-  /** @throws Refusal when too many are held already */
+  /** @throws Refusal if too many are pending */
   async hold(answer: () => Promise<void>): Promise<void> {
     if (this.#count >= limits.heldChecks) {
-      throw new Refusal("too-fast", "Too many check this network at once. Try again in a minute.", {
+      throw new Refusal("too-fast", "Too many network checks are running. Try again in a minute.", {
         headers: retryAfter(30_000),
       });
     }
@@ -123,7 +123,7 @@ class HeldAnswers {
   }
 }
 
-function pause(clock: Clock, ms: number, signal: AbortSignal): Promise<void> {
+function delay(clock: Clock, ms: number, signal: AbortSignal): Promise<void> {
   return new Promise((resolve) => {
     const cancel = clock.after(ms, resolve);
     signal.addEventListener("abort", () => {

@@ -7,7 +7,7 @@ import { TestSocket } from "../testing/test-socket.ts";
 
 const TTL = 400;
 
-/** Sends the head of a command's request, and its body when it is told to. */
+/** Sends the headers of a command's request, and the body on `finish`. */
 async function slowCommand(age: number) {
   const clock = new FakeClock();
   const relay = await startTestRelay({ clock });
@@ -18,7 +18,7 @@ async function slowCommand(age: number) {
     headers: {
       Authorization: `Bearer ${robot.driverKey}`,
       "Content-Type": "application/json",
-      // Says when the relay has read the head.
+      // Continues once the relay has read the headers.
       Expect: "100-continue",
     },
   });
@@ -34,7 +34,7 @@ async function slowCommand(age: number) {
   return { clock, page, finish };
 }
 
-it("the time in which a command's request is read is part of the command's age", async () => {
+it("counts the time to read a request towards the age of its command", async () => {
   const { clock, page, finish } = await slowCommand(50);
   await clock.pass(300);
   expect(await finish()).toBe(202);
@@ -42,13 +42,13 @@ it("the time in which a command's request is read is part of the command's age",
   expect(remaining).toBe(TTL - 50 - 300);
 });
 
-it("a command whose request took longer than it may wait is refused as too late", async () => {
+it("rejects a command as too late if its request took longer than its ttl", async () => {
   const { clock, finish } = await slowCommand(0);
   await clock.pass(TTL);
   expect(await finish()).toBe(422);
 });
 
-it("terms that are no whole milliseconds are taken like any others", async () => {
+it("accepts fractional milliseconds", async () => {
   const relay = await startTestRelay();
   const robot = await relay.register();
   const body = { action: "drive", left: 0.1, right: 0.1, ttl: 500.5, age: 0.25, lease: 501.109 };

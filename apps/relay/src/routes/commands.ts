@@ -1,10 +1,10 @@
-/** Commands of scripts: send one, follow it, read the log, stop everything. */
+/** Commands of scripts: send a command, read its record, read the log, stop everything. */
 import { termsOf, type CommandRecord } from "@corridor/protocol";
 import { Router, type Request, type Response } from "express";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import type { CommandLog } from "./answers.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
-import { hearScript, type Heard } from "./hear-script.ts";
+import { authoriseScript, type AuthorisedRequest } from "./authorise-script.ts";
 import {
   jsonText,
   patienceOf,
@@ -17,36 +17,36 @@ import {
 
 export function commandRoutes(hub: SessionHub): Router {
   const router = Router();
-  /** when a command came, though its robot had to be found and its body read first */
-  const arrivals = new WeakMap<Request, Heard>();
+  /** arrival times, taken before the robot lookup and the read of the body */
+  const arrivals = new WeakMap<Request, AuthorisedRequest>();
 
   router
     .route("/robots/:id/commands")
     .post(
-      // Who may not is told so before the body is read.
+      // Rejects unauthorised requests before it reads the body.
       async (request, response, next) => {
-        arrivals.set(request, await hearScript(hub, request, response, "command"));
+        arrivals.set(request, await authoriseScript(hub, request, response, "command"));
         next();
       },
       jsonText(),
       async (request, response) => {
-        const heard = await hearScript(hub, request, response, "command");
+        const heard = await authoriseScript(hub, request, response, "command");
         const { session, key } = heard;
         const command = readCommandRequest(request);
         const { cameAt, transitMs } = arrivals.get(request) ?? heard;
         const age = command.age + transitMs + hub.clock.now() - cameAt;
-        const wish = { ...command, age };
-        await session.submit(key, wish, (record) => accepted(response, session.id, record));
+        const order = { ...command, age };
+        await session.submit(key, order, (record) => accepted(response, session.id, record));
       },
     )
     .get(async (request, response) => {
-      const { session } = await hearScript(hub, request, response, "log");
+      const { session } = await authoriseScript(hub, request, response, "log");
       const { after } = readAfter(request);
       const log: CommandLog = { commands: await session.commandsAfter(after) };
       response.json(log);
     })
     .delete(async (request, response) => {
-      const { session, key, transitMs } = await hearScript(hub, request, response, "command");
+      const { session, key, transitMs } = await authoriseScript(hub, request, response, "command");
       const terms = { ...termsOf({ action: "stop" }), age: transitMs };
       const stop = { key: readIdempotencyKey(request), ...terms };
       await session.submit(key, stop, (record) => accepted(response, session.id, record));
@@ -56,13 +56,13 @@ export function commandRoutes(hub: SessionHub): Router {
   router
     .route("/robots/:id/commands/:seq")
     .get(async (request, response) => {
-      const { session, key } = await hearScript(hub, request, response, "log");
+      const { session, key } = await authoriseScript(hub, request, response, "log");
       const { wait } = readWait(request);
       const seq = readSeq(request.params.seq);
       response.json(await session.endOf(seq, patienceOf(response, wait, key)));
     })
     .delete(async (request, response) => {
-      const { session, key } = await hearScript(hub, request, response, "command");
+      const { session, key } = await authoriseScript(hub, request, response, "command");
       const seq = readSeq(request.params.seq);
       accepted(response, session.id, await session.cancel(key, seq));
     })

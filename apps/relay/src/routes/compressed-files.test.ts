@@ -35,7 +35,7 @@ describe("a file of the page", () => {
     expect(await answer.text()).toBe(script);
   });
 
-  it("is not kept by a browser where a new version must be noticed", async () => {
+  it("is revalidated by browsers if a new version matters", async () => {
     const relay = await startTestRelay({ webRoot: builtWeb() });
     const page = await fetch(`${relay.origin}/`);
     expect(page.headers.get("cache-control")).toBe("no-cache");

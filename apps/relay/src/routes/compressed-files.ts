@@ -1,18 +1,18 @@
 /**
- * Files that the build has compressed already, `name.br` and `name.gz` beside `name`: the best one
- * that the browser takes is sent in place of the plain one.
+ * Serves the compressed versions that the build wrote, `name.br` and `name.gz` beside `name`: the
+ * best encoding that the browser accepts replaces the plain file.
  */
 import { existsSync } from "node:fs";
 import { extname, join } from "node:path";
 import type { RequestHandler, Response } from "express";
 
-/** The best first. */
+/** Best first. */
 const encodings = [
   { name: "br", suffix: ".br" },
   { name: "gzip", suffix: ".gz" },
 ] as const;
 
-/** Turns the request for a file into one for its compressed version, for `express.static` after it. */
+/** Rewrites a request for a file to its compressed version, for the following `express.static`. */
 export function preferCompressed(folder: string): RequestHandler {
   return (request, _response, next) => {
     const { path } = request;
@@ -28,9 +28,9 @@ export function preferCompressed(folder: string): RequestHandler {
   };
 }
 
-/** Says of a file that is about to be sent how it is compressed, and what it is beneath that. */
-export function tellEncoding(response: Response, path: string): void {
-  // What is sent depends on this header even where it is the plain file.
+/** Sets the Content-Encoding and the Content-Type of the uncompressed file. */
+export function setEncodingHeaders(response: Response, path: string): void {
+  // The response depends on this header even if it is the plain file.
   response.vary("Accept-Encoding");
   const found = encodings.find(({ suffix }) => path.endsWith(suffix));
   if (found === undefined) return;

@@ -1,4 +1,7 @@
-/** `/openapi.json` and `/asyncapi.json`: the descriptions of the API for machines, made once at the start. */
+/**
+ * Serves the machine-readable API descriptions `/openapi.json` and `/asyncapi.json`, which are
+ * built once at startup.
+ */
 import { Router } from "express";
 import { describeMessages } from "../asyncapi/document.ts";
 import { describeApi } from "../openapi/document.ts";

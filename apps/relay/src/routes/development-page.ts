@@ -1,22 +1,22 @@
-/** The page straight from its sources, with hot reload, on the relay's own port. */
+/** Serves the page from its sources, with hot reload, on the relay's port. */
 import type { Server } from "node:http";
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { Router } from "express";
 import { PAGE_PATHS } from "./built-page.ts";
 
-/** How the subprotocols of the hot-reload sockets of the page begin. */
+/** Prefix of the subprotocols of Vite's hot-reload sockets. */
 export const HOT_RELOAD_PREFIX = "vite-";
 
 /**
  * @param root folder of the web app, with index.html and vite.config.ts
- * @param server whose port hot reload shares
+ * @param server HTTP server that also serves the hot-reload sockets
  */
 export async function developmentPage(
   root: string,
   server: Server,
 ): Promise<{ router: Router; close(): Promise<void> }> {
-  // Only here, because a relay that serves the built page runs without development tools.
+  // Imported lazily, because a relay that serves the built page runs without development tools.
   const { createServer } = await import("vite");
   const vite = await createServer({
     root,

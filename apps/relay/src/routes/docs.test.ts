@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { problemKinds } from "../problem-kinds.ts";
 import { startTestRelay } from "../testing/test-relay.ts";
 
-/** Every page that a reader of /docs comes to by links, with its HTML. */
+/** Crawls all pages that /docs links to. Returns their HTML. */
 async function site(origin: string): Promise<Map<string, string>> {
   const pages = new Map<string, string>();
   const waiting = ["/docs"];
@@ -13,13 +13,13 @@ async function site(origin: string): Promise<Map<string, string>> {
     const html = await answer.text();
     pages.set(path, html);
     if (!/^\/(?:docs|problems)/.test(path)) continue;
-    // The simulator is another build, which has tests of its own.
+    // The simulator is a separate build with its own tests.
     waiting.push(...linksIn(html).flatMap(([to]) => (to === "" || to === "/" ? [] : to)));
   }
   return pages;
 }
 
-/** Path and fragment of every link that stays here. */
+/** Path and fragment of every internal link. */
 function linksIn(html: string): [string, string][] {
   return [...html.matchAll(/(?:href|src)="([/#][^"]*)"/g)].map(([, link = ""]) => {
     const [path = "", fragment = ""] = link.split("#");
@@ -45,7 +45,7 @@ describe("the documentation", () => {
     expect((await fetch(`${origin}/problems/no-such-kind`)).status).toBe(404);
   });
 
-  it("has no link, and no heading in a link, that leads nowhere", async () => {
+  it("has no broken link or fragment", async () => {
     const { origin } = await startTestRelay();
     const pages = await site(origin);
     expect(pages.size).toBeGreaterThan(Object.keys(problemKinds).length);
@@ -63,7 +63,7 @@ describe("the documentation", () => {
     }
   });
 
-  it("names only checks of the conformance kit to people who build a host", async () => {
+  it("mentions only existing checks of the conformance kit in the pages for hosts", async () => {
     const { origin } = await startTestRelay();
     const [hosts = "", protocol = ""] = await Promise.all(
       ["/docs/hosts", "/docs/protocol"].map(async (path) => (await fetch(origin + path)).text()),
@@ -74,7 +74,7 @@ describe("the documentation", () => {
     for (const [id] of ids) expect(protocol).toContain(`<tr><td>${id}</td>`);
   });
 
-  it("comes under the strict policy, with everything that it loads", async () => {
+  it("is served under the strict content security policy with all of its files", async () => {
     const { origin } = await startTestRelay();
     const page = await fetch(`${origin}/docs/try`);
     const policy = page.headers.get("content-security-policy") ?? "";

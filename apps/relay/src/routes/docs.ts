@@ -1,6 +1,6 @@
 /**
- * `/docs` and `/problems`: how to write a script, the libraries, the protocol, a page for each kind of
- * problem, and a console to try the calls in. All of it comes from here, so that it works without any other network.
+ * `/docs` and `/problems`: guides, libraries, protocol, one page for each kind of problem, and an
+ * API console. All files are served from here, so that the pages work without internet access.
  */
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -8,7 +8,7 @@ import { Router } from "express";
 import { framed } from "../docs/frame.ts";
 import { pagesOfSite } from "../docs/site.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
-import { ownFiles } from "./own-files.ts";
+import { listedFiles } from "./listed-files.ts";
 import { allowPolicy } from "./security-headers.ts";
 
 const FOLDER = join(import.meta.dirname, "../docs");
@@ -25,14 +25,15 @@ const FILES = {
 };
 
 export function docsRoutes(): Router {
-  // Before the routes: a router that ends with another one lets every other request wait for a turn.
-  const router = Router().use(ownFiles(FILES));
+  // Before the routes, because a nested router at the end delays every other request by a turn.
+  const router = Router().use(listedFiles(FILES));
   for (const page of pagesOfSite()) {
     const html = framed(page);
     router
       .route(page.path)
       .get((_request, response) => {
-        // Swagger UI cleans its markup with DOMPurify, which makes a policy of this name.
+        // Swagger UI sanitises its markup with DOMPurify, which creates a trusted-types policy of
+        // this name.
         allowPolicy(response, "dompurify");
         response.set("Cache-Control", "no-cache").type("html").send(html);
       })

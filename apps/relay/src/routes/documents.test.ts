@@ -44,7 +44,10 @@ describe("a short link", () => {
     { name: "a maze", document: maze },
     { name: "a program", document: program },
     { name: "a challenge", document: challenge },
-    { name: "a maze with odd signs in its name", document: { ...maze, name: '"\\\0\uD800\u2028' } },
+    {
+      name: "a maze with special characters in its name",
+      document: { ...maze, name: '"\\\0\uD800\u2028' },
+    },
   ])("leads to $name as it was", async ({ document }) => {
     const relay = await startTestRelay();
     const answer = await post(relay, document);
@@ -60,7 +63,7 @@ describe("a short link", () => {
     expect(await read.json()).toEqual(document);
   });
 
-  it("is the same for the same document, however it is written", async () => {
+  it("is the same for equal documents in any serialisation", async () => {
     const relay = await startTestRelay();
     const first = await store(relay, maze);
     const turned = Object.fromEntries(Object.entries(maze).toReversed());
@@ -70,7 +73,7 @@ describe("a short link", () => {
     expect((await store(relay, { ...maze, name: "Other" })).id).not.toBe(first.id);
   });
 
-  it("leads on after a restart", async () => {
+  it("works after a restart", async () => {
     const dataDir = testFolder();
     const relay = await startTestRelay({ dataDir });
     const { id } = await store(relay, maze);
@@ -78,7 +81,7 @@ describe("a short link", () => {
     expect(await (await get(await startTestRelay({ dataDir }), id)).json()).toEqual(maze);
   });
 
-  it("may be made and read from pages of other sites, without cookies", async () => {
+  it("can be created and read from pages of other sites, without cookies", async () => {
     const relay = await startTestRelay();
     const preflight = await fetch(`${relay.origin}/api/v1/mazes`, { method: "OPTIONS" });
     expect(preflight.status).toBe(204);
@@ -89,7 +92,7 @@ describe("a short link", () => {
     }
   });
 
-  it("is deleted with its key, and nothing of it is left in the files", async () => {
+  it("is deleted with its key, and nothing remains in the files", async () => {
     const dataDir = testFolder();
     const relay = await startTestRelay({ dataDir });
     const onDisk = (): string =>
@@ -112,7 +115,7 @@ describe("a short link", () => {
     expect(onDisk()).not.toContain(id);
   });
 
-  it("is kept for others who stored the same document", async () => {
+  it("remains for others who stored the same document", async () => {
     const relay = await startTestRelay();
     const [mine, theirs] = [await store(relay, maze), await store(relay, maze)];
     expect((await remove(relay, mine.id, mine.deleteKey)).status).toBe(204);
@@ -121,7 +124,7 @@ describe("a short link", () => {
     expect((await get(relay, theirs.id)).status).toBe(404);
   });
 
-  it("is refused when too many are made, with the time to wait", async () => {
+  it("is limited per network, and the error contains the time to wait", async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });
     for (let n = 0; n < 80; n++) await store(relay, maze);
@@ -134,7 +137,7 @@ describe("a short link", () => {
 });
 
 describe("a short code", () => {
-  it("has 4 letters, and is read in small ones too", async () => {
+  it("has 4 letters and is case-insensitive", async () => {
     const relay = await startTestRelay();
     const { id, address } = await store(relay, maze);
     expect(id).toMatch(/^[BCDFGHJKLMNPQRSTVWXZ]{4}$/);
@@ -142,7 +145,7 @@ describe("a short code", () => {
     expect(await (await get(relay, id.toLowerCase())).json()).toEqual(maze);
   });
 
-  it("is guessed at most five times a second, and a right one waits its turn", async () => {
+  it("can be guessed at most five times a second, while a right code waits its turn", async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });
     const { id } = await store(relay, maze);
@@ -160,15 +163,15 @@ describe("a short code", () => {
     expect(new Set(answers)).toEqual(new Set([200, 404]));
   });
 
-  it("is read any number of times", async () => {
+  it("can be read any number of times", async () => {
     const relay = await startTestRelay();
     const { id } = await store(relay, maze);
     for (let n = 0; n < 150; n++) expect((await get(relay, id)).status).toBe(200);
   });
 });
 
-describe("a wrong document", () => {
-  it.each(badDocuments)("is refused with its field: $name", async ({ body, path }) => {
+describe("an invalid document", () => {
+  it.each(badDocuments)("is rejected with the name of its field: $name", async ({ body, path }) => {
     const relay = await startTestRelay();
     const problem = await problemOf(await post(relay, body));
     expect(problem).toMatchObject({ status: 400, type: "/problems/bad-request" });
@@ -186,7 +189,7 @@ describe("a wrong document", () => {
     expect((await problemOf(await post(relay, maze, headers))).status).toBe(415);
   });
 
-  it("is refused when it is larger than a document may be, and taken up to that", async () => {
+  it("is rejected above the size limit and accepted at the limit", async () => {
     const relay = await startTestRelay();
     const text = JSON.stringify(maze);
     await store(relay, " ".repeat(MAX_DOCUMENT_BYTES - text.length) + text);
@@ -194,7 +197,7 @@ describe("a wrong document", () => {
     expect(problem).toMatchObject({ status: 413, detail: expect.stringContaining("64 KiB") });
   });
 
-  it("leaves robots their own, smaller limit", async () => {
+  it("does not raise the lower limit of robots", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const body = " ".repeat(17 * 1024);
@@ -203,7 +206,7 @@ describe("a wrong document", () => {
   });
 });
 
-describe("a link that leads nowhere", () => {
+describe("an unknown link", () => {
   it.each(["AAAAAAAAAAAA", "__proto__", "a%00b", "x".repeat(500), "'; DROP TABLE documents; --"])(
     "says so: %s",
     async (id) => {
@@ -214,7 +217,7 @@ describe("a link that leads nowhere", () => {
     },
   );
 
-  it("says which methods there are", async () => {
+  it("lists the supported methods", async () => {
     const { origin } = await startTestRelay();
     const listing = await fetch(`${origin}/api/v1/mazes`);
     expect(listing.status).toBe(405);

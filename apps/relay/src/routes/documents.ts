@@ -1,13 +1,13 @@
-/** Short links: storing a document, giving it back, deleting it. */
+/** Short links: store, read and delete a document. */
 import { MAX_DOCUMENT_BYTES } from "@corridor/protocol";
 import { Router } from "express";
 import { documentSchema } from "../documents/document-schema.ts";
-import type { DocumentShelf } from "../documents/document-shelf.ts";
-import type { Entrance } from "../entrance/entrance.ts";
+import type { DocumentService } from "../documents/document-service.ts";
+import type { RequestGuard } from "../request-guard/request-guard.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 import { jsonText, readBearer, readBody } from "./reading.ts";
 
-export function documentRoutes(shelf: DocumentShelf, entrance: Entrance): Router {
+export function documentRoutes(service: DocumentService, guard: RequestGuard): Router {
   const router = Router();
 
   router
@@ -19,8 +19,8 @@ export function documentRoutes(shelf: DocumentShelf, entrance: Entrance): Router
         MAX_DOCUMENT_BYTES,
         "The document is wrong.",
       );
-      const from = entrance.addressOf(request);
-      const link = await shelf.add(document, from, entrance.originOf(request));
+      const from = guard.addressOf(request);
+      const link = await service.add(document, from, guard.originOf(request));
       response.status(201).location(`/api/v1/mazes/${link.id}`).json(link);
     })
     .all(methodNotAllowed("POST"));
@@ -28,11 +28,11 @@ export function documentRoutes(shelf: DocumentShelf, entrance: Entrance): Router
   router
     .route("/mazes/:id")
     .get(async (request, response) => {
-      const text = await shelf.read(request.params.id, entrance.addressOf(request));
+      const text = await service.read(request.params.id, guard.addressOf(request));
       response.type("json").send(text);
     })
     .delete(async (request, response) => {
-      await shelf.remove(request.params.id, readBearer(request), entrance.addressOf(request));
+      await service.remove(request.params.id, readBearer(request), guard.addressOf(request));
       response.status(204).end();
     })
     .all(methodNotAllowed("GET, DELETE"));

@@ -1,6 +1,6 @@
 /**
- * Snapshots and command states for clients that cannot open a WebSocket: as server-sent events, or one
- * answer at a time for whoever says how long it waits. Both go on where an earlier one ended.
+ * Snapshots and command states for clients without WebSockets: as server-sent events, or by long
+ * polling. Both resume after the last received event.
  */
 import { sinceOf } from "@corridor/protocol";
 import { Router, type Response } from "express";
@@ -10,13 +10,13 @@ import type { OverReason, ReaderSink } from "../sessions/reader-feed.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import type { JoinedReader } from "../sessions/readers.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
-import { hearScript } from "./hear-script.ts";
+import { authoriseScript } from "./authorise-script.ts";
 import { patienceOf, readEvents } from "./reading.ts";
 
 const HEADERS = {
   "Content-Type": "text/event-stream",
   "Cache-Control": "no-store",
-  // nginx would keep events back to fill its buffer
+  // nginx would otherwise buffer events
   "X-Accel-Buffering": "no",
 };
 
@@ -25,7 +25,7 @@ export function eventRoutes(hub: SessionHub, clock: Clock): Router {
   router
     .route("/robots/:id/events")
     .get(async (request, response) => {
-      const { session, key, answered } = await hearScript(hub, request, response, "read");
+      const { session, key, markAnswered } = await authoriseScript(hub, request, response, "read");
       const { since, after, wait } = readEvents(request);
       if (wait !== undefined) {
         const page = await session.readers.nextEvents(
@@ -34,28 +34,28 @@ export function eventRoutes(hub: SessionHub, clock: Clock): Router {
         );
         return void response.json(page);
       }
-      // Who only listens holds no motion, for as long as the stream may be open.
-      answered();
+      // A script that only reads does not count as active while its stream is open.
+      markAnswered();
       streamTo(response, clock, (sink) => session.readers.join(key, sink, since ?? null));
     })
     .all(methodNotAllowed("GET"));
   return router;
 }
 
-/** @param join lets the stream follow the robot */
+/** @param join subscribes the stream to the robot */
 function streamTo(
   response: Response,
   clock: Clock,
   join: (sink: ReaderSink) => JoinedReader,
 ): void {
   let cancelTimer = (): void => undefined;
-  const cut = (): void => void response.destroy();
+  const destroy = (): void => void response.destroy();
   const over = (reason: OverReason): void => {
     cancelTimer();
-    if (reason === "tooSlow") return cut();
+    if (reason === "tooSlow") return destroy();
     response.end();
-    // Who does not read never gets to the end.
-    cancelTimer = clock.after(limits.goodbyeMs, cut);
+    // A client that does not read never receives the end.
+    cancelTimer = clock.after(limits.goodbyeMs, destroy);
   };
   let sentBytes = 0;
   const write = (text: string): void => {
@@ -64,7 +64,7 @@ function streamTo(
     sentBytes += text.length;
     response.write(text);
   };
-  /** @param id what a reader comes back with, if that has changed */
+  /** @param id resume position, if it has changed */
   const send = (event: string, data: unknown, id?: string): void =>
     write(
       `${id === undefined ? "" : `id: ${id}\n`}event: ${event}\ndata: ${JSON.stringify(data)}\n\n`,
@@ -94,16 +94,16 @@ function streamTo(
     maze: (version) => send("maze", { version }),
     over,
   });
-  // A line that breaks is told by "close" as well; unheard, the error would end the process.
-  response.on("error", cut);
+  // A connection error also emits "close". Without this handler it would end the process.
+  response.on("error", destroy);
   response.once("close", () => {
     cancelTimer();
     reader.leave();
   });
-  const beat = (): void => {
+  const sendHeartbeat = (): void => {
     if (response.writableLength > limits.stuckReaderBytes) return over("tooSlow");
     write(": still here\n\n");
-    cancelTimer = clock.after(limits.heartbeatMs, beat);
+    cancelTimer = clock.after(limits.heartbeatMs, sendHeartbeat);
   };
-  cancelTimer = clock.after(limits.heartbeatMs, beat);
+  cancelTimer = clock.after(limits.heartbeatMs, sendHeartbeat);
 }

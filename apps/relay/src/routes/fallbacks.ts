@@ -1,36 +1,36 @@
-/** Answers where no route has one: unknown address, unknown method, and whatever went wrong. */
+/** Responses without a route: unknown paths, unsupported methods and errors. */
 import type { ErrorRequestHandler, RequestHandler, Response } from "express";
 import type { Logger } from "pino";
 import type { ProblemKind } from "../problem-kinds.ts";
 import { asRefusal, Refusal } from "../problems.ts";
 
-/** @param allowed the methods that the address knows, such as "GET, DELETE" */
+/** @param allowed supported methods, such as "GET, DELETE" */
 export function methodNotAllowed(allowed: string): RequestHandler {
   return (request) => {
     throw new Refusal(
       "method-not-allowed",
-      `${request.method} is not known here. This address knows: ${allowed}.`,
+      `${request.method} is not supported here. Supported methods: ${allowed}.`,
       { headers: { Allow: allowed } },
     );
   };
 }
 
 export const notFound: RequestHandler = () => {
-  throw new Refusal("not-found", "Check the address. The API begins with /api/v1/robots.");
+  throw new Refusal("not-found", "Check the address. API paths start with /api/v1/robots.");
 };
 
-/** Answers everything that was thrown with a problem document; only our own mistakes are logged. */
-export function problemAnswers(
+/** Converts every error to a problem document. Only internal errors are logged. */
+export function problemResponses(
   log: Logger,
-  refused: (kind: ProblemKind) => void,
+  onRefusal: (kind: ProblemKind) => void,
 ): ErrorRequestHandler {
   return (error: unknown, request, response, next) => {
     const refusal = refusalOf(error);
-    refused(refusal.kind);
+    onRefusal(refusal.kind);
     if (refusal.kind === "internal") {
-      log.error({ err: error, method: request.method }, "a request failed");
+      log.error({ err: error, method: request.method }, "request failed");
     }
-    // The answer has begun: all that is left is to cut it off.
+    // The response has started, so the connection can only be closed.
     if (response.headersSent) return next(error);
     sendProblem(response, refusal);
   };
@@ -41,18 +41,18 @@ function sendProblem(response: Response, { problem, headers }: Refusal): void {
   response.send(JSON.stringify(problem));
 }
 
-/** Express and its body reader throw errors with a status; their texts are not for the client. */
+/** Express and its body parser throw errors with a status. Their texts are not for the client. */
 function refusalOf(error: unknown): Refusal {
   const status = error instanceof Error && "status" in error ? error.status : undefined;
   if (status === 413) {
     const limit = error instanceof Error && "limit" in error ? Number(error.limit) : 0;
-    return new Refusal("too-large", `A body may have ${limit / 1024} KiB at most here.`);
+    return new Refusal("too-large", `The body is limited to ${limit / 1024} KiB here.`);
   }
   if (status === 415) {
     return new Refusal("not-json", "Send the body as plain JSON in UTF-8, not compressed.");
   }
   if (typeof status === "number" && status >= 400 && status < 500) {
-    return new Refusal("bad-request", "The request is damaged or was cut off. Send it again.");
+    return new Refusal("bad-request", "The request is malformed or incomplete. Send it again.");
   }
   return asRefusal(error);
 }

@@ -1,11 +1,11 @@
-/** Whether the relay lives (`/healthz`) and whether it should be sent work (`/readyz`). */
+/** Liveness (`/healthz`) and readiness (`/readyz`) of the relay. */
 import { Router, type RequestHandler } from "express";
 import { Refusal, restarting, retryAfter } from "../problems.ts";
 import type { Readiness } from "../readiness.ts";
 import type { Health, Ready } from "./answers.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 
-const neverKept: RequestHandler = (_request, response, next) => {
+const noStore: RequestHandler = (_request, response, next) => {
   response.set("Cache-Control", "no-store");
   next();
 };
@@ -14,18 +14,18 @@ export function healthRoutes(readiness: Readiness): Router {
   const router = Router();
   router
     .route("/healthz")
-    .get(neverKept, (_request, response) => {
+    .get(noStore, (_request, response) => {
       const health: Health = { status: "ok" };
       response.json(health);
     })
     .all(methodNotAllowed("GET"));
   router
     .route("/readyz")
-    .get(neverKept, async (_request, response) => {
+    .get(noStore, async (_request, response) => {
       const status = await readiness.status();
       if (status === "draining") throw restarting();
       if (status === "unavailable") {
-        throw new Refusal("no-store", "Whoever runs this relay finds the reason in its log.", {
+        throw new Refusal("no-store", "The relay's log has the reason.", {
           headers: retryAfter(5_000),
         });
       }

@@ -23,7 +23,7 @@ async function revoke(relay: TestRelay, robot: Registration, id: string): Promis
   return (await relay.ask(robot, `/keys/${id}`, request)).status;
 }
 
-/** The ids of those that drive. */
+/** Ids of the driver keys. */
 async function driveKeys(relay: TestRelay, robot: Registration): Promise<string[]> {
   const answer = await relay.ask(robot, "/keys", { key: robot.ownerKey });
   const { keys } = keyListSchema.parse(await answer.json());
@@ -36,7 +36,7 @@ async function withRobot() {
 }
 
 describe("keys of a robot", () => {
-  it("are made by its owner, with the address for a script", async () => {
+  it("are created by the owner and include the address for a script", async () => {
     const { relay, robot } = await withRobot();
     const drive = await make(relay, robot, { kind: "drive" });
     expect(drive.key).toMatch(/^drv_[A-Za-z0-9_-]{22}$/);
@@ -50,7 +50,7 @@ describe("keys of a robot", () => {
     expect(JSON.stringify(list)).not.toContain(watch.key.slice(4));
   });
 
-  it("tell when they were made and used last, without a write for each message", async () => {
+  it("include when they were created and last used, without a write for each message", async () => {
     const clock = new FakeClock();
     const dataDir = testFolder();
     const relay = await startTestRelay({ clock, dataDir });
@@ -78,7 +78,7 @@ describe("keys of a robot", () => {
     await relay.ask(robot, "/sensors", { key: made.key });
     expect(await list()).toContainEqual({ id: made.id, madeAt: 10, lastUsedAt: 21 });
     await relay.close();
-    // The first use was written down within a second; the next one would have been after a minute.
+    // The first use is stored within a second, the next one after a minute.
     const again = await startTestRelay({ clock, dataDir });
     expect(await list(again)).toContainEqual({ id: made.id, madeAt: 10, lastUsedAt: 20 });
     await clock.pass(60_000);
@@ -89,7 +89,7 @@ describe("keys of a robot", () => {
     expect(await list(last)).toContainEqual({ id: made.id, madeAt: 10, lastUsedAt: 81 });
   });
 
-  it("still count after the relay was restarted, and a revoked one does not", async () => {
+  it("remain valid after a restart of the relay, and revoked keys remain invalid", async () => {
     const dataDir = testFolder();
     const before = await startTestRelay({ dataDir });
     const robot = await before.register();
@@ -102,7 +102,7 @@ describe("keys of a robot", () => {
     expect((await after.ask(robot, "/commands", { key: gone.key })).status).toBe(401);
   });
 
-  it("are at most a dozen, and the owner's own cannot be revoked", async () => {
+  it("are limited to a dozen, and the owner key cannot be revoked", async () => {
     const { relay, robot } = await withRobot();
     for (let count = 2; count < 12; count++) await make(relay, robot, { kind: "watch" });
     const request = { method: "POST", key: robot.ownerKey, body: { kind: "drive" } };
@@ -115,11 +115,11 @@ describe("keys of a robot", () => {
     const own = keys.find(({ kind }) => kind === "own")?.id ?? "";
     expect(await revoke(relay, robot, own)).toBe(403);
     expect(await revoke(relay, robot, "______")).toBe(404);
-    // A dozen is no reason why the old key should stay.
+    // The limit does not prevent the replacement of an old key.
     await make(relay, robot, { kind: "drive", replace: true });
   });
 
-  it("lets a watcher read everything and be no script", async () => {
+  it("let a watcher read everything without being listed as a script", async () => {
     const { relay, robot } = await withRobot();
     const { socket: page, epoch } = await TestSocket.page(relay, robot);
     const { key } = await make(relay, robot, { kind: "watch" });
@@ -134,7 +134,7 @@ describe("keys of a robot", () => {
     expect(await held.json()).toMatchObject({ drivers: { connected: 0 } });
   });
 
-  it("sends a watcher away who commands", async () => {
+  it("close the connection of a watcher that sends commands", async () => {
     const { relay, robot } = await withRobot();
     const { key } = await make(relay, robot, { kind: "watch" });
     const watcher = await TestSocket.open(relay, robot.id);
@@ -145,7 +145,7 @@ describe("keys of a robot", () => {
     expect(await (await relay.ask(robot, "/commands")).json()).toEqual({ commands: [] });
   });
 
-  it("lets more look on by one key than scripts may drive, and no watcher keeps a script out", async () => {
+  it("allow more watchers than scripts per key, and watchers do not block scripts", async () => {
     const { relay, robot } = await withRobot();
     const { key } = await make(relay, robot, { kind: "watch" });
     const look = async () => {
@@ -161,7 +161,7 @@ describe("keys of a robot", () => {
 });
 
 describe("a new driver key", () => {
-  it("ends the old one at once: sockets, lines, streams and requests that wait", async () => {
+  it("closes all connections and waiting requests of the old key immediately", async () => {
     const { relay, robot } = await withRobot();
     const { socket: page, epoch } = await TestSocket.page(relay, robot);
     page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq: 5 }) });
@@ -174,7 +174,7 @@ describe("a new driver key", () => {
     const sensors = relay.ask(robot, "/sensors?after=99&wait=25");
     const states = relay.ask(robot, "/events?since=AAAAAAAA-0&wait=25");
     await states;
-    // Begun before the key is changed.
+    // Started before the key is replaced.
     await relay.ask(robot, "/sensors");
     const made = await make(relay, robot, { kind: "drive", replace: true });
 
@@ -187,7 +187,7 @@ describe("a new driver key", () => {
     expect(await fetched.json()).toMatchObject({ closed: { code: 4401 } });
     expect((await relay.ask(robot, "/commands")).status).toBe(401);
     expect((await relay.ask(robot, "/commands", { key: made.key })).status).toBe(200);
-    // The page goes on as before.
+    // The page is not affected.
     await relay.ask(robot, "/commands", {
       method: "POST",
       key: made.key,
@@ -196,7 +196,7 @@ describe("a new driver key", () => {
     expect(await page.next("command")).toMatchObject({ seq: 1 });
   });
 
-  it("takes the place of one old key, and scripts with other keys go on", async () => {
+  it("replaces one key, while scripts with other keys continue", async () => {
     const { relay, robot } = await withRobot();
     const [first] = await driveKeys(relay, robot);
     const paired = await make(relay, robot, { kind: "drive" });
@@ -230,16 +230,19 @@ describe("a new driver key", () => {
   it.each([
     { replace: 7, expected: "true, false or the 6 characters of a key's id" },
     { replace: "all of them", expected: "the 6 characters of a key's id" },
-  ])("says what it may replace, and that $replace is not that", async ({ replace, expected }) => {
-    const { relay, robot } = await withRobot();
-    const request = { method: "POST", key: robot.ownerKey, body: { kind: "drive", replace } };
-    const refused = await relay.ask(robot, "/keys", request);
-    expect(refused.status).toBe(400);
-    const errors = [{ path: "replace", found: JSON.stringify(replace), expected }];
-    expect(await refused.json()).toMatchObject({ errors });
-  });
+  ])(
+    "rejects an invalid `replace` with an explanation: $replace",
+    async ({ replace, expected }) => {
+      const { relay, robot } = await withRobot();
+      const request = { method: "POST", key: robot.ownerKey, body: { kind: "drive", replace } };
+      const refused = await relay.ask(robot, "/keys", request);
+      expect(refused.status).toBe(400);
+      const errors = [{ path: "replace", found: JSON.stringify(replace), expected }];
+      expect(await refused.json()).toMatchObject({ errors });
+    },
+  );
 
-  it("ends what the old one asked for and has not ended", async () => {
+  it("ends the open commands of the old key", async () => {
     const { relay, robot } = await withRobot();
     const { socket: page, epoch } = await TestSocket.page(relay, robot);
     const other = await make(relay, robot, { kind: "drive" });
@@ -254,7 +257,7 @@ describe("a new driver key", () => {
     };
     const mine = keys.find(({ id, kind }) => kind === "drive" && id !== other.id)?.id ?? "";
     expect(await revoke(relay, robot, mine)).toBe(204);
-    // What the robot has, the robot ends.
+    // The robot ends the commands that it has received.
     expect(await page.next("cancel")).toMatchObject({ seq: 1 });
     const waited = await relay.ask(robot, "/commands/10?wait=5", { key: other.key });
     expect(await waited.json()).toMatchObject({

@@ -1,4 +1,4 @@
-/** Keys that a robot's owner makes for others, and takes back. */
+/** Keys that a robot's owner creates for others and revokes. */
 import {
   keyIdSchema,
   keyWishSchema,
@@ -8,21 +8,21 @@ import {
 } from "@corridor/protocol";
 import { Router } from "express";
 import { z } from "zod";
-import type { Entrance } from "../entrance/entrance.ts";
+import type { RequestGuard } from "../request-guard/request-guard.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 import { jsonText, read, readBearer, readBody } from "./reading.ts";
 
-/** The id of a key, as the last part of a path. */
+/** The id of a key, as the last segment of a path. */
 export const keyPath = z.object({ keyId: keyIdSchema.describe("id of the key") });
 
-export function keyRoutes(hub: SessionHub, entrance: Entrance): Router {
+export function keyRoutes(hub: SessionHub, guard: RequestGuard): Router {
   const router = Router();
 
   router
     .route("/robots/:id/keys")
     .post(
-      // Who may not is told so before the body is read.
+      // Rejects unauthorised requests before it reads the body.
       async (request, _response, next) => {
         await hub.authorise(request.params.id, readBearer(request), "grant");
         next();
@@ -30,15 +30,15 @@ export function keyRoutes(hub: SessionHub, entrance: Entrance): Router {
       jsonText(),
       async (request, response) => {
         const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-        const wish = readBody(request, keyWishSchema, MAX_FRAME_BYTES, "The wish is wrong.");
-        const made = await session.keys.make(wish);
-        const address = `${entrance.originOf(request)}/r/${session.id}#${made.key}`;
-        const answer: MadeKey = { ...made, address };
+        const options = readBody(request, keyWishSchema, MAX_FRAME_BYTES, "The request is wrong.");
+        const made = await session.keys.make(options);
+        const address = `${guard.originOf(request)}/r/${session.id}#${made.key}`;
+        const created: MadeKey = { ...made, address };
         response
           .status(201)
           .location(`/api/v1/robots/${session.id}/keys/${made.id}`)
           .set("Cache-Control", "no-store")
-          .json(answer);
+          .json(created);
       },
     )
     .get(async (request, response) => {

@@ -14,7 +14,7 @@ async function withRobot() {
   return { relay, robot };
 }
 
-function give(relay: TestRelay, robot: Registration, body: unknown): Promise<Response> {
+function publish(relay: TestRelay, robot: Registration, body: unknown): Promise<Response> {
   return relay.ask(robot, "/maze", { method: "PUT", key: robot.ownerKey, body });
 }
 
@@ -27,10 +27,10 @@ async function problemOf(answer: Response): Promise<string> {
   return problemSchema.parse(await answer.json()).type;
 }
 
-describe("the maze that a robot is in", () => {
-  it("is read by scripts and onlookers as its page gave it, with a tag", async () => {
+describe("the maze of a robot", () => {
+  it("is returned to scripts and watchers as published, with an ETag", async () => {
     const { relay, robot } = await withRobot();
-    const given = await give(relay, robot, maze);
+    const given = await publish(relay, robot, maze);
     expect(given.status).toBe(204);
     const tag = given.headers.get("etag") ?? "";
     expect(tag).toMatch(/^"[A-Za-z0-9_-]{22}"$/);
@@ -44,23 +44,23 @@ describe("the maze that a robot is in", () => {
     const weak = { headers: { "If-None-Match": `"other", W/${tag}` } };
     const known = await relay.ask(robot, "/maze", weak);
     expect([known.status, await known.text()]).toEqual([304, ""]);
-    await give(relay, robot, OTHER);
+    await publish(relay, robot, OTHER);
     expect((await relay.ask(robot, "/maze", weak)).status).toBe(200);
   });
 
-  it("is not known until the page gives it", async () => {
+  it("does not exist until the page publishes it", async () => {
     const { relay, robot } = await withRobot();
     const answer = await relay.ask(robot, "/maze");
     expect([answer.status, await problemOf(answer)]).toEqual([404, "/problems/no-maze"]);
   });
 
-  it("is part of what the owner sees to be held, stays over a restart and goes with the robot", async () => {
+  it("is part of the stored state of a robot, survives a restart and is deleted with the robot", async () => {
     const dataDir = testFolder();
     const first = await startTestRelay({ dataDir });
     const robot = await first.register();
     const own = { key: robot.ownerKey };
     expect(await (await first.ask(robot, "", own)).json()).toMatchObject({ maze: null });
-    const tag = (await give(first, robot, maze)).headers.get("etag") ?? "";
+    const tag = (await publish(first, robot, maze)).headers.get("etag") ?? "";
     await first.close();
     const relay = await startTestRelay({ dataDir });
     expect(await (await relay.ask(robot, "", own)).json()).toMatchObject({
@@ -72,7 +72,7 @@ describe("the maze that a robot is in", () => {
     expect(await problemOf(gone)).toBe("/problems/no-robot");
   });
 
-  it("changes before the eyes of all who follow the robot, and is no news when it is the same", async () => {
+  it("publishes changes to all readers, but not a republished equal maze", async () => {
     const { relay, robot } = await withRobot();
     const script = await TestSocket.driver(relay, robot);
     const watcher = await TestSocket.open(relay, robot.id);
@@ -81,9 +81,9 @@ describe("the maze that a robot is in", () => {
     await watcher.next("welcome");
     const stop = new AbortController();
     const events = await relay.ask(robot, "/events", { key, signal: stop.signal });
-    await give(relay, robot, maze);
-    await give(relay, robot, maze);
-    const tag = (await give(relay, robot, OTHER)).headers.get("etag") ?? "";
+    await publish(relay, robot, maze);
+    await publish(relay, robot, maze);
+    const tag = (await publish(relay, robot, OTHER)).headers.get("etag") ?? "";
     for (const reader of [script, watcher]) {
       const versions = [await reader.next("maze"), await reader.next("maze")];
       expect(versions[0]).not.toEqual(versions[1]);
@@ -102,36 +102,39 @@ describe("the maze that a robot is in", () => {
   it.each([
     { name: "a program", body: program, status: 400 },
     { name: "a maze without a start", body: { ...maze, start: undefined }, status: 400 },
-    { name: "a maze with more than it may have", body: { ...maze, extra: 1 }, status: 400 },
-    { name: "a maze with an unknown sign", body: { ...maze, blocks: ["#?#"] }, status: 400 },
-    { name: "nothing", body: "", status: 400 },
+    { name: "a maze with an unknown field", body: { ...maze, extra: 1 }, status: 400 },
+    { name: "a maze with an unknown character", body: { ...maze, blocks: ["#?#"] }, status: 400 },
+    { name: "an empty body", body: "", status: 400 },
     { name: "more than 64 KiB", body: { ...maze, name: "x".repeat(66_000) }, status: 413 },
-  ])("is refused in words when it is $name, and the one before stays", async ({ body, status }) => {
-    const { relay, robot } = await withRobot();
-    await give(relay, robot, maze);
-    const answer = await give(relay, robot, body);
-    expect(answer.status).toBe(status);
-    expect(problemSchema.parse(await answer.json()).detail).toMatch(/\w+ \w+/);
-    expect(await (await relay.ask(robot, "/maze")).json()).toEqual(maze);
-  });
+  ])(
+    "is rejected with an explanation if it is $name, and the previous maze remains",
+    async ({ body, status }) => {
+      const { relay, robot } = await withRobot();
+      await publish(relay, robot, maze);
+      const answer = await publish(relay, robot, body);
+      expect(answer.status).toBe(status);
+      expect(problemSchema.parse(await answer.json()).detail).toMatch(/\w+ \w+/);
+      expect(await (await relay.ask(robot, "/maze")).json()).toEqual(maze);
+    },
+  );
 
-  it("comes at most so often, and later again", async () => {
+  it("is rate limited, and accepted again later", async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });
     const robot = await relay.register();
     const statuses: number[] = [];
     for (let n = 0; n <= limits.mazeRate.burst; n++) {
-      statuses.push((await give(relay, robot, { ...maze, name: `${n}` })).status);
+      statuses.push((await publish(relay, robot, { ...maze, name: `${n}` })).status);
     }
     expect(statuses.filter((status) => status === 204)).toHaveLength(limits.mazeRate.burst);
-    const refused = await give(relay, robot, maze);
+    const refused = await publish(relay, robot, maze);
     expect(refused.status).toBe(429);
     expect(Number(refused.headers.get("retry-after"))).toBeGreaterThan(0);
     await clock.pass(1_000 / limits.mazeRate.perSecond);
-    expect((await give(relay, robot, maze)).status).toBe(204);
+    expect((await publish(relay, robot, maze)).status).toBe(204);
   });
 
-  it("is not given by scripts and onlookers, whose body is not even read", async () => {
+  it("cannot be published by scripts and watchers, whose body is not read", async () => {
     const { relay, robot } = await withRobot();
     for (const key of [robot.driverKey, await watchKey(relay, robot)]) {
       const body = " ".repeat(70_000);
@@ -141,7 +144,7 @@ describe("the maze that a robot is in", () => {
     expect((await relay.ask(robot, "/maze")).status).toBe(404);
   });
 
-  it("is read from every site, tag and all", async () => {
+  it("can be read from every site, including its ETag", async () => {
     const { relay, robot } = await withRobot();
     const asked = await relay.ask(robot, "/maze", { method: "OPTIONS" });
     expect(asked.headers.get("access-control-allow-headers")).toContain("If-None-Match");

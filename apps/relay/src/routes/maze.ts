@@ -1,4 +1,4 @@
-/** The maze that a robot is in: its page gives it, and whoever looks on reads it. */
+/** The maze of a robot: its page publishes it, and scripts and watchers read it. */
 import { mazeSchema } from "@corridor/maze";
 import { MAX_DOCUMENT_BYTES } from "@corridor/protocol";
 import { Router } from "express";
@@ -6,12 +6,12 @@ import { z } from "zod";
 import { Refusal } from "../problems.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
-import { hearScript } from "./hear-script.ts";
+import { authoriseScript } from "./authorise-script.ts";
 import { jsonText, readBearer, readBody } from "./reading.ts";
 
-/** The header of who has the maze already. */
+/** Header of a conditional request. */
 export const ifNoneMatchHeader = z.object({
-  "If-None-Match": z.string().optional().describe("the `ETag` of the maze that is known already"),
+  "If-None-Match": z.string().optional().describe("the `ETag` of the cached maze"),
 });
 
 export function mazeRoutes(hub: SessionHub): Router {
@@ -19,21 +19,21 @@ export function mazeRoutes(hub: SessionHub): Router {
   router
     .route("/robots/:id/maze")
     .get(async (request, response) => {
-      const { session } = await hearScript(hub, request, response, "look");
-      const kept = await session.mazes.read();
-      if (kept === null) {
+      const { session } = await authoriseScript(hub, request, response, "look");
+      const stored = await session.mazes.read();
+      if (stored === null) {
         throw new Refusal(
           "no-maze",
-          "The robot's page has not told its maze, or it is too large. Ask again once the page is connected.",
+          "The robot's page has not published a maze, or the maze is too large. Try again once the page is connected.",
         );
       }
-      const tag = entityTag(kept.version);
+      const tag = entityTag(stored.version);
       response.set("ETag", tag);
-      if (isKnown(request.get("If-None-Match"), tag)) return void response.status(304).end();
-      response.type("json").send(kept.text);
+      if (matches(request.get("If-None-Match"), tag)) return void response.status(304).end();
+      response.type("json").send(stored.text);
     })
     .put(
-      // Who may not is told so before the body is read.
+      // Rejects unauthorised requests before it reads the body.
       async (request, _response, next) => {
         await hub.authorise(request.params.id, readBearer(request), "host");
         next();
@@ -54,7 +54,7 @@ function entityTag(version: string): string {
   return `"${version}"`;
 }
 
-/** A proxy that compresses marks the tag as weak. */
-function isKnown(header: string | undefined, tag: string): boolean {
+/** A proxy that compresses a response marks its tag as weak. */
+function matches(header: string | undefined, tag: string): boolean {
   return (header ?? "").split(",").some((each) => each.trim().replace(/^W\//, "") === tag);
 }

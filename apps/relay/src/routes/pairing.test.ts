@@ -17,7 +17,7 @@ async function withRobot(options: Parameters<typeof startTestRelay>[0] = {}) {
   return { relay, robot, owner: ownerOf(relay, robot), script: scriptAt(relay) };
 }
 
-/** A request of a script to the address that it was given. */
+/** Status of a script's request to the address from the pairing. */
 async function drive(address: string): Promise<number> {
   const { origin, pathname, hash } = new URL(address);
   const answer = await fetch(`${origin}/api/v1/robots/${pathname.slice(3)}/commands`, {
@@ -33,14 +33,14 @@ const wrongCode = (at: number): string =>
     PAIRING_LETTERS.charAt(Math.floor(at / 20 ** place) % 20),
   ).join("");
 
-describe("pairing by a code", () => {
-  it("gives a script the robot's address once the owner said yes, with a key of its own", async () => {
+describe("pairing with a code", () => {
+  it("returns the robot's address with a new key once the owner accepts", async () => {
     const { relay, robot, owner, script } = await withRobot();
     const code = await owner.code();
     expect(code).toMatch(/^[BCDFGHJKLMNPQRSTVWXZ]{8}$/);
     expect(await owner.show()).toMatchObject({ state: "open", question: null });
     const waiting = owner.show(25);
-    // As it is typed by hand.
+    // As a person types it.
     const typed = ` ${code.slice(0, 4).toLowerCase()}-${code.slice(4)} `;
     const asked = await script.ask(
       { code: typed, name: "Right\nwall" },
@@ -59,7 +59,7 @@ describe("pairing by a code", () => {
     expect(body).toMatchObject({ state: "accepted" });
     expect(body?.address).toBe(`${relay.origin}/r/${robot.id}#${key}`);
     expect(await drive(body?.address ?? "")).toBe(202);
-    // An answer that was lost on its way is given again.
+    // The response can be requested again if it was lost.
     expect((await script.hear(key)).body).toEqual(body);
 
     const own = { key: robot.ownerKey };
@@ -69,7 +69,7 @@ describe("pairing by a code", () => {
     expect(await drive(body?.address ?? "")).toBe(401);
   });
 
-  it("gives nothing when the owner says no", async () => {
+  it("returns nothing if the owner declines", async () => {
     const { owner, script, relay, robot } = await withRobot();
     const key = (await script.ask({ code: await owner.code() })).body?.key ?? "";
     const answer = script.hear(key, 25);
@@ -79,7 +79,7 @@ describe("pairing by a code", () => {
     expect(await owner.say(true)).toBe("no-question");
   });
 
-  it("is for one script, and for the newest code alone", async () => {
+  it("works for one script, and only with the newest code", async () => {
     const { owner, script } = await withRobot();
     const first = await owner.code();
     const second = await owner.code();
@@ -93,7 +93,7 @@ describe("pairing by a code", () => {
     expect(await owner.show()).toMatchObject({ state: "none" });
   });
 
-  it("says what to send when the code is no code", async () => {
+  it("explains what to send if the code has an invalid format", async () => {
     const { script } = await withRobot();
     for (const code of ["", "BCDFGHJ", "BCDFGHJA", "BCDFGHJKL", "BCDF_GHJK", 7, null]) {
       expect((await script.ask({ code })).status).toBe(400);
@@ -103,19 +103,19 @@ describe("pairing by a code", () => {
     expect((await script.hear("drv_AAAAAAAAAAAAAAAAAAAAAA")).kind).toBe("no-pairing");
   });
 
-  it("takes the longest name also where its letters are escaped, as Python does", async () => {
+  it("accepts the longest name with escaped characters, as Python sends it", async () => {
     const { relay, owner } = await withRobot();
-    const wish = { code: await owner.code(), name: "\u0416".repeat(200) };
+    const body = { code: await owner.code(), name: "\u0416".repeat(200) };
     const answer = await fetch(`${relay.origin}/api/v1/pairing`, {
       method: "POST",
       headers: { "Content-Type": "application/json" },
-      body: JSON.stringify(wish).replaceAll("\u0416", String.raw`\u0416`),
+      body: JSON.stringify(body).replaceAll("\u0416", String.raw`\u0416`),
     });
     expect(answer.status).toBe(202);
     expect(await owner.show()).toMatchObject({ question: { name: "\u0416".repeat(40) } });
   });
 
-  it("lets the owner say yes again once there is room for one more key", async () => {
+  it("lets the owner accept again after revoking a key", async () => {
     const { relay, robot, owner, script } = await withRobot();
     const own = { key: robot.ownerKey };
     const watch = { method: "POST", body: { kind: "watch" }, ...own };
@@ -130,7 +130,7 @@ describe("pairing by a code", () => {
     expect((await script.hear(key)).body).toMatchObject({ state: "accepted" });
   });
 
-  it("ends after 10 minutes, asked or not, and leaves nothing in the files", async () => {
+  it("ends after 10 minutes and leaves nothing in the files", async () => {
     const clock = new FakeClock();
     const dataDir = testFolder();
     const { owner, script } = await withRobot({ clock, dataDir });
@@ -151,7 +151,7 @@ describe("pairing by a code", () => {
     }
   });
 
-  it("holds no request for longer than it lasts, and not too many", async () => {
+  it("limits the duration and the number of waiting requests", async () => {
     const { owner, script, relay } = await withRobot();
     const key = (await script.ask({ code: await owner.code() })).body?.key ?? "";
     const waiting = Array.from({ length: 6 }, () => script.hear(key, 25));
@@ -162,7 +162,7 @@ describe("pairing by a code", () => {
     expect(answers.filter(({ status }) => status === 200)).toHaveLength(4);
   });
 
-  it("puts neither code nor key into the log", async () => {
+  it("logs neither code nor key", async () => {
     const lines: string[] = [];
     const log = pino({ level: "trace" }, { write: (line: string) => void lines.push(line) });
     const { owner, script } = await withRobot({ log });
@@ -179,8 +179,8 @@ describe("pairing by a code", () => {
   });
 });
 
-/** Requests arrive by real sockets, while time passes by the clock of the test. */
-async function whileTimePasses<T>(clock: FakeClock, work: Promise<T>): Promise<T> {
+/** Requests arrive over real sockets while the test clock advances. */
+async function advanceUntil<T>(clock: FakeClock, work: Promise<T>): Promise<T> {
   let isDone = false;
   void work.finally(() => (isDone = true)).catch(() => undefined);
   while (!isDone) {
@@ -194,7 +194,7 @@ describe("guessing codes", () => {
   const config = { trustedProxies: 1 };
   const from = (address: string) => ({ "X-Forwarded-For": address });
 
-  it("refuses no right code beside the wrong ones of a classmate behind the same address", async () => {
+  it("rejects no right code because of wrong ones from the same address", async () => {
     const clock = new FakeClock();
     const { owner, script } = await withRobot({ clock, config });
     const code = await owner.code();
@@ -203,11 +203,11 @@ describe("guessing codes", () => {
     );
     expect(await Promise.race(guesses)).toMatchObject({ status: 404, kind: "no-pairing" });
     const all = Promise.all([script.ask({ code }, from("10.0.0.1")), ...guesses]);
-    const [mine] = await whileTimePasses(clock, all);
+    const [mine] = await advanceUntil(clock, all);
     expect(mine).toMatchObject({ status: 202 });
   });
 
-  it("delays the codes of other addresses by a hundredth of a second at most", async () => {
+  it("delays codes of other addresses by 10 ms at most", async () => {
     const clock = new FakeClock();
     const { owner, script } = await withRobot({ clock, config });
     await script.ask({ code: wrongCode(1) }, from("10.0.0.1"));
@@ -216,12 +216,12 @@ describe("guessing codes", () => {
     expect((await script.ask({ code }, from("10.0.0.2"))).status).toBe(202);
   });
 
-  it("checks no more codes when all are sent at once, and says when to send the rest again", async () => {
+  it("stops checking codes that are sent all at once, and returns the time to wait", async () => {
     const { relay, script } = await withRobot({ clock: new FakeClock() });
     const asked = Array.from({ length: 90 }, async (_, count) =>
       script.ask({ code: wrongCode(count) }),
     );
-    // One is checked, 50 wait.
+    // One check runs and 50 wait.
     const answers: { kind: string; status: number; retryAfter: number }[] = [];
     for (const each of asked) void each.then((answer) => answers.push(answer));
     await vi.waitFor(() => expect(answers).toHaveLength(40));
@@ -242,7 +242,7 @@ describe("guessing codes", () => {
 });
 
 describe.skipIf(!hasRedis)("with Redis", () => {
-  it("the page is at one relay and the script at another", async () => {
+  it("works with the page and the script at different relays", async () => {
     const { url } = await startTestRedis();
     const config = { storeUrl: url };
     const { robot, owner } = await withRobot({ config });

@@ -1,4 +1,4 @@
-/** Pairing: the owner's code and answer, and the script that asks with it. */
+/** Pairing: the owner's code and answer, and the script's request. */
 import {
   MAX_FRAME_BYTES,
   pairingReplySchema,
@@ -6,9 +6,9 @@ import {
   scriptName,
 } from "@corridor/protocol";
 import { Router } from "express";
-import type { Entrance } from "../entrance/entrance.ts";
+import type { RequestGuard } from "../request-guard/request-guard.ts";
 import { canBeKey } from "../keys.ts";
-import type { PairingDesk } from "../pairing/pairing-desk.ts";
+import type { PairingService } from "../pairing/pairing-service.ts";
 import { notAuthorised } from "../problems.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
@@ -22,23 +22,27 @@ import {
   readWait,
 } from "./reading.ts";
 
-export function pairingRoutes(hub: SessionHub, desk: PairingDesk, entrance: Entrance): Router {
+export function pairingRoutes(
+  hub: SessionHub,
+  service: PairingService,
+  guard: RequestGuard,
+): Router {
   const router = Router();
 
   router
     .route("/robots/:id/pairing")
     .post(async (request, response) => {
       const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-      const made = await desk.open(session.id);
+      const made = await service.open(session.id);
       response.status(201).json(made);
     })
     .get(async (request, response) => {
       const { wait } = readWait(request);
       const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-      response.json(await desk.show(session.id, patienceOf(response, wait)));
+      response.json(await service.show(session.id, patienceOf(response, wait)));
     })
     .put(
-      // Who may not is told so before the body is read.
+      // Rejects unauthorised requests before it reads the body.
       async (request, _response, next) => {
         await hub.authorise(request.params.id, readBearer(request), "grant");
         next();
@@ -52,13 +56,13 @@ export function pairingRoutes(hub: SessionHub, desk: PairingDesk, entrance: Entr
           MAX_FRAME_BYTES,
           "The answer is wrong.",
         );
-        await desk.reply(session, reply.id, reply.accept);
+        await service.reply(session, reply.id, reply.accept);
         response.status(204).end();
       },
     )
     .delete(async (request, response) => {
       const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-      await desk.remove(session.id);
+      await service.remove(session.id);
       response.status(204).end();
     })
     .all(methodNotAllowed("POST, GET, PUT, DELETE"));
@@ -72,11 +76,11 @@ export function pairingRoutes(hub: SessionHub, desk: PairingDesk, entrance: Entr
         MAX_FRAME_BYTES,
         "The pairing code is wrong.",
       );
-      const asked = await desk.ask({
+      const asked = await service.ask({
         code,
         name: typeof name === "string" ? scriptName(name) : readIntroduction(request).name,
         client: readClient(request),
-        from: entrance.addressOf(request),
+        from: guard.addressOf(request),
       });
       response.status(202).location("/api/v1/pairing").json(asked);
     })
@@ -85,11 +89,11 @@ export function pairingRoutes(hub: SessionHub, desk: PairingDesk, entrance: Entr
       const key = readBearer(request);
       if (!canBeKey(key)) {
         throw notAuthorised(
-          "Send the key that came with the question, as: Authorization: Bearer KEY",
+          "Send the key from the response to POST /pairing, as: Authorization: Bearer KEY",
         );
       }
-      const origin = entrance.originOf(request);
-      const answer = await desk.answerFor(key, origin, patienceOf(response, wait));
+      const origin = guard.originOf(request);
+      const answer = await service.answerFor(key, origin, patienceOf(response, wait));
       response.json(answer);
     })
     .all(methodNotAllowed("POST, GET"));

@@ -1,4 +1,4 @@
-/** The one file that a student downloads, imported by a real Python. */
+/** Imports the downloaded single-file client with a real Python. */
 import { execFile } from "node:child_process";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -18,7 +18,7 @@ async function download(origin: string): Promise<string> {
 }
 
 describe("/corridor.py", () => {
-  it("is all that a script beside it needs to drive a robot", async () => {
+  it("is sufficient for a script beside it to drive a robot", async () => {
     const relay = await startTestRelay();
     const { address } = await relay.register();
     const folder = await download(relay.origin);
@@ -41,7 +41,7 @@ except CommandError as error:
     ]);
   });
 
-  it("reads as one file: each import once, nothing of the package's folders", async () => {
+  it("contains each import once and no import of package modules", async () => {
     const relay = await startTestRelay();
     const text = await (await fetch(`${relay.origin}/corridor.py`)).text();
     expect(text).not.toMatch(/^from \./m);
@@ -50,7 +50,7 @@ except CommandError as error:
     expect(text.startsWith('"""Drive a robot')).toBe(true);
   });
 
-  it("is read only", async () => {
+  it("is read-only", async () => {
     const relay = await startTestRelay();
     const answer = await fetch(`${relay.origin}/corridor.py`, { method: "POST" });
     expect(answer.status).toBe(405);

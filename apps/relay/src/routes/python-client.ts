@@ -1,6 +1,7 @@
 /**
- * `/corridor.py`: the Python package as one file, so that `from corridor import Robot` needs nothing to
- * be installed: a student saves it beside the script. Made from the package's modules when the relay starts.
+ * `/corridor.py`: the Python package as one file. A student saves it beside the script, and `from
+ * corridor import Robot` works without an installation. It is built from the package's modules at
+ * startup.
  */
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -10,7 +11,7 @@ import { openToAllSites } from "./security-headers.ts";
 
 const PACKAGE = join(import.meta.dirname, "../../../../packages/client-python/src/corridor");
 
-/** Each after those that it imports from. */
+/** In dependency order. */
 const MODULES = [
   "errors",
   "uncaught",
@@ -31,14 +32,14 @@ const MODULES = [
 ];
 
 const FUTURE = "from __future__ import annotations\n";
-/** An import of a neighbour, on one line or in brackets. */
+/** An import from a sibling module, on one line or in brackets. */
 const OWN_IMPORT = /^from \.\w+ import (?:\([^)]*\)|[^(\n]*)\n/gm;
 const STANDARD_IMPORT = /^(?:import|from) .*\n/gm;
 const DOCSTRING = /^"""([\s\S]*?)\s*"""\n/;
 
 export function pythonClientRoutes(folder: string = PACKAGE): Router {
   const router = Router();
-  // A relay that was set up without the rest of the project has no package to offer.
+  // A relay without the rest of the repository has no package to serve.
   if (!existsSync(folder)) return router;
   const text = oneFile((name) => readFileSync(join(folder, `${name}.py`), "utf8"));
   router
@@ -58,7 +59,7 @@ function oneFile(read: (name: string) => string): string {
     for (const [line] of source.matchAll(STANDARD_IMPORT)) imports.add(line);
     return source
       .replaceAll(STANDARD_IMPORT, "")
-      .replace(DOCSTRING, (_all, words: string) => comment(name, words))
+      .replace(DOCSTRING, (_all, docstring: string) => comment(name, docstring))
       .replaceAll(/\n{4,}/g, "\n\n\n");
   });
   const head = `"""Drive a robot from your own script: keep this file beside it.
@@ -75,7 +76,7 @@ Python 3.9 or newer, nothing else.
   return [head, FUTURE, [...imports].toSorted().join(""), ...bodies].join("\n");
 }
 
-function comment(name: string, words: string): string {
-  const lines = words.split("\n").map((line) => `# ${line}`.trimEnd());
+function comment(name: string, docstring: string): string {
+  const lines = docstring.split("\n").map((line) => `# ${line}`.trimEnd());
   return [`# --- ${name} ---`, ...lines, ""].join("\n");
 }

@@ -1,4 +1,6 @@
-/** What a request carries, checked: bearer key, JSON body, query, patience for a long poll. */
+/**
+ * Validates the parts of a request: bearer key, JSON body, query and the timeout of a long poll.
+ */
 import {
   idempotencyKeySchema,
   MAX_FRAME_BYTES,
@@ -20,7 +22,7 @@ import type { Caller, Introduction } from "../sessions/script.ts";
 import type { ScriptTime } from "../sessions/script-clocks.ts";
 import type { Patience } from "../sessions/audience.ts";
 
-// First the text is checked, then the number that it stands for: /openapi.json describes the number.
+// Checks the text first, then the number, because /openapi.json describes the number.
 const waitError = `seconds to wait, from 0 to ${limits.longPollSeconds}`;
 const seconds = z.number().min(0).max(limits.longPollSeconds, { error: waitError });
 const waitText = z
@@ -30,7 +32,7 @@ const waitText = z
   .pipe(seconds.multipleOf(0.001));
 const waitSchema = waitText
   .prefault("0")
-  .describe(`${waitError}; the answer comes at once when it is there`);
+  .describe(`${waitError}; the relay responds earlier if there is a result`);
 
 const numberError = "a whole number of at most 15 digits";
 const wholeNumber = z
@@ -39,64 +41,64 @@ const wholeNumber = z
   .transform(Number)
   .pipe(z.int().min(0).max(999_999_999_999_999));
 
-/** The header by which a script gives its name; other letters than ASCII percent-encoded. */
+/** Header for the name of a script. Characters outside of ASCII are percent-encoded. */
 export const nameHeader = z.object({
   "Script-Name": z
     .string()
     .optional()
-    .describe("what the script calls itself, for the robot's owner; percent-encoded UTF-8"),
+    .describe("name of the script, for the robot's owner; percent-encoded UTF-8"),
 });
 const clockError = "an id of 8 to 32 of A-Z a-z 0-9 - _, a space, and whole milliseconds";
-/** The header by which a script says when it sent a request. */
+/** Header for the time at which a script sent a request. */
 export const clockHeader = z.object({
   "Script-Clock": z
     .string({ error: clockError })
     .regex(/^[A-Za-z0-9_-]{8,32} \d{1,15}$/, { error: clockError })
     .optional()
     .describe(
-      "`ID MILLISECONDS`: a random id of the script's monotonic clock, and when it sent the request by that clock; " +
-        "the time that a command spends on its way then counts for its time to live",
+      "`ID MILLISECONDS`: a random id of the script's monotonic clock, and the time of that clock at sending; " +
+        "the transit time of a command then counts towards its ttl",
     ),
 });
-/** `?wait=S` of a command's record */
+/** `?wait=S` for the record of a command */
 export const waitQuery = z.object({ wait: waitSchema });
-/** `?after=SEQ&wait=S` of snapshots; without `after` any snapshot will do */
+/** `?after=SEQ&wait=S` for snapshots; without `after`, any snapshot is returned */
 export const newerQuery = z.object({
-  after: wholeNumber.optional().describe("seq of the newest snapshot that is known already"),
+  after: wholeNumber.optional().describe("seq of the last received snapshot"),
   wait: waitSchema,
 });
-/** `?since=STREAM-n&after=SEQ&wait=S` of events */
+/** `?since=STREAM-n&after=SEQ&wait=S` for events */
 export const eventsQuery = z.object({
-  since: sinceSchema.optional().describe("the last state that is known: STREAM-n"),
+  since: sinceSchema.optional().describe("the last received event: STREAM-n"),
   after: wholeNumber
     .optional()
-    .describe("with `wait`: also answer when there is a snapshot with a higher seq"),
+    .describe("with `wait`: also respond if there is a snapshot with a higher seq"),
   wait: waitText
     .optional()
-    .describe(`${waitError}, for one answer in JSON; without it, a stream without end`),
+    .describe(`${waitError}, for one response in JSON; without it, an endless stream`),
 });
-/** The header of an event stream that comes back. */
+/** Header of an event stream that reconnects. */
 export const lastEventHeader = z.object({
   "Last-Event-ID": sinceSchema
     .optional()
-    .describe("the id of the last event that is known; `since` counts more"),
+    .describe("the id of the last received event; `since` takes precedence"),
 });
-/** `?after=NUMBER&wait=S` of a line's messages */
+/** `?after=NUMBER&wait=S` for the messages of a long-poll connection */
 export const fetchQuery = z.object({
-  after: wholeNumber.prefault("0").describe("number of the last message that has come"),
+  after: wholeNumber.prefault("0").describe("number of the last received message"),
   wait: waitSchema,
 });
-/** `?after=SEQ` of the log */
+/** `?after=SEQ` for the log */
 export const logQuery = z.object({
-  after: wholeNumber.prefault("0").describe("seq of the last command that is known already"),
+  after: wholeNumber.prefault("0").describe("seq of the last received command"),
 });
-/** The number of a command, as the last part of a path. */
+/** The number of a command, as the last segment of a path. */
 export const seqPath = z.object({ seq: wholeNumber.describe("number of the command") });
-/** The header of a command that may be sent twice. */
+/** Header that makes a command safe to retry. */
 export const idempotencyHeader = z.object({
   "Idempotency-Key": idempotencyKeySchema
     .optional()
-    .describe("makes a retry safe; a new one for each command"),
+    .describe("makes a retry safe; use a new key for each command"),
 });
 
 export function read<T>(schema: z.ZodType<T>, input: unknown, what: string): T {
@@ -105,17 +107,17 @@ export function read<T>(schema: z.ZodType<T>, input: unknown, what: string): T {
   return result.value;
 }
 
-/** The wait of a call that has no other query. */
+/** Query of a request that only has a wait. */
 export function readWait(request: Request): { wait: number } {
   return read(waitQuery, request.query, "The query is wrong.");
 }
 
-/** Which snapshot is wanted, and for how long to wait for it. */
+/** Query for a snapshot. */
 export function readNewer(request: Request): { after?: number | undefined; wait: number } {
   return read(newerQuery, request.query, "The query is wrong.");
 }
 
-/** Which events are wanted, and how. An event stream that comes back says in a header where it was. */
+/** Query for events. A stream that reconnects sends its position in a header. */
 export function readEvents(request: Request): z.infer<typeof eventsQuery> {
   const header = { "Last-Event-ID": request.get("Last-Event-ID") };
   const { "Last-Event-ID": last } = read(lastEventHeader, header, "The request is wrong.");
@@ -123,28 +125,28 @@ export function readEvents(request: Request): z.infer<typeof eventsQuery> {
   return read(eventsQuery, query, "The query is wrong.");
 }
 
-/** The `?seconds=S` of an answer that only takes its time. */
+/** `?seconds=S` of a response that only waits. */
 export function readWaitSeconds(request: Request): number {
   const query = z.object({ seconds: waitText });
   return read(query, request.query, "The query is wrong.").seconds;
 }
 
-/** Which messages of a line are wanted, and for how long to wait for them. */
+/** Query for the messages of a long-poll connection. */
 export function readFetch(request: Request): z.infer<typeof fetchQuery> {
   return read(fetchQuery, request.query, "The query is wrong.");
 }
 
-/** From where on the log is wanted. */
+/** Query for the log. */
 export function readAfter(request: Request): { after: number } {
   return read(logQuery, request.query, "The query is wrong.");
 }
 
-/** The number of a command in the path. */
+/** Number of a command in the path. */
 export function readSeq(text: unknown): number {
   return read(seqPath, { seq: text }, "The path is wrong.").seq;
 }
 
-/** The key of `Authorization: Bearer KEY`; null when there is none. */
+/** Key of `Authorization: Bearer KEY`, or null. */
 export function readBearer(request: Request): string | null {
   const header = request.get("authorization") ?? "";
   const space = header.indexOf(" ");
@@ -157,16 +159,16 @@ export function readClient(request: Request): string {
   return clientName(request.get("user-agent"));
 }
 
-/** What a script says of itself in its headers. */
+/** How a script identifies itself in its headers. */
 export function readIntroduction(request: Request): Introduction {
   const sent = request.get("Script-Name");
   return {
     client: readClient(request),
-    name: sent === undefined ? null : scriptName(decoded(sent)),
+    name: sent === undefined ? null : scriptName(percentDecode(sent)),
   };
 }
 
-/** When a script sent the request, by its own clock; null where it does not say. */
+/** Time at which a script sent the request, by its own clock, or null. */
 export function readScriptTime(request: Request): ScriptTime | null {
   const given = { "Script-Clock": request.get("Script-Clock") };
   const { "Script-Clock": text } = read(clockHeader, given, "The request is wrong.");
@@ -175,8 +177,10 @@ export function readScriptTime(request: Request): ScriptTime | null {
   return { clock, sentAt: Number(sentAt) };
 }
 
-/** Headers hold ASCII only, so other letters are percent-encoded; a lone % stands for itself. */
-function decoded(text: string): string {
+/**
+ * Percent-decodes a header, which is limited to ASCII. A text with a lone % is returned unchanged.
+ */
+function percentDecode(text: string): string {
   try {
     return decodeURIComponent(text);
   } catch {
@@ -184,11 +188,11 @@ function decoded(text: string): string {
   }
 }
 
-// A decoder that mends wrong bytes would store another name than the one that was meant.
+// A lenient decoder would store a name other than the intended one.
 const utf8 = new TextDecoder("utf-8", { fatal: true });
 
 /**
- * Takes the body in as text; what is not JSON in UTF-8 or too large is refused by the error handler.
+ * Reads the body as text. Errors go to the error handler: not JSON, not UTF-8 or too large.
  * @param limit in bytes
  */
 export function jsonText(limit: number = MAX_FRAME_BYTES): RequestHandler {
@@ -207,7 +211,7 @@ export function jsonText(limit: number = MAX_FRAME_BYTES): RequestHandler {
   };
 }
 
-/** @returns null for bytes that are no text */
+/** @returns null if the bytes are not UTF-8 */
 function textOf(bytes: Buffer): string | null {
   try {
     return utf8.decode(bytes);
@@ -216,7 +220,7 @@ function textOf(bytes: Buffer): string | null {
   }
 }
 
-/** @param type of the body: JSON, which is UTF-8 even where nothing is said */
+/** @param type content type of the body; JSON without a charset is UTF-8 */
 function isJson(type: string): boolean {
   const [name = "", ...parameters] = type.toLowerCase().split(";");
   const charset = parameters.map((text) => text.trim()).find((text) => text.startsWith("charset="));
@@ -225,8 +229,8 @@ function isJson(type: string): boolean {
 }
 
 /**
- * What the body holds.
- * @param what a sentence for when it breaks the schema, such as "The command is wrong."
+ * Parses and validates the body.
+ * @param what sentence for the error, such as "The command is wrong."
  */
 export function readBody<T>(
   request: Request,
@@ -243,19 +247,22 @@ export function readBody<T>(
   return result.value;
 }
 
-/** The command in the body with its terms, and the idempotency key in the header. */
+/** Command in the body with its terms, and the idempotency key in the header. */
 export function readCommandRequest(request: Request): { key: string | null } & CommandTerms {
   const order = readBody(request, orderSchema, MAX_FRAME_BYTES, "The command is wrong.");
   return { key: readIdempotencyKey(request), ...termsOf(order) };
 }
 
-/** The header Idempotency-Key; null when there is none. */
+/** Header Idempotency-Key, or null. */
 export function readIdempotencyKey(request: Request): string | null {
   const given = { "Idempotency-Key": request.get("Idempotency-Key") };
   return read(idempotencyHeader, given, "The request is wrong.")["Idempotency-Key"] ?? null;
 }
 
-/** Waits as long as asked, or until the client hangs up, or its key is revoked. */
+/**
+ * Limits of a wait: the timeout, and a signal for when the client disconnects. A revoked key also
+ * ends it.
+ */
 export function patienceOf(response: Response, seconds: number, key?: Caller): Patience {
   const controller = new AbortController();
   response.once("close", () => controller.abort());

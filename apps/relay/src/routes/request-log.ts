@@ -1,7 +1,7 @@
 /**
- * One line of log for each request that has ended, at level info. It tells the pattern of the route
- * instead of the path, because whatever stands in a path, query or header may be somebody's key; of a
- * key that was sent it tells 6 characters of the hash, and of the visitor no address.
+ * Logs one line for each finished request at level info. It contains the route pattern in place of
+ * the path, because a path, query or header may contain a key. Of a key it contains 6 characters of
+ * the hash, and it contains no IP address.
  */
 import type { RequestHandler } from "express";
 import type { Logger } from "pino";
@@ -23,7 +23,12 @@ export function requestLog(log: Logger, clock: Clock): RequestHandler {
         client: readClient(request),
         key: markOf(readBearer(request)),
       };
-      log.info(line, response.writableFinished ? "answered" : "cut off before the end");
+      log.info(
+        line,
+        response.writableFinished
+          ? "request completed"
+          : "client disconnected before the response ended",
+      );
     });
     return next();
   };

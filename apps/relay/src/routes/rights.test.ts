@@ -1,4 +1,4 @@
-/** Who may do what: every call and every kind of message with every kind of key, and with none. */
+/** Permissions: every endpoint and message type with every kind of key, and without a key. */
 import { madeKeySchema, type Registration } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
@@ -9,7 +9,7 @@ import { TestSocket } from "../testing/test-socket.ts";
 
 const ACT = { action: "left 90" };
 
-/** The calls that each right is for. */
+/** Endpoints by the permission that they require. */
 const calls: { verb: Verb; method: string; path: string; body?: unknown }[] = [
   { verb: "read", method: "GET", path: "/sensors" },
   { verb: "look", method: "GET", path: "/maze" },
@@ -75,7 +75,7 @@ async function keysOf(relay: TestRelay, robot: Registration): Promise<Record<Hol
   };
 }
 
-/** What must come of it, by who asks. */
+/** Expected outcome for each kind of key. */
 function expectedFor(verb: Verb, answers: { yes: unknown; forbidden: unknown; stranger: unknown }) {
   const kinds: readonly string[] = rights[verb];
   const known = (kind: string) => (kinds.includes(kind) ? answers.yes : answers.forbidden);
@@ -97,7 +97,7 @@ async function withRobot() {
   return { relay, robot, keys: await keysOf(relay, robot) };
 }
 
-describe("who may", () => {
+describe("permissions", () => {
   it.each(calls)("$method $path", async ({ verb, method, path, body }) => {
     const { relay, robot, keys } = await withRobot();
     const found: Partial<Record<Holder, unknown>> = {};
@@ -105,14 +105,14 @@ describe("who may", () => {
       const stop = new AbortController();
       const { signal } = stop;
       const { status } = await relay.ask(robot, path, { method, key: keys[holder], body, signal });
-      // A key that may is told that there is nothing to revoke, to answer or to block.
+      // With permission, the response is that there is nothing to revoke, answer or block.
       found[holder] = status < 300 || status === 404 || status === 409 ? "yes" : status;
       stop.abort();
     }
     expect(found).toEqual(expectedFor(verb, { yes: "yes", forbidden: 403, stranger: 401 }));
   });
 
-  it("no key of a robot answers for another one's pairing, and none is needed to ask", async () => {
+  it("limits pairing answers to the robot's own keys, while requests need no key", async () => {
     const { relay, robot, keys } = await withRobot();
     const own = { method: "POST", key: robot.ownerKey };
     const { code } = (await (await relay.ask(robot, "/pairing", own)).json()) as { code: string };
@@ -129,11 +129,11 @@ describe("who may", () => {
     }
     const others = Object.fromEntries(holders.map((holder) => [holder, 404]));
     expect(statuses).toEqual({ ...others, none: 401, code: 401, waiting: 200 });
-    // Until the owner says yes, it is the key of no robot.
+    // The key is valid for no robot until the owner accepts.
     expect((await relay.ask(robot, "/commands", { key: waiting })).status).toBe(401);
   });
 
-  it("the owner reads the log of commands, and is no script for that", async () => {
+  it("let the owner read the command log without being listed as a script", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const own = { key: robot.ownerKey };
@@ -177,7 +177,7 @@ describe("who may", () => {
       await relay.ask(robot, "/line", { method: "DELETE", key: line });
     }
     expect(bySocket).toEqual(expectedFor(verb, { yes: "yes", forbidden: 4403, stranger: 4401 }));
-    // A hello without a key is not even one.
+    // A hello without a key is invalid.
     const expected = expectedFor(verb, { yes: "yes", forbidden: 403, stranger: 401 });
     expect(byLine).toEqual({ ...expected, none: 400 });
   });

@@ -9,7 +9,7 @@ import { startTestRelay, testFolder } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 
 describe("the HTTP service", () => {
-  it("registers a robot and gives its address for scripts", async () => {
+  it("registers a robot and returns its address for scripts", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     expect(robot.address).toBe(`${relay.origin}/r/${robot.id}#${robot.driverKey}`);
@@ -17,7 +17,7 @@ describe("the HTTP service", () => {
     expect(robot.driverKey).toMatch(/^drv_[A-Za-z0-9_-]{22}$/);
   });
 
-  it("takes a command through its whole life", async () => {
+  it("handles a command from acceptance to completion", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const { socket: page, epoch } = await TestSocket.page(relay, robot);
@@ -44,7 +44,7 @@ describe("the HTTP service", () => {
     expect(snapshotSchema.parse(await sensors.json())).toEqual(snapshotOf({ seq: 5 }));
   });
 
-  it("answers a retry with the first record, and refuses the key for another command", async () => {
+  it("returns the first record for a retry, and rejects the key for another command", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const post = (body: object) =>
@@ -60,7 +60,7 @@ describe("the HTTP service", () => {
     expect((await post({ action: "move", distance: 101 })).status).toBe(409);
   });
 
-  it("stops the robot and drops what waits", async () => {
+  it("stops the robot and discards waiting commands", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const post = () =>
@@ -78,7 +78,7 @@ describe("the HTTP service", () => {
     ]);
   });
 
-  it("takes a command with its time to live, and refuses a try that comes too late", async () => {
+  it("accepts a command with a ttl, and rejects a retry that arrives too late", async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });
     const robot = await relay.register();
@@ -98,7 +98,7 @@ describe("the HTTP service", () => {
     expect(await again.json()).toMatchObject({ seq: 1, state: "expired", duplicate: true });
   });
 
-  it("takes one command back", async () => {
+  it("cancels one command", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const post = () =>
@@ -114,7 +114,7 @@ describe("the HTTP service", () => {
     expect((await relay.ask(robot, "/commands/3", { method: "DELETE" })).status).toBe(404);
   });
 
-  it("waits for the first report of a robot, or says that there is none", async () => {
+  it("waits for the first report of a robot, and reports if there is none", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     expect((await relay.ask(robot, "/sensors")).status).toBe(409);
@@ -124,7 +124,7 @@ describe("the HTTP service", () => {
     expect(await (await waiting).json()).toEqual(snapshotOf());
   });
 
-  it("shows what the robot reported last for as long as the robot is remembered", async () => {
+  it("returns the last report of a robot until the robot is deleted", async () => {
     const clock = new FakeClock();
     const relay = await startTestRelay({ clock });
     const robot = await relay.register();
@@ -141,7 +141,7 @@ describe("the HTTP service", () => {
     expect((await relay.ask(robot, "/sensors")).status).toBe(404);
   });
 
-  it("answers more stops than a second has room for with the open one, or with 429", async () => {
+  it("answers excess stops with the open one or with 429", async () => {
     const relay = await startTestRelay({ clock: new FakeClock() });
     const robot = await relay.register();
     const stop = () => relay.ask(robot, "/commands", { method: "DELETE" });
@@ -173,7 +173,7 @@ describe("the HTTP service", () => {
     expect(events.some((event) => event.startsWith("event: snapshot\ndata: {"))).toBe(true);
   });
 
-  it("shows the owner what it holds, and deletes it from the files at once", async () => {
+  it("shows the owner the stored state, and deletes it from the files immediately", async () => {
     const dataDir = testFolder();
     const relay = await startTestRelay({ dataDir });
     const robot = await relay.register();
@@ -193,7 +193,7 @@ describe("the HTTP service", () => {
     expect(onDisk()).not.toContain(robot.id);
   });
 
-  it("keeps commands and keys over a restart", async () => {
+  it("retains commands and keys across a restart", async () => {
     const dataDir = testFolder();
     const first = await startTestRelay({ dataDir });
     const robot = await first.register();
@@ -204,7 +204,7 @@ describe("the HTTP service", () => {
     expect(await page.next("command")).toMatchObject({ seq: 1 });
   });
 
-  it("may be called from pages of other sites, without cookies", async () => {
+  it("allows requests from pages of other sites, without cookies", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const preflight = await relay.ask(robot, "/commands", { method: "OPTIONS" });
@@ -241,7 +241,7 @@ describe("the page", () => {
     }
   });
 
-  it("has files that browsers keep, and nothing else", async () => {
+  it("has cacheable files, and serves nothing else", async () => {
     const relay = await startTestRelay({ webRoot: builtWeb() });
     const file = await fetch(`${relay.origin}/assets/page-1a2b.js`);
     expect(file.headers.get("cache-control")).toContain("immutable");
@@ -250,7 +250,7 @@ describe("the page", () => {
     }
   });
 
-  it("says how to build it when it was not built", async () => {
+  it("explains how to build it if it has not been built", async () => {
     const relay = await startTestRelay();
     const answer = await fetch(relay.origin);
     expect(answer.status).toBe(503);

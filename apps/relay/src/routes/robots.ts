@@ -1,19 +1,19 @@
-/** Registering a robot, showing what is stored of it, deleting it. */
+/** Registers, shows and deletes robots. */
 import { Router } from "express";
-import type { Entrance } from "../entrance/entrance.ts";
+import type { RequestGuard } from "../request-guard/request-guard.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import type { HeldSession } from "./answers.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 import { readBearer } from "./reading.ts";
 
-export function robotRoutes(hub: SessionHub, entrance: Entrance): Router {
+export function robotRoutes(hub: SessionHub, guard: RequestGuard): Router {
   const router = Router();
 
   router
     .route("/robots")
     .post(async (request, response) => {
-      const origin = entrance.originOf(request);
-      const registration = await hub.register(entrance.addressOf(request), origin);
+      const origin = guard.originOf(request);
+      const registration = await hub.register(guard.addressOf(request), origin);
       response
         .status(201)
         .location(`/api/v1/robots/${registration.id}`)
@@ -26,7 +26,7 @@ export function robotRoutes(hub: SessionHub, entrance: Entrance): Router {
     .route("/robots/:id")
     .get(async (request, response) => {
       const { session } = await hub.authorise(request.params.id, readBearer(request), "inspect");
-      const held: HeldSession = {
+      const stored: HeldSession = {
         id: session.id,
         createdAt: new Date(session.createdAt).toISOString(),
         lastUsedAt: new Date(session.lastUsedAt).toISOString(),
@@ -35,7 +35,7 @@ export function robotRoutes(hub: SessionHub, entrance: Entrance): Router {
         maze: (await session.mazes.read())?.version ?? null,
         snapshot: session.newest?.value ?? null,
       };
-      response.json(held);
+      response.json(stored);
     })
     .delete(async (request, response) => {
       const { session } = await hub.authorise(request.params.id, readBearer(request), "remove");

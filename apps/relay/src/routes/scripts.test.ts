@@ -35,7 +35,7 @@ function helpers(relay: TestRelay, robot: Registration) {
   };
   const letBack = async (id: string) =>
     (await relay.ask(robot, `/away/${id}`, { ...owner, method: "DELETE" })).status;
-  /** A request of a script that gives a name. */
+  /** Sends a request as a script with a name. */
   const as = (name: string, path: string, body?: unknown) =>
     relay.ask(robot, path, {
       headers: { "Script-Name": name, "User-Agent": "Python-urllib/3.11" },
@@ -51,7 +51,7 @@ function helpers(relay: TestRelay, robot: Registration) {
 }
 
 describe("the scripts of a robot", () => {
-  it("are listed by name, with what each did last", async () => {
+  it("are listed by name, with the last command of each", async () => {
     const { scripts, as, socketOf } = await withRobot();
     await as("Anna", "/commands", LEFT);
     await as("Ben%20%E2%9C%93", "/commands?after=0");
@@ -66,7 +66,7 @@ describe("the scripts of a robot", () => {
     expect(new Set(list.map(({ driver }) => driver)).size).toBe(1);
   });
 
-  it("are told to the page as well", async () => {
+  it("are also reported to the page", async () => {
     const { relay, robot, as } = await withRobot();
     const { socket: page } = await TestSocket.page(relay, robot);
     await as("Anna", "/commands", LEFT);
@@ -75,7 +75,7 @@ describe("the scripts of a robot", () => {
       .toMatchObject([{ name: "Anna", last: { seq: 1 } }]);
   });
 
-  it("have names of one line and 40 characters, whatever they send", async () => {
+  it("have names of one line and at most 40 characters", async () => {
     const { scripts, as } = await withRobot();
     await as("%00%0A%E2%80%AEevil%09name", "/commands?after=0");
     await as("x".repeat(4_000), "/commands?after=0");
@@ -85,7 +85,7 @@ describe("the scripts of a robot", () => {
     expect(names).toEqual(["evil name", "x".repeat(40), "100 % mine", null]);
   });
 
-  it("are few in memory, however many names they give", async () => {
+  it("are limited in memory, however many names they send", async () => {
     const { scripts, as } = await withRobot();
     for (let n = 0; n < 50; n++) await as(`script ${n}`, "/commands?after=0");
     const list = await scripts();
@@ -94,8 +94,8 @@ describe("the scripts of a robot", () => {
   });
 });
 
-describe("a script that is sent away", () => {
-  it("loses its lines with a reason, and is refused until it is let back", async () => {
+describe("a blocked script", () => {
+  it("loses its connections with a reason, and is rejected until it is unblocked", async () => {
     const { relay, robot, named, sendAway, letBack, as, socketOf } = await withRobot();
     const socket = await socketOf("Anna");
     const waiting = as("Anna", "/events?since=00000000-0&wait=25");
@@ -130,7 +130,7 @@ describe("a script that is sent away", () => {
     expect(await letBack(anna)).toBe(404);
   });
 
-  it("leaves the others with its key alone, and what it asked for ends", async () => {
+  it("does not affect others with the same key, and its open commands end", async () => {
     const { relay, robot, named, sendAway, as, socketOf } = await withRobot();
     const { socket: page, epoch } = await TestSocket.page(relay, robot);
     const ben = await socketOf("Ben");
@@ -139,7 +139,7 @@ describe("a script that is sent away", () => {
     expect(await ben.next("ack")).toMatchObject({ record: { seq: 11 } });
     page.send({ type: "started", epoch, seq: 1 });
     await sendAway(await named("Anna"));
-    // What the robot has, the robot ends.
+    // The robot ends the commands that it has received.
     expect(await page.next("cancel")).toMatchObject({ seq: 1, why: "sent-away" });
     await expect
       .poll(async () => (await (await as("Ben", "/commands?after=9")).json()) as unknown)
@@ -150,7 +150,7 @@ describe("a script that is sent away", () => {
     expect(await ben.next("ack")).toMatchObject({ record: { seq: 12 } });
   });
 
-  it("stays away after the relay was restarted, and is gone with its key", async () => {
+  it("stays blocked after a restart of the relay, and is removed with its key", async () => {
     const before = await withRobot();
     const { robot } = before;
     await before.as("Anna", "/commands?after=0");
@@ -164,7 +164,7 @@ describe("a script that is sent away", () => {
     expect((await after.as("Anna", "/commands?after=0")).status).toBe(401);
   });
 
-  it("is one of 16 at most, and must have a key of this robot", async () => {
+  it("is one of at most 16, and must have a key of this robot", async () => {
     const { relay, robot, as, named, sendAway } = await withRobot();
     for (let n = 0; n < 16; n++) {
       await as(`${n}`, "/commands?after=0");
@@ -189,11 +189,11 @@ describe("a script that is sent away", () => {
   });
 });
 
-describe("remote driving that is paused", () => {
+describe("paused remote driving", () => {
   const pause = async ({ relay, robot }: Awaited<ReturnType<typeof withRobot>>, method = "PUT") =>
     (await relay.ask(robot, "/pause", { method, key: robot.ownerKey })).status;
 
-  it("refuses commands with a sentence, takes stops, and lets scripts read", async () => {
+  it("rejects commands with an explanation, accepts stops, and lets scripts read", async () => {
     const world = await withRobot();
     const { relay, robot, as, socketOf } = world;
     const { socket: page } = await TestSocket.page(relay, robot);
@@ -218,7 +218,7 @@ describe("remote driving that is paused", () => {
     expect(await script.next("ack")).toMatchObject({ record: { seq: 2 } });
   });
 
-  it("ends what was sent: what waits at once, and the robot is asked for the rest", async () => {
+  it("ends waiting commands immediately and asks the robot to end the rest", async () => {
     const world = await withRobot();
     const { relay, robot, as } = world;
     const { socket: page } = await TestSocket.page(relay, robot);
@@ -233,7 +233,7 @@ describe("remote driving that is paused", () => {
     });
   });
 
-  it("stays so after the relay was restarted, and once more pressed changes nothing", async () => {
+  it("persists across a restart of the relay, and pausing again changes nothing", async () => {
     const world = await withRobot();
     expect([await pause(world), await pause(world)]).toEqual([204, 204]);
     await world.relay.close();

@@ -1,4 +1,4 @@
-/** The scripts of a robot, as its owner sees them: sending one away, letting it back, pausing all. */
+/** Scripts of a robot, for its owner: list, block, unblock, pause all. */
 import {
   MAX_FRAME_BYTES,
   scriptIdSchema,
@@ -13,7 +13,7 @@ import type { SessionHub } from "../sessions/session-hub.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 import { jsonText, read, readBearer, readBody } from "./reading.ts";
 
-/** The id of a script, as the last part of a path. */
+/** The id of a script, as the last segment of a path. */
 export const scriptPath = z.object({ scriptId: scriptIdSchema.describe("id of the script") });
 
 export function scriptRoutes(hub: SessionHub): Router {
@@ -45,7 +45,7 @@ export function scriptRoutes(hub: SessionHub): Router {
   router
     .route("/robots/:id/away")
     .post(
-      // Who may not is told so before the body is read.
+      // Rejects unauthorised requests before it reads the body.
       async (request, _response, next) => {
         await hub.authorise(request.params.id, readBearer(request), "moderate");
         next();
@@ -53,13 +53,18 @@ export function scriptRoutes(hub: SessionHub): Router {
       jsonText(),
       async (request, response) => {
         const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
-        const wanted = readBody(request, scriptRefSchema, MAX_FRAME_BYTES, "The script is wrong.");
-        const script = await session.gate.sendAway(wanted);
-        const answer: SentAway = { ...script, driver: keyId(script.driver) };
+        const reference = readBody(
+          request,
+          scriptRefSchema,
+          MAX_FRAME_BYTES,
+          "The script is wrong.",
+        );
+        const script = await session.gate.sendAway(reference);
+        const blocked: SentAway = { ...script, driver: keyId(script.driver) };
         response
           .status(201)
           .location(`/api/v1/robots/${session.id}/away/${script.id}`)
-          .json(answer);
+          .json(blocked);
       },
     )
     .all(methodNotAllowed("POST"));

@@ -1,12 +1,12 @@
-/** What every answer tells the browser about its rights, and who may read the API. */
+/** Security headers of all responses, and the CORS headers of the API. */
 import type { RequestHandler, Response } from "express";
 import helmet from "helmet";
 
 const SELF = "'self'";
 
 /**
- * Content-Security-Policy and its companions: nothing but what this service itself serves.
- * @param isDevelopment hot reload puts its own scripts and styles into the page
+ * Content-Security-Policy and related headers: only resources of this service are allowed.
+ * @param isDevelopment hot reload injects inline scripts and styles into the page
  */
 export function securityHeaders(isDevelopment: boolean): RequestHandler {
   const own = isDevelopment ? [SELF, "'unsafe-inline'"] : [SELF];
@@ -17,7 +17,7 @@ export function securityHeaders(isDevelopment: boolean): RequestHandler {
         defaultSrc: [SELF],
         scriptSrc: own,
         styleSrc: own,
-        // 'self' covers the WebSocket of the same host too.
+        // 'self' includes WebSockets of the same host.
         connectSrc: [SELF],
         workerSrc: [SELF],
         manifestSrc: [SELF],
@@ -27,7 +27,8 @@ export function securityHeaders(isDevelopment: boolean): RequestHandler {
         objectSrc: ["'none'"],
         baseUri: ["'none'"],
         frameAncestors: ["'none'"],
-        // No text becomes markup or script; the page's one policy names the workers that may be started.
+        // Text never becomes markup or script. The page's only policy lists the workers that may
+        // start.
         ...(!isDevelopment && {
           requireTrustedTypesFor: ["'script'"],
           trustedTypes: ["default"],
@@ -35,20 +36,20 @@ export function securityHeaders(isDevelopment: boolean): RequestHandler {
       },
     },
     referrerPolicy: { policy: "no-referrer" },
-    // Whether there is HTTPS is known to the proxy in front, not here.
+    // The proxy in front decides on HTTPS, not the relay.
     strictTransportSecurity: false,
     xFrameOptions: { action: "deny" },
   });
 }
 
-/** Lets a page have one more policy of Trusted Types, which a library of its makes. */
+/** Allows one more Trusted Types policy on a page, for a library that creates one. */
 export function allowPolicy(response: Response, name: string): void {
   const header = "Content-Security-Policy";
   const policy = String(response.getHeader(header));
   response.set(header, policy.replace("trusted-types default", `trusted-types default ${name}`));
 }
 
-/** Scripts on any site may call the API: rights come from the key alone, never from a cookie. */
+/** Scripts on any site may call the API, because authorisation uses keys only, never cookies. */
 export const openToAllSites: RequestHandler = (request, response, next) => {
   response.set({
     "Access-Control-Allow-Origin": "*",

@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { hardSentences } from "../../../web/src/text/testing/reading-level.ts";
 import { startTestRelay } from "../testing/test-relay.ts";
-import { wrongAddressWords } from "./wrong-address-words.ts";
+import { wrongAddressTexts } from "./wrong-address-texts.ts";
 
 const BROWSER = "text/html,application/xhtml+xml,application/xml;q=0.9,*/*;q=0.8";
 
@@ -14,7 +14,7 @@ describe("a wrong address", () => {
     { language: "zh-TW", lang: "zh-Hans", words: "没有这个页面" },
     { language: "ar", lang: "ar", words: "هذه الصفحة غير موجودة" },
     { language: "tlh", lang: "en", words: "This page does not exist" },
-  ])("is a page in words with a way home for a browser in $language", async (example) => {
+  ])("is a page with a link home in the language of the browser: $language", async (example) => {
     const { language, lang, words } = example;
     const { origin } = await startTestRelay();
     for (const path of [
@@ -57,17 +57,14 @@ describe("a wrong address", () => {
   it.each([
     { lang: "ja", words: "このページはありません" },
     { lang: "zh-Hans", words: "没有这个页面" },
-  ])(
-    "keeps the language $lang that was chosen in the page, and leads home in it",
-    async (example) => {
-      const { origin } = await startTestRelay();
-      const headers = { accept: BROWSER, "accept-language": "en" };
-      const html = await (await fetch(`${origin}/foo?lang=${example.lang}`, { headers })).text();
-      expect(html).toContain(`<html lang="${example.lang}"`);
-      expect(html).toContain(example.words);
-      expect(html).toContain(`href="/?lang=${example.lang}"`);
-    },
-  );
+  ])("uses the language $lang that was chosen on the page, also in its link", async (example) => {
+    const { origin } = await startTestRelay();
+    const headers = { accept: BROWSER, "accept-language": "en" };
+    const html = await (await fetch(`${origin}/foo?lang=${example.lang}`, { headers })).text();
+    expect(html).toContain(`<html lang="${example.lang}"`);
+    expect(html).toContain(example.words);
+    expect(html).toContain(`href="/?lang=${example.lang}"`);
+  });
 
   it.each(["tlh", "toString", "ja&lang=de", '"><script>'])(
     "asks the browser where the address has no language of the page: %s",
@@ -80,7 +77,7 @@ describe("a wrong address", () => {
     },
   );
 
-  it("is a problem document for API paths and for clients that ask for no HTML", async () => {
+  it("is a problem document for API paths and for clients that do not accept HTML", async () => {
     const { origin } = await startTestRelay();
     for (const [path, accept] of [
       ["/api", BROWSER],
@@ -98,14 +95,14 @@ describe("a wrong address", () => {
     expect(sent.headers.get("content-type")).toMatch(/^application\/problem\+json/);
   });
 
-  it("is read at grade 6 or below in English", () => {
-    expect(hardSentences(new Map(Object.entries(wrongAddressWords.en)))).toEqual([]);
+  it("has texts of grade 6 or below in English", () => {
+    expect(hardSentences(new Map(Object.entries(wrongAddressTexts.en)))).toEqual([]);
   });
 
-  it("has the same words in all languages on hosts of static files", () => {
+  it("has the same texts on static hosts in all languages", () => {
     const file = new URL("../../../web/public/404.html", import.meta.url);
     const html = readFileSync(file, "utf8");
-    for (const [lang, { title, text, home }] of Object.entries(wrongAddressWords)) {
+    for (const [lang, { title, text, home }] of Object.entries(wrongAddressTexts)) {
       expect(html).toContain(`<section lang="${lang}"`);
       for (const words of [title, text, home]) expect(html).toContain(words);
     }

@@ -1,14 +1,14 @@
 /**
- * The page for people at an address that does not exist: what is wrong, and a link home, or to the documentation as well. It needs no script.
- * API paths, and clients that do not ask for HTML, get a problem document instead.
+ * HTML page for unknown addresses, with a link home, and to the documentation for addresses in it.
+ * It needs no scripts. API paths and clients that do not accept HTML receive a problem document.
  */
 import type { ErrorRequestHandler, RequestHandler } from "express";
-import { wrongAddressWords, type WrongAddressWords } from "./wrong-address-words.ts";
+import { wrongAddressTexts, type WrongAddressTexts } from "./wrong-address-texts.ts";
 
 const API = /^\/api(?:\/|$)/;
 const DOCS = /^\/(?:docs|problems)(?:\/|$)/;
 
-/** Escapes that are no UTF-8, such as /r/%E0: an address of the page that cannot be read is a wrong one. */
+/** Treats invalid percent-encoding outside of the API, such as /r/%E0, as an unknown address. */
 export const unreadableAddress: ErrorRequestHandler = (
   error: unknown,
   request,
@@ -18,34 +18,34 @@ export const unreadableAddress: ErrorRequestHandler = (
   next(error instanceof URIError && !API.test(request.path) ? undefined : error);
 };
 
-/** @param refused called when the page was sent, for the metrics */
-export function wrongAddress(refused: () => void): RequestHandler {
-  const languages = Object.keys(wrongAddressWords);
+/** @param onNotFound called when the page is sent, for the metrics */
+export function wrongAddress(onNotFound: () => void): RequestHandler {
+  const languages = Object.keys(wrongAddressTexts);
   return (request, response, next) => {
-    const isRead = request.method === "GET" || request.method === "HEAD";
-    if (!isRead || API.test(request.path)) return next();
+    const isReadMethod = request.method === "GET" || request.method === "HEAD";
+    if (!isReadMethod || API.test(request.path)) return next();
     response.vary("Accept");
-    // Clients that take anything, such as curl, get the first.
+    // Clients that accept any type, such as curl, receive the first.
     if (request.accepts(["application/problem+json", "html"]) !== "html") return next();
-    // The page writes the chosen language into its addresses: it counts before the browser's.
+    // The page adds the chosen language to its links. It overrides the browser's languages.
     const chosen = languages.find((tag) => tag === request.query["lang"]);
-    // "zh" stands for any Chinese that is asked for.
+    // "zh" matches every requested form of Chinese.
     const accepted = request.acceptsLanguages(["en", "zh", ...languages]);
     const lang = chosen ?? (accepted === "zh" ? "zh-Hans" : accepted === false ? "en" : accepted);
-    refused();
+    onNotFound();
     response.vary("Accept-Language").set("Cache-Control", "no-store");
     response.status(404).type("html");
-    const way = chosen === undefined ? "/" : `/?lang=${chosen}`;
-    const words = wrongAddressWords[lang] ?? wrongAddressWords.en;
-    response.send(page(lang, way, words, DOCS.test(request.path)));
+    const homePath = chosen === undefined ? "/" : `/?lang=${chosen}`;
+    const texts = wrongAddressTexts[lang] ?? wrongAddressTexts.en;
+    response.send(page(lang, homePath, texts, DOCS.test(request.path)));
     return undefined;
   };
 }
 
 function page(
   lang: string,
-  way: string,
-  { title, text, home, docs }: WrongAddressWords,
+  homePath: string,
+  { title, text, home, docs }: WrongAddressTexts,
   isInDocs: boolean,
 ): string {
   const dir = lang === "ar" ? "rtl" : "ltr";
@@ -60,11 +60,11 @@ function page(
     <link rel="stylesheet" href="/check/check.css" />
   </head>
   <body>
-    <header><a href="${way}">Corridor</a></header>
+    <header><a href="${homePath}">Corridor</a></header>
     <main>
       <h1>${title}</h1>
       <p>${text}</p>${isInDocs ? `\n      <p><a class="home" href="/docs">${docs}</a></p>` : ""}
-      <p><a class="home" href="${way}">${home}</a></p>
+      <p><a class="home" href="${homePath}">${home}</a></p>
     </main>
   </body>
 </html>

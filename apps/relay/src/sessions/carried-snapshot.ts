@@ -27,14 +27,14 @@ export class CarriedSnapshot {
   /** One that was made or read as an object. Its memory is its own: it may be kept for hours. */
   static of(value: Snapshot): CarriedSnapshot {
     const json = Buffer.from(JSON.stringify(value));
-    const carried = new CarriedSnapshot(value, framed(json, 0, json.length, { isKept: true }));
+    const carried = new CarriedSnapshot(value, framed(json, 0, json.length, { isRetained: true }));
     carried.#value = value;
     return carried;
   }
 
   /** One that was found among bytes, copied into memory that it shares with others of the same moment. */
   static found(bytes: Buffer, place: SnapshotPlace): CarriedSnapshot {
-    return new CarriedSnapshot(place, framed(bytes, place.start, place.end, { isKept: false }));
+    return new CarriedSnapshot(place, framed(bytes, place.start, place.end, { isRetained: false }));
   }
 
   /** The message by itself. */
@@ -77,7 +77,12 @@ export function readSnapshotMessage(
   return place && { epoch: place.epoch, snapshot: CarriedSnapshot.found(bytes, place) };
 }
 
-function framed(bytes: Buffer, start: number, end: number, keeping: { isKept: boolean }): Buffer {
+function framed(
+  bytes: Buffer,
+  start: number,
+  end: number,
+  keeping: { isRetained: boolean },
+): Buffer {
   const length = BEFORE.length + end - start + 1;
   const frame = emptyFrame(length, keeping);
   const at = frame.length - length;

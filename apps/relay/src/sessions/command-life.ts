@@ -18,7 +18,7 @@ import {
 import type { Clock } from "../clock.ts";
 import type { Step } from "../cluster/switchboard.ts";
 import { noRobot, restarting } from "../problems.ts";
-import type { SharedTimers } from "../shared-timers.ts";
+import type { CoalescedTimers } from "../coalesced-timers.ts";
 import type { SessionStore, TermedRecord } from "../store/session-store.ts";
 import type { Audience } from "./audience.ts";
 import { CommandDelivery, type Due } from "./command-delivery.ts";
@@ -41,7 +41,7 @@ export interface CommandLifeParts {
   robot: string;
   store: SessionStore;
   clock: Clock;
-  timers: SharedTimers;
+  timers: CoalescedTimers;
   witness: Witness;
   audience: Audience;
   seat: PageSeat;

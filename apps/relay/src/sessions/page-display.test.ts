@@ -1,7 +1,7 @@
 /** What the page is shown of commands that it does not have, and when. */
 import type { RelayToPage } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { SharedTimers } from "../shared-timers.ts";
+import { CoalescedTimers } from "../coalesced-timers.ts";
 import type { TermedRecord } from "../store/session-store.ts";
 import { FakeClock } from "../testing/fake-clock.ts";
 import { completed } from "../testing/messages.ts";
@@ -48,7 +48,7 @@ function inWords(message: RelayToPage): string {
 function withSeat() {
   const clock = new FakeClock();
   const seat = new PageSeat(clock.now(), { epoch: 0, page: "" });
-  const display = new PageDisplay({ seat, clock, timers: new SharedTimers(clock) });
+  const display = new PageDisplay({ seat, clock, timers: new CoalescedTimers(clock) });
   let epoch = 0;
   const newPage = (): string[][] => {
     const writes: string[][] = [];

@@ -4,16 +4,16 @@
  */
 import type { RelayToPage } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
-import type { SharedTimers, Sleeper } from "../shared-timers.ts";
+import type { CoalescedTimers, Waiter } from "../coalesced-timers.ts";
 import type { TermedRecord } from "../store/session-store.ts";
 import { limits } from "./limits.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat, SeatedPage } from "./page-seat.ts";
 
-export class PageDisplay implements Sleeper {
+export class PageDisplay implements Waiter {
   readonly #seat: PageSeat;
   readonly #clock: Clock;
-  readonly #timers: SharedTimers;
+  readonly #timers: CoalescedTimers;
   /** epoch of the page that is shown this */
   #epoch = 0;
   #shownAt = -Infinity;
@@ -21,7 +21,7 @@ export class PageDisplay implements Sleeper {
   /** it will be woken */
   #isArmed = false;
 
-  constructor({ seat, clock, timers }: { seat: PageSeat; clock: Clock; timers: SharedTimers }) {
+  constructor({ seat, clock, timers }: { seat: PageSeat; clock: Clock; timers: CoalescedTimers }) {
     this.#seat = seat;
     this.#clock = clock;
     this.#timers = timers;

@@ -1,7 +1,7 @@
 import { KEPT_EVENTS_MS, MAX_KEPT_EVENTS, type CommandRecord } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { SharedTimers } from "../shared-timers.ts";
+import { CoalescedTimers } from "../coalesced-timers.ts";
 import { FakeClock, settled } from "../testing/fake-clock.ts";
 import { CarriedSnapshot } from "./carried-snapshot.ts";
 import { EventLog } from "./event-log.ts";
@@ -28,7 +28,7 @@ const STATE_BYTES = 300;
 /** A robot with a log, and readers whose lines take what they are told to take. */
 function robotWithReaders() {
   const clock = new FakeClock();
-  const timers = new SharedTimers(clock);
+  const timers = new CoalescedTimers(clock);
   const events = new EventLog(clock);
   let newest: CarriedSnapshot | null = null;
   const feeds: ReaderFeed[] = [];

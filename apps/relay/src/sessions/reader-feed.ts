@@ -8,7 +8,7 @@
  */
 import { hasEnded, type EventGap, type StateEvent } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
-import { dueAfter, type SharedTimers, type Sleeper } from "../shared-timers.ts";
+import { dueAfter, type CoalescedTimers, type Waiter } from "../coalesced-timers.ts";
 import type { AwayReason, ReaderDoor } from "./audience.ts";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import type { EventLog } from "./event-log.ts";
@@ -64,11 +64,11 @@ interface OnTheWay {
   end: number;
 }
 
-export class ReaderFeed implements Sleeper {
+export class ReaderFeed implements Waiter {
   readonly #sink: ReaderSink;
   readonly #source: ReaderSource;
   readonly #clock: Clock;
-  readonly #timers: SharedTimers;
+  readonly #timers: CoalescedTimers;
   /** the newest state that was told */
   #n = 0;
   /** states wait in the log: the reader has not begun, takes nothing, or is to be told of a gap */
@@ -88,7 +88,7 @@ export class ReaderFeed implements Sleeper {
   constructor(
     sink: ReaderSink,
     source: ReaderSource,
-    { clock, timers }: { clock: Clock; timers: SharedTimers },
+    { clock, timers }: { clock: Clock; timers: CoalescedTimers },
   ) {
     this.#sink = sink;
     this.#source = source;

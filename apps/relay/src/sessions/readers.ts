@@ -1,7 +1,7 @@
 /** The ways in which one robot is read: followed on a line, or asked for what is next. */
 import type { EventPage, Snapshot } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
-import type { SharedTimers } from "../shared-timers.ts";
+import type { CoalescedTimers } from "../coalesced-timers.ts";
 import type { Audience, Patience, ReaderDoor } from "./audience.ts";
 import type { DriverRoster } from "./driver-roster.ts";
 import { nextEvents, type WantedEvents } from "./next-events.ts";
@@ -17,7 +17,7 @@ export interface JoinedReader {
 
 export interface ReadersParts {
   clock: Clock;
-  timers: SharedTimers;
+  timers: CoalescedTimers;
   audience: Audience;
   /** what is read: one for all readers */
   source: ReaderSource;

@@ -6,14 +6,14 @@ import type { AliveDriver, RecallCause } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import type { Ears, Line, Step, Switchboard } from "../cluster/switchboard.ts";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
-import { dueAfter, type SharedTimers, type Sleeper } from "../shared-timers.ts";
+import { dueAfter, type CoalescedTimers, type Waiter } from "../coalesced-timers.ts";
 import { MOST_TOLD, type Scripts } from "./driver-roster.ts";
 import { limits } from "./limits.ts";
 import { mergedScripts } from "./script-list.ts";
 
-export class RobotLine implements Sleeper {
+export class RobotLine implements Waiter {
   readonly #clock: Clock;
-  readonly #timers: SharedTimers;
+  readonly #timers: CoalescedTimers;
   #line: Line | null = null;
   /** other relays by their names, when they were heard, and the scripts that they have */
   readonly #others = new Map<string, { heardAt: number; scripts: Scripts }>();
@@ -24,7 +24,7 @@ export class RobotLine implements Sleeper {
   /** it will be woken */
   #isArmed = false;
 
-  constructor(clock: Clock, timers: SharedTimers) {
+  constructor(clock: Clock, timers: CoalescedTimers) {
     this.#clock = clock;
     this.#timers = timers;
   }

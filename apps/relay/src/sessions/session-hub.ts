@@ -11,8 +11,8 @@ import { canBeKey, hashKey, mintId, mintKey } from "../keys.ts";
 import { noRobot, notAuthorised, Refusal, retryAfter, restarting } from "../problems.ts";
 import type { SessionStore, StoredKey } from "../store/session-store.ts";
 import type { ReaderDoor } from "./audience.ts";
-import { SharedTimers } from "../shared-timers.ts";
-import { Sweep } from "../sweep.ts";
+import { CoalescedTimers } from "../coalesced-timers.ts";
+import { StaggeredInterval } from "../staggered-interval.ts";
 import { limits } from "./limits.ts";
 import { checkRight, type Verb } from "./rights.ts";
 import { callerOf, unknownScript, type Caller, type Introduction } from "./script.ts";
@@ -52,14 +52,14 @@ export interface Grant {
 export class SessionHub {
   readonly #store: SessionStore;
   readonly #clock: Clock;
-  readonly #timers: SharedTimers;
+  readonly #timers: CoalescedTimers;
   readonly #log: Logger;
   readonly #witness: Witness;
   readonly #switchboard: Switchboard;
   readonly #sessions = new Map<string, Promise<Session | null>>();
   /** by address; kept in memory only */
   readonly #registrations = new Map<string, TokenBucket>();
-  readonly #lives: Sweep<[id: string, found: Promise<Session | null>]>;
+  readonly #lives: StaggeredInterval<[id: string, found: Promise<Session | null>]>;
   #cancelExpiry: () => void;
   #isClosing = false;
   /** how many more may be written down to be in use before the next look */
@@ -68,11 +68,11 @@ export class SessionHub {
   constructor(store: SessionStore, clock: Clock, log: Logger, options: HubOptions = {}) {
     this.#store = store;
     this.#clock = clock;
-    this.#timers = new SharedTimers(clock);
+    this.#timers = new CoalescedTimers(clock);
     this.#log = log;
     this.#witness = options.witness ?? noWitness;
     this.#switchboard = options.switchboard ?? new LocalSwitchboard();
-    this.#lives = new Sweep({
+    this.#lives = new StaggeredInterval({
       clock,
       everyMs: LIFE_CHECK_MS,
       members: () => {

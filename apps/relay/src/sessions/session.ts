@@ -11,7 +11,7 @@ import {
   type ScriptView,
 } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
-import type { SharedTimers } from "../shared-timers.ts";
+import type { CoalescedTimers } from "../coalesced-timers.ts";
 import type { Switchboard } from "../cluster/switchboard.ts";
 import type {
   SessionStore,
@@ -45,7 +45,7 @@ export interface SessionParts {
   store: SessionStore;
   clock: Clock;
   /** of all sessions together */
-  timers: SharedTimers;
+  timers: CoalescedTimers;
   witness: Witness;
   switchboard: Switchboard;
   /** is called when the robot was forgotten at another relay */

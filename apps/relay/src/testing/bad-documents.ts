@@ -1,9 +1,9 @@
-/** Bodies that are no document for a short link, each with the field that the answer must name. */
+/** Invalid documents for a short link, each with the field that the error must name. */
 import { challenge, maze, program } from "./sample-documents.ts";
 
 const text = (document: object, change: object): string =>
   JSON.stringify({ ...document, ...change });
-/** The maze with a start of whatever JSON text. */
+/** The maze with a start of any JSON text. */
 const startingAt = (start: string): string =>
   JSON.stringify(maze).replace(JSON.stringify(maze.start), start);
 
@@ -30,7 +30,7 @@ export const badDocuments: { name: string; body: string; path: string }[] = [
     path: "",
   },
   {
-    name: "a start at a number without end",
+    name: "a start at an infinite number",
     body: startingAt('{"column":1e999,"row":1,"heading":"east"}'),
     path: "start.column",
   },
@@ -39,7 +39,7 @@ export const badDocuments: { name: string; body: string; path: string }[] = [
     body: startingAt('{"column":9007199254740993,"row":1,"heading":"east"}'),
     path: "start.column",
   },
-  { name: "a field too many", body: text(maze, { author: "me" }), path: "author" },
+  { name: "an unknown field", body: text(maze, { author: "me" }), path: "author" },
   {
     name: "a __proto__ field",
     body: JSON.stringify(maze).replace("{", '{"__proto__":{"a":1},'),
@@ -47,12 +47,12 @@ export const badDocuments: { name: string; body: string; path: string }[] = [
   },
   { name: "a constructor field", body: text(maze, { constructor: 1 }), path: "constructor" },
   {
-    name: "a field that stands twice",
+    name: "a duplicate field",
     body: JSON.stringify(maze).replace("{", '{"name":"One",'),
     path: "",
   },
   {
-    name: "a program that flies",
+    name: "an unknown action",
     body: text(program, { rules: [{ when: null, do: "fly" }] }),
     path: "rules[0].do",
   },
@@ -69,12 +69,12 @@ export const badDocuments: { name: string; body: string; path: string }[] = [
     path: "mazes[0].goals",
   },
   {
-    name: "JSON of great depth",
+    name: "deeply nested JSON",
     body: `${"[".repeat(30_000)}${"]".repeat(30_000)}`,
     path: "",
   },
   {
-    name: "depth inside of a document",
+    name: "deep nesting inside a document",
     body: text(maze, { goals: "DEEP" }).replace(
       '"DEEP"',
       `${"[".repeat(20_000)}${"]".repeat(20_000)}`,

@@ -1,4 +1,4 @@
-/** One HTTP request byte by byte, for what no client library would send. */
+/** Sends one HTTP request as raw bytes, for requests that client libraries cannot send. */
 import { connect } from "node:net";
 
 export interface BareRequest {
@@ -6,18 +6,18 @@ export interface BareRequest {
   path: string;
   headers?: Record<string, string>;
   body?: string | Uint8Array;
-  /** Says that nothing more comes before the body is whole, and listens on. */
+  /** Half-closes the connection before the body is complete, and reads the response. */
   isCutOff?: boolean;
 }
 
 export interface BareAnswer {
   status: number;
-  /** by their names in small letters */
+  /** by lower-case names */
   headers: Map<string, string>;
   text: string;
 }
 
-/** Asks, and reads until the service hangs up. */
+/** Sends a request and reads until the server closes the connection. */
 export function askBare(origin: string, request: BareRequest): Promise<BareAnswer> {
   const { method = "GET", path, headers = {}, body = "", isCutOff = false } = request;
   const bytes = Buffer.from(body);
@@ -34,7 +34,7 @@ export function askBare(origin: string, request: BareRequest): Promise<BareAnswe
   return sendBare(origin, Buffer.concat([head, bytes]), isCutOff);
 }
 
-/** The same for bytes that are no request at all. */
+/** Sends bytes that are not a request. */
 export function sendBare(
   origin: string,
   bytes: string | Uint8Array,

@@ -1,4 +1,4 @@
-/** A page and a script with a robot of their own, who must notice nothing of what others send. */
+/** A page and a script with their own robot, which requests of other clients must not affect. */
 import type { Registration } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { completed } from "./messages.ts";
@@ -25,7 +25,7 @@ export class Bystander {
     return new Bystander(robot, socket, await TestSocket.driver(relay, robot), epoch);
   }
 
-  /** The script drives the page, by the lines that both have had from the beginning. */
+  /** The script drives the page over their existing connections. */
   async drives(): Promise<void> {
     this.#seq += 1;
     const seq = this.#seq;

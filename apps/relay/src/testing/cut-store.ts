@@ -1,4 +1,4 @@
-/** A store whose line breaks when it is told to: before a step, or after it, so that the answer is lost. */
+/** A store with simulated failures: before a step, or after it, so that its result is lost. */
 import type { SessionStore } from "../store/session-store.ts";
 import { StoreAway } from "../store/store-away.ts";
 
@@ -14,7 +14,7 @@ export function cutStore(whole: SessionStore): CutStore {
     get(target, name) {
       const part: unknown = Reflect.get(target, name);
       if (typeof part !== "function") return part;
-      // What is known without asking needs no line.
+      // Needs no connection.
       if (name === "hasAll") return part.bind(target) as unknown;
       return async (...values: unknown[]): Promise<unknown> => {
         if (cut.isCut) throw new StoreAway("it was cut off");

@@ -1,4 +1,4 @@
-/** A relay as a stranger's client sees it who knows nothing but its `/openapi.json`. */
+/** A client of a relay that uses only its `/openapi.json`. */
 import { problemSchema, registrationSchema, type Registration } from "@corridor/protocol";
 import { z } from "zod";
 import type { oas31 } from "zod-openapi";
@@ -7,7 +7,7 @@ import { startTestRelay, type AskOptions, type TestRelay } from "./test-relay.ts
 export const METHODS = ["get", "post", "put", "patch", "delete"] as const;
 export type Method = (typeof METHODS)[number];
 
-/** Every call of a document, with its path and the parameters that it declares in either place. */
+/** All operations of a document, with their path and all of their parameters. */
 export function describedCalls(document: oas31.OpenAPIObject) {
   return Object.entries(document.paths ?? {}).flatMap(([path, item]) =>
     METHODS.flatMap((method) => {
@@ -31,7 +31,7 @@ export class DescribedRelay {
     this.robot = robot;
   }
 
-  /** Starts a relay, reads its description and registers a robot as described. */
+  /** Starts a relay, reads its description and registers a robot through it. */
   static async start(): Promise<DescribedRelay> {
     const relay = await startTestRelay();
     const described = await fetch(`${relay.origin}/openapi.json`);
@@ -45,9 +45,9 @@ export class DescribedRelay {
   }
 
   /**
-   * Makes a call below /api/v1/robots and checks status, headers and body.
+   * Sends a request below /api/v1/robots and checks status, headers and body.
    * @returns status and body
-   * @throws Error when the answer is not as described
+   * @throws Error if the response differs from the description
    */
   async call(
     method: Method,
@@ -63,8 +63,8 @@ export class DescribedRelay {
   }
 
   /**
-   * Makes a call to any other path and checks it likewise.
-   * @throws Error when the answer is not as described
+   * Sends a request to any other path and checks it in the same way.
+   * @throws Error if the response differs from the description
    */
   async callAt(
     method: Method,
@@ -86,14 +86,14 @@ export class DescribedRelay {
     };
   }
 
-  /** What is described for a status. @throws Error when nothing is */
+  /** The described response for a status. @throws Error if there is none */
   answerOf(method: Method, path: string, status: number): oas31.ResponseObject {
     const answer: unknown = this.document.paths?.[path]?.[method]?.responses?.[String(status)];
     if (answer === undefined) throw new Error(`${method} ${path} does not describe ${status}`);
     return answer as oas31.ResponseObject;
   }
 
-  /** The described body of an answer as a schema, made from the document alone. */
+  /** Schema of a described response body, built from the document alone. */
   schemaOf({ content = {} }: oas31.ResponseObject): z.ZodType {
     const $defs = this.document.components?.schemas ?? {};
     const text = JSON.stringify({ ...Object.values(content)[0]?.schema, $defs });

@@ -1,4 +1,4 @@
-/** A clock that only moves when it is told to. */
+/** A clock that advances only on request. */
 import type { Clock } from "../clock.ts";
 
 interface Timer {
@@ -20,7 +20,7 @@ export class FakeClock implements Clock {
     return () => this.#timers.delete(timer);
   }
 
-  /** Lets so many ms pass; due timers run in their order, and what they started is settled in between. */
+  /** Advances by `ms`. Due timers run in order, and their promises resolve in between. */
   async pass(ms: number): Promise<void> {
     const end = this.#now + ms;
     for (;;) {
@@ -38,10 +38,12 @@ export class FakeClock implements Clock {
   }
 }
 
-/** More than a chain of steps has that one timer starts. */
+/** More turns than any chain of steps needs. */
 const TURNS = 4;
 
-/** All promises that could go on have gone on; a step of the store takes a turn of the event loop. */
+/**
+ * Waits until pending promises have resolved. A step of the store takes a turn of the event loop.
+ */
 export async function settled(): Promise<void> {
   for (let turn = 0; turn < TURNS; turn++) await new Promise((resolve) => setImmediate(resolve));
 }

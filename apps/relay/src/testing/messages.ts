@@ -1,7 +1,7 @@
-/** Messages as a page sends them, for tests. */
+/** Messages of a page, for tests. */
 import type { Ending } from "@corridor/protocol";
 
-/** A command that was done as asked. */
+/** The ending of a completed command. */
 export function completed(seq: number): Ending {
   return {
     seq,

@@ -1,4 +1,4 @@
-/** The two who pair: a robot's owner at one relay, and scripts that have nothing but a code. */
+/** The two parties of a pairing: a robot's owner, and scripts that have only a code. */
 import {
   pairingAnswerSchema,
   pairingAskedSchema,
@@ -11,7 +11,7 @@ import {
 import type { z } from "zod";
 import type { Requests } from "./test-relay.ts";
 
-/** What came back: the body where it went well, the kind of problem where not. */
+/** Outcome of a request: the body on success, or the kind of problem. */
 interface Outcome<T> {
   status: number;
   body: T | null;

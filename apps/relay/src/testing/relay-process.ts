@@ -1,4 +1,4 @@
-/** The relay as a process of its own, as `npm start` runs it. */
+/** The relay as a separate process, as `npm start` runs it. */
 import { spawn, type ChildProcess } from "node:child_process";
 import { once } from "node:events";
 import { join } from "node:path";
@@ -9,15 +9,15 @@ const MAIN = join(import.meta.dirname, "../main.ts");
 
 export interface RelayProcess {
   child: ChildProcess;
-  /** everything that it has written so far */
+  /** all output so far */
   output(): string;
-  /** Waits until the output matches. @throws Error when the process ends before */
+  /** Waits until the output matches. @throws Error if the process exits before */
   says(pattern: RegExp): Promise<RegExpExecArray>;
-  /** Waits for the end. @returns the exit code */
+  /** Waits for the exit. @returns the exit code */
   ended(): Promise<number | null>;
 }
 
-/** Starts the relay; it is ended with the test. */
+/** Starts the relay. The test ends it. */
 export function startRelayProcess(
   environment: Record<string, string>,
   options: string[] = [],

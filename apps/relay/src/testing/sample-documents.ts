@@ -1,4 +1,4 @@
-/** Documents that may stand behind a short link, one of each kind. */
+/** One document of each kind that a short link can store. */
 import type { ChallengeDocument } from "@corridor/challenge/document";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";

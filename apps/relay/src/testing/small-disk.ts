@@ -1,4 +1,4 @@
-/** Disks that can be filled: by the limit of pages that SQLite itself has, or a real one of a few MiB. */
+/** Simulated full disks: with SQLite's own page limit, or with a real disk of a few MiB. */
 import { spawnSync } from "node:child_process";
 import { rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -9,8 +9,8 @@ import { testFolder } from "./test-relay.ts";
 const PLENTY = 100_000;
 
 /**
- * The relay's database that `open` opens first, kept from growing at will.
- * @param open whatever opens it
+ * Limits the size of the database that `open` opens first.
+ * @param open any function that opens it
  */
 export async function withPageLimit<T>(open: () => T | Promise<T>) {
   const exec = vi.spyOn(DatabaseSync.prototype, "exec");
@@ -23,13 +23,15 @@ export async function withPageLimit<T>(open: () => T | Promise<T>) {
   const size = (): number => Number(db.prepare("PRAGMA page_count").get()?.["page_count"]);
   return {
     opened,
-    /** @param spare how many pages are still free */
+    /** @param spare number of pages that stay free */
     fill: (spare = 0) => limit(size() + spare),
     makeRoom: () => limit(PLENTY),
   };
 }
 
-/** A disk of its own in memory that goes with the test; null where this user may not have one. */
+/**
+ * A separate disk in memory, removed after the test. Returns null without the permission to mount.
+ */
 export function realSmallDisk(mebibytes: number) {
   const folder = testFolder();
   if (!mount(folder, mebibytes)) return null;
@@ -42,7 +44,7 @@ export function realSmallDisk(mebibytes: number) {
         try {
           writeFileSync(filler, Buffer.alloc(size), { flag: "a" });
         } catch {
-          // Not so much; perhaps half of it.
+          // Not enough space. Tries half of it.
         }
       }
     },
@@ -52,6 +54,6 @@ export function realSmallDisk(mebibytes: number) {
 
 function mount(folder: string, mebibytes: number): boolean {
   if (process.platform !== "linux" || process.getuid?.() !== 0) return false;
-  const words = ["-t", "tmpfs", "-o", `size=${mebibytes}m`, "tmpfs", folder];
-  return spawnSync("mount", words, { stdio: "ignore" }).status === 0;
+  const options = ["-t", "tmpfs", "-o", `size=${mebibytes}m`, "tmpfs", folder];
+  return spawnSync("mount", options, { stdio: "ignore" }).status === 0;
 }

@@ -1,8 +1,8 @@
-/** A network that swallows everything without a word: lines stay open on both sides, and nothing arrives. */
+/** A network that drops all data silently: connections stay open on both sides. */
 import { connect, createServer, type AddressInfo, type Socket } from "node:net";
 import { onTestFinished } from "vitest";
 
-/** A way to a port of this machine; what is open when it is swallowed stays open, and nothing arrives. */
+/** A proxy to a local port. `swallow` keeps open connections open, but drops their data. */
 export async function swallowingNet(port: number) {
   const pairs = new Set<[Socket, Socket]>();
   const server = createServer((client) => {

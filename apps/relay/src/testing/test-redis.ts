@@ -1,11 +1,11 @@
-/** A real Redis with a folder of its own, for one test. */
+/** A real Redis with its own folder, for one test. */
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { onTestFinished } from "vitest";
 import { findRedis, startRedis } from "../../../../scripts/redis-server.ts";
 import { testFolder } from "./test-relay.ts";
 
-/** Whether there is a Redis on this machine; tests without it are skipped, and say so. */
+/** Whether Redis is installed. Tests that need it are skipped otherwise. */
 export const hasRedis = findRedis() !== null;
 if (!hasRedis) process.stderr.write("skipped tests: there is no redis-server here\n");
 
@@ -19,11 +19,11 @@ export async function startTestRedis(settings: string[] = []) {
     url,
     port,
     stop: () => server.stop(),
-    /** Starts it with the same files on the same port. */
-    startAgain: async () => {
+    /** Restarts it with the same files on the same port. */
+    restart: async () => {
       server = await startRedis(folder, { port, settings });
     },
-    /** Whether the text can be found in its files. */
+    /** Whether its files contain the text. */
     holds: (text: string): boolean => {
       const files = readdirSync(folder, { recursive: true, withFileTypes: true });
       return files.some(

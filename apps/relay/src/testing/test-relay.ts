@@ -1,4 +1,4 @@
-/** A real relay on a free port with a real database, and the requests that tests make of it. */
+/** A real relay on a free port with a real database, and requests to it. */
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -12,7 +12,7 @@ import { startRelay } from "../relay.ts";
 export interface Requests {
   origin: string;
   register(): Promise<Registration>;
-  /** A request with a key, to a path below the robot. */
+  /** Sends a request with a key to a path below the robot. */
   ask(robot: Registration, path: string, request?: AskOptions): Promise<Response>;
 }
 
@@ -30,14 +30,14 @@ export interface AskOptions {
   signal?: AbortSignal;
 }
 
-/** A folder of its own that goes with the test. */
+/** A temporary folder, removed after the test. */
 export function testFolder(): string {
   const folder = mkdtempSync(join(tmpdir(), "corridor-"));
   onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
   return folder;
 }
 
-/** The settings of a relay that was told nothing. */
+/** The default settings. */
 export function defaults(): Config {
   const settings = readConfig({});
   if (!settings.ok) throw new Error("the settings have no defaults");
@@ -74,7 +74,7 @@ export async function startTestRelay(
   return { ...requestsTo(origin), metricsPort: relay.metricsPort, close };
 }
 
-/** The requests of tests to any relay. */
+/** Requests to any relay. */
 export function requestsTo(origin: string): Requests {
   return {
     origin,

@@ -1,4 +1,4 @@
-/** A bare WebSocket client: what a page or a script does on the wire, message by message. */
+/** A minimal WebSocket client that sends and receives single messages of a page or a script. */
 import type { Duplex } from "node:stream";
 import type { Registration } from "@corridor/protocol";
 import { onTestFinished } from "vitest";
@@ -13,11 +13,11 @@ export interface Message {
 export class TestSocket {
   readonly #socket: WebSocket;
   readonly #inbox: Message[] = [];
-  #line: Duplex | null = null;
+  #connection: Duplex | null = null;
   #wake: () => void = () => undefined;
-  /** how often the relay asked whether this side lives */
+  /** number of pings of the relay */
   pings = 0;
-  /** the code and the reason with which the socket was closed */
+  /** close code and reason */
   readonly closed: Promise<{ code: number; reason: string }>;
 
   private constructor(socket: WebSocket) {
@@ -33,7 +33,7 @@ export class TestSocket {
       });
     });
     socket.on("ping", () => (this.pings += 1));
-    socket.on("upgrade", ({ socket: line }) => (this.#line = line));
+    socket.on("upgrade", ({ socket: line }) => (this.#connection = line));
     onTestFinished(() => socket.terminate());
   }
 
@@ -82,17 +82,17 @@ export class TestSocket {
     this.#socket.send(data);
   }
 
-  /** Bytes in a frame that says that they are text. */
+  /** Sends bytes in a text frame. */
   sendText(bytes: Uint8Array): void {
     this.#socket.send(bytes, { binary: false });
   }
 
-  /** Says on the bare line, without a word of the WebSocket, that nothing more comes. */
+  /** Half-closes the TCP connection without a close frame. */
   halfClose(): void {
-    this.#line?.end();
+    this.#connection?.end();
   }
 
-  /** The next message of one of these types; others before it are dropped. */
+  /** Returns the next message of one of these types and discards earlier ones. */
   async next(...types: string[]): Promise<Message> {
     for (;;) {
       const message = this.#inbox.shift();
@@ -105,7 +105,7 @@ export class TestSocket {
     }
   }
 
-  /** Reads nothing any more, so that the relay's messages pile up. */
+  /** Stops reading, so that the relay's messages are buffered. */
   pause(): void {
     this.#socket.pause();
   }

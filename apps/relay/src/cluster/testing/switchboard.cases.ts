@@ -1,4 +1,4 @@
-/** What every switchboard must do, whatever its lines are made of. */
+/** Test cases for every implementation of the message bus. */
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it, vi } from "vitest";
 import { CarriedSnapshot } from "../../sessions/carried-snapshot.ts";
@@ -16,8 +16,8 @@ export interface TestRelay {
   switchboard: Switchboard;
 }
 
-/** One relay's place on a line, with all that it has heard. */
-export async function placeOf({ store, switchboard }: TestRelay, robot = ID) {
+/** Subscribes one relay and records all that it receives. */
+export async function subscribe({ store, switchboard }: TestRelay, robot = ID) {
   const steps: string[] = [];
   const heard: News[] = [];
   const missed = vi.fn<() => void>();
@@ -58,19 +58,19 @@ export async function placeOf({ store, switchboard }: TestRelay, robot = ID) {
   };
 }
 
-/** @param open two relays with one store that end with the test */
+/** @param open opens two relays with a shared store, which the test closes */
 export function switchboardCases(name: string, open: () => Promise<[TestRelay, TestRelay]>): void {
   async function withLine() {
     const relays = await open();
     for (const id of [ID, OTHER]) {
       await relays[0].store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
     }
-    const [a, b] = [await placeOf(relays[0]), await placeOf(relays[1])];
+    const [a, b] = [await subscribe(relays[0]), await subscribe(relays[1])];
     return { relays, a, b };
   }
 
-  describe(`${name}: lines between relays`, () => {
-    it("tells everyone the steps in the same order, and whose they are", async () => {
+  describe(`${name}: channels between relays`, () => {
+    it("delivers steps to all in the same order, with their origin", async () => {
       const { a, b } = await withLine();
       await a.add();
       const epoch = await b.take();
@@ -83,9 +83,9 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
       expect(a.missed).not.toHaveBeenCalled();
     });
 
-    it("tells news to the others, and of this robot only", async () => {
+    it("delivers messages to the others, for this robot only", async () => {
       const { relays, a, b } = await withLine();
-      const elsewhere = await placeOf(relays[1], OTHER);
+      const elsewhere = await subscribe(relays[1], OTHER);
       b.line.tell({ kind: "here", from: "b", scripts, asks: true });
       await vi.waitFor(() =>
         expect(a.heard).toMatchObject([{ kind: "here", scripts, asks: true }]),
@@ -106,12 +106,12 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
       expect([a.heard.length, elsewhere.heard]).toEqual([1, []]);
     });
 
-    it("says where the page is, to those who come later as well, and when it left", async () => {
+    it("reports which relay owns the page, also to later subscribers, and when it left", async () => {
       const { relays, a, b } = await withLine();
       const epoch = await a.take();
       await vi.waitFor(() => expect(b.heard).toMatchObject([{ kind: "page", epoch }]));
       b.line.leave();
-      const later = await placeOf(relays[1]);
+      const later = await subscribe(relays[1]);
       expect(later.heard).toMatchObject([{ kind: "page", epoch }]);
       a.line.tell({ kind: "page-left", epoch, saidGoodbye: true });
       await vi.waitFor(() =>
@@ -119,13 +119,13 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
       );
     });
 
-    it("is silent to who has left", async () => {
+    it("delivers nothing after leaving", async () => {
       const { a, b } = await withLine();
       b.line.leave();
       a.line.tell({ kind: "cancel", seq: 3, why: "sender" });
       await a.add();
       await a.deliver(await a.take());
-      // That a command came may go unsaid where nobody else is on the line.
+      // A bus without other subscribers may skip the publication of new commands.
       await vi.waitFor(() => expect(a.steps.at(-1)).toBe("1 delivered (own)"));
       expect([b.heard, b.steps]).toEqual([[], []]);
     });

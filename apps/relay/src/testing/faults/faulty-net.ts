@@ -1,45 +1,54 @@
-/** Lines between clients and a relay that are slow and break: what is on its way then is lost. */
+/**
+ * Slow and unreliable connections between clients and a relay. Messages in transit are lost when a
+ * connection breaks.
+ */
 import type { SocketEvents, SocketPort } from "@corridor/protocol";
-import type { Dice } from "./dice.ts";
+import type { SeededRandom } from "./seeded-random.ts";
 import type { FaultyRelay } from "./faulty-relay.ts";
 import type { VirtualTime } from "./virtual-time.ts";
 
-/** Half of what a command may be late by: it crosses two lines. */
-const SLOWEST_MS = 40;
+/** Half of the tolerated lateness of a command, which crosses two connections. */
+const MAX_DELAY_MS = 40;
 
 export type Tap = (direction: "up" | "down", text: string) => void;
 
 export class FaultyNet {
   isUp = true;
   readonly #time: VirtualTime;
-  readonly #dice: Dice;
+  readonly #random: SeededRandom;
   readonly #relay: () => FaultyRelay;
   readonly #robot: string;
   readonly #tap: Tap;
   readonly #breaks = new Set<() => void>();
   #heldUntil = 0;
 
-  /** @param tap is told of all that a client sends and gets */
-  constructor(time: VirtualTime, dice: Dice, relay: () => FaultyRelay, robot: string, tap: Tap) {
+  /** @param tap receives all that a client sends and receives */
+  constructor(
+    time: VirtualTime,
+    random: SeededRandom,
+    relay: () => FaultyRelay,
+    robot: string,
+    tap: Tap,
+  ) {
     this.#time = time;
-    this.#dice = dice;
+    this.#random = random;
     this.#relay = relay;
     this.#robot = robot;
     this.#tap = tap;
   }
 
-  /** Breaks all lines. Each side learns of it in its own time. */
+  /** Breaks all connections. Each side detects it after its own delay. */
   cut(): void {
-    for (const breakLine of this.#breaks) breakLine();
+    for (const breakConnection of this.#breaks) breakConnection();
   }
 
-  /** Holds up all that is sent for so long; nothing is lost. */
+  /** Delays all messages for `ms` without loss. */
   holdUp(ms: number): void {
     this.#heldUntil = this.#time.now() + ms;
   }
 
-  /** @param told is told what the relay says, in the moment in which it does */
-  connect(events: SocketEvents, told: (text: string) => void = () => undefined): SocketPort {
+  /** @param onSent receives each message of the relay when it is sent */
+  connect(events: SocketEvents, onSent: (text: string) => void = () => undefined): SocketPort {
     const time = this.#time;
     const relay = this.#relay();
     let isClientOpen = true;
@@ -48,28 +57,28 @@ export class FaultyNet {
     const end = { client: false, relay: false };
     const up = this.#direction();
     const down = this.#direction();
-    const tellClient = (code: number): void => {
+    const closeClient = (code: number): void => {
       if (end.client) return;
       end.client = true;
       isClientOpen = false;
       events.closed(code);
     };
-    const tellRelay = (saidGoodbye: boolean): void => {
+    const closeRelay = (isClosedByClient: boolean): void => {
       if (end.relay || !isRelayOpen) return;
       end.relay = true;
       isRelayOpen = false;
-      gate.closed(saidGoodbye);
+      relaySide.closed(isClosedByClient);
     };
-    const breakLine = (): void => {
+    const breakConnection = (): void => {
       if (isBroken) return;
       isBroken = true;
-      this.#breaks.delete(breakLine);
-      time.after(this.#dice.between(0, 150), () => tellClient(1006));
-      time.after(this.#dice.between(0, 400), () => tellRelay(false));
+      this.#breaks.delete(breakConnection);
+      time.after(this.#random.between(0, 150), () => closeClient(1006));
+      time.after(this.#random.between(0, 400), () => closeRelay(false));
     };
-    const gate = relay.accept(this.#robot, {
+    const relaySide = relay.accept(this.#robot, {
       send: (text) => {
-        told(text);
+        onSent(text);
         down(() => {
           if (isBroken || end.client) return;
           this.#tap("down", text);
@@ -79,8 +88,8 @@ export class FaultyNet {
       close: (code) =>
         down(() => {
           if (isBroken) return;
-          tellClient(code);
-          tellRelay(false);
+          closeClient(code);
+          closeRelay(false);
         }),
       get isOpen() {
         return isRelayOpen;
@@ -88,7 +97,7 @@ export class FaultyNet {
       waitingBytes: 0,
     });
     if (this.isUp && relay.isAlive) {
-      this.#breaks.add(breakLine);
+      this.#breaks.add(breakConnection);
       up(() => {
         if (isBroken || !isClientOpen) return;
         isRelayOpen = true;
@@ -96,22 +105,22 @@ export class FaultyNet {
       });
     } else {
       isBroken = true;
-      time.after(5, () => tellClient(1006));
+      time.after(5, () => closeClient(1006));
     }
     return {
       send: (text) => {
         if (!isClientOpen) return;
         this.#tap("up", text);
         up(() => {
-          if (!isBroken && isRelayOpen) gate.received(text);
+          if (!isBroken && isRelayOpen) relaySide.received(text);
         });
       },
       close: () => {
         isClientOpen = false;
         end.client = true;
-        // Where it is broken, the relay finds that out by itself.
+        // If the connection is broken, the relay detects that itself.
         up(() => {
-          if (!isBroken) tellRelay(true);
+          if (!isBroken) closeRelay(true);
         });
       },
       get isOpen() {
@@ -121,11 +130,11 @@ export class FaultyNet {
     };
   }
 
-  /** One direction of a line: slow, and in order. */
+  /** One direction of a connection: delayed, in order. */
   #direction(): (arrive: () => void) => void {
     let latest = 0;
     return (arrive) => {
-      const soon = this.#time.now() + this.#dice.between(1, SLOWEST_MS);
+      const soon = this.#time.now() + this.#random.between(1, MAX_DELAY_MS);
       const at = Math.max(latest, soon, this.#heldUntil);
       latest = at;
       this.#time.after(at - this.#time.now(), arrive);

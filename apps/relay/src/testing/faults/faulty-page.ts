@@ -1,4 +1,6 @@
-/** A page that is the robot, as its worker is: host, link, run and driver, with the tab's storage. */
+/**
+ * A page that hosts the robot, like its worker: host, link, run and driver, with the tab's storage.
+ */
 import type { Platform } from "../../../../../packages/client/src/platform.ts";
 import type { SocketEvents, SocketPort } from "@corridor/protocol";
 import {
@@ -11,11 +13,11 @@ import { RunLoop } from "../../../../web/src/worker/run-loop.ts";
 import type { RemoteSession } from "../../../../web/src/worker/worker-messages.ts";
 import type { VirtualTime } from "./virtual-time.ts";
 
-const nothing = (): void => undefined;
+const noop = (): void => undefined;
 const INTERVAL_MS = 16;
 const SNAPSHOT_MS = 250;
 
-/** What a tab keeps over reloads. */
+/** What a tab retains across reloads. */
 export interface Tab {
   session: RemoteSession;
 }
@@ -31,15 +33,15 @@ export class FaultyPage {
   readonly #options: PageOptions;
   readonly #loop: RunLoop;
   readonly #host: RemoteHost;
-  /** settled once it has begun to open its first line */
+  /** resolves when it starts to open its first connection */
   readonly opening: Promise<void>;
   #opened: () => void = () => undefined;
   #isAlive = true;
   #socket: SocketPort | null = null;
   #shownAt = 0;
   #thawsAt = 0;
-  /** what came while it was frozen */
-  #unheard: (() => void)[] = [];
+  /** events that arrived while it was frozen */
+  #queued: (() => void)[] = [];
 
   constructor(options: PageOptions) {
     this.#options = options;
@@ -76,21 +78,21 @@ export class FaultyPage {
     });
     this.#loop.setDriver("remote");
     this.#host.open(tab.session, true);
-    // What opens the line comes in a file of its own, which takes as long as it takes.
+    // The connection module loads asynchronously.
     void time.during(() => this.opening);
     this.#turn();
   }
 
   /**
-   * The tab goes, in the midst of whatever it does.
-   * @param saysGoodbye its browser closes the line
+   * Closes the tab at any point of its work.
+   * @param isClosed the browser closes the connection
    */
-  leave(saysGoodbye = false): void {
+  leave(isClosed = false): void {
     this.#isAlive = false;
-    if (saysGoodbye) this.#socket?.close(1001, "");
+    if (isClosed) this.#socket?.close(1001, "");
   }
 
-  /** Stands still for so long; what comes meanwhile waits, and is heard first. */
+  /** Freezes the page. Events that arrive meanwhile are queued and handled first. */
   freeze(ms: number): void {
     this.#thawsAt = Math.max(this.#thawsAt, this.#options.time.now() + ms);
   }
@@ -99,12 +101,12 @@ export class FaultyPage {
     return this.#isAlive;
   }
 
-  /** What a page that is gone would have heard and said is nobody's. */
+  /** Events for a closed page are discarded. */
   #connect(url: string, events: SocketEvents): SocketPort {
     this.#opened();
-    if (!this.#isAlive) return { send: nothing, close: nothing, isOpen: false, waitingBytes: 0 };
+    if (!this.#isAlive) return { send: noop, close: noop, isOpen: false, waitingBytes: 0 };
     const ifAlive = (tell: () => void): void => {
-      if (this.#options.time.now() < this.#thawsAt) this.#unheard.push(() => ifAlive(tell));
+      if (this.#options.time.now() < this.#thawsAt) this.#queued.push(() => ifAlive(tell));
       else if (this.#isAlive) tell();
     };
     this.#socket = this.#options.platform.connect(url, {
@@ -122,9 +124,9 @@ export class FaultyPage {
       time.after(this.#thawsAt - time.now(), () => this.#turn());
       return;
     }
-    const unheard = this.#unheard;
-    this.#unheard = [];
-    for (const hear of unheard) hear();
+    const queued = this.#queued;
+    this.#queued = [];
+    for (const hear of queued) hear();
     this.#loop.advance();
     this.#loop.takeNews();
     this.#loop.takeTimeline();

@@ -1,4 +1,4 @@
-/** A relay without sockets, on a real SQLite file, that can be killed at any moment and started again. */
+/** A relay without sockets, on a real SQLite file, that can be killed and restarted at any time. */
 import { decodeFrame, helloSchema, type SocketPort } from "@corridor/protocol";
 import { pino } from "pino";
 import type { Clock } from "../../clock.ts";
@@ -7,7 +7,7 @@ import type { Line, Switchboard } from "../../cluster/switchboard.ts";
 import type { Conversation } from "../../gateways/conversation.ts";
 import { DriverConversation } from "../../gateways/driver-conversation.ts";
 import { PageConversation } from "../../gateways/page-conversation.ts";
-import type { ReaderLine } from "../../gateways/reader-line.ts";
+import type { ReaderConnection } from "../../gateways/reader-connection.ts";
 import { SessionHub } from "../../sessions/session-hub.ts";
 import { verbOfRole } from "../../sessions/rights.ts";
 import { SqliteFile } from "../../store/sqlite-file.ts";
@@ -16,8 +16,8 @@ import type { VirtualTime } from "./virtual-time.ts";
 
 const noBallast = { hold: () => true, giveUp: () => false };
 
-/** What outlives a relay: its database, and the lines to others that share it. */
-export class Backing {
+/** What survives a relay: its database, and the message bus to other relays. */
+export class Backend {
   readonly store: SqliteStore;
   readonly switchboard = new LocalSwitchboard();
 
@@ -33,7 +33,7 @@ export class FaultyRelay {
   readonly #lines: Line[] = [];
   #isAlive = true;
 
-  constructor({ store, switchboard }: Backing, time: VirtualTime) {
+  constructor({ store, switchboard }: Backend, time: VirtualTime) {
     this.#time = time;
     const clock: Clock = {
       now: () => time.now(),
@@ -44,8 +44,8 @@ export class FaultyRelay {
           call();
         }),
     };
-    this.store = watched(store, time, () => this.#isAlive);
-    const lines = { switchboard: this.#mortal(switchboard) };
+    this.store = withVirtualTime(store, time, () => this.#isAlive);
+    const lines = { switchboard: this.#whileAlive(switchboard) };
     this.hub = new SessionHub(this.store, clock, pino({ level: "silent" }), lines);
   }
 
@@ -53,14 +53,17 @@ export class FaultyRelay {
     return this.#isAlive;
   }
 
-  /** Nothing is said and done any more; what is in the file stays, and others find it gone. */
+  /** Stops all activity. The file remains, and other relays see it disconnect. */
   kill(): void {
     this.#isAlive = false;
     for (const line of this.#lines) line.leave();
   }
 
-  /** Lines on which a dead relay is deaf. What its last step has changed is told: the store does that. */
-  #mortal(switchboard: Switchboard): Switchboard {
+  /**
+   * A message bus that delivers nothing to a dead relay. The changes of its last step are still
+   * published, because the store publishes them.
+   */
+  #whileAlive(switchboard: Switchboard): Switchboard {
     return {
       join: async (robot, ears) => {
         const line = await switchboard.join(robot, {
@@ -75,18 +78,18 @@ export class FaultyRelay {
     };
   }
 
-  /** Somebody connects. @returns what to do with each message, and with the end of the line */
+  /** Accepts a connection. @returns handlers for its messages and its end */
   accept(robot: string, port: SocketPort) {
     let conversation: Conversation | null = null;
     let isClosed = false;
     let work: Promise<void> = Promise.resolve();
-    const line: ReaderLine = {
+    const connection: ReaderConnection = {
       door: "websocket",
       flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
       send: (...texts) => {
         for (const text of texts) if (this.#isAlive) port.send(text);
       },
-      pass: ({ message }) => {
+      sendSnapshot: ({ message }) => {
         if (this.#isAlive) port.send(message.toString());
       },
       close: (code, reason) => {
@@ -97,59 +100,64 @@ export class FaultyRelay {
       },
       waitingBytes: 0,
     };
-    const greet = async (text: string): Promise<void> => {
+    const authenticate = async (text: string): Promise<void> => {
       const hello = decodeFrame(helloSchema, text);
-      if (!hello.ok) throw new Error("The client did not say hello.");
+      if (!hello.ok) throw new Error("The first message of the client is not a hello.");
       const { role, key, since = null, sentAt } = hello.value;
       const grant = await this.hub.authorise(robot, key, verbOfRole[role]);
       if (isClosed) return;
       conversation =
         role === "own"
-          ? new PageConversation(grant, line)
+          ? new PageConversation(grant, connection)
           : new DriverConversation({
               grant,
-              line,
+              connection,
               since,
               sentAt,
               clock: this.hub.clock,
-              refused: () => undefined,
+              onRefusal: () => undefined,
             });
     };
     return {
       received: (text: string): void => {
         if (!this.#isAlive) return;
         this.#time.touch();
-        // Like the gateway: what a dead relay was about to do fails without a word.
-        const heard = conversation === null ? work.then(() => greetOrHear(text)) : hear(text);
-        work = heard.catch((error: unknown) => {
+        // As in the gateway, pending work of a dead relay fails silently.
+        const handled =
+          conversation === null ? work.then(() => authenticateOrReceive(text)) : receive(text);
+        work = handled.catch((error: unknown) => {
           if (this.#isAlive) throw error;
         });
       },
-      closed: (saidGoodbye: boolean): void => {
+      closed: (isClosedByClient: boolean): void => {
         isClosed = true;
         if (!this.#isAlive) return;
         this.#time.touch();
-        conversation?.closed(saidGoodbye);
+        conversation?.closed(isClosedByClient);
       },
     };
 
-    async function greetOrHear(text: string): Promise<void> {
-      if (conversation === null) return greet(text);
-      return hear(text);
+    async function authenticateOrReceive(text: string): Promise<void> {
+      if (conversation === null) return authenticate(text);
+      return receive(text);
     }
-    async function hear(text: string): Promise<void> {
+    async function receive(text: string): Promise<void> {
       await conversation?.received(Buffer.from(text));
     }
   }
 }
 
-/** The store; time stands still while it works, and a dead relay gets nothing from it. */
-function watched(store: SqliteStore, time: VirtualTime, isAlive: () => boolean): SqliteStore {
+/** The store. Virtual time stands still during its steps, and a dead relay gets no results. */
+function withVirtualTime(
+  store: SqliteStore,
+  time: VirtualTime,
+  isAlive: () => boolean,
+): SqliteStore {
   return new Proxy(store, {
     get(target, name) {
       const part: unknown = Reflect.get(target, name);
       if (typeof part !== "function") return part;
-      // It works on nothing: it is answered at once.
+      // Synchronous, so it needs no waiting.
       if (name === "hasAll") return part.bind(target) as unknown;
       return (...values: unknown[]) =>
         time.during(async () => {

@@ -1,6 +1,6 @@
 /**
- * A script, a relay and a page, linked by lines that break, in a time of their own. What happens is
- * chance, and the same for the same seed: commands, cuts, kills of the relay, reloads of the page, second pages.
+ * A script, a relay and a page on unreliable connections, in virtual time. Events are random and
+ * repeatable by seed: commands, disconnections, relay crashes, page reloads, second pages.
  */
 import { join } from "node:path";
 import { setImmediate as turn } from "node:timers/promises";
@@ -13,24 +13,24 @@ import {
   type Registration,
 } from "@corridor/protocol";
 import { RobotClient } from "../../../../../packages/client/src/robot-client.ts";
-import { Dice } from "./dice.ts";
+import { SeededRandom } from "./seeded-random.ts";
 import { FaultyNet, type Tap } from "./faulty-net.ts";
 import { FaultyPage, type Tab } from "./faulty-page.ts";
-import { Backing, FaultyRelay } from "./faulty-relay.ts";
+import { Backend, FaultyRelay } from "./faulty-relay.ts";
 import { History } from "./history.ts";
 import { VirtualTime } from "./virtual-time.ts";
 
-/** Long ones hide what short ones show. */
+/** Mostly short, because long values hide faults. */
 const TTLS = [400, 400, 2_000, 10_000];
-/** A command crosses two lines, and the robot looks at its clock at each step. */
+/** A command crosses two connections, and the robot checks its clock on each step. */
 const TOLERANCE_MS = 120;
-/** After which no command waits any more, and every client has come back. */
-const HEALING_MS = 30_000;
+/** After this time no command waits, and every client has reconnected. */
+const RECOVERY_MS = 30_000;
 
 export class FaultyWorld {
   readonly #time = new VirtualTime();
-  readonly #dice: Dice;
-  readonly #backing: Backing;
+  readonly #random: SeededRandom;
+  readonly #backend: Backend;
   readonly #history = new History(TOLERANCE_MS);
   readonly #registration: Registration;
   /** of the newest page */
@@ -41,27 +41,27 @@ export class FaultyWorld {
   readonly #relays: FaultyRelay[] = [];
   #page: FaultyPage | null = null;
   #pages = 0;
-  /** the page that a relay has given the robot last: only what that one does the robot has done */
+  /** the page that last acquired the robot; only its actions count */
   #robot = 0;
-  /** earlier pages, which have not left */
+  /** earlier pages that are still open */
   readonly #others: FaultyPage[] = [];
   #script: RobotClient | null = null;
   #keys = 0;
 
-  private constructor(seed: number, backing: Backing, robot: Registration) {
-    this.#dice = new Dice(seed);
-    this.#backing = backing;
+  private constructor(seed: number, backend: Backend, robot: Registration) {
+    this.#random = new SeededRandom(seed);
+    this.#backend = backend;
     this.#registration = robot;
     this.#tab = { session: { ...robot, lastApplied: 0 } };
     const net = (tap: Tap): FaultyNet =>
-      new FaultyNet(this.#time, this.#dice, () => this.#anyRelay(), robot.id, tap);
+      new FaultyNet(this.#time, this.#random, () => this.#anyRelay(), robot.id, tap);
     this.#pageNet = net(() => undefined);
     this.#scriptNet = net((direction, text) => this.#tapScript(direction, text));
   }
 
   /**
    * @param folder for the database
-   * @param relays how many share it
+   * @param relays number of relays that share it
    */
   static async run(
     seed: number,
@@ -69,16 +69,16 @@ export class FaultyWorld {
     steps: number,
     relays: 1 | 2 = 1,
   ): Promise<string[]> {
-    const backing = new Backing(join(folder, `${seed}-${relays}.sqlite`));
+    const backend = new Backend(join(folder, `${seed}-${relays}.sqlite`));
     const time = new VirtualTime();
-    const first = new FaultyRelay(backing, time);
+    const first = new FaultyRelay(backend, time);
     const robot = await first.hub.register("10.0.0.1", "http://robots.example");
     first.kill();
-    const world = new FaultyWorld(seed, backing, robot);
-    return world.#live(steps, relays);
+    const world = new FaultyWorld(seed, backend, robot);
+    return world.#simulate(steps, relays);
   }
 
-  async #live(steps: number, relays: number): Promise<string[]> {
+  async #simulate(steps: number, relays: number): Promise<string[]> {
     for (let n = 0; n < relays; n++) this.#startRelay(n);
     this.#loadPage();
     const connecting = RobotClient.connect(this.#registration.address, {
@@ -89,60 +89,60 @@ export class FaultyWorld {
     await this.#time.pass(500);
     this.#script = await connecting;
     for (let n = 0; n < steps; n++) await this.#step();
-    await this.#heal();
-    const stored = await this.#backing.store.commandsAfter(this.#registration.id, 0, 10_000);
+    await this.#recover();
+    const stored = await this.#backend.store.commandsAfter(this.#registration.id, 0, 10_000);
     this.#script.close();
     for (const page of [this.#page, ...this.#others]) page?.leave();
     for (const relay of this.#relays) relay.kill();
     await turn();
-    await this.#backing.store.close();
+    await this.#backend.store.close();
     return this.#history.check(stored).map(({ words }) => words);
   }
 
   async #step(): Promise<void> {
-    const dice = this.#dice;
-    const chance = dice.next();
+    const random = this.#random;
+    const chance = random.next();
     if (chance < 0.4) this.#command();
-    else if (chance < 0.43) this.#takeBack();
+    else if (chance < 0.43) this.#cancel();
     else if (chance < 0.46) this.#pageNet.cut();
     else if (chance < 0.49) this.#scriptNet.cut();
-    else if (chance < 0.51) this.#breakFor(this.#pageNet, dice.between(50, 3_000));
-    else if (chance < 0.53) this.#breakFor(this.#scriptNet, dice.between(50, 3_000));
+    else if (chance < 0.51) this.#breakFor(this.#pageNet, random.between(50, 3_000));
+    else if (chance < 0.53) this.#breakFor(this.#scriptNet, random.between(50, 3_000));
     else if (chance < 0.55) this.#killRelay();
     else if (chance < 0.57) this.#loadPage();
-    else if (chance < 0.58) this.#page?.freeze(dice.between(100, 6_000));
-    else if (chance < 0.59) this.#pageNet.holdUp(dice.between(100, 4_000));
+    else if (chance < 0.58) this.#page?.freeze(random.between(100, 6_000));
+    else if (chance < 0.59) this.#pageNet.holdUp(random.between(100, 4_000));
     else if (chance < 0.592) this.#breakFor(this.#pageNet, 125_000);
     else if (chance < 0.61) this.#openSecondPage();
-    await this.#time.pass(dice.isLucky(0.9) ? dice.between(0, 150) : dice.between(150, 2_000));
+    await this.#time.pass(random.chance(0.9) ? random.between(0, 150) : random.between(150, 2_000));
   }
 
   #command(): void {
     const script = this.#script;
     if (script === null) return;
-    const dice = this.#dice;
-    const wish = { ttl: dice.pick(TTLS), replace: dice.isLucky(0.08) };
-    const send = dice.pick([
-      () => script.move(dice.between(-60, 90), wish),
-      () => script.move(dice.between(5, 30), wish),
-      () => script.turn(dice.between(-90, 90), wish),
-      () => script.left90(wish),
-      () => script.forward(wish),
-      () => script.drive(0.2, 0.3, undefined, wish),
-      () => script.drive(0.2, -0.2, 300, wish),
-      () => (dice.isLucky(0.3) ? script.stop(wish) : script.right90(wish)),
+    const random = this.#random;
+    const terms = { ttl: random.pick(TTLS), replace: random.chance(0.08) };
+    const send = random.pick([
+      () => script.move(random.between(-60, 90), terms),
+      () => script.move(random.between(5, 30), terms),
+      () => script.turn(random.between(-90, 90), terms),
+      () => script.left90(terms),
+      () => script.forward(terms),
+      () => script.drive(0.2, 0.3, undefined, terms),
+      () => script.drive(0.2, -0.2, 300, terms),
+      () => (random.chance(0.3) ? script.stop(terms) : script.right90(terms)),
     ]);
-    // How it ended is checked against what the store has.
+    // The history compares its ending with the store.
     send().catch(() => undefined);
     this.#time.touch();
   }
 
-  #takeBack(): void {
+  #cancel(): void {
     const relay = this.#anyRelay();
     if (!relay.isAlive) return;
     const { hub } = relay;
     const { id, driverKey } = this.#registration;
-    const back = this.#dice.between(0, 4);
+    const back = this.#random.between(0, 4);
     this.#time.touch();
     void (async () => {
       const { session, key } = await hub.authorise(id, driverKey, "command");
@@ -166,34 +166,34 @@ export class FaultyWorld {
     relay.kill();
     this.#pageNet.cut();
     this.#scriptNet.cut();
-    this.#time.after(this.#dice.between(20, 1_500), () => this.#startRelay(n));
+    this.#time.after(this.#random.between(20, 1_500), () => this.#startRelay(n));
   }
 
   #startRelay(n: number): void {
     if (this.#relays[n]?.isAlive === true) return;
-    this.#relays[n] = new FaultyRelay(this.#backing, this.#time);
+    this.#relays[n] = new FaultyRelay(this.#backend, this.#time);
   }
 
-  /** The one that a balancer happens to choose. */
+  /** A random live relay, as a load balancer would choose. */
   #anyRelay(): FaultyRelay {
     const alive = this.#relays.filter(({ isAlive }) => isAlive);
     const [only] = this.#relays;
     if (only === undefined) throw new Error("there is no relay yet");
     if (this.#relays.length === 1 || alive.length === 0) return only;
-    return this.#dice.pick(alive);
+    return this.#random.pick(alive);
   }
 
   #loadPage(): void {
     if (this.#page !== null) {
-      const saysGoodbye = this.#pages % 2 === 0;
-      this.#page.leave(saysGoodbye);
+      const isClosed = this.#pages % 2 === 0;
+      this.#page.leave(isClosed);
       this.#history.left(this.#pages);
-      if (!saysGoodbye) this.#pageNet.cut();
+      if (!isClosed) this.#pageNet.cut();
     }
     this.#openPage();
   }
 
-  /** The tab is doubled, with all that it keeps. */
+  /** Duplicates the tab with its storage. */
   #openSecondPage(): void {
     if (this.#page !== null) this.#others.push(this.#page);
     this.#tab = { session: { ...this.#tab.session } };
@@ -203,13 +203,13 @@ export class FaultyWorld {
   #openPage(): void {
     const number = ++this.#pages;
     const net = this.#pageNet;
-    const told = (text: string): void => {
+    const onSent = (text: string): void => {
       if (text.startsWith('{"type":"welcome"')) this.#robot = number;
     };
     const page: FaultyPage = new FaultyPage({
       tab: this.#tab,
       time: this.#time,
-      platform: { ...this.#platform(net), connect: (_url, events) => net.connect(events, told) },
+      platform: { ...this.#platform(net), connect: (_url, events) => net.connect(events, onSent) },
       did: (seq, what) => {
         if (number === this.#robot && page.isAlive) {
           this.#history.did({ seq, what, page: number, at: this.#time.now() });
@@ -219,11 +219,11 @@ export class FaultyWorld {
     this.#page = page;
   }
 
-  async #heal(): Promise<void> {
+  async #recover(): Promise<void> {
     this.#pageNet.isUp = true;
     this.#scriptNet.isUp = true;
     for (const n of this.#relays.keys()) this.#startRelay(n);
-    await this.#time.pass(HEALING_MS);
+    await this.#time.pass(RECOVERY_MS);
   }
 
   #tapScript(direction: "up" | "down", text: string): void {
@@ -238,16 +238,16 @@ export class FaultyWorld {
     }
     const read = decodeFrame(relayToDriverSchema, text);
     if (!read.ok) return;
-    const told = read.value as { type: string; record: CommandRecord };
-    if (told.type === "ack") this.#history.acknowledged(told.record);
-    if (told.type === "state") this.#history.told(told.record);
+    const onSent = read.value as { type: string; record: CommandRecord };
+    if (onSent.type === "ack") this.#history.acknowledged(onSent.record);
+    if (onSent.type === "state") this.#history.told(onSent.record);
   }
 
   #platform(net: FaultyNet) {
     return {
       connect: (_url: string, events: Parameters<FaultyNet["connect"]>[0]) => net.connect(events),
       clock: this.#time,
-      random: () => this.#dice.next(),
+      random: () => this.#random.next(),
       uniqueText: () => `key-${String((this.#keys += 1)).padStart(8, "0")}`,
     };
   }

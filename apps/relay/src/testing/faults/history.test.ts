@@ -5,7 +5,7 @@ import { History, type FaultKind } from "./history.ts";
 const TTL = 400;
 const TOLERANCE = 100;
 
-/** Three commands that a script sent and the robot did, as the story tells it. */
+/** A history in which a script sends three commands and the robot executes them. */
 class Story {
   readonly history = new History(TOLERANCE);
   readonly stored: CommandRecord[] = [];
@@ -37,7 +37,7 @@ class Story {
     return { seq, key, action: command.action, command, state, acceptedAt, ...nothing };
   }
 
-  /** Changes what the store has of a command. */
+  /** Changes the stored record of a command. */
   stores(seq: number, change: Partial<CommandRecord>): void {
     const record = this.stored[seq - 1];
     if (record !== undefined) this.stored[seq - 1] = { ...record, ...change };
@@ -52,19 +52,19 @@ class Story {
   }
 }
 
-describe("histories that agree", () => {
-  it("have no faults", () => {
+describe("a consistent history", () => {
+  it("has no faults", () => {
     expect(new Story().faults()).toEqual([]);
   });
 
-  it("may have a start that is late by less than the tolerance", () => {
+  it("may contain a start that is late by less than the tolerance", () => {
     const story = new Story(0);
     story.history.tried("key-1", { sender: "script", at: -TTL - TOLERANCE + 10, ttl: TTL });
     story.command(1);
     expect(story.faults()).toEqual([]);
   });
 
-  it("may have a start that is late by what the try that was taken was on its way", () => {
+  it("may contain a start that is late by the transit time of the accepted attempt", () => {
     const story = new Story(0);
     story.history.tried("key-1", { sender: "script", at: -800, ttl: TTL });
     story.stored.push(story.record(1, "completed"));
@@ -73,7 +73,7 @@ describe("histories that agree", () => {
     expect(story.history.longestWay).toBe(800);
   });
 
-  it("may have a first try that was taken late, though it was tried again meanwhile", () => {
+  it("may contain a first attempt that was accepted late, despite a retry in between", () => {
     const story = new Story(0);
     for (const at of [-800, -500]) {
       story.history.tried("key-1", { sender: "script", at, ttl: TTL });
@@ -87,7 +87,7 @@ describe("histories that agree", () => {
     expect(story.history.longestWay).toBe(800);
   });
 
-  it("may lack the end of what a page had begun when it was reloaded", () => {
+  it("may lack the ending of a command that a page had started before a reload", () => {
     const story = new Story();
     story.history.tried("key-4", { sender: "script", at: 60, ttl: TTL });
     story.did(4, "started");
@@ -100,15 +100,15 @@ describe("histories that agree", () => {
   });
 });
 
-describe("a fault is seen:", () => {
+describe("a fault is detected:", () => {
   it.each<{ name: string; is: FaultKind[]; happens: (story: Story) => void }>([
     {
-      name: "the store has forgotten an acknowledged command",
+      name: "the store has lost an acknowledged command",
       is: ["lost"],
       happens: ({ stored }) => void stored.pop(),
     },
     {
-      name: "a number was never given",
+      name: "a number was never assigned",
       is: ["lost"],
       happens: ({ stored }) => void stored.shift(),
     },
@@ -120,7 +120,7 @@ describe("a fault is seen:", () => {
       },
     },
     {
-      name: "a retry is stored once more, and done once more",
+      name: "a retry is stored and executed again",
       is: ["doubled"],
       happens: (story) => {
         story.did(4, "started");
@@ -129,7 +129,7 @@ describe("a fault is seen:", () => {
       },
     },
     {
-      name: "one number is given to two commands",
+      name: "two commands have one number",
       is: ["doubled", "lost"],
       happens: (story) => story.history.acknowledged(story.record(3, "completed", "key-9")),
     },
@@ -156,8 +156,8 @@ describe("a fault is seen:", () => {
       name: "a script's commands are stored in another order than it sent them",
       is: ["reordered"],
       happens: (story) => {
-        const wish = { sender: "script", at: 60, ttl: TTL };
-        story.history.tried("key-5", wish);
+        const attempt = { sender: "script", at: 60, ttl: TTL };
+        story.history.tried("key-5", attempt);
         story.command(4);
         story.command(5);
       },
@@ -168,7 +168,7 @@ describe("a fault is seen:", () => {
       happens: (story) => story.did(2, "cancelled"),
     },
     {
-      name: "a script is told of two endings",
+      name: "a script receives two endings",
       is: ["ended twice"],
       happens: (story) => {
         story.history.told(story.record(2, "expired"));
@@ -176,17 +176,17 @@ describe("a fault is seen:", () => {
       },
     },
     {
-      name: "the relay ends what the robot has begun",
+      name: "the relay ends a command that the robot has started",
       is: ["ended twice"],
       happens: (story) => story.stores(2, { state: "expired" }),
     },
     {
-      name: "the robot did not do what the store has as done",
+      name: "the robot did not execute a completed command",
       is: ["ended twice"],
       happens: (story) => story.stored.push(story.record(4, "completed")),
     },
     {
-      name: "a command starts after its time",
+      name: "a command starts after its ttl",
       is: ["late"],
       happens: (story) => {
         story.history.tried("key-4", { sender: "script", at: 60, ttl: TTL });
@@ -197,7 +197,7 @@ describe("a fault is seen:", () => {
       },
     },
     {
-      name: "a command that says when it was sent is late by its way",
+      name: "a command with a timestamp is late by its transit time",
       is: ["late"],
       happens: (story) => {
         story.history.tried("key-4", { sender: "script", at: -800, ttl: TTL, isTimed: true });
@@ -207,7 +207,7 @@ describe("a fault is seen:", () => {
       },
     },
     {
-      name: "a retry tells an age that is none of its tries",
+      name: "a retry has an age that matches no attempt",
       is: ["late"],
       happens: (story) => {
         const at = 60;
@@ -222,7 +222,7 @@ describe("a fault is seen:", () => {
       },
     },
     {
-      name: "a retry starts after the time of the first try",
+      name: "a retry starts after the ttl of the first attempt",
       is: ["late"],
       happens: (story) => {
         story.history.tried("key-4", { sender: "script", at: 60, ttl: TTL });

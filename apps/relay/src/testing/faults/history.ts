@@ -1,24 +1,30 @@
-/** What scripts, robot and store have seen of every command, and what must be true of it. */
+/**
+ * Records what scripts, robot and store observe of every command, and checks the required
+ * properties.
+ */
 import { hasEnded, type CommandRecord, type CommandState } from "@corridor/protocol";
 
-interface Deed {
+interface Action {
   seq: number;
-  /** pages that were the robot, one after the other */
+  /** the page that hosted the robot, numbered in order */
   page: number;
   what: CommandState;
   at: number;
 }
 
 interface Try {
-  /** whoever sends one command after the other */
+  /** a client that sends commands sequentially */
   sender: string;
   at: number;
   ttl: number;
-  /** the script says with each try when it was sent: no part of the way may make its command late */
+  /**
+   * the script sends a timestamp with each attempt, so that transit time must not make its command
+   * late
+   */
   isTimed?: boolean;
 }
 
-/** The first try of a command, and when it was tried again. */
+/** The first attempt of a command, and the times of its retries. */
 interface Tries extends Try {
   again: number[];
 }
@@ -32,22 +38,22 @@ export interface Fault {
 }
 
 const CLOCKS_MS = 2;
-/** A try and the age in it are of the same moment, or nearly. */
+/** Maximum difference between an attempt and the age in it. */
 const AGE_MS = 25;
 
 export class History {
-  /** ms after its time to live within which a command may start */
+  /** ms after its ttl within which a command may start */
   readonly #tolerance: number;
-  /** a time of this history as the relay's clock has it */
+  /** converts a time of this history to the relay's clock */
   readonly #wallClock: (at: number) => number;
   #longestWay = 0;
-  /** by number, until when the relay lets it begin, by its clock */
+  /** by number: start deadlines of the relay, by its clock */
   readonly #deadlines = new Map<number, number>();
-  #deeds: Deed[] = [];
-  /** by idempotency key: first try, and what was wished */
+  #actions: Action[] = [];
+  /** by idempotency key: first attempt and its terms */
   readonly #tries = new Map<string, Tries>();
   readonly #acknowledged = new Map<number, CommandRecord>();
-  /** as scripts were told */
+  /** as reported to scripts */
   readonly #endings = new Map<number, CommandState>();
   readonly #faults: Fault[] = [];
 
@@ -56,7 +62,7 @@ export class History {
     this.#wallClock = wallClock;
   }
 
-  /** ms that a try needed to reach the relay, at most: the net, and processes that waited for a processor. */
+  /** Longest transit time of an attempt in ms, including the network and waits for a processor. */
   get longestWay(): number {
     return this.#longestWay;
   }
@@ -70,13 +76,16 @@ export class History {
   acknowledged(record: CommandRecord): void {
     const before = this.#acknowledged.get(record.seq);
     if (before !== undefined && before.key !== record.key) {
-      this.#say("doubled", `${record.seq} was acknowledged to ${before.key} and ${record.key}`);
+      this.#report("doubled", `${record.seq} was acknowledged to ${before.key} and ${record.key}`);
     }
     this.#acknowledged.set(record.seq, record);
     this.told(record);
   }
 
-  /** The relay has given a command to the robot. @param deadline by the relay's clock */
+  /**
+   * Records that the relay has delivered a command to the robot. @param deadline by the relay's
+   * clock
+   */
   given(seq: number, deadline: number): void {
     if (!this.#deadlines.has(seq)) this.#deadlines.set(seq, deadline);
   }
@@ -85,43 +94,46 @@ export class History {
     if (!hasEnded(state)) return;
     const before = this.#endings.get(seq);
     if (before !== undefined && before !== state) {
-      this.#say("ended twice", `${seq} was told as ${before}, then as ${state}`);
+      this.#report("ended twice", `${seq} was told as ${before}, then as ${state}`);
     }
     this.#endings.set(seq, state);
   }
 
-  did(deed: Deed): void {
-    this.#deeds.push(deed);
+  did(deed: Action): void {
+    this.#actions.push(deed);
   }
 
   /**
-   * A page is gone: what it ended without having begun it, and told nobody, it may as well not have had.
-   * @param isKnown whether anybody can know of what it did; the rest went with it
+   * Removes the actions of a closed page that no one can know of: endings without a start, and
+   * unreported actions.
+   * @param isKnown whether anyone can know of an action
    */
   left(page: number, isKnown: (seq: number, at: number) => boolean = () => true): void {
-    this.#deeds = this.#deeds.filter((deed) => deed.page !== page || isKnown(deed.seq, deed.at));
-    const begun = new Set(
-      this.#deeds.flatMap(({ seq, what }) => (what === "started" ? [seq] : [])),
+    this.#actions = this.#actions.filter(
+      (deed) => deed.page !== page || isKnown(deed.seq, deed.at),
     );
-    this.#deeds = this.#deeds.filter((deed) => deed.page !== page || begun.has(deed.seq));
+    const begun = new Set(
+      this.#actions.flatMap(({ seq, what }) => (what === "started" ? [seq] : [])),
+    );
+    this.#actions = this.#actions.filter((deed) => deed.page !== page || begun.has(deed.seq));
   }
 
-  /** What a page has begun, as it is now. */
+  /** Current state of the commands that a page has started. */
   begunBy(page: number): { seq: number; what: CommandState }[] {
     const now = new Map<number, CommandState>();
-    for (const { seq, what, page: by } of this.#deeds) {
+    for (const { seq, what, page: by } of this.#actions) {
       if (by === page && (what === "started" || now.has(seq))) now.set(seq, what);
     }
     return [...now].map(([seq, what]) => ({ seq, what }));
   }
 
-  /** Compares all that was seen with what the store has in the end. */
+  /** Compares the observations with the final content of the store. */
   check(stored: readonly CommandRecord[]): Fault[] {
     stored.forEach(({ seq }, index) => {
-      if (seq !== index + 1) this.#say("lost", `the store lacks ${index + 1}`);
+      if (seq !== index + 1) this.#report("lost", `the store lacks ${index + 1}`);
     });
     for (const { seq, key } of this.#acknowledged.values()) {
-      if (stored[seq - 1]?.key !== key) this.#say("lost", `${seq} was acknowledged and lost`);
+      if (stored[seq - 1]?.key !== key) this.#report("lost", `${seq} was acknowledged and lost`);
     }
     for (const record of stored) this.#checkOne(record);
     this.#checkStored(stored);
@@ -129,21 +141,21 @@ export class History {
     return this.#faults;
   }
 
-  #say(kind: FaultKind, words: string): void {
+  #report(kind: FaultKind, words: string): void {
     this.#faults.push({ kind, words });
   }
 
-  #tryOf(key: string | null): Tries | null {
+  #attemptOf(key: string | null): Tries | null {
     return key === null ? null : (this.#tries.get(key) ?? null);
   }
 
   #checkOne({ seq, key, state, reason, action, acceptedAt }: CommandRecord): void {
-    const deeds = this.#deeds.filter((deed) => deed.seq === seq);
+    const deeds = this.#actions.filter((deed) => deed.seq === seq);
     const starts = deeds.filter(({ what }) => what === "started");
     const ends = deeds.filter(({ what }) => hasEnded(what));
-    const endedTwice = (words: string): void => this.#say("ended twice", `${seq} ${words}`);
-    if (!hasEnded(state)) this.#say("lost", `${seq} never ended: ${state}`);
-    if (starts.length > 1) this.#say("doubled", `${seq} started ${starts.length} times`);
+    const endedTwice = (words: string): void => this.#report("ended twice", `${seq} ${words}`);
+    if (!hasEnded(state)) this.#report("lost", `${seq} never ended: ${state}`);
+    if (starts.length > 1) this.#report("doubled", `${seq} started ${starts.length} times`);
     if (ends.length > 1) {
       endedTwice(`ended as ${ends.map(({ what, page }) => `${what} (page ${page})`).join(", ")}`);
     }
@@ -151,11 +163,11 @@ export class History {
     if (told !== undefined && told !== state) endedTwice(`is ${state} and was told as ${told}`);
     const [start] = starts;
     const [end] = ends;
-    // A stop is done by the link, before the driver could tell.
+    // The link executes a stop before the driver can report it.
     const isDone = action !== "stop" && (state === "completed" || state === "collided");
     if (isDone && end?.what !== state) endedTwice(`is ${state}, the robot says ${end?.what}`);
     if (state === "expired" && start !== undefined) endedTwice("expired and was started");
-    // The relay writes these for what no robot has.
+    // The relay writes these reasons only for commands that no robot has.
     const byRelay = /^(stopped|replaced) by command|^Its script cancelled it before/.test(
       reason ?? "",
     );
@@ -164,45 +176,46 @@ export class History {
     if (end !== undefined && end.what !== state && !isLost) {
       endedTwice(`is ${state} (${reason}), the robot ended it as ${end.what}`);
     }
-    const wish = this.#tryOf(key);
+    const wish = this.#attemptOf(key);
     if (start !== undefined && wish !== null) {
-      const wayOf = (): number =>
-        this.#wayOf(wish, Date.parse(acceptedAt), this.#deadlines.get(seq));
-      const way = wish.isTimed === true ? 0 : wayOf();
+      const transitOf = (): number =>
+        this.#transitOf(wish, Date.parse(acceptedAt), this.#deadlines.get(seq));
+      const way = wish.isTimed === true ? 0 : transitOf();
       const late = start.at - wish.at - wish.ttl - way;
       if (late > this.#tolerance) {
         const { sender, ttl, again } = wish;
         const terms = `of ${sender}, ttl ${ttl} ms, tried again after ${again.join(", ") || "nothing"} ms`;
-        this.#say("late", `${seq} (${action} ${terms}) started ${Math.round(late)} ms late`);
+        this.#report("late", `${seq} (${action} ${terms}) started ${Math.round(late)} ms late`);
       }
     }
   }
 
   /**
-   * How long the try that the relay took was on its way, which no relay can take off where the script does not say
-   * when it sent it. Which try it was shows the age that the relay has
-   * counted from; where that is the age of none, or not known, it was the newest that it can have been.
+   * Transit time of the attempt that the relay accepted. A relay cannot deduct it unless the script
+   * sends timestamps. The age that the relay used identifies the attempt. If no age matches, the
+   * latest possible attempt counts.
    */
-  #wayOf({ at, again, ttl }: Tries, arrivedAt: number, deadline: number | undefined): number {
+  #transitOf({ at, again, ttl }: Tries, arrivedAt: number, deadline: number | undefined): number {
     const age = deadline === undefined ? NaN : arrivedAt + ttl - deadline;
     const told = [0, ...again].filter((ms) => Math.abs(ms - age) <= AGE_MS);
-    // A try that is older than its time to live is refused: an earlier one was taken, which came after it.
+    // Attempts older than their ttl are rejected, so an earlier attempt was accepted, after this
+    // one.
     const possible = told.length > 0 ? told : [0, ...again.filter((ms) => ms < ttl)];
     const tries = possible.map((ms) => this.#wallClock(at + ms));
-    // Clocks of two processes agree to a millisecond or so.
+    // Clocks of two processes agree to about a millisecond.
     const taken = tries.findLast((tried) => tried <= arrivedAt + CLOCKS_MS) ?? arrivedAt;
     const way = Math.max(0, arrivedAt - taken);
     this.#longestWay = Math.max(this.#longestWay, way);
     return way;
   }
 
-  /** One row for each key, and for each sender the order in which it sent. */
+  /** Checks one record per key, and the order of each sender. */
   #checkStored(stored: readonly CommandRecord[]): void {
     const seqs = new Map<string, number>();
     for (const { key, seq } of stored) {
       if (key === null) continue;
       const before = seqs.get(key);
-      if (before !== undefined) this.#say("doubled", `${seq} is ${before} once more`);
+      if (before !== undefined) this.#report("doubled", `${seq} is ${before} once more`);
       seqs.set(key, seq);
     }
     const last = new Map<string, number>();
@@ -210,16 +223,16 @@ export class History {
       const seq = seqs.get(key);
       if (seq === undefined) continue;
       const before = last.get(sender) ?? 0;
-      if (seq <= before) this.#say("reordered", `${seq} was sent after ${before}`);
+      if (seq <= before) this.#report("reordered", `${seq} was sent after ${before}`);
       last.set(sender, Math.max(before, seq));
     }
   }
 
   #checkOrder(): void {
     let last = 0;
-    for (const { seq, what } of this.#deeds) {
+    for (const { seq, what } of this.#actions) {
       if (what !== "started") continue;
-      if (seq <= last) this.#say("reordered", `${seq} started after ${last}`);
+      if (seq <= last) this.#report("reordered", `${seq} started after ${last}`);
       last = Math.max(last, seq);
     }
   }

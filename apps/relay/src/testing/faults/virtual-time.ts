@@ -1,12 +1,12 @@
-/** Time for a whole world: relay, page and scripts live in the same moment, which moves when it is told to. */
+/** Virtual time shared by relay, page and scripts. It advances only on request. */
 import { setImmediate as turn } from "node:timers/promises";
 
-/** Turns of the event loop without work, after which none is to come: promises hand on within one. */
+/** Idle turns of the event loop after which no promise is pending. Promises continue within one. */
 const IDLE_TURNS = 2;
 
 interface Timer {
   at: number;
-  /** of two timers for the same moment the older one is first */
+  /** tie-breaker of timers with equal time: older first */
   order: number;
   call: () => void;
 }
@@ -16,13 +16,13 @@ export class VirtualTime {
   #order = 0;
   #timers: Timer[] = [];
   #isTouched = false;
-  #atWork = 0;
+  #pending = 0;
 
   now(): number {
     return this.#now;
   }
 
-  /** Calls once after so many ms. @returns a function that calls it off */
+  /** Calls `call` once after `ms` milliseconds. @returns a function that cancels the call */
   after(ms: number, call: () => void): () => void {
     const timer = { at: this.#now + Math.ceil(ms), order: this.#order++, call };
     const place = this.#timers.findLastIndex(({ at }) => at <= timer.at);
@@ -32,40 +32,40 @@ export class VirtualTime {
     };
   }
 
-  /** Something was begun that goes on in promises: the next moment waits for them. */
+  /** Marks the start of asynchronous work. Time advances after it. */
   touch(): void {
     this.#isTouched = true;
   }
 
-  /** The next moment waits for this, too. */
+  /** Runs asynchronous work. Time advances after it. */
   async during<T>(work: () => Promise<T>): Promise<T> {
     this.#isTouched = true;
-    this.#atWork += 1;
+    this.#pending += 1;
     try {
       return await work();
     } finally {
-      this.#atWork -= 1;
+      this.#pending -= 1;
     }
   }
 
   async pass(ms: number): Promise<void> {
     const end = this.#now + ms;
-    await this.#settle();
+    await this.#waitForIdle();
     for (;;) {
       const [due] = this.#timers;
       if (due === undefined || due.at > end) break;
       this.#timers.shift();
       this.#now = Math.max(this.#now, due.at);
       due.call();
-      await this.#settle();
+      await this.#waitForIdle();
     }
     this.#now = end;
   }
 
-  async #settle(): Promise<void> {
+  async #waitForIdle(): Promise<void> {
     if (!this.#isTouched) return;
     for (let idle = 0; idle < IDLE_TURNS; idle++) {
-      if (this.#isTouched || this.#atWork > 0) idle = 0;
+      if (this.#isTouched || this.#pending > 0) idle = 0;
       this.#isTouched = false;
       await turn();
     }

@@ -1,0 +1,146 @@
+/** Texts of the AsyncAPI description. They match docs/protocol.md. */
+import { closeReasons } from "@corridor/protocol";
+import type { MessageKinds } from "./examples.ts";
+
+export const TITLE = "One WebSocket for each page and each script of a robot";
+
+export const DESCRIPTION = `${TITLE}. The first message of the client is \`hello\`, within 5 s. A page then sends \`resume\`.
+The relay responds with \`welcome\`. Each message is one JSON text of at most 16 KiB, \`hello\` of at most 1 KiB. Networks
+that block WebSockets can use the same messages over HTTPS: see \`/line\` in \`/openapi.json\`. For guides, see \`/docs\`.
+
+Lengths are in cm, angles in degrees clockwise from north, x to the right and y downward; times are in ms. A tick is 1/60 s.`;
+
+const SCRIPT_ORDER = `1. Send \`hello\`. The relay responds with \`welcome\`, followed by a \`gap\` if states were missed.
+2. Send \`command\`, any number of times. The relay responds to each with \`ack\` or \`problem\`, identified by its \`key\`.
+   Responses may arrive in another order than the commands.
+3. At any time, receive \`state\` for every command of the robot, numbered without gaps, and \`snapshot\`, which you
+   acknowledge with \`seen\`. The snapshot of an ending arrives before its \`state\`.`;
+
+const PAGE_ORDER = `1. Send \`hello\`, then \`resume\`. The relay responds with one \`welcome\`, after another page has released the
+   robot (\`yield\`, \`yielded\`).
+2. Receive \`command\` and \`stop\`. For each, send \`started\` and \`ended\`, or only \`ended\`. The relay responds to each
+   ending with \`stored\` or \`refused\`. Send the ending again on the next connection until then.
+3. At any time, send \`snapshot\` of the robot, and receive \`drivers\` about once a second.`;
+
+export const CHANNEL = {
+  title: "A robot's WebSocket",
+  summary: "Commands to a robot, and its reports.",
+  description: `Order of messages for a script:
+
+${SCRIPT_ORDER}
+
+Order of messages for a page:
+
+${PAGE_ORDER}
+
+Both receive \`heartbeat\` every 20 s; after 45 s without a message the connection is lost. Reconnect after a random delay
+of up to 0.25 s that doubles up to 10 s, but never exceeds twice the time since the connection was lost.
+
+${closeCodes()}`,
+};
+
+/** Summary and message order of each side. */
+export const OPERATIONS: Readonly<
+  Record<keyof MessageKinds, { summary: string; description: string }>
+> = {
+  script: {
+    summary: "A script authenticates, sends commands, and acknowledges snapshots.",
+    description: SCRIPT_ORDER,
+  },
+  page: {
+    summary: "A page authenticates, reports its progress, and then reports the robot's state.",
+    description: PAGE_ORDER,
+  },
+  toScript: {
+    summary: "A script receives records, states, snapshots and maze changes.",
+    description: SCRIPT_ORDER,
+  },
+  toPage: { summary: "A page receives commands for the robot.", description: PAGE_ORDER },
+};
+
+export const MESSAGE_TEXTS: {
+  [S in keyof MessageKinds]: Readonly<Record<MessageKinds[S]["type"], string>>;
+} = {
+  script: {
+    hello:
+      "The first message, which authenticates the client. `role` is `drive` with a driver key, `watch` with a watch key (or a driver key). " +
+      "`since` is the last state that the script received, STREAM-n, to resume there. `name` is displayed to the robot's owner. `sentAt`: see `command`.",
+    command:
+      "A command. A repeated `key` with the same command returns the first record, so a retry never moves the robot twice. A retry sends its age in " +
+      "`age`. `sentAt`, in each attempt and in `hello`, is the time of the script's monotonic clock. Transit time beyond that of the " +
+      "fastest message of the connection counts towards `ttl`. The relay responds with `ack` or `problem`.",
+    seen:
+      "Acknowledges all messages up to this snapshot, including the one in the welcome. At most 2 unacknowledged snapshots are sent to a " +
+      "script. It is cumulative: send it for each snapshot or for every second one, not less often. For a script that never sends it, " +
+      "the pongs to the relay's pings count.",
+  },
+  page: {
+    hello: "The first message, which authenticates the page. `role` is `own`, with the owner key.",
+    resume:
+      "Follows `hello`: the page's progress so far, and the robot's current state. `lastApplied`: this command and every earlier one " +
+      "that the page received have started or ended. `endings` lists the endings without a confirmation that they are stored. `page` is a " +
+      "random id of the page, which identifies it on its next connection.",
+    snapshot:
+      "The current state of the robot. A page without a new snapshot for 3.5 s counts as asleep.",
+    started: "The robot has started this command before its time ran out on the robot's clock.",
+    ended:
+      "How the command ended, with pose, distance and reason: `completed`, `collided`, `cancelled`, `superseded` or " +
+      "`expired`. The relay responds with `stored` or `refused`. The first ending is final.",
+    time: "Requests the relay's time, because an earlier response took so long that delays are uncertain.",
+    yielded:
+      "The response to `yield`: this page has reported everything that it started, and starts nothing more.",
+  },
+  toScript: {
+    welcome:
+      "The response to `hello`. States after `n` follow. Null means that states were missed, and a `gap` follows. " +
+      "`snapshot` is null until the robot has reported.",
+    ack:
+      "The command is stored. After a retry, the record contains the current state of the command, " +
+      "which may be final, and `duplicate` is true.",
+    state:
+      "A command of this robot, from any sender, has a new state. `n` increases by one each time. With the stream of the " +
+      "welcome, STREAM-n is the value of `since` for a reconnection.",
+    gap:
+      "Replaces states that are no longer stored: the commands that have not ended, and the `n` from which to continue. Every " +
+      "other command has ended; read its record with `GET /commands/SEQ`.",
+    snapshot:
+      "The robot's latest report, at most 20 a second; reports in between are skipped. `state` is `running`, `paused` " +
+      "(the page is asleep, frozen or paused) or `gone`.",
+    maze: "The robot's maze has changed. `GET /maze` returns it with this `version` as its `ETag`.",
+    problem:
+      "The message was rejected (RFC 9457). `key` is the key of its command, or null if it has no readable key.",
+    heartbeat: "No other message was sent for 20 s, and the connection works.",
+  },
+  toPage: {
+    welcome:
+      "The response to `hello` and `resume`: the page now owns the robot. All of its messages carry this `epoch`, which increases with each " +
+      "page that takes over the robot. `at` is the relay's time in all messages. It reveals how long a later message was delayed.",
+    command:
+      "A command for the robot, which must start within `remaining` ms by the robot's own clock, or end as `expired`. At most 8 are " +
+      "delivered at a time. With `replace` it ends all earlier commands.",
+    stop: "Overtakes other commands: ends running and waiting commands in the page, then ends as `completed`.",
+    cancel:
+      "Requests that this command ends, for its sender or the owner, as `why` states. The robot decides, and reports `ended`.",
+    stored: "The ending of this command is stored. The page may discard it.",
+    refused: "The reported ending arrived too late. The record contains the final state.",
+    state:
+      "The state of a command that the page does not hold: it waits at the relay or has ended there. Sent immediately at low " +
+      "load, and once a second in batches at high load; always before the next `command` or `stop`, and before the " +
+      "`stored` of an ending that is `cancelled`.",
+    drivers:
+      "The robot's scripts, about once a second: who is connected (`scripts`), and the last activity of each (`alive`), because motions without " +
+      "an end stop when their script becomes inactive. `paused`: the owner has paused remote driving.",
+    time: "The response to `time`: the relay's clock.",
+    yield:
+      "Another page is about to take over the robot. End the running command, return waiting commands, start nothing more, report all of " +
+      "that, and send `yielded`, within a second.",
+    heartbeat: "No other message was sent for 20 s, and the connection works.",
+  },
+};
+
+function closeCodes(): string {
+  const lines = Object.values(closeReasons).map(
+    ({ code, cause, retry }) => `- ${code}: ${cause}${retry ? "" : " (do not try again)"}`,
+  );
+  return ["Close codes:", ...lines].join("\n");
+}

@@ -1,0 +1,105 @@
+/**
+ * Storage and messaging of a relay: SQLite for a single relay, or the Redis or Valkey at STORE_URL,
+ * which several relays can share.
+ */
+import { join } from "node:path";
+import type { Logger } from "pino";
+import type { Clock } from "./clock.ts";
+import { LocalSwitchboard } from "./cluster/local-switchboard.ts";
+import { RedisSwitchboard } from "./cluster/redis-switchboard.ts";
+import type { Switchboard } from "./cluster/switchboard.ts";
+import type { Config } from "./config.ts";
+import { mintId } from "./keys.ts";
+import type { DocumentStore } from "./store/document-store.ts";
+import type { PairingStore } from "./store/pairing-store.ts";
+import { connectRedis, timeOf, type Redis } from "./store/redis/connection.ts";
+import { requireDurable } from "./store/redis/durability.ts";
+import { ForgottenBytes } from "./store/redis/forgotten-bytes.ts";
+import { RedisClock } from "./store/redis/redis-clock.ts";
+import { RedisDocumentStore } from "./store/redis/redis-document-store.ts";
+import { RedisPairingStore } from "./store/redis/redis-pairing-store.ts";
+import { RedisSessionStore } from "./store/redis/redis-session-store.ts";
+import type { SessionStore } from "./store/session-store.ts";
+import { SqliteDocumentStore } from "./store/sqlite-document-store.ts";
+import { SqliteFile } from "./store/sqlite-file.ts";
+import { SqlitePairingStore } from "./store/sqlite-pairing-store.ts";
+import { SqliteStore } from "./store/sqlite-store.ts";
+
+export interface Backend {
+  /** clock that produces and compares stored times */
+  clock: Clock;
+  sessions: SessionStore;
+  documents: DocumentStore;
+  pairings: PairingStore;
+  switchboard: Switchboard;
+  close(): Promise<void>;
+}
+
+/** @throws Error whose message describes the problem with the database for the operator */
+export async function openBackend(
+  { storeUrl, dataDir }: Pick<Config, "storeUrl" | "dataDir">,
+  clock: Clock,
+  log: Logger,
+): Promise<Backend> {
+  return storeUrl === null
+    ? sqliteBackend(dataDir, clock, log)
+    : redisBackend(storeUrl, clock, log);
+}
+
+function sqliteBackend(dataDir: string, clock: Clock, log: Logger): Backend {
+  const file = new SqliteFile(join(dataDir, "corridor.sqlite"), {
+    isThreaded: true,
+    setAside: (to) => {
+      log.error(
+        { path: to },
+        "the database was damaged and moved here; the relay starts with a new one",
+      );
+    },
+  });
+  return {
+    clock,
+    sessions: new SqliteStore(file),
+    documents: new SqliteDocumentStore(file),
+    pairings: new SqlitePairingStore(file),
+    switchboard: new LocalSwitchboard(),
+    close: async () => file.close(),
+  };
+}
+
+async function redisBackend(url: string, machine: Clock, log: Logger): Promise<Backend> {
+  const connections: Redis[] = [];
+  const connect = async (): Promise<Redis> => {
+    const redis = await connectRedis(url, (error) =>
+      log.error({ err: error }, "Redis is unavailable"),
+    );
+    connections.push(redis);
+    return redis;
+  };
+  const disconnect = (): void => {
+    for (const redis of connections) redis.destroy();
+  };
+  try {
+    const redis = await connect();
+    await requireDurable(redis);
+    const subscriber = await connect();
+    const relay = mintId();
+    const clock = await RedisClock.open({ clock: machine, log, ask: async () => timeOf(redis) });
+    const switchboard = await RedisSwitchboard.open({ redis, subscriber, relay, clock, log });
+    const forgotten = new ForgottenBytes(redis);
+    return {
+      clock,
+      sessions: new RedisSessionStore(redis, forgotten, relay),
+      documents: new RedisDocumentStore(redis, forgotten),
+      pairings: new RedisPairingStore(redis, forgotten),
+      switchboard,
+      close: async () => {
+        clock.close();
+        await switchboard.close();
+        disconnect();
+      },
+    };
+  } catch (error) {
+    disconnect();
+    throw error;
+  }
+}

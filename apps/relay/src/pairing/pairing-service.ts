@@ -1,0 +1,244 @@
+/**
+ * Pairing codes: a code is created for a robot's owner, a script requests access with it, and the
+ * owner accepts or declines. The script receives its key with the request. The key is valid, and
+ * the script receives the robot's address, once the owner accepts.
+ */
+import type { Pairing, PairingAnswer, PairingAsked, PairingMade } from "@corridor/protocol";
+import type { Logger } from "pino";
+import type { Clock } from "../clock.ts";
+import { hashKey, isSameHash, keyId, mintCode, mintKey } from "../keys.ts";
+import { noRobot, Refusal } from "../problems.ts";
+import type { Patience } from "../sessions/audience.ts";
+import type { KeyRing } from "../sessions/key-ring.ts";
+import { limits } from "../sessions/limits.ts";
+import type { PairingStore, StoredPairing } from "../store/pairing-store.ts";
+import type { SessionStore } from "../store/session-store.ts";
+import { CheckQueue } from "./check-queue.ts";
+import { Waits } from "./waits.ts";
+
+const CLEANUP_MS = 60_000;
+
+export interface PairingServiceParts {
+  pairings: PairingStore;
+  /** provides the valid keys */
+  sessions: Pick<SessionStore, "find">;
+  clock: Clock;
+  log: Logger;
+}
+
+/** A robot whose owner is authenticated. */
+export interface OwnedRobot {
+  id: string;
+  keys: Pick<KeyRing, "admit">;
+}
+
+/** A script's request for access. */
+export interface AccessRequest {
+  code: string;
+  name: string | null;
+  client: string;
+  /** client address, for the limits only */
+  from: string;
+}
+
+export class PairingService {
+  readonly #parts: PairingServiceParts;
+  readonly #checks: CheckQueue;
+  readonly #waits: Waits;
+  #cancelTimer: () => void;
+
+  constructor(parts: PairingServiceParts) {
+    this.#parts = parts;
+    this.#checks = new CheckQueue(parts.clock, limits.codeChecks, limits.codeChecksForAll);
+    this.#waits = new Waits(parts.clock);
+    this.#cancelTimer = parts.clock.after(CLEANUP_MS, () => void this.#removeEnded());
+  }
+
+  // --- the owner ---
+
+  /** Creates a code and invalidates the previous one of the robot. */
+  async open(robot: string): Promise<PairingMade> {
+    const { pairings, clock } = this.#parts;
+    await pairings.remove(robot);
+    const endsAt = clock.now() + limits.pairingMs;
+    for (;;) {
+      const code = mintCode();
+      const outcome = await pairings.open({ robot, code: hashKey(code), endsAt });
+      if (outcome === "no-robot") throw noRobot();
+      if (outcome === "taken") continue;
+      this.#waits.wake();
+      return { code, endsInSeconds: this.#left(endsAt) };
+    }
+  }
+
+  /** State of the robot's code. Waits while no script has used it. */
+  async show(robot: string, patience: Patience): Promise<Pairing> {
+    const found = await this.#waits.until(
+      `robot ${robot}`,
+      () => this.#find({ robot }),
+      (pairing) => pairing?.state !== "open",
+      patience,
+    );
+    if (found === null) return { state: "none", question: null, endsInSeconds: 0 };
+    const { state, question, endsAt } = found;
+    const withId = question && { ...question, id: keyId(question.key) };
+    return {
+      state,
+      question: withId && { id: withId.id, name: withId.name, client: withId.client },
+      endsInSeconds: this.#left(endsAt),
+    };
+  }
+
+  /**
+   * Stores the owner's answer to one request.
+   * @throws Refusal no-question if the request is no longer open, or the errors of `KeyRing.admit`
+   */
+  async reply({ id, keys }: OwnedRobot, question: string, accept: boolean): Promise<void> {
+    const found = await this.#find({ robot: id });
+    const key = found?.question?.key ?? "";
+    const to = accept ? "accepted" : "refused";
+    const isAnswered = keyId(key) === question && (await this.#transition(key, "asked", to));
+    if (!isAnswered) throw requestClosed();
+    if (accept) {
+      try {
+        await keys.admit(key);
+      } catch (error) {
+        // Reopens the request, so that the owner can revoke a key and accept again.
+        await this.#transition(key, "accepted", "asked").catch(() => false);
+        throw error;
+      }
+    }
+    this.#waits.wake();
+  }
+
+  /** Revokes the code, used or unused. */
+  async remove(robot: string): Promise<void> {
+    await this.#parts.pairings.remove(robot);
+    this.#waits.wake();
+  }
+
+  // --- the script ---
+
+  /**
+   * Requests access from the owner whose page displays the code.
+   * @throws Refusal no-pairing, code-used or too-fast
+   */
+  async ask({ code, name, client, from }: AccessRequest): Promise<PairingAsked> {
+    const hash = hashKey(code);
+    const found = await this.#checks.run(from, async () => {
+      const pairing = await this.#find({ code: hash });
+      // The lookup uses a hash that a guesser cannot control. The comparison takes constant time.
+      return pairing !== null && isSameHash(pairing.code, hash) ? pairing : null;
+    });
+    if (found === null) throw wrongCode();
+    if (found.state !== "open") throw codeUsed();
+    const key = mintKey("drive");
+    const question = { key: hashKey(key), name, client };
+    const now = this.#parts.clock.now();
+    if (!(await this.#parts.pairings.ask(hash, question, now))) throw codeUsed();
+    this.#waits.wake();
+    return { key, endsInSeconds: this.#left(found.endsAt) };
+  }
+
+  /**
+   * State of a script's request. Waits while the owner has not answered.
+   * @param key from the response to the request
+   * @param origin of the service as its users see it, such as https://host
+   * @throws Refusal pairing-refused or no-pairing
+   */
+  async answerFor(key: string, origin: string, patience: Patience): Promise<PairingAnswer> {
+    const hash = hashKey(key);
+    const pairing = await this.#waits.until(
+      `key ${hash}`,
+      () => this.#answered(hash),
+      (found) => found?.state !== "asked",
+      patience,
+    );
+    if (pairing === null) throw pairingEnded();
+    if (pairing.state === "refused") throw ownerDeclined();
+    const isAccepted = pairing.state === "accepted";
+    return {
+      state: isAccepted ? "accepted" : "asked",
+      address: isAccepted ? `${origin}/r/${pairing.robot}#${key}` : null,
+      endsInSeconds: this.#left(pairing.endsAt),
+    };
+  }
+
+  /** Ends all waiting requests. */
+  close(): void {
+    this.#cancelTimer();
+    this.#checks.close();
+    this.#waits.close();
+  }
+
+  /** The request of a key, if any. Its state is accepted only once the key is valid. */
+  async #answered(hash: string): Promise<StoredPairing | null> {
+    const found = await this.#find({ key: hash });
+    if (found === null || !isSameHash(found.question?.key ?? "", hash)) return null;
+    if (found.state !== "accepted") return found;
+    const session = await this.#parts.sessions.find(found.robot);
+    const isValid = session?.keys.some((key) => key.hash === hash) === true;
+    return isValid ? found : { ...found, state: "asked" };
+  }
+
+  async #find(by: Parameters<PairingStore["find"]>[0]): Promise<StoredPairing | null> {
+    return this.#parts.pairings.find(by, this.#parts.clock.now());
+  }
+
+  async #transition(
+    key: string,
+    from: StoredPairing["state"],
+    to: StoredPairing["state"],
+  ): Promise<boolean> {
+    return this.#parts.pairings.settle(key, { from, to }, this.#parts.clock.now());
+  }
+
+  #left(endsAt: number): number {
+    return Math.max(0, Math.ceil((endsAt - this.#parts.clock.now()) / 1000));
+  }
+
+  async #removeEnded(): Promise<void> {
+    const { pairings, clock, log } = this.#parts;
+    try {
+      await pairings.removeEnded(clock.now());
+    } catch (error) {
+      log.error({ err: error }, "deleting expired pairing codes failed");
+    }
+    this.#cancelTimer = clock.after(CLEANUP_MS, () => void this.#removeEnded());
+  }
+}
+
+function wrongCode(): Refusal {
+  return new Refusal(
+    "no-pairing",
+    "No page displays this code. Check each letter. A code expires after 10 minutes, so you may need a new one.",
+  );
+}
+
+function codeUsed(): Refusal {
+  return new Refusal(
+    "code-used",
+    "Each code is for one script. Create a new one on the robot's page.",
+  );
+}
+
+function pairingEnded(): Refusal {
+  return new Refusal(
+    "no-pairing",
+    "The code has expired or was revoked. Create a new code on the robot's page, and pair again.",
+  );
+}
+
+function ownerDeclined(): Refusal {
+  return new Refusal(
+    "pairing-refused",
+    "Ask the owner of the robot for a new code, then pair again.",
+  );
+}
+
+function requestClosed(): Refusal {
+  return new Refusal(
+    "no-question",
+    "The request is no longer open: it was answered or has expired.",
+  );
+}
