@@ -43,6 +43,18 @@ it("of a maze that stays as it is says so once a press, and changes nothing", ()
   expect(workspace.temporal.getState().pastStates).toEqual([]);
 });
 
+it.each([
+  { name: "in a maze that stays as it is", isFixed: true, cell: at(2, 0) },
+  { name: "on the square of the robot", isFixed: false, cell: at(0, 1) },
+])("says nothing about a press that becomes a pinch, $name", ({ isFixed, cell }) => {
+  const { editor, refusals } = newEditor({ isFixed });
+  editor.follow({ type: "begin", cell });
+  editor.follow({ type: "cancel" });
+  expect(refusals).toEqual([]);
+  editor.press(cell);
+  expect(refusals).toHaveLength(1);
+});
+
 describe("a stroke of blocks", () => {
   it("is one step of undo and of redo, however many squares it fills", () => {
     const { workspace, editor, blocks } = newEditor();

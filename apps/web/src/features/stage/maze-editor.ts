@@ -1,6 +1,7 @@
 /**
  * Carries the pointer's and the keyboard's intents into the workspace. One stroke, however many
- * cells it paints, is one step of undo; each reason for a refusal is told once a stroke.
+ * cells it paints, is one step of undo; each reason for a refusal is told once, when the stroke ends,
+ * so that a press that becomes a pinch says nothing.
  */
 import { isBlock, type Cell, type MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
@@ -13,7 +14,7 @@ interface Stroke {
   /** what every cell of a Blocks stroke becomes; null for tools that act once a press */
   filled: boolean | null;
   before: MazeDocument;
-  told: Set<ToolRefusal>;
+  refusals: Set<ToolRefusal>;
   endInHistory: () => void;
 }
 
@@ -65,19 +66,20 @@ export class MazeEditor {
   }
 
   #begin(cell: Cell): void {
-    const { workspace, screen, pose, isFixed, refuse } = this.#port;
+    const { workspace, screen, pose, isFixed } = this.#port;
+    const { maze } = workspace.getState();
     if (isFixed()) {
-      refuse("maze-fixed");
+      const refusals = new Set<ToolRefusal>(["maze-fixed"]);
+      this.#stroke = { filled: null, before: maze, refusals, endInHistory: () => undefined };
       return;
     }
-    const { maze } = workspace.getState();
     const { tool } = screen.getState();
     // It never changes the maze, whoever presses.
     if (tool === "measure") return;
     this.#stroke = {
       filled: tool === "blocks" ? !isBlock(maze, cell.column, cell.row) : null,
       before: maze,
-      told: new Set(),
+      refusals: new Set(),
       endInHistory: beginStroke(workspace),
     };
     this.#apply(pressTool(maze, tool, cell, pose()));
@@ -93,14 +95,9 @@ export class MazeEditor {
   }
 
   #apply(edit: ToolEdit): void {
-    const { workspace, refuse } = this.#port;
-    if (edit.ok) {
-      if (edit.maze !== workspace.getState().maze) setMaze(workspace, edit.maze);
-      return;
-    }
-    if (this.#stroke?.told.has(edit.code) === true) return;
-    this.#stroke?.told.add(edit.code);
-    refuse(edit.code);
+    const { workspace } = this.#port;
+    if (!edit.ok) this.#stroke?.refusals.add(edit.code);
+    else if (edit.maze !== workspace.getState().maze) setMaze(workspace, edit.maze);
   }
 
   #end(): void {
@@ -108,6 +105,7 @@ export class MazeEditor {
     if (stroke === null) return;
     this.#stroke = null;
     stroke.endInHistory();
+    for (const code of stroke.refusals) this.#port.refuse(code);
     if (stroke.filled === null) return;
     const { workspace, goalsRemoved } = this.#port;
     const removed = stroke.before.goals.length - workspace.getState().maze.goals.length;
