@@ -3,7 +3,7 @@ import express, { Router, type Express } from "express";
 import type { Logger } from "pino";
 import type { Clock } from "./clock.ts";
 import type { DocumentService } from "./documents/document-service.ts";
-import type { RequestGuard } from "./request-guard/request-guard.ts";
+import { requireOneHost, type RequestGuard } from "./request-guard/request-guard.ts";
 import type { LongPollConnections } from "./gateways/long-poll-connections.ts";
 import type { Metrics } from "./metrics/metrics.ts";
 import type { PairingService } from "./pairing/pairing-service.ts";
@@ -54,6 +54,10 @@ export function createApp(dependencies: AppDependencies): Express {
   app.set("etag", false);
   app.use(securityHeaders(isDevelopment));
 
+  app.use((request, _response, next) => {
+    requireOneHost(request);
+    next();
+  });
   // Before the host check: health probes use the bare address of the machine.
   app.use(healthRoutes(readiness));
   app.use(requestLog(log, clock));

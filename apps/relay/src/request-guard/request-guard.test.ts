@@ -2,6 +2,7 @@ import { request } from "node:http";
 import { problemSchema, registrationSchema } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { limits } from "../sessions/limits.ts";
+import { sendBare } from "../testing/bare-http.ts";
 import { FakeClock } from "../testing/fake-clock.ts";
 import { startTestRelay, type TestRelay } from "../testing/test-relay.ts";
 
@@ -106,6 +107,27 @@ describe("a request with two Host headers", () => {
       headers: [...headers, ...Object.entries(upgrade({})).flat()],
     });
     expect(socket.status).toBe(400);
+  });
+});
+
+describe("a request without exactly one Host header", () => {
+  const paths = ["/", "/docs", "/openapi.json", "/api/v1/robots", "/healthz", "/readyz"];
+
+  it.each([
+    { name: "none", lines: "" },
+    { name: "two", lines: "Host: a\r\nHost: b\r\n" },
+  ])("is answered with 400 on every path: $name", async ({ lines }) => {
+    const relay = await startTestRelay({ config: { metricsPort: 0 } });
+    const statusOf = async (origin: string, path: string): Promise<string> => {
+      const answer = await sendBare(
+        origin,
+        `GET ${path} HTTP/1.1\r\n${lines}Connection: close\r\n\r\n`,
+      );
+      return `${path} ${answer.status}`;
+    };
+    const answers = await Promise.all(paths.map((path) => statusOf(relay.origin, path)));
+    answers.push(await statusOf(`http://127.0.0.1:${relay.metricsPort}`, "/metrics"));
+    expect(answers).toEqual([...paths, "/metrics"].map((path) => `${path} 400`));
   });
 });
 

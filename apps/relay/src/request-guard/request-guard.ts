@@ -28,16 +28,7 @@ export class RequestGuard {
 
   /** @throws Refusal if the Host header is missing, repeated or not an allowed host */
   checkHost(request: IncomingMessage): void {
-    if (request.headers.host === undefined && request.httpVersion !== "1.0") {
-      throw new Refusal(
-        "bad-request",
-        "The header Host is missing. Every HTTP/1.1 request has it.",
-      );
-    }
-    // Node uses the first of several Host headers, and a proxy may use another.
-    if (countHeaders("host", request) > 1) {
-      throw new Refusal("bad-request", "The request has more than one Host header. Send it once.");
-    }
+    requireOneHost(request);
     if (this.#hosts === null) return;
     const url = `http://${this.#visitor(request).host}`;
     if (URL.canParse(url) && this.#hosts.has(new URL(url).hostname)) return;
@@ -66,6 +57,20 @@ export class RequestGuard {
     const { origin } = request.headers;
     if (origin === undefined || origin === this.#publicOrigin) return true;
     return URL.canParse(origin) && new URL(origin).host === this.#visitor(request).host;
+  }
+}
+
+/**
+ * Every HTTP/1.1 request has exactly one Host header, whatever its path (RFC 9112, section 3.2).
+ * @throws Refusal if the header is missing or repeated
+ */
+export function requireOneHost(request: IncomingMessage): void {
+  if (request.headers.host === undefined && request.httpVersion !== "1.0") {
+    throw new Refusal("bad-request", "The header Host is missing. Every HTTP/1.1 request has it.");
+  }
+  // Node uses the first of several Host headers, and a proxy may use another.
+  if (countHeaders("host", request) > 1) {
+    throw new Refusal("bad-request", "The request has more than one Host header. Send it once.");
   }
 }
 
