@@ -88,6 +88,34 @@ test("reports once that the device cannot store the run, and restarts the run af
   expect(cut.pose?.heading).toBeCloseTo((start ?? Number.NaN) - TURN, 6);
 });
 
+test("cancels a running command because of the reload where the device has no database", async ({
+  page,
+}) => {
+  await page.route(/simulator\.worker.*\.js/, async (route) => {
+    const response = await route.fetch();
+    const noDatabase = 'Object.defineProperty(self, "indexedDB", { value: undefined });';
+    await route.fulfill({ response, body: noDatabase + (await response.text()) });
+  });
+  await page.goto("/");
+  const address = await copyAddress(page);
+  const start = (await turn(address)).pose?.heading;
+  await expect(page.getByText("This device cannot save the run.")).toHaveCount(1);
+  await setSpeed(page, "0.25");
+  const posted = await api(address, "/commands", { action: "turn", degrees: 170, ttl: 20_000 });
+  const { seq } = commandRecordSchema.parse(await posted.json());
+  await expect
+    .poll(async () => (await (await api(address, `/commands/${seq}`)).json()).state)
+    .toBe("started");
+  await page.reload();
+  await expect
+    .poll(async () => (await (await api(address, `/commands/${seq}`)).json()).state)
+    .toBe("cancelled");
+  const cut = commandRecordSchema.parse(await (await api(address, `/commands/${seq}`)).json());
+  expect(cut).toMatchObject({ state: "cancelled", reason: "the page was reloaded", distance: 0 });
+  expect(cut.pose?.heading).toBeCloseTo((start ?? Number.NaN) - TURN, 6);
+  expect((await turn(address)).pose?.heading).toBe(start);
+});
+
 test("transfers the robot with its world to a duplicated tab, without contradictions from the first tab", async ({
   page,
   context,

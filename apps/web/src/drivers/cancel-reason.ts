@@ -21,6 +21,9 @@ export const cancelReasons = {
   addressEnded: "The robot's page no longer uses this address.",
 } as const satisfies Record<string, string>;
 
+/** Why a command ended that ran when its page was reloaded; the relay gives the same reason. */
+export const RELOADED = "the page was reloaded";
+
 /**
  * What the page itself does to the robot. Whatever was sent before it was meant for another state of things,
  * so it ends too where it still waits at the relay.

@@ -16,7 +16,12 @@ import type {
   ScriptView,
   Snapshot,
 } from "@corridor/protocol";
-import { cancelReasons, takenByPage, type CancelReason } from "../drivers/cancel-reason.ts";
+import {
+  cancelReasons,
+  RELOADED,
+  takenByPage,
+  type CancelReason,
+} from "../drivers/cancel-reason.ts";
 import type { Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
 import { MazeTeller } from "./maze-teller.ts";
 import type { troubleOf } from "./remote-trouble.ts";
@@ -186,7 +191,10 @@ export class RemoteHost implements RemoteDriverEvents {
     this.#session = session;
     this.#mazes.begin();
     const restored = fresh ? (this.#ports.restored?.() ?? null) : null;
-    const journal = restored?.robot === session.id ? restored : { lastApplied: 0, endings: [] };
+    const journal =
+      restored?.robot === session.id
+        ? restored
+        : { lastApplied: 0, endings: fresh ? this.#endedByReload(session) : [] };
     this.#link = new client.HostLink({
       origin,
       credentials: session,
@@ -224,6 +232,13 @@ export class RemoteHost implements RemoteDriverEvents {
       },
       ...(platform === undefined ? {} : { platform }),
     });
+  }
+
+  /** The reload began a new world, in which the command that was started last never goes on. */
+  #endedByReload({ lastApplied: seq }: RemoteSession): CommandJournal["endings"] {
+    if (seq === 0) return [];
+    const pose = this.#ports.snapshot()?.pose ?? null;
+    return [{ seq, state: "cancelled", reason: RELOADED, pose, distance: 0 }];
   }
 
   /**

@@ -3,13 +3,11 @@
  * needs the schemas, and most visits restore nothing.
  */
 import { parseRun, type Recording, type Run, type RunDocument } from "@corridor/recording";
+import { RELOADED } from "../drivers/cancel-reason.ts";
 import type { RunLoop } from "./run-loop.ts";
 import type { LoadedRun, RestoreRun } from "./worker-messages.ts";
 import type { WorldKeeper } from "./world-keeper.ts";
 import type { WorldJournal } from "./world-store.ts";
-
-/** What the relay says too of commands that the stored world does not know. */
-const RELOADED = "the page was reloaded";
 
 /** All commands in it have ended. */
 export type RestoredJournal = WorldJournal & { running: null };
