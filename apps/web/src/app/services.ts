@@ -201,6 +201,7 @@ export function createServices(browser: Browser): Services {
     load,
     later,
     challenge,
+    run,
   });
   const speech = new Speech({ now, later });
   const storage = new LessonsStorage(device);

@@ -2,6 +2,7 @@ import { setAction, setNumber, type ProgramDocument } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import { createChallengeStore } from "../../stores/challenge-store.ts";
 import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { createRunStore, type RunState } from "../../stores/run-store.ts";
 import { createWorkspaceStore, setMaze, undo } from "../../stores/workspace-store.ts";
 import { adviceOn, createAdviceStore, type AdvicePorts } from "./advice-store.ts";
 import * as coach from "./coach.ts";
@@ -21,22 +22,31 @@ const wrong: ProgramDocument = {
 function setUp(program = wrong, load: AdvicePorts["load"] = async () => coach) {
   const workspace = createWorkspaceStore(firstMaze, program);
   const challenge = createChallengeStore();
+  const run = createRunStore();
   const waiting: (() => void)[] = [];
   const advice = createAdviceStore({
     workspace,
     challenge,
     load,
-    later: (run) => waiting.push(run),
+    later: (task) => waiting.push(task),
+    run,
   });
   const settle = async () => {
-    for (const run of waiting.splice(0)) run();
+    for (const task of waiting.splice(0)) task();
     // The coach arrives.
     await new Promise((resolve) => setTimeout(resolve, 0));
   };
   const lines = () => advice.getState().shown.map(({ line }) => line);
   const edit = (action: "left 90" | "delayed left 90") =>
     applyEdit(workspace, setAction(workspace.getState().program, 1, action));
-  return { workspace, advice, settle, lines, edit };
+  const drive = (state: "running" | "paused", moment: "bump" | null = null) => {
+    const about = { kind: moment, tick: 1, driver: "program" };
+    run.setState({
+      snapshot: { state } as RunState["snapshot"],
+      moment: moment === null ? null : (about as RunState["moment"]),
+    });
+  };
+  return { workspace, advice, settle, lines, edit, drive };
 }
 
 describe("advice on the lines", () => {
@@ -50,6 +60,32 @@ describe("advice on the lines", () => {
     await settle();
     edit("delayed left 90");
     expect(lines()).toEqual([]);
+    await settle();
+    expect(lines()).toEqual([1]);
+  });
+
+  it("moves no line while the robot drives, and comes when it is paused", async () => {
+    const { settle, lines, drive } = setUp();
+    drive("running");
+    await settle();
+    expect(lines()).toEqual([]);
+    drive("paused");
+    expect(lines()).toEqual([1]);
+  });
+
+  it("moves no line at a bump, and comes with Reset or the next edit", async () => {
+    const { settle, lines, edit, drive } = setUp();
+    drive("running");
+    await settle();
+    drive("paused", "bump");
+    expect(lines()).toEqual([]);
+    drive("paused");
+    expect(lines()).toEqual([1]);
+    edit("left 90");
+    drive("running");
+    await settle();
+    drive("paused", "bump");
+    edit("delayed left 90");
     await settle();
     expect(lines()).toEqual([1]);
   });

@@ -10,6 +10,7 @@ import type { LineRef } from "@corridor/protocol";
 import type { TFunction } from "i18next";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { ChallengeState, ChallengeStore } from "../../stores/challenge-store.ts";
+import type { RunStore } from "../../stores/run-store.ts";
 import type { AdviceText } from "./advice-text.ts";
 import type { WorkspaceStore } from "../../stores/workspace-store.ts";
 
@@ -32,6 +33,7 @@ export interface AdvicePorts {
   /** runs a function later, such as `setTimeout` */
   later: (run: () => void, milliseconds: number) => void;
   challenge: ChallengeStore;
+  run: Pick<RunStore, "getState" | "subscribe">;
 }
 
 export interface AdviceState {
@@ -57,13 +59,21 @@ export interface AdviceStore extends Pick<
 const SETTLE_MS = 1000;
 
 /** Follows the workspace from now on. */
-export function createAdviceStore({ workspace, load, later, challenge }: AdvicePorts): AdviceStore {
+export function createAdviceStore({
+  workspace,
+  load,
+  later,
+  challenge,
+  run,
+}: AdvicePorts): AdviceStore {
   const store = createStore<AdviceState>()(() => ({ shown: [], news: null }));
   const hidden = new Set<string>();
   const told = new Set<string>();
   let settled: ReadonlySet<string> = new Set();
   let coach: Coach | null = null;
   let edits = 0;
+  /** whether advice waits until the robot stands, since it would move the lines that the student follows */
+  let isHeld = false;
 
   function refresh(): void {
     if (coach === null) return;
@@ -79,6 +89,8 @@ export function createAdviceStore({ workspace, load, later, challenge }: AdviceP
 
   function settle(): void {
     if (coach === null) return;
+    isHeld = run.getState().snapshot?.state === "running";
+    if (isHeld) return;
     const { program, maze } = workspace.getState();
     const all = coach.adviseProgram(program, maze);
     settled = new Set(all.map((advice) => keyOf(advice, program)));
@@ -111,6 +123,10 @@ export function createAdviceStore({ workspace, load, later, challenge }: AdviceP
   workspace.subscribe((next, before) => {
     if (next.program !== before.program) refresh();
     if (next.program !== before.program || next.maze !== before.maze) settleSoon();
+  });
+  // After a bump the card comes first: the advice waits for Reset, or for the next edit.
+  run.subscribe(({ snapshot, moment }) => {
+    if (isHeld && snapshot?.state !== "running" && moment?.kind !== "bump") settle();
   });
   settleSoon();
 
