@@ -50,10 +50,7 @@ function listen(
 
   // Arrows move between radio buttons for those who came there by Tab; after a click they drive.
   let isFocusedByPointer = false;
-  window.addEventListener("pointerdown", () => (isFocusedByPointer = true), {
-    signal,
-    capture: true,
-  });
+  window.addEventListener("pointerdown", () => (isFocusedByPointer = true), { signal });
   // A select would take letters and arrows as choices until something else is clicked.
   window.addEventListener(
     "change",

@@ -122,14 +122,10 @@ export class StageController {
         this.#pixelRatio = pixelRatio;
         this.#show();
       }),
-      // To divide it the browser lays out the page, so that only what the division depends on does that.
-      workspace.subscribe(({ maze }, before) =>
-        maze === before.maze ? this.#show() : this.#divide(),
-      ),
-      screen.subscribe(({ tool, showRulers }, before) => {
+      workspace.subscribe(() => this.#divide()),
+      screen.subscribe(({ tool }, before) => {
         if (tool !== before.tool) this.#toolChanged();
-        if (showRulers === before.showRulers) this.#show();
-        else this.#divide();
+        this.#divide();
       }),
       camera.subscribe(() => {
         this.#pointer.cancel();
