@@ -1,7 +1,7 @@
 /**
  * Messages between relays that serve the same robot, on one channel per robot. Commands are neither
  * lost nor duplicated without them, because the store alone guarantees that. Every implementation
- * passes `testing/switchboard.cases.ts`. See docs/adr/0010-several-relays.md.
+ * passes `testing/switchboard.cases.ts`. See docs/adr/0010-multiple-relays.md.
  */
 import type { CommandRecord, RecallCause } from "@corridor/protocol";
 import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";

@@ -1,6 +1,6 @@
 /**
  * The address of a mission or an open project: `#mission/side-opening`. A fragment works on any static
- * host, offline and below every path (docs/adr/0015-a-mission-is-a-fragment.md).
+ * host, offline and below every path (docs/adr/0015-mission-urls-as-fragments.md).
  */
 import type { ChallengeStore } from "../../stores/challenge-store.ts";
 
