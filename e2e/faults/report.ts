@@ -30,22 +30,28 @@ export function passes({ goals }: Result): boolean {
 
 export function reportOf(results: readonly Result[], about: RunInfo): string {
   const lines = results.flatMap(linesOf);
-  return `# What breaks, and what holds
+  return `# Fault tests
 
-Written by \`npm run test:faults${about.isLong ? " -- --long" : ""}\`: real processes and sockets, with faults.
-The histories of scripts, relay and robots are compared. "lost", "doubled", "reordered", "ended twice" and "late" count
-the commands in which the histories differ, or that a robot started more than 100 ms after their time to live. The time
-to live starts with the first attempt. The time that the accepted attempt waited unread at its relay, as on an overloaded
-machine, is added: a message contains the age of its command, but not its transit time. A load above the number of
-processors means that other programs ran on the machine, which increases every time. How to add a scenario:
-[CONTRIBUTING.md](../CONTRIBUTING.md).
+\`npm run test:faults${about.isLong ? " -- --long" : ""}\` runs each scenario with real processes and sockets, injects faults, and
+compares the histories of scripts, relay and robots. [CONTRIBUTING.md](../CONTRIBUTING.md#fault-scenario) describes how to
+add a scenario.
+
+- "lost", "doubled", "reordered" and "ended twice" count the commands in which the histories differ.
+- "late" counts the commands that a robot started more than 100 ms after their time to live. The time to live starts with
+  the first attempt. The time that the accepted attempt waited unread at its relay is added, because a message contains the
+  age of its command, but not its transit time.
+- A load above the number of processors means that other programs ran on the machine. Every time is then longer.
+
+## Results
 
 ${about.date}, ${about.machine}; ${about.versions}; seed ${about.seed}; ${about.isLong ? "long" : "short"} run.
 ${results.filter(passes).length} of ${results.length} scenarios pass.
 
-| scenario | what must hold | measured | |
+| Scenario | Goal | Measured | Result |
 | --- | --- | --- | --- |
 ${lines.join("\n")}
+
+## Scenarios
 
 ${results.map(lineAbout).join("\n")}
 `;
