@@ -421,13 +421,13 @@ describe("HostLink", () => {
 
 /** A page whose device stores its world when the test says so. */
 function savingHost() {
-  const saves: ((isMine: boolean) => void)[] = [];
-  const save = () => new Promise<boolean>((resolve) => void saves.push(resolve));
+  const saves: (() => void)[] = [];
+  const save = () => new Promise<void>((resolve) => void saves.push(resolve));
   const page = host({ save });
   page.welcome();
   const sent = () => page.platform.socket.sent.slice(2).filter(({ type }) => type !== "snapshot");
-  const saved = async (isMine = true) => {
-    for (const resolve of saves.splice(0)) resolve(isMine);
+  const saved = async () => {
+    for (const resolve of saves.splice(0)) resolve();
     for (let n = 0; n < 5; n++) await Promise.resolve();
   };
   return { ...page, sent, saved };
@@ -494,7 +494,8 @@ describe("HostLink, where the world is stored", () => {
     platform.socket.receive(command(1));
     link.started(1);
     link.ended(1, done);
-    await saved(false);
+    link.worldClaimed();
+    await saved();
     expect(sent()).toMatchObject([{ type: "started" }]);
     expect(platform.socket.isClosed).toBe(true);
     expect(statuses.at(-1)?.kind).toBe("replaced");

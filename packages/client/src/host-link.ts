@@ -63,10 +63,10 @@ export interface HostLinkOptions {
   /** endings in the restored world that the relay may not have stored; default: none */
   endings?: readonly Ending[];
   /**
-   * Stores the world together with `journal`. An ending is sent once this resolves: true when it is stored, or
-   * when no reload restores this world; false when another page has it, so that this page is not the robot any more.
+   * Stores the world together with `journal`. An ending is sent once this resolves: the world is stored, or no
+   * reload restores it. Where another page has claimed the world, call `worldClaimed` first.
    */
-  save?(): Promise<boolean>;
+  save?(): Promise<void>;
   /** true when the page was loaded anew and no longer runs what it had started */
   fresh: boolean;
   /** The robot as it is now: sent before all endings, so that who waits for one reads fresh sensors. */
@@ -188,12 +188,8 @@ export class HostLink {
       if (this.#connection.isConnected) this.#tellEnding(kept);
     };
     const saved = this.#options.save?.();
-    if (saved === undefined) return this.#outbox.send(tell);
-    this.#unsaved.add(seq);
-    const isMine = saved.then((isSaved) => {
-      if (!isSaved) this.#replaced();
-    });
-    this.#outbox.send(tell, isMine);
+    if (saved !== undefined) this.#unsaved.add(seq);
+    this.#outbox.send(tell, saved);
   }
 
   /**
@@ -217,8 +213,11 @@ export class HostLink {
     });
   }
 
-  /** Another page goes on with the stored world, in which what is not sent yet never happened. */
-  #replaced(): void {
+  /**
+   * Another page has claimed the stored world, in which the endings that are not sent yet never happened: drops
+   * them, and leaves the robot to that page for good.
+   */
+  worldClaimed(): void {
     if (this.#isReplaced) return;
     this.#isReplaced = true;
     this.#outbox.clear();

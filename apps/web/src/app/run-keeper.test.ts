@@ -50,6 +50,7 @@ function openPage(
       post({ type: "run-key", key });
       return noted;
     },
+    onClaimed: () => void told.push("claimed"),
     newId: () => `id-${(writers += 1)}`,
     now: () => time,
     after: () => () => undefined,
@@ -157,7 +158,7 @@ describe("a run over a reload", () => {
     page.loop.run();
     await page.pass(100);
     page.of.journal = { robot: "AAAA", lastApplied: 7, endings: [], running: null };
-    expect(await page.worlds.save()).toBe(true);
+    await page.worlds.save();
     const reloaded = openPage(page);
     await reloaded.keeper.resume();
     expect(reloaded.loop.snapshot().pose).toEqual(page.loop.snapshot().pose);
@@ -190,7 +191,7 @@ describe("a run over a reload", () => {
     await page.pass(100);
     const before = page.store.writes;
     const saves = Array.from({ length: 50 }, () => page.worlds.save());
-    expect(await Promise.all(saves)).toEqual(saves.map(() => true));
+    await Promise.all(saves);
     expect(page.store.writes - before).toBeLessThanOrEqual(2);
   });
 
@@ -204,11 +205,27 @@ describe("a run over a reload", () => {
     await double.keeper.resume();
     expect(double.loop.snapshot().tick).toBeGreaterThan(0);
     // Nothing that happens here from now on is known there.
-    expect(await page.worlds.save()).toBe(false);
+    await page.worlds.save();
+    expect(page.told).toEqual(["claimed"]);
     await page.pass(300);
     expect(page.tab.getItem("corridor.run")).not.toBe(tab.getItem("corridor.run"));
-    expect(await page.worlds.save()).toBe(true);
-    expect(page.told).toEqual([]);
+    await page.worlds.save();
+    expect(page.told).toEqual(["claimed"]);
+  });
+
+  it("tells a page whose world was claimed before it sends the next ending", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(1_000);
+    await page.store.claim(page.tab.getItem("corridor.run") ?? "", "another page");
+    // Nobody waits for this write, which stores the progress of the run.
+    await page.pass(300);
+    expect(page.told).toEqual(["claimed"]);
+    // This page's world is one of its own from now on.
+    await page.pass(300);
+    await page.worlds.save();
+    expect(page.told).toEqual(["claimed"]);
+    expect(page.store.worlds.size).toBe(2);
   });
 
   it.each([
@@ -329,7 +346,7 @@ describe("a device that cannot store a run", () => {
     await page.pass(1_000);
     page.store.isFull = true;
     await page.pass(1_000);
-    expect(await page.worlds.save()).toBe(true);
+    await page.worlds.save();
     expect(page.told).toEqual(["not stored"]);
     // An older state of the world would contradict what was sent since.
     const reloaded = openPage(page);
@@ -363,7 +380,7 @@ describe("a device that cannot store a run", () => {
     const page = openPage({ tab, store: new MemoryWorldStore() });
     page.loop.run();
     await page.pass(1_000);
-    expect(await page.worlds.save()).toBe(true);
+    await page.worlds.save();
     expect(page.told).toEqual(["not stored"]);
     expect(page.store.writes).toBe(0);
   });

@@ -164,6 +164,11 @@ export class RemoteHost implements RemoteDriverEvents {
     if (this.isOpen) this.#mazes.offer(maze);
   }
 
+  /** Another page has claimed the stored world, and is the robot from now on. */
+  worldClaimed(): void {
+    this.#link?.worldClaimed();
+  }
+
   started(seq: number): void {
     this.#link?.started(seq);
     this.#change(seq, { state: "started" });

@@ -123,6 +123,7 @@ async function startKeeper(): Promise<WorldKeeper> {
         return journal === null ? restored : { ...journal, running: loop?.remote?.running ?? null };
       },
       noteKey,
+      onClaimed: () => remote?.worldClaimed(),
       newId: () => crypto.getRandomValues(new Uint32Array(4)).join("-"),
       now,
       after: (milliseconds, call) => {
@@ -139,9 +140,9 @@ async function startKeeper(): Promise<WorldKeeper> {
 }
 
 /** Before an ending is sent. */
-async function saveWorld(): Promise<boolean> {
+async function saveWorld(): Promise<void> {
   const loaded = await loadKeeper().catch(() => null);
-  return loaded === null || loaded.save();
+  await loaded?.save();
 }
 
 async function restoreRun(message: RestoreRun): Promise<void> {

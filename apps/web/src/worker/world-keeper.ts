@@ -20,6 +20,8 @@ export interface WorldKeeperPorts {
   journal: () => WorldJournal | null;
   /** Has the tab note where a reload finds the world, or that it finds none. @returns whether it has */
   noteKey: (key: string | null) => Promise<boolean>;
+  /** Another page has claimed the world of this run: what this page sends of it from now on contradicts that page. */
+  onClaimed: () => void;
   newId: () => string;
   /** monotonic milliseconds */
   now: () => number;
@@ -41,7 +43,7 @@ export class WorldKeeper {
   #refused: Recording | null = null;
   #isWriting = false;
   /** for those who wait for the next write */
-  #next: { promise: Promise<boolean>; resolve: (isMine: boolean) => void } | null = null;
+  #next: { promise: Promise<void>; resolve: () => void } | null = null;
   #wroteAt = Number.NEGATIVE_INFINITY;
 
   constructor(ports: WorldKeeperPorts) {
@@ -51,12 +53,12 @@ export class WorldKeeper {
 
   /**
    * Stores the world as it is at the end of this turn, so that it survives whatever happens.
-   * @returns true once it is stored, or once a reload is sure to restore nothing; false where another page has
-   *   claimed this world
+   * Resolves once it is stored, or once a reload is sure to restore nothing, and after `onClaimed` where another
+   * page has claimed this world.
    */
-  save(): Promise<boolean> {
-    if (this.#refused === this.#ports.recording()) return Promise.resolve(true);
-    this.#next ??= Promise.withResolvers<boolean>();
+  save(): Promise<void> {
+    if (this.#refused === this.#ports.recording()) return Promise.resolve();
+    this.#next ??= Promise.withResolvers<void>();
     const { promise } = this.#next;
     this.#start();
     return promise;
@@ -109,20 +111,18 @@ export class WorldKeeper {
   async #write(): Promise<void> {
     const waiting = this.#next;
     this.#next = null;
-    let isMine = true;
     try {
-      isMine = await this.#writeNow(waiting !== null);
+      await this.#writeNow(waiting !== null);
     } catch {
       await this.#refuse();
     }
-    waiting?.resolve(isMine);
+    waiting?.resolve();
     this.#isWriting = false;
     if (this.#next !== null) this.#start();
   }
 
-  /** @returns false where another page has claimed the world */
-  async #writeNow(isStrict: boolean): Promise<boolean> {
-    const { noteKey, newId, recording, journal } = this.#ports;
+  async #writeNow(isStrict: boolean): Promise<void> {
+    const { noteKey, onClaimed, newId, recording, journal } = this.#ports;
     const store = await this.#within(this.#opened());
     if (this.#key === null) {
       const key = newId();
@@ -141,10 +141,9 @@ export class WorldKeeper {
     if (outcome === "gone") return this.#writeNow(isStrict);
     if (outcome === "claimed") {
       this.#key = null;
-      return false;
+      return onClaimed();
     }
     this.#stored = { recording: run, revision, mark: update.checkpoint, ticks: update.ticks };
-    return true;
   }
 
   /** This run is not stored any more: the page says so, and after a reload there is none to restore. */
