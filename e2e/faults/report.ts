@@ -38,8 +38,8 @@ add a scenario.
 
 - "lost", "doubled", "reordered" and "ended twice" count the commands in which the histories differ.
 - "late" counts the commands that a robot started more than 100 ms after their time to live. The time to live starts with
-  the first attempt. The time that the accepted attempt waited unread at its relay is added, because a message contains the
-  age of its command, but not its transit time.
+  the first attempt. A message contains the age of its command, but not its transit time. Therefore, the time that the
+  accepted attempt waited unread at its relay is added.
 - A load above the number of processors means that other programs ran on the machine. Every time is then longer.
 
 ## Results

@@ -127,7 +127,7 @@ export class Comparison {
   /** Goals that require zero faults of each kind. */
   goals(kinds: readonly FaultKind[] = faultKinds): Goal[] {
     return kinds.map((kind) => ({
-      label: `${kind} commands`,
+      label: `commands ${kind}`,
       measured: this.#faults.filter((fault) => fault.kind === kind).length,
       bound: { atMost: 0 },
       unit: `of ${this.commands}`,

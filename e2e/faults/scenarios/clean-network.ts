@@ -20,7 +20,7 @@ const LONG_MS = 600_000;
 export const cleanNetwork: Scenario = {
   title: "Clean network",
   describe: (isLong) =>
-    `${ROBOTS} robots x ${PER_SECOND} commands a second, half by WebSocket, half by single requests, for ${length(isLong) / 1000} s`,
+    `${ROBOTS} robots receive ${PER_SECOND} commands per second each for ${length(isLong) / 1000} s, half of them by WebSocket, half by single requests`,
   run: async (context) => {
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());

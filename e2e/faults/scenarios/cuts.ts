@@ -29,7 +29,7 @@ interface Network {
 export const cuts: Scenario = {
   title: "Cuts",
   describe: (isLong) =>
-    `${cutsOf(isLong).toLocaleString("en")} cuts of the connections of ${ROBOTS} pages and their scripts: resets, closes, outages of up to 1 s, half-open connections, delays, slices`,
+    `The connections of ${ROBOTS} pages and their scripts are cut ${cutsOf(isLong).toLocaleString("en")} times: resets, closes, outages of up to 1 s, half-open connections, delays, slices`,
   run: async (context) => {
     const random = new SeededRandom(context.seed);
     const relay = await RelayProcess.start();

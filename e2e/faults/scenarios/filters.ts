@@ -31,7 +31,7 @@ interface Client {
 export const filters: Scenario = {
   title: "Filters",
   describe: () =>
-    `page, TypeScript and Python library and the Java example behind a filter that strips Upgrade, one that closes connections idle for ${IDLE_MS / 1000} s (with a pause of 35 s), and one that buffers responses until they end`,
+    `The page, the TypeScript and Python libraries and the Java example connect through three filters. One strips Upgrade, one closes connections that are idle for ${IDLE_MS / 1000} s (the scripts pause for ${IDLE_MS / 1000 + 5} s), and one buffers responses until they end`,
   run: async (context) => {
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());

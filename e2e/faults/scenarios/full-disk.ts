@@ -19,7 +19,7 @@ const TIMEOUT_MS = 60_000;
 export const fullDisk: Scenario = {
   title: "Full disk",
   describe: () =>
-    `a disk of ${DISK_MIB} MiB is filled for ${FULL_MS / 1000} s while ${ROBOTS} robots receive commands over all transports`,
+    `A disk of ${DISK_MIB} MiB is full for ${FULL_MS / 1000} s while ${ROBOTS} robots receive commands over all transports`,
   run: async (context) => {
     const disk = SmallDisk.mount(join(context.folder, "disk"), DISK_MIB);
     if (disk === null)

@@ -18,7 +18,7 @@ const STALE = 5;
 export const hiddenPage: Scenario = {
   title: "Hidden, frozen",
   describe: () =>
-    `a real tab hidden for ${HIDDEN_MS / 1000} s gets commands one by one; then it is frozen for ${FROZEN_MS / 1000} s and gets ${STALE} with a time to live of 2 s`,
+    `A real tab is hidden for ${HIDDEN_MS / 1000} s and receives commands one by one. Then it is frozen for ${FROZEN_MS / 1000} s while a script sends ${STALE} commands with a time to live of 2 s`,
   run: async (context) => {
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());

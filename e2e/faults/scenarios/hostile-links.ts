@@ -29,7 +29,7 @@ const SCRIPTS = [
 export const hostileLinks: Scenario = {
   title: "Hostile links",
   describe: (isLong) =>
-    `${isLong ? LINKS.long : LINKS.short} forged, broken and oversized links, and names with scripts in them, opened one after the other in Chromium`,
+    `Chromium opens ${isLong ? LINKS.long : LINKS.short} forged, broken and oversized links one by one, some with scripts in names`,
   run: async (context) => {
     const random = new SeededRandom(context.seed);
     const relay = await RelayProcess.start();

@@ -19,7 +19,7 @@ const INTERNALS = /node:|node_modules|file:\/\/|\/src\/|\bat \w+ \(|SQLITE_/;
 export const malformedFrames: Scenario = {
   title: "Malformed frames",
   describe: (isLong) =>
-    `${isLong ? FRAMES.long : FRAMES.short} broken frames and messages before, as and after the hello of pages and scripts, while another robot is driven`,
+    `${isLong ? FRAMES.long : FRAMES.short} broken frames and messages arrive before, as and after the hello of pages and scripts while another robot receives commands`,
   run: async (context) => {
     const random = new SeededRandom(context.seed);
     const relay = await RelayProcess.start();

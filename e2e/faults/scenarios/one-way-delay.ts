@@ -60,7 +60,7 @@ interface Observation extends Outcome {
 export const oneWayDelay: Scenario = {
   title: "One-way delay",
   describe: (isLong) =>
-    `Python and TypeScript scripts send ${timesOf(isLong)} turns (ttl ${TTL_MS} ms) in each phase: with a delay of 1 s, 3 s or up to 1.5 s in one direction from the first byte on, without, with, without`,
+    `Python and TypeScript scripts send ${timesOf(isLong)} turns (ttl ${TTL_MS} ms) in each of four phases: with a delay in one direction, without, with, without. The delay is 1 s, 3 s or up to 1.5 s, and applies from the first byte on`,
   run: async (context) => {
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());

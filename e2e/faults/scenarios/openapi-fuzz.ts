@@ -22,7 +22,7 @@ const ROUND_MS = 300_000;
 export const openApiFuzz: Scenario = {
   title: "OpenAPI fuzz",
   describe: (isLong) =>
-    `${(isLong ? CASES.long : CASES.short).toLocaleString("en")} requests by schemathesis to ${ROBOTS} robots with their pages, each from another address`,
+    `schemathesis sends ${(isLong ? CASES.long : CASES.short).toLocaleString("en")} requests to ${ROBOTS} robots with their pages, each from another address`,
   run: async (context) => {
     requirePython();
     const python = requireEnvironment("schemathesis", `${HERE}requirements.txt`);

@@ -17,7 +17,7 @@ const kills = (isLong: boolean): number => (isLong ? LONG_KILLS : SHORT_KILLS);
 export const relayKilled: Scenario = {
   title: "Relay killed",
   describe: (isLong) =>
-    `kill -9 of the relay, ${kills(isLong)} times in ${(kills(isLong) * EVERY_MS) / 1000} s, while ${ROBOTS} robots receive commands over all transports`,
+    `The relay is killed (kill -9) ${kills(isLong)} times in ${(kills(isLong) * EVERY_MS) / 1000} s while ${ROBOTS} robots receive commands over all transports`,
   run: async (context) => {
     const random = new SeededRandom(context.seed);
     const relay = await RelayProcess.start();

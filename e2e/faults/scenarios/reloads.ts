@@ -29,7 +29,7 @@ interface Findings {
 export const reloads: Scenario = {
   title: "Reloads",
   describe: (isLong) =>
-    `${timesOf(isLong)} reloads (kill -9 of the tab) and second pages of ${ROBOTS} robots that receive commands all the time`,
+    `${ROBOTS} robots receive commands continuously while their tabs are reloaded (kill -9) or second pages open, ${timesOf(isLong)} times`,
   run: async (context) => {
     const random = new SeededRandom(context.seed);
     const relay = await RelayProcess.start();

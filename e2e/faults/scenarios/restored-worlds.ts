@@ -34,7 +34,7 @@ interface Findings {
 export const restoredWorlds: Scenario = {
   title: "Restored worlds",
   describe: (isLong) =>
-    `${timesOf(isLong) * SPEEDS.length} reloads and crashes of real tabs at ${SPEEDS.join(", ")} times the speed while scripts turn and move their robots, every third with a kill -9 of the relay`,
+    `Real tabs are reloaded or crash ${timesOf(isLong) * SPEEDS.length} times at ${SPEEDS.join(", ")} times the speed while scripts turn and move their robots. Every third time, the relay is killed (kill -9)`,
   run: async (context) => {
     const results = await Promise.all(
       SPEEDS.map((speed, result) => disturbed(context, speed, result)),

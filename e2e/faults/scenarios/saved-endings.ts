@@ -24,7 +24,7 @@ const STORES_NOTHING = `
 export const savedEndings: Scenario = {
   title: "Saved endings",
   describe: (isLong) =>
-    `${isLong ? LONG_TIMES : SHORT_TIMES} alternating turns in a tab that stores its world and in one that cannot`,
+    `Scripts send ${isLong ? LONG_TIMES : SHORT_TIMES} turns alternately to a tab that stores its world and to one that cannot`,
   run: async (context) => {
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());

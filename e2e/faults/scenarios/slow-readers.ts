@@ -24,7 +24,7 @@ const WAKING_MS = 150;
 export const slowReaders: Scenario = {
   title: "Slow readers",
   describe: () =>
-    `${BUSY * READERS_EACH} scripts of ${BUSY} robots that drive without a pause read nothing for ${SLEEP_MS / 1000} s, beside ${BYSTANDERS} that are driven`,
+    `${BUSY * READERS_EACH} scripts of ${BUSY} moving robots read nothing for ${SLEEP_MS / 1000} s while ${BYSTANDERS} other robots receive commands`,
   run: async (context) => {
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());

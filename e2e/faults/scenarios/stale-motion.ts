@@ -45,7 +45,7 @@ interface Cut {
 export const staleMotion: Scenario = {
   title: "Stale motion",
   describe: (isLong) =>
-    `the network is cut for 1 to 4 s while velocities are published ${PER_SECOND} times a second, ${timesOf(isLong)} times for each of: the library by WebSocket and by HTTPS, single requests, a client that queues while disconnected and flushes, the network of the page`,
+    `The network is cut for 1 to 4 s while a client publishes ${PER_SECOND} velocities per second, ${timesOf(isLong)} times each. The clients are the library by WebSocket and by HTTPS, single requests, and a client that queues while disconnected. The last cuts are in the network of the page`,
   run: async (context) => {
     const random = new SeededRandom(context.seed);
     const relay = await RelayProcess.start();

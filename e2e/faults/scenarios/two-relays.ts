@@ -19,7 +19,7 @@ const killsOf = (isLong: boolean): number => (isLong ? LONG_KILLS : SHORT_KILLS)
 export const twoRelays: Scenario = {
   title: "Two relays",
   describe: (isLong) =>
-    `two relays on one Redis behind a balancer, ${killsOf(isLong)} times one of them is killed (kill -9) and restarts after ${EVERY_MS / 2000} s, while ${ROBOTS} robots receive commands over all transports`,
+    `Two relays share a Redis behind a balancer while ${ROBOTS} robots receive commands over all transports. One of the relays is killed (kill -9) ${killsOf(isLong)} times, and restarts after ${EVERY_MS / 2000} s`,
   run: async (context) => {
     const random = new SeededRandom(context.seed);
     requireRedis();
