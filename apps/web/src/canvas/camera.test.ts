@@ -13,8 +13,8 @@ const somewhere = fc.record({
   heading: fc.constant(0),
 });
 
-describe("a camera that goes with the robot", () => {
-  it("has the robot in its middle, far from the edges of the maze", () => {
+describe("the camera that follows the robot", () => {
+  it("centres the robot, far from the edges of the maze", () => {
     const scroll = new Camera().at(large, { x: 550, y: 350, heading: 0 }, false, 1);
     const viewport = viewportAt(large, scroll);
     expect([viewX(viewport, 550), viewY(viewport, 350)]).toEqual([195, 170]);
@@ -40,7 +40,7 @@ describe("a camera that goes with the robot", () => {
     );
   });
 
-  it("stands still for readers who want less motion until the robot comes near its edge", () => {
+  it("stands still until the robot comes near its edge if the user prefers reduced motion", () => {
     const camera = new Camera();
     const places = [500, 520, 540, 560].map((x) =>
       camera.at(large, { x, y: 350, heading: 90 }, true, 1),
@@ -49,7 +49,7 @@ describe("a camera that goes with the robot", () => {
     expect(camera.at(large, { x: 900, y: 350, heading: 90 }, true, 1)).not.toEqual(places[0]);
   });
 
-  it("is the same object while it stands, so that nothing is drawn anew", () => {
+  it("returns the same object while it stands still, so that nothing is repainted", () => {
     const camera = new Camera();
     const pose = { x: 550, y: 350, heading: 0 };
     const first = camera.at(large, pose, false, 0.5);

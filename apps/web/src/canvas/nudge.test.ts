@@ -6,7 +6,7 @@ const hop: Nudge = { kind: "hop", dx: 0, dy: 0, startedAt: 1000 };
 const times = Array.from({ length: 421 }, (_, at) => 1000 + at);
 
 describe("the robot's nudge", () => {
-  it("swings over its end and comes to rest on it", () => {
+  it("overshoots and ends at rest", () => {
     expect(easeNudge(0)).toBeCloseTo(0, 2);
     expect(easeNudge(1)).toBe(1);
     expect(Math.max(...times.map((_, at) => easeNudge(at / 420)))).toBeGreaterThan(1);

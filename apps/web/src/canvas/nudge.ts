@@ -1,28 +1,29 @@
 /**
- * The robot's only playful motions: it recoils once from a bump and hops once on the goal. Both follow
- * the page's `--ease-nudge`, which swings a little over its end.
+ *
+ * The robot's only playful animations: a recoil from a bump and a hop on the goal. Both use the
+ * page's `--ease-nudge`, which overshoots slightly.
  */
 
-/** Milliseconds, as `--dur-4`. */
+/** Milliseconds, the same as `--dur-4`. */
 const DURATION_MS = 420;
 const RECOIL_PX = 6;
 const HOP_PX = 8;
 
-/** The curve's two handles: cubic-bezier(0.3, 1.6, 0.5, 1). */
+/** Control points of the curve: cubic-bezier(0.3, 1.6, 0.5, 1). */
 const handles = { x1: 0.3, y1: 1.6, x2: 0.5, y2: 1 };
-/** Halvings that find the curve's parameter within a thousandth. */
-const HALVINGS = 10;
+/** Bisections that find the curve's parameter within a thousandth. */
+const BISECTIONS = 10;
 
 export interface Nudge {
   kind: "recoil" | "hop";
-  /** unit vector that a recoil goes along, in the view; a hop goes up */
+  /** unit vector of a recoil, in the view; a hop goes up */
   dx: number;
   dy: number;
   /** monotonic milliseconds */
   startedAt: number;
 }
 
-/** Pixels by which the robot is drawn beside its place; null when the motion is over. */
+/** Offset in pixels of the robot from its position; null once the animation is over. */
 export function nudgeOffset(
   { kind, dx, dy, startedAt }: Nudge,
   now: number,
@@ -37,12 +38,16 @@ export function nudgeOffset(
   return { x: 0, y: -HOP_PX * height };
 }
 
-/** `--ease-nudge`. @param share of the time, 0 to 1 */
+/**
+ *
+ * Value of `--ease-nudge`.
+ * @param share elapsed share of the duration, 0 to 1
+ */
 export function easeNudge(share: number): number {
   const { x1, y1, x2, y2 } = handles;
   let low = 0;
   let high = 1;
-  for (let halving = 0; halving < HALVINGS; halving++) {
+  for (let step = 0; step < BISECTIONS; step++) {
     const middle = (low + high) / 2;
     if (bezier(middle, x1, x2) < share) low = middle;
     else high = middle;

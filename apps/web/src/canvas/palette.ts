@@ -1,6 +1,7 @@
 /**
- * Colours of the canvas, read from the same custom properties as the rest of the page.
- * Reading them costs a style calculation: once a theme, never once a frame.
+ *
+ * Colours of the canvas, read from the custom properties of the page. Reading them costs a style
+ * calculation, so they are read once per theme, never once per frame.
  */
 
 const names = {
@@ -36,7 +37,11 @@ const names = {
 /** CSS colours by role, and the page's font family. */
 export type Palette = Record<keyof typeof names, string>;
 
-/** Reads every colour as it is now. `valueOf` gives a custom property's value, empty when unknown. */
+/**
+ *
+ * Reads the current colours.
+ * @param valueOf returns the value of a custom property, empty if it is unknown
+ */
 export function readPalette(valueOf: (property: string) => string): Palette {
   const entries = Object.entries(names).map(([role, property]) => [role, valueOf(property).trim()]);
   return Object.fromEntries(entries) as Palette;

@@ -19,7 +19,7 @@ function progress(changes: Partial<Progress>): Progress {
 
 const delayed = { action: "delayed right 90", parts: 3 } as const;
 
-describe("the way of a delayed turn", () => {
+describe("the path of a delayed turn", () => {
   it.each([
     {
       name: "leads to the turning point and out of the junction",
@@ -67,13 +67,13 @@ describe("the way of a delayed turn", () => {
     },
   );
 
-  it("is none where nothing is delayed", () => {
+  it("is null for every other action", () => {
     expect(delayedPath(pose, null)).toBeNull();
     expect(delayedPath(pose, progress({}))).toBeNull();
   });
 });
 
-describe("where a command will end", () => {
+describe("the pose at which a command ends", () => {
   it.each([
     { name: "a drive", changes: { left: 100 }, end: { x: 650, y: 182, heading: 0 } },
     {
@@ -96,7 +96,7 @@ describe("where a command will end", () => {
   it.each([
     { name: "nothing runs", running: null },
     { name: "wheels turn for a time", running: progress({ kind: "wheels" }) },
-    { name: "a delayed turn has a way of its own", running: progress(delayed) },
+    { name: "a delayed turn has its own path", running: progress(delayed) },
   ])("is not drawn while $name", ({ running }) => {
     expect(endOf(pose, running)).toBeNull();
   });

@@ -1,4 +1,6 @@
-/** Where a running manoeuvre takes the robot: pure arithmetic over its pose and what is left. */
+/**
+ * Where a running manoeuvre takes the robot, computed from its pose and the rest of the manoeuvre.
+ */
 import type { Pose } from "@corridor/protocol";
 import { LEAVE_DISTANCE, type Progress } from "@corridor/simulation";
 import { ROBOT_RADIUS } from "./layers/robot.ts";
@@ -8,16 +10,21 @@ interface Point {
   y: number;
 }
 
-/** A point so many units from a pose. @param heading degrees clockwise from north */
+/**
+ *
+ * The point at a distance in units from another one.
+ * @param heading degrees clockwise from north
+ */
 export function pointAhead({ x, y }: Point, heading: number, distance: number): Point {
   const radians = (heading * Math.PI) / 180;
   return { x: x + Math.sin(radians) * distance, y: y - Math.cos(radians) * distance };
 }
 
 /**
- * The way that a delayed turn has still to go: from the robot's centre to the turning point, and out of
- * the junction to where its front will be. Shorter while it drives.
- * @returns three points, or two once it has turned; null for everything else
+ *
+ * The rest of the path of a delayed turn: from the robot's centre to the turning point, and out of
+ * the junction to the end position of its front.
+ * @returns three points, or two once the robot has turned; null for every other action
  */
 export function delayedPath(pose: Pose, progress: Progress | null): Point[] | null {
   if (progress === null || !progress.action.startsWith("delayed")) return null;
@@ -31,7 +38,10 @@ export function delayedPath(pose: Pose, progress: Progress | null): Point[] | nu
   return [from, corner, pointAhead(corner, pose.heading + quarter, leaving)];
 }
 
-/** Where a drive or a turn on the spot ends if nothing is in its way; null for everything else. */
+/**
+ * The pose at which a drive or a turn on the spot ends without an obstacle; null for every other
+ * action.
+ */
 export function endOf(pose: Pose, progress: Progress | null): Pose | null {
   if (progress === null || progress.parts > 1) return null;
   const { kind, left, direction } = progress;

@@ -1,10 +1,10 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { cellsBetween, PointerInput, type Intent, type PointerFacts } from "./pointer-input.ts";
+import { cellsBetween, PointerInput, type Intent, type PointerDetails } from "./pointer-input.ts";
 
 const at = (column: number, row: number) => ({ column, row });
 
-function pointer(facts: Partial<PointerFacts>): PointerFacts {
+function pointer(facts: Partial<PointerDetails>): PointerDetails {
   return { pointerId: 1, pointerType: "mouse", button: 0, isPrimary: true, cell: null, ...facts };
 }
 
@@ -16,7 +16,7 @@ function newInput(doesTouchScroll = false) {
 }
 
 describe("a mouse over the maze", () => {
-  it("shows what a press would do, and nothing once it has left", () => {
+  it("shows a preview of a press, and none once it has left", () => {
     const { input, intents } = newInput();
     input.move(pointer({ cell: at(2, 3) }));
     input.leave();
@@ -41,7 +41,7 @@ describe("a mouse over the maze", () => {
     ]);
   });
 
-  it("goes on painting after a way outside of the maze", () => {
+  it("continues to paint after it was outside of the maze", () => {
     const { input, intents } = newInput();
     input.down(pointer({ cell: at(0, 0) }));
     input.move(pointer({ cell: null }));
@@ -59,7 +59,7 @@ describe("a mouse over the maze", () => {
     expect(intents).toEqual([]);
   });
 
-  it("takes a stroke back that is given up", () => {
+  it("undoes a cancelled stroke", () => {
     const { input, intents } = newInput();
     input.down(pointer({ cell: at(1, 1) }));
     input.cancel();
@@ -69,7 +69,7 @@ describe("a mouse over the maze", () => {
 });
 
 describe("a finger", () => {
-  const finger = (facts: Partial<PointerFacts>) => pointer({ pointerType: "touch", ...facts });
+  const finger = (facts: Partial<PointerDetails>) => pointer({ pointerType: "touch", ...facts });
 
   it("paints where the whole maze shows", () => {
     const { input, intents } = newInput();
@@ -79,14 +79,14 @@ describe("a finger", () => {
     expect(intents.map(({ type }) => type)).toEqual(["hover", "begin", "paint", "end"]);
   });
 
-  it("that comes second is a pinch and takes the stroke back", () => {
+  it("that comes second is a pinch and undoes the stroke", () => {
     const { input, intents } = newInput();
     input.down(finger({ cell: at(1, 1) }));
     input.down(finger({ cell: at(3, 3), pointerId: 2, isPrimary: false }));
     expect(intents.at(-1)).toEqual({ type: "cancel" });
   });
 
-  it("edits by a tap where it is needed for scrolling", () => {
+  it("edits by a tap where a drag scrolls", () => {
     const { input, intents } = newInput(true);
     input.down(finger({ cell: at(1, 1) }));
     expect(intents).toEqual([]);
@@ -105,7 +105,7 @@ describe("a finger", () => {
 });
 
 describe("cellsBetween", () => {
-  it("leaves no gap and ends at the last cell, however fast the pointer was", () => {
+  it("leaves no gap and ends at the last cell, however fast the pointer moves", () => {
     const cell = fc.record({ column: fc.nat(255), row: fc.nat(255) });
     fc.assert(
       fc.property(cell, cell, (from, to) => {

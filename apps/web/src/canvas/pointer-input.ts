@@ -1,25 +1,26 @@
 /**
- * Pointer events over the maze become intents: look at a cell, paint over cells, stop, take back.
  *
- * A press paints at once, and a drag paints every cell on its way. Where the maze is larger than the
- * stage, a finger has to scroll it; there a finger paints only by a tap. A second finger means a
- * pinch, which takes back what the first began.
+ * Turns pointer events over the maze into intents: hover over a cell, paint cells, end, cancel.
+ *
+ * A press paints immediately, and a drag paints every cell on its path. Where the maze is larger
+ * than the stage, a finger scrolls it and paints only by a tap. A second finger is a pinch, which
+ * cancels the stroke of the first.
  */
 import type { Cell } from "@corridor/maze";
 
 export type Intent =
-  /** the pointer rests over a cell, or over none */
+  /** the pointer rests over a cell, or outside of the maze */
   | { type: "hover"; cell: Cell | null }
-  /** a stroke begins with this cell */
+  /** a stroke starts with this cell */
   | { type: "begin"; cell: Cell }
-  /** the stroke goes on over these cells */
+  /** the stroke continues over these cells */
   | { type: "paint"; cells: readonly Cell[] }
   | { type: "end" }
-  /** the stroke was no stroke: everything back */
+  /** the stroke was a gesture: undo its edits */
   | { type: "cancel" };
 
-/** As much of a PointerEvent as is needed here. */
-export interface PointerFacts {
+/** The part of a PointerEvent that PointerInput needs. */
+export interface PointerDetails {
   pointerId: number;
   pointerType: string;
   button: number;
@@ -30,12 +31,12 @@ export interface PointerFacts {
 
 type Stroke =
   | { kind: "painting"; pointerId: number; last: Cell }
-  /** a finger that may yet turn out to scroll */
+  /** a finger that may turn out to scroll */
   | { kind: "tapping"; pointerId: number; cell: Cell };
 
 export class PointerInput {
   readonly #emit: (intent: Intent) => void;
-  /** whether a finger is needed for scrolling */
+  /** whether touch scrolls the stage */
   #doesTouchScroll = false;
   #stroke: Stroke | null = null;
 
@@ -47,7 +48,7 @@ export class PointerInput {
     this.#doesTouchScroll = doesTouchScroll;
   }
 
-  down(event: PointerFacts): void {
+  down(event: PointerDetails): void {
     if (!event.isPrimary) return this.cancel();
     if (event.button !== 0 || event.cell === null || this.#stroke !== null) return;
     const { cell, pointerId } = event;
@@ -60,7 +61,7 @@ export class PointerInput {
     this.#emit({ type: "begin", cell });
   }
 
-  move(event: PointerFacts): void {
+  move(event: PointerDetails): void {
     const stroke = this.#stroke;
     if (stroke === null) {
       if (event.pointerType !== "touch") this.#emit({ type: "hover", cell: event.cell });
@@ -77,7 +78,7 @@ export class PointerInput {
     this.#emit({ type: "paint", cells });
   }
 
-  up(event: PointerFacts): void {
+  up(event: PointerDetails): void {
     const stroke = this.#stroke;
     if (stroke === null || stroke.pointerId !== event.pointerId) return;
     this.#stroke = null;
@@ -86,7 +87,7 @@ export class PointerInput {
     if (event.pointerType !== "touch") this.#emit({ type: "hover", cell: event.cell });
   }
 
-  /** The browser took the pointer away, Escape was pressed, or a second finger came down. */
+  /** The browser cancelled the pointer, Escape was pressed, or a second finger came down. */
   cancel(): void {
     const stroke = this.#stroke;
     this.#stroke = null;
@@ -103,8 +104,9 @@ function isSame(a: Cell, b: Cell): boolean {
 }
 
 /**
- * The cells on the way from one to another, the first left out: a fast pointer skips cells between
- * two events. Neighbours in the result share a side or a corner.
+ *
+ * The cells from one cell to another, without the first: a fast pointer skips cells between two
+ * events. Neighbours in the result share a side or a corner.
  */
 export function cellsBetween(from: Cell, to: Cell): Cell[] {
   const columns = to.column - from.column;

@@ -1,6 +1,7 @@
 /**
- * Which canvas is drawn again when. There is no canvas in Node: a recording one stands in, and how the
- * pictures look is seen in the browser's tests.
+ *
+ * Which canvas is redrawn when. Node has no canvas, so a recording one replaces it. The browser
+ * tests check how the result looks.
  */
 import { snapshotOf } from "@corridor/protocol/testing";
 import type { MazeDocument } from "@corridor/maze";
@@ -8,10 +9,10 @@ import type { Snapshot } from "@corridor/protocol";
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { frameOf } from "../worker/testing/frame-of.ts";
 import type { Frame } from "../worker/worker-messages.ts";
-import type { LayerCanvas, LayerCanvases } from "./brush.ts";
+import type { LayerCanvas, LayerCanvases } from "./drawing-context.ts";
 import { readPalette } from "./palette.ts";
 import { StageRenderer } from "./renderer.ts";
-import type { Scene } from "./scene.ts";
+import type { StageModel } from "./stage-model.ts";
 import { layOut, type Scroll } from "./viewport.ts";
 
 const maze: MazeDocument = {
@@ -25,7 +26,7 @@ const maze: MazeDocument = {
 const padding = { top: 36, right: 34, bottom: 20, left: 70 };
 const view = { width: 1028, height: 644 };
 
-const scene: Scene = {
+const model: StageModel = {
   layout: layOut({ columns: 3, rows: 3 }, view, padding, 30),
   scroll: { x: 0, y: 0 },
   answers: 0,
@@ -44,7 +45,7 @@ const scene: Scene = {
   showBeams: true,
   showTrail: true,
   showRulers: true,
-  ghost: null,
+  preview: null,
   measured: null,
   isCalm: false,
 };
@@ -54,7 +55,10 @@ function snapshotAt(x: number, y: number, state: Snapshot["state"] = "running"):
   return snapshotOf({ driver: "program", line: 0, sensors, state, pose: { x, y, heading: 90 } });
 }
 
-/** A canvas that counts how often it is emptied as a whole and in part, clipped for a picture, and stroked. */
+/**
+ * A canvas that counts how often it is cleared fully and partially, clipped for a layer, and
+ * stroked.
+ */
 function recordingCanvas() {
   const counts = { cleared: 0, wiped: 0, strokes: 0, pictures: 0 };
   const texts: string[] = [];
@@ -96,9 +100,9 @@ function newStage() {
   });
   const renderer = new StageRenderer({
     takeFrame: () => {
-      const taken = frame;
-      if (taken !== null) frame = { ...taken, corners: [], trailReset: false };
-      return taken;
+      const occupied = frame;
+      if (occupied !== null) frame = { ...occupied, corners: [], trailReset: false };
+      return occupied;
     },
     requestFrame,
     cancelFrame: () => (waiting = null),
@@ -121,7 +125,10 @@ function newStage() {
   const drive = (x: number, y: number, isReset = false): void =>
     show(snapshotAt(x, y), isReset ? [x, y] : [], isReset);
   const rest = (x: number, y: number): void => show(snapshotAt(x, y, "paused"), [], false);
-  /** How often each layer has been drawn anew since the last call; the robot's is wiped in part for it. */
+  /**
+   * How often each layer was redrawn since the last call; the live layer is cleared partially for
+   * it.
+   */
   const redrawn = (): { maze: number; trail: number; live: number } => {
     const now = {
       maze: layers.maze.counts.cleared,
@@ -142,15 +149,15 @@ beforeEach(() => {
 describe("the stage", () => {
   it("draws all three layers once at first, at the size of the screen's pixels", () => {
     const { renderer, canvases, paint, redrawn } = newStage();
-    renderer.show({ ...scene, pixelRatio: 2 });
+    renderer.show({ ...model, pixelRatio: 2 });
     paint();
     expect(redrawn()).toEqual({ maze: 1, trail: 1, live: 1 });
     expect(canvases.maze).toMatchObject({ width: 2056, height: 1288 });
   });
 
-  it("touches neither maze nor old trail while the robot drives", () => {
+  it("leaves maze and old trail alone while the robot drives", () => {
     const { renderer, layers, paint, drive, redrawn } = newStage();
-    renderer.show(scene);
+    renderer.show(model);
     drive(50, 50, true);
     paint();
     redrawn();
@@ -178,7 +185,7 @@ describe("the stage", () => {
     },
     {
       name: "a hovered square",
-      change: { ghost: { kind: "block", cell: { column: 1, row: 0 } } },
+      change: { preview: { kind: "block", cell: { column: 1, row: 0 } } },
       redrawn: { maze: 0, trail: 0, live: 1 },
     },
     { name: "beams hidden", change: { showBeams: false }, redrawn: { maze: 0, trail: 0, live: 1 } },
@@ -188,33 +195,33 @@ describe("the stage", () => {
       redrawn: { maze: 1, trail: 0, live: 1 },
     },
     { name: "nothing", change: {}, redrawn: { maze: 0, trail: 0, live: 0 } },
-  ] satisfies { name: string; change: Partial<Scene>; redrawn: object }[])(
+  ] satisfies { name: string; change: Partial<StageModel>; redrawn: object }[])(
     "redraws only what shows it: $name",
     ({ change, redrawn }) => {
       const { renderer, paint, redrawn: drawn } = newStage();
-      renderer.show(scene);
+      renderer.show(model);
       paint();
       drawn();
-      renderer.show({ ...scene, ...change });
+      renderer.show({ ...model, ...change });
       paint();
       expect(drawn()).toEqual(redrawn);
     },
   );
 
-  it("asks for one animation frame, however much changes, and for none while nothing does", () => {
+  it("requests one animation frame for any number of changes, and none without a change", () => {
     const { renderer, requestFrame, paint } = newStage();
-    renderer.show(scene);
-    renderer.show({ ...scene, showBeams: false });
+    renderer.show(model);
+    renderer.show({ ...model, showBeams: false });
     renderer.frameArrived();
     expect(requestFrame).toHaveBeenCalledTimes(1);
     paint();
-    renderer.show({ ...scene, showBeams: false });
+    renderer.show({ ...model, showBeams: false });
     expect(requestFrame).toHaveBeenCalledTimes(1);
   });
 
-  it("draws the trail anew when the robot goes back to its start", () => {
+  it("redraws the trail when the robot returns to its start", () => {
     const { renderer, drive, redrawn } = newStage();
-    renderer.show(scene);
+    renderer.show(model);
     drive(50, 50, true);
     drive(80, 50);
     redrawn();
@@ -222,9 +229,9 @@ describe("the stage", () => {
     expect(redrawn()).toMatchObject({ maze: 0, trail: 1 });
   });
 
-  it("draws the trail as one line when the robot comes to rest, and leaves it then", () => {
+  it("redraws the trail as one line when the robot stops, and not again after that", () => {
     const { renderer, drive, rest, redrawn } = newStage();
-    renderer.show(scene);
+    renderer.show(model);
     drive(50, 50, true);
     drive(80, 50);
     redrawn();
@@ -235,9 +242,9 @@ describe("the stage", () => {
     expect(redrawn()).toMatchObject({ maze: 0, trail: 0 });
   });
 
-  it("draws nothing while it has no canvases, and all on the next ones", () => {
+  it("draws nothing while it has no canvases, and everything on the next ones", () => {
     const { renderer, canvases, paint, drive, redrawn } = newStage();
-    renderer.show(scene);
+    renderer.show(model);
     drive(50, 50, true);
     renderer.detach();
     redrawn();
@@ -248,9 +255,9 @@ describe("the stage", () => {
     expect(redrawn()).toEqual({ maze: 1, trail: 1, live: 1 });
   });
 
-  it("wipes only where the robot and its beams were, not the whole picture", () => {
+  it("erases only the area of the robot and its beams", () => {
     const { renderer, layers, drive } = newStage();
-    renderer.show(scene);
+    renderer.show(model);
     drive(50, 50, true);
     layers.live.counts.cleared = 0;
     for (let x = 51; x <= 60; x++) drive(x, 50);
@@ -261,12 +268,12 @@ describe("the stage", () => {
 
 describe("a maze larger than the stage", () => {
   const large = {
-    ...scene,
+    ...model,
     layout: layOut({ columns: 256, rows: 256 }, view, padding, 30),
     maze: { ...maze, blocks: Array.from({ length: 256 }, () => ".".repeat(256)) },
   };
 
-  it("follows the robot out of sight, and stands still while it is well in sight", () => {
+  it("scrolls to a robot that leaves the view, and stands still while the robot is well inside", () => {
     const { renderer, paint, drive, scrolls } = newStage();
     renderer.show(large);
     drive(12_000, 12_000, true);
@@ -277,7 +284,7 @@ describe("a maze larger than the stage", () => {
     expect(scrolls).toHaveLength(1);
   });
 
-  it("shows the robot when the stage becomes too small, though it stands still", () => {
+  it("shows a robot that stands still when the stage becomes too small", () => {
     const { renderer, paint, drive, scrolls } = newStage();
     renderer.show({ ...large, layout: { ...large.layout, overflows: false } });
     drive(12_000, 12_000, true);
@@ -287,7 +294,7 @@ describe("a maze larger than the stage", () => {
     expect(scrolls).toHaveLength(1);
   });
 
-  it("asks again where the page answered with another place, as it does for an older layout", () => {
+  it("requests again if the page scrolled elsewhere, as it does for an older layout", () => {
     const { renderer, paint, drive, scrolls } = newStage();
     renderer.show(large);
     drive(12_000, 12_000, true);
@@ -297,7 +304,7 @@ describe("a maze larger than the stage", () => {
     expect(scrolls[1]).toEqual(scrolls[0]);
   });
 
-  it("draws every layer again where it has been scrolled", () => {
+  it("redraws every layer after a scroll", () => {
     const { renderer, paint, redrawn } = newStage();
     renderer.show(large);
     paint();
@@ -314,20 +321,20 @@ describe("the readings on the beams", () => {
 
   it("are those that the page displays, however far the robot has driven since", () => {
     const { renderer, layers, paint, show } = newStage();
-    const told = (front: number, tick: number) => {
+    const withFront = (front: number, tick: number) => {
       const sensors = { front, right: 50, back: 50, left: 50 };
       return { ...snapshotAt(50, 50), sensors, tick };
     };
-    renderer.show({ ...scene, program: { ...scene.program, rules: [] } });
-    show(told(250, 1), [50, 50], true);
-    renderer.showNumbersOf(told(250, 1));
+    renderer.show({ ...model, program: { ...model.program, rules: [] } });
+    show(withFront(250, 1), [50, 50], true);
+    renderer.showNumbersOf(withFront(250, 1));
     paint();
     expect(readings(layers.live)).toContain("250");
     for (let tick = 2; tick < 12; tick++) {
-      show(told(252 - tick, tick), [], false);
+      show(withFront(252 - tick, tick), [], false);
       expect(readings(layers.live)).toContain("250");
     }
-    renderer.showNumbersOf(told(240, 12));
+    renderer.showNumbersOf(withFront(240, 12));
     paint();
     const next = readings(layers.live);
     expect(next).toContain("240");

@@ -1,49 +1,54 @@
 /**
- * Paints the stage on three canvases, each redrawn only when what it shows has changed: the still maze
- * (once a maze, size, theme or scroll position), the trail (each frame appends the new piece; at rest it
- * is one line), and the robot with its beams. One animation frame is asked for at a time, and none
- * while nothing changes. Knows neither page nor worker: it runs in both.
+ *
+ * Paints the stage on three canvases. Each is redrawn only when it changes:
+ *
+ * - the static maze: once per maze, size, theme or scroll position
+ * - the trail: each frame appends the new piece; at rest it is one line
+ * - the robot with its beams
+ *
+ * At most one animation frame is requested at a time, and none while nothing changes. The class
+ * depends on neither page nor worker and runs in both.
  */
 import type { Snapshot } from "@corridor/protocol";
 import type { Frame } from "../worker/worker-messages.ts";
-import type { LayerCanvases } from "./brush.ts";
+import type { LayerCanvases } from "./drawing-context.ts";
 import { Camera } from "./camera.ts";
 import { bumpMarks, drawBumps, type BumpMark } from "./layers/bumps.ts";
-import { awayFrom, type Hit } from "./layers/hit.ts";
+import { recoilDirection, type Hit } from "./layers/hit.ts";
 import { loadMeasure, measureLayer } from "./layers/lazy-measure.ts";
-import { drawLive, type Shown } from "./layers/live.ts";
+import { drawLive, type DisplayedRun } from "./layers/live.ts";
 import { drawPlaces } from "./layers/places.ts";
 import { drawRulers } from "./layers/rulers.ts";
-import { forgetTextWidths } from "./layers/tags.ts";
+import { clearTextWidths } from "./layers/tags.ts";
 import { drawTrail } from "./layers/trail.ts";
 import { drawWalls } from "./layers/walls.ts";
 import { nudgeOffset, type Nudge } from "./nudge.ts";
-import type { Scene } from "./scene.ts";
-import { Surface } from "./surface.ts";
+import type { StageModel } from "./stage-model.ts";
+import { CanvasLayer } from "./canvas-layer.ts";
 import { Trail } from "./trail.ts";
 import { followScroll, viewportAt, type Layout, type Scroll, type Viewport } from "./viewport.ts";
 
-/** What the renderer needs from around it. */
+/** Environment of the renderer. */
 export interface RendererPort {
-  /** the newest frame, with what the trail gained since the last call; null before the first */
+  /** the newest frame, with the trail's growth since the last call; null before the first */
   takeFrame: () => Frame | null;
   requestFrame: (paint: () => void) => number;
   cancelFrame: (request: number) => void;
   /** monotonic milliseconds */
   now: () => number;
-  /** scrolls the stage so that the robot stays in sight */
+  /** scrolls the stage so that the robot stays visible */
   scrollTo: (scroll: Scroll) => void;
 }
 
-/** Frames at most so many ticks apart follow one another. */
+/** Frames at most this many ticks apart are consecutive. */
 const RECENT_TICKS = 30;
-/** Bumps that stay marked, the newest. */
+/** Largest number of marked bumps; the newest ones stay. */
 const MAX_BUMPS = 100;
 
 type Layer = keyof LayerCanvases;
 
-/** Fields of the scene that make each layer's picture. */
-const parts: Record<Layer, readonly (keyof Scene)[]> = {
+/** Fields of the stage model that each layer depends on. */
+const parts: Record<Layer, readonly (keyof StageModel)[]> = {
   maze: [
     "layout",
     "scroll",
@@ -66,20 +71,20 @@ const parts: Record<Layer, readonly (keyof Scene)[]> = {
     "goalWord",
     "showBeams",
     "showRulers",
-    "ghost",
+    "preview",
     "measured",
   ],
 };
 
 export class StageRenderer {
-  #surfaces: Record<Layer, Surface> | null = null;
+  #layers: Record<Layer, CanvasLayer> | null = null;
   readonly #port: RendererPort;
   readonly #trail = new Trail();
-  readonly #stale = new Set<Layer>();
-  #scene: Scene | null = null;
+  readonly #outdated = new Set<Layer>();
+  #model: StageModel | null = null;
   readonly #camera = new Camera();
-  /** where the camera stands; null while the stage is scrolled */
-  #panned: Scroll | null = null;
+  /** position of the camera; null while the user scrolls the stage */
+  #cameraScroll: Scroll | null = null;
   #frame: Frame | null = null;
   /** the snapshot whose numbers the page displays; null until the page has displayed one */
   #numbers: Snapshot | null = null;
@@ -87,55 +92,57 @@ export class StageRenderer {
   #nudge: Nudge | null = null;
   #bumps: BumpMark[] = [];
   #request: number | null = null;
-  /** the division of the stage in which the robot was last brought into sight */
+  /** the layout in which the robot was last scrolled into view */
   #followed: Layout | null = null;
-  /** the requested scroll position, until the page shows another scene */
-  #asked: Scroll | null = null;
-  /** requests to scroll that the page has not handled yet: they may be for places that the robot has left */
-  #unanswered = 0;
+  /** the requested scroll position, until the page shows another stage model */
+  #requested: Scroll | null = null;
+  /** scroll requests that the page has not handled yet; the robot may have left their target */
+  #pendingScrolls = 0;
 
   constructor(port: RendererPort) {
     this.#port = port;
   }
 
-  /** Draws on these canvases from now on; the trail and the scene so far stay. */
+  /** Draws on these canvases from now on. Trail and stage model are retained. */
   attach(canvases: LayerCanvases): void {
-    this.#surfaces = {
-      maze: new Surface(canvases.maze),
-      trail: new Surface(canvases.trail),
-      live: new Surface(canvases.live),
+    this.#layers = {
+      maze: new CanvasLayer(canvases.maze),
+      trail: new CanvasLayer(canvases.trail),
+      live: new CanvasLayer(canvases.live),
     };
     this.#followed = null;
-    this.#asked = null;
-    this.#unanswered = 0;
+    this.#requested = null;
+    this.#pendingScrolls = 0;
     this.repaint();
   }
 
-  /** The canvases are gone: draws nothing until there are others. */
+  /** The canvases were removed: draws nothing until there are others. */
   detach(): void {
     if (this.#request !== null) this.#port.cancelFrame(this.#request);
     this.#request = null;
-    this.#surfaces = null;
+    this.#layers = null;
   }
 
-  /** Shows another scene. Only layers whose part of it differs are drawn again. */
-  show(scene: Scene): void {
-    const before = this.#scene;
-    this.#scene = scene;
-    if (before !== null && (before.layout !== scene.layout || before.scroll !== scene.scroll)) {
-      // An answer may be for an older layout or an older place of the robot, so its place is checked again.
-      if (this.#unanswered > 0) this.#followed = null;
-      this.#unanswered = Math.max(0, this.#unanswered - (scene.answers - before.answers));
-      this.#asked = null;
+  /** Shows another stage model. Only layers that depend on a changed field are redrawn. */
+  show(model: StageModel): void {
+    const before = this.#model;
+    this.#model = model;
+    if (before !== null && (before.layout !== model.layout || before.scroll !== model.scroll)) {
+      // The answer may be for an older layout or an older pose, so the robot's position is checked
+      // again.
+      if (this.#pendingScrolls > 0) this.#followed = null;
+      this.#pendingScrolls = Math.max(0, this.#pendingScrolls - (model.answers - before.answers));
+      this.#requested = null;
     }
     for (const layer of layers) {
-      if (before === null || parts[layer].some((part) => before[part] !== scene[part])) {
-        this.#stale.add(layer);
+      if (before === null || parts[layer].some((part) => before[part] !== model[part])) {
+        this.#outdated.add(layer);
       }
     }
-    if (this.#stale.size > 0) this.#ask();
-    if (scene.measured !== null && measureLayer() === null) {
-      // Words say the length, too: without its file the tape is left out, and the next scene asks again.
+    if (this.#outdated.size > 0) this.#requestPaint();
+    if (model.measured !== null && measureLayer() === null) {
+      // The page shows the length as text, too. If the file does not load, the tape is omitted, and
+      // the next stage model tries again.
       loadMeasure().then(
         () => this.repaint(),
         () => undefined,
@@ -146,29 +153,29 @@ export class StageRenderer {
   /** The page displays the numbers of this snapshot: the stage writes the same ones. */
   showNumbersOf(snapshot: Snapshot): void {
     this.#numbers = snapshot;
-    this.#stale.add("live");
-    this.#ask();
+    this.#outdated.add("live");
+    this.#requestPaint();
   }
 
-  /** The font that was waited for is there. */
-  fontArrived(): void {
-    forgetTextWidths();
+  /** The page's font has loaded. */
+  fontLoaded(): void {
+    clearTextWidths();
     this.repaint();
   }
 
-  /** Draws everything anew. */
+  /** Redraws everything. */
   repaint(): void {
-    for (const layer of layers) this.#stale.add(layer);
-    this.#ask();
+    for (const layer of layers) this.#outdated.add(layer);
+    this.#requestPaint();
   }
 
-  /** A new frame waits at the port. */
+  /** A new frame is available at the port. */
   frameArrived(): void {
-    this.#ask();
+    this.#requestPaint();
   }
 
-  #ask(): void {
-    if (this.#surfaces === null) return;
+  #requestPaint(): void {
+    if (this.#layers === null) return;
     this.#request ??= this.#port.requestFrame(() => {
       this.#request = null;
       this.#paint();
@@ -176,37 +183,37 @@ export class StageRenderer {
   }
 
   #paint(): void {
-    const scene = this.#scene;
-    const surfaces = this.#surfaces;
-    if (scene === null || surfaces === null) return;
-    this.#takeFrame(scene, this.#viewport(scene), surfaces.trail);
-    this.#pan(scene);
-    const viewport = this.#viewport(scene);
-    if (this.#followed !== null && isZoomOf(this.#followed, scene.layout)) {
-      // The reader chose what to see.
-      this.#followed = scene.layout;
+    const model = this.#model;
+    const canvasLayers = this.#layers;
+    if (model === null || canvasLayers === null) return;
+    this.#takeFrame(model, this.#viewport(model), canvasLayers.trail);
+    this.#pan(model);
+    const viewport = this.#viewport(model);
+    if (this.#followed !== null && isZoomOf(this.#followed, model.layout)) {
+      // The user zoomed and chose what to see.
+      this.#followed = model.layout;
     }
-    if (this.#frame !== null && this.#followed !== scene.layout) {
-      // A maze that no longer fits begins where the robot is, even while it stands still.
-      this.#follow(scene, this.#frame.snapshot.pose);
+    if (this.#frame !== null && this.#followed !== model.layout) {
+      // A maze that no longer fits starts at the robot, even if the robot stands still.
+      this.#follow(model, this.#frame.snapshot.pose);
     }
-    if (this.#stale.has("maze")) paintMaze(surfaces.maze, scene, viewport);
-    if (this.#stale.has("trail")) {
-      paintTrail(surfaces.trail, scene, viewport, this.#trail);
-      paintBumps(surfaces.trail, scene, viewport, this.#bumps);
+    if (this.#outdated.has("maze")) paintMaze(canvasLayers.maze, model, viewport);
+    if (this.#outdated.has("trail")) {
+      paintTrail(canvasLayers.trail, model, viewport, this.#trail);
+      paintBumps(canvasLayers.trail, model, viewport, this.#bumps);
     }
-    if (this.#stale.has("live")) {
-      surfaces.live.wipe(scene);
-      drawLive(surfaces.live, viewport, scene, this.#shown());
+    if (this.#outdated.has("live")) {
+      canvasLayers.live.erase(model);
+      drawLive(canvasLayers.live, viewport, model, this.#displayed());
     }
-    this.#stale.clear();
+    this.#outdated.clear();
     if (this.#nudge !== null) {
-      this.#stale.add("live");
-      this.#ask();
+      this.#outdated.add("live");
+      this.#requestPaint();
     }
   }
 
-  #shown(): Shown | null {
+  #displayed(): DisplayedRun | null {
     const frame = this.#frame;
     if (frame === null) return null;
     const nudge = this.#nudge === null ? null : nudgeOffset(this.#nudge, this.#port.now());
@@ -215,7 +222,7 @@ export class StageRenderer {
     return { frame, numbers, hit: this.#hit, nudge: nudge ?? { x: 0, y: 0 } };
   }
 
-  #takeFrame(scene: Scene, viewport: Viewport, surface: Surface): void {
+  #takeFrame(model: StageModel, viewport: Viewport, layer: CanvasLayer): void {
     const frame = this.#port.takeFrame();
     if (frame === null) return;
     const before = this.#frame;
@@ -226,99 +233,104 @@ export class StageRenderer {
       this.#hit = null;
       this.#nudge = null;
     }
-    const bumps = bumpMarks(scene.maze, frame.bumps, frame.snapshot.pose.heading);
+    const bumps = bumpMarks(model.maze, frame.bumps, frame.snapshot.pose.heading);
     if (bumps.length > 0) {
       this.#bumps = [...this.#bumps, ...bumps].slice(-MAX_BUMPS);
-      if (change.kind !== "replaced") paintBumps(surface, scene, viewport, bumps);
+      if (change.kind !== "replaced") paintBumps(layer, model, viewport, bumps);
       this.#hit = hitOf(frame, before);
     }
-    if (before?.snapshot !== frame.snapshot) this.#stale.add("live");
-    if (!scene.isCalm && before !== null && !frame.trailReset && frame.view !== "past") {
-      this.#startNudge(scene, frame, before);
+    if (before?.snapshot !== frame.snapshot) this.#outdated.add("live");
+    if (!model.isCalm && before !== null && !frame.trailReset && frame.view !== "past") {
+      this.#startNudge(model, frame, before);
     }
-    // Its pieces overlap, and their soft edges add up: what was drawn piece by piece is broader.
+    // The pieces overlap, and their anti-aliased edges add up: a trail drawn in pieces looks
+    // broader.
     const hasStopped = before?.snapshot.state === "running" && frame.snapshot.state !== "running";
-    if (hasStopped && scene.showTrail) this.#stale.add("trail");
+    if (hasStopped && model.showTrail) this.#outdated.add("trail");
     if (change.kind === "none") return;
-    this.#follow(scene, frame.snapshot.pose);
+    this.#follow(model, frame.snapshot.pose);
     if (change.kind === "replaced") {
-      this.#stale.add("trail");
-    } else if (scene.showTrail && !this.#stale.has("trail")) {
-      surface.clipped(viewport.port, () => {
-        drawTrail(surface.brush, viewport, scene.palette, change.points, "butt");
+      this.#outdated.add("trail");
+    } else if (model.showTrail && !this.#outdated.has("trail")) {
+      layer.clipped(viewport.port, () => {
+        drawTrail(layer.context, viewport, model.palette, change.points, "butt");
       });
     }
   }
 
-  /** The robot recoils when it bumps and hops when it reaches the goal. */
-  #startNudge(scene: Scene, frame: Frame, before: Frame): void {
+  /** Starts the recoil at a bump and the hop on the goal. */
+  #startNudge(model: StageModel, frame: Frame, before: Frame): void {
     const startedAt = this.#port.now();
     if (frame.bumps.length > 0 && this.#hit !== null) {
-      this.#nudge = { kind: "recoil", ...awayFrom(scene.maze, this.#hit), startedAt };
+      this.#nudge = { kind: "recoil", ...recoilDirection(model.maze, this.#hit), startedAt };
     } else if (frame.snapshot.goalReached && !before.snapshot.goalReached) {
       this.#nudge = { kind: "hop", dx: 0, dy: 0, startedAt };
     }
   }
 
-  #viewport({ layout, scroll }: Scene): Viewport {
-    return viewportAt(layout, this.#panned ?? scroll);
+  #viewport({ layout, scroll }: StageModel): Viewport {
+    return viewportAt(layout, this.#cameraScroll ?? scroll);
   }
 
-  /** Moves the camera with the robot; whatever it shows is drawn anew then. */
-  #pan({ layout, isCalm, pixelRatio }: Scene): void {
+  /** Moves the camera with the robot, which makes every layer outdated. */
+  #pan({ layout, isCalm, pixelRatio }: StageModel): void {
     const pose = this.#frame?.snapshot.pose;
-    const before = this.#panned;
-    this.#panned =
+    const before = this.#cameraScroll;
+    this.#cameraScroll =
       layout.follows && pose !== undefined
         ? this.#camera.at(layout, pose, isCalm, 1 / pixelRatio)
         : null;
-    if (this.#panned === before) return;
-    for (const layer of layers) this.#stale.add(layer);
+    if (this.#cameraScroll === before) return;
+    for (const layer of layers) this.#outdated.add(layer);
   }
 
-  #follow({ layout, scroll }: Scene, pose: Snapshot["pose"]): void {
+  #follow({ layout, scroll }: StageModel, pose: Snapshot["pose"]): void {
     this.#followed = layout;
     if (!layout.overflows) return;
     const next = followScroll(layout, scroll, pose.x, pose.y);
-    if (isSame(next, scroll) || (this.#asked !== null && isSame(next, this.#asked))) return;
-    // The page may take a moment to get there; it is asked once.
-    this.#asked = next;
-    this.#unanswered += 1;
+    if (isSame(next, scroll) || (this.#requested !== null && isSame(next, this.#requested))) return;
+    // The page may take a moment to scroll, so the request is sent once.
+    this.#requested = next;
+    this.#pendingScrolls += 1;
     this.#port.scrollTo(next);
   }
 }
 
 const layers = Object.keys(parts) as Layer[];
 
-function paintMaze(surface: Surface, scene: Scene, viewport: Viewport): void {
-  surface.renew(scene);
-  surface.clipped(viewport.port, () => {
-    drawWalls(surface.brush, viewport, scene.palette, scene.maze);
-    drawPlaces(surface.brush, viewport, scene.palette, scene.maze, scene);
+function paintMaze(layer: CanvasLayer, model: StageModel, viewport: Viewport): void {
+  layer.reset(model);
+  layer.clipped(viewport.port, () => {
+    drawWalls(layer.context, viewport, model.palette, model.maze);
+    drawPlaces(layer.context, viewport, model.palette, model.maze, model);
   });
-  if (scene.showRulers) drawRulers(surface.brush, viewport, scene.palette);
+  if (model.showRulers) drawRulers(layer.context, viewport, model.palette);
 }
 
-function paintTrail(surface: Surface, scene: Scene, viewport: Viewport, trail: Trail): void {
-  surface.renew(scene);
-  if (!scene.showTrail) return;
-  surface.clipped(viewport.port, () => {
-    drawTrail(surface.brush, viewport, scene.palette, trail.points(), "round");
+function paintTrail(layer: CanvasLayer, model: StageModel, viewport: Viewport, trail: Trail): void {
+  layer.reset(model);
+  if (!model.showTrail) return;
+  layer.clipped(viewport.port, () => {
+    drawTrail(layer.context, viewport, model.palette, trail.points(), "round");
   });
 }
 
-/** They share the trail's canvas: the robot's centre keeps away from walls, so neither covers the other. */
+/**
+ *
+ * Bumps share the trail's canvas: the robot's centre is never close to a wall, so neither covers
+ * the other.
+ */
 function paintBumps(
-  surface: Surface,
-  scene: Scene,
+  layer: CanvasLayer,
+  model: StageModel,
   viewport: Viewport,
   bumps: readonly BumpMark[],
 ): void {
-  if (!scene.showTrail) return;
-  surface.clipped(viewport.port, () => drawBumps(surface.brush, viewport, scene.palette, bumps));
+  if (!model.showTrail) return;
+  layer.clipped(viewport.port, () => drawBumps(layer.context, viewport, model.palette, bumps));
 }
 
-/** The newest bump. What the robot still wanted to drive is what was left right before it. */
+/** The newest bump. Its `wanted` is the distance that was left in the frame before. */
 function hitOf({ bumps, snapshot }: Frame, before: Frame | null): Hit {
   const [x = 0, y = 0] = bumps.slice(-2);
   const isNext = before !== null && snapshot.tick - before.snapshot.tick < RECENT_TICKS;
@@ -327,7 +339,7 @@ function hitOf({ bumps, snapshot }: Frame, before: Frame | null): Hit {
   return { pose: { x, y, heading: snapshot.pose.heading }, wanted };
 }
 
-/** Whether two layouts differ in the size of their squares alone. */
+/** Whether two layouts differ only in the size of their cells. */
 function isZoomOf(a: Layout, b: Layout): boolean {
   return (
     a.columns === b.columns &&
@@ -338,6 +350,6 @@ function isZoomOf(a: Layout, b: Layout): boolean {
   );
 }
 
-/** Browsers round scroll positions to pixels of the device. */
+/** Browsers round scroll positions to device pixels. */
 const isSame = (a: Scroll, b: Scroll): boolean =>
   Math.abs(a.x - b.x) < 1 && Math.abs(a.y - b.y) < 1;

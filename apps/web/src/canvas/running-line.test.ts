@@ -27,7 +27,7 @@ describe("litSensors", () => {
     expect(litSensors(program, { driver: "program", line })).toEqual(lit);
   });
 
-  it("lights nothing while a hand drives", () => {
+  it("lights nothing while the driver is Me", () => {
     expect(litSensors(program, { driver: "me", line: 0 })).toEqual([]);
   });
 });
@@ -50,7 +50,7 @@ describe("limitsOf", () => {
     expect(limits.length).toBeLessThan(10);
   });
 
-  it("shows none while a hand drives", () => {
+  it("shows none while the driver is Me", () => {
     expect(limitsOf(program, { driver: "me", line: null })).toEqual([]);
   });
 });

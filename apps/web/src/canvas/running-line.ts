@@ -1,8 +1,11 @@
-/** What of the program shows on the beams: the sensors that the running line reads, and the limits. */
+/**
+ * The part of the program that the beams show: the sensors that the running line reads, and the
+ * limits.
+ */
 import type { ProgramDocument } from "@corridor/program";
 import type { SensorName, Snapshot } from "@corridor/protocol";
 
-/** A line's number on the beam of the sensor that it reads. */
+/** The number of a line, on the beam of the sensor that the line reads. */
 export interface Limit {
   /** index of the line from 0 */
   line: number;
@@ -12,10 +15,13 @@ export interface Limit {
   isRunning: boolean;
 }
 
-/** More marks than this would be a thicket; the running line's is always among them. */
+/** More marks than this would be unreadable. The running line's mark is always included. */
 const MAX_LIMITS = 6;
 
-/** Empty when no line decides, or when the line reads nothing ("otherwise"). */
+/**
+ * Sensors that the running line reads. Empty without a running line, or if it reads nothing
+ * ("otherwise").
+ */
 export function litSensors(
   program: ProgramDocument,
   snapshot: Pick<Snapshot, "driver" | "line">,
@@ -26,7 +32,11 @@ export function litSensors(
   return when.than === "right" ? [when.sensor, "right"] : [when.sensor];
 }
 
-/** The numbers that lines compare their sensors with, the running line first; empty unless the program drives. */
+/**
+ *
+ * The numbers that lines compare their sensors with, the running line first. Empty unless the
+ * program drives.
+ */
 export function limitsOf(
   program: ProgramDocument,
   snapshot: Pick<Snapshot, "driver" | "line">,

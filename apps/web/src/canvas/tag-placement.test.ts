@@ -19,7 +19,7 @@ const directions: Record<Side, { dx: number; dy: number }> = {
   left: { dx: -1, dy: 0 },
 };
 
-/** Four readings of 36 x 22 pixels around a robot, as the stage asks for them. */
+/** Four readings of 36 x 22 pixels around a robot, as the stage requests them. */
 function readings(x: number, y: number, radius: number, lengths: Record<Side, number>) {
   const robot: Box = { x: x - radius, y: y - radius, width: 2 * radius, height: 2 * radius };
   const requests = sides.map((name): TagRequest<Side> => {
@@ -51,7 +51,7 @@ describe("the readings", () => {
     expect(placed.find(({ name }) => name === "left")?.x).toBe(416);
   });
 
-  it("leave a flag at the end of their beam in sight, and cover it where nothing else is free", () => {
+  it("leave a flag at the end of their beam visible, and cover it if no other position is free", () => {
     const beam = { origin: { x: 500, y: 300 }, ...directions.left };
     const centres = readingCentres(beam, 120, 22, 36, 22);
     const request = { name: "left", sizes: [{ width: 36, height: 22, centres }] };
@@ -103,7 +103,7 @@ describe("the number of a line", () => {
     expect(placeTags([request], [reading], bounds)[0]).toMatchObject({ x: 539, y: 269 });
   });
 
-  it("is left out where there is no room", () => {
+  it("is omitted if there is no room", () => {
     expect(placeTags([request], [bounds], bounds)).toEqual([]);
   });
 });

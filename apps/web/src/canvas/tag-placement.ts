@@ -1,7 +1,8 @@
 /**
- * Where little tags stand beside a beam: inside the view, never over the robot and never over each
- * other. The tag of a beam stands in the quarter of the view that its beam halves, so that nobody
- * reads it as the tag of another beam. Pure; pixels of the view.
+ *
+ * Placement of tags beside a beam: inside the view, never over the robot and never over each other.
+ * A tag stands in the quarter of the view around its own beam, so that it is not mistaken for the
+ * tag of another beam. Pure; pixels of the view.
  */
 import type { Box } from "./viewport.ts";
 
@@ -10,18 +11,18 @@ interface Point {
   y: number;
 }
 
-/** A size that a tag may have, and the centres that suit it. */
+/** A possible size of a tag, with the centres for it. */
 export interface TagSize {
   width: number;
   height: number;
-  /** best first; within a group, one that spares what should stay in sight comes before the others */
+  /** best first; within a group, positions that cover no avoided box come first */
   centres: readonly (readonly Point[])[];
 }
 
-/** A tag that wants a place. */
+/** A tag to place. */
 export interface TagRequest<Name> {
   name: Name;
-  /** best first: a smaller one is taken where a larger one has no place */
+  /** best first; a smaller size is used if a larger one fits nowhere */
   sizes: readonly TagSize[];
 }
 
@@ -37,33 +38,34 @@ export interface Beam {
   dy: number;
 }
 
-/** Pixels between a tag and what it belongs to. */
+/** Pixels between a tag and its subject. */
 const GAP = 4;
-/** Pixels between two places beside the robot. */
+/** Pixels between two candidate positions beside the robot. */
 const STEP = 3;
 
 /**
- * Finds a place for each tag, the first in the list first. One that fits nowhere is left out: a
- * covered robot would be worse, and every number of the stage stands in the panel too.
- * @param taken what no tag may touch
- * @param bounds where tags may stand
- * @param spared what a tag covers only where it has no other place
+ *
+ * Places each tag, in list order. A tag that fits nowhere is omitted: covering the robot would be
+ * worse, and the panel shows every number of the stage, too.
+ * @param occupied boxes that no tag may touch
+ * @param bounds area for tags
+ * @param avoided boxes that a tag covers only if it has no other position
  */
 export function placeTags<Name>(
   requests: readonly TagRequest<Name>[],
-  taken: readonly Box[],
+  occupied: readonly Box[],
   bounds: Box,
-  spared: readonly Box[] = [],
+  avoided: readonly Box[] = [],
 ): PlacedTag<Name>[] {
-  const occupied = [...taken];
+  const boxes = [...occupied];
   const placed: PlacedTag<Name>[] = [];
   const isFree = (box: Box): boolean =>
-    isWithin(box, bounds) && !occupied.some((other) => areTouching(box, other, GAP / 2));
-  const isSparing = (box: Box): boolean => !spared.some((other) => areTouching(box, other, 0));
+    isWithin(box, bounds) && !boxes.some((other) => areTouching(box, other, GAP / 2));
+  const isAvoiding = (box: Box): boolean => !avoided.some((other) => areTouching(box, other, 0));
   for (const { name, sizes } of requests) {
-    const box = firstPlace(sizes, isFree, isSparing);
+    const box = firstPlace(sizes, isFree, isAvoiding);
     if (box === null) continue;
-    occupied.push(box);
+    boxes.push(box);
     placed.push({ ...box, name });
   }
   return placed;
@@ -72,12 +74,12 @@ export function placeTags<Name>(
 function firstPlace(
   sizes: readonly TagSize[],
   isFree: (box: Box) => boolean,
-  isSparing: (box: Box) => boolean,
+  isAvoiding: (box: Box) => boolean,
 ): Box | null {
   for (const { width, height, centres } of sizes) {
     for (const group of centres) {
       const free = group.map((centre) => boxAround(centre, width, height)).filter(isFree);
-      const box = free.find(isSparing) ?? free[0];
+      const box = free.find(isAvoiding) ?? free[0];
       if (box !== undefined) return box;
     }
   }
@@ -85,10 +87,11 @@ function firstPlace(
 }
 
 /**
- * Places for a reading: on the beam before its wall, beyond the wall, beside the beam; else next to the
- * robot. All of them are nearer to this beam than to the ones beside it.
+ *
+ * Candidate positions of a reading: on the beam before its wall, beyond the wall, beside the beam,
+ * or next to the robot. All of them are nearer to this beam than to its neighbours.
  * @param length pixels from the robot's centre to the wall
- * @param radius pixels around the robot's centre that it needs
+ * @param radius pixels around the robot's centre that tags may not cover
  */
 export function readingCentres(
   beam: Beam,
@@ -108,7 +111,7 @@ export function readingCentres(
       { along: atWall, across: beside },
       { along: atWall, across: -beside },
     ],
-    // Next to the robot in small steps: a corner is shared with the tag of the beam beside it.
+    // Small steps next to the robot: the tag of the neighbouring beam shares the corner.
     [0, 1, 2, 3].flatMap((out) =>
       [0, 1, -1, 2, -2, 3, -3].map((side) => ({
         along: atRobot + out * STEP,
@@ -124,7 +127,8 @@ export function readingCentres(
 }
 
 /**
- * Places for the tag of a mark on a beam: beside it on either side, then farther out.
+ *
+ * Candidate positions of a mark's tag: beside the mark on either side, then farther out.
  * @param distance pixels from the robot's centre to the mark
  * @param reach half the length of the mark's bar in pixels
  */
@@ -144,7 +148,9 @@ export function markCentres(
   return [places];
 }
 
-/** Pixels from a beam's origin, which lies inside a box, to where the beam leaves it. */
+/**
+ * Pixels from a beam's origin, which is inside the box, to the point where the beam leaves the box.
+ */
 export function lengthInside({ origin, dx, dy }: Beam, box: Box): number {
   const along = (at: number, step: number, from: number, to: number): number => {
     if (step === 0) return Number.POSITIVE_INFINITY;
@@ -156,12 +162,12 @@ export function lengthInside({ origin, dx, dy }: Beam, box: Box): number {
   );
 }
 
-/** A point so many pixels along a beam and to its right. */
+/** The point at `along` pixels along a beam and `across` pixels to its right. */
 function pointOn({ origin, dx, dy }: Beam, along: number, across: number): Point {
   return { x: origin.x + dx * along - dy * across, y: origin.y + dy * along + dx * across };
 }
 
-/** Half the size of an upright box as a beam sees it. */
+/** Half the size of an axis-parallel box, along and across a beam. */
 function halfExtents(
   { dx, dy }: Beam,
   width: number,
@@ -187,12 +193,12 @@ function isWithin(inner: Box, outer: Box): boolean {
   );
 }
 
-/** Whether fewer pixels than `air` are between them. */
-function areTouching(a: Box, b: Box, air: number): boolean {
+/** Whether two boxes are less than `gap` pixels apart. */
+function areTouching(a: Box, b: Box, gap: number): boolean {
   return (
-    a.x < b.x + b.width + air &&
-    b.x < a.x + a.width + air &&
-    a.y < b.y + b.height + air &&
-    b.y < a.y + a.height + air
+    a.x < b.x + b.width + gap &&
+    b.x < a.x + a.width + gap &&
+    a.y < b.y + b.height + gap &&
+    b.y < a.y + a.height + gap
   );
 }

@@ -6,7 +6,7 @@ describe("Trail", () => {
     expect(new Trail().points()).toEqual([]);
   });
 
-  it("draws everything at the first frame and at a reset, and only the new piece after it", () => {
+  it("is empty before the first frame", () => {
     const trail = new Trail();
     expect(trail.add([50, 50], { x: 50, y: 50 }, true).kind).toBe("replaced");
     const grown = trail.add([], { x: 90, y: 50 }, false);
@@ -15,13 +15,13 @@ describe("Trail", () => {
     expect(trail.points()).toEqual([50, 50, 50, 50]);
   });
 
-  it("asks for no drawing while the robot stands", () => {
+  it("draws everything at the first frame and at a reset, and only the new piece after it", () => {
     const trail = new Trail();
     trail.add([50, 50], { x: 50, y: 50 }, true);
     expect(trail.add([], { x: 50, y: 50 }, false)).toEqual({ kind: "none" });
   });
 
-  it("draws a piece that overlaps the last one by no more than it needs", () => {
+  it("requests no drawing while the robot stands still", () => {
     const trail = new Trail();
     trail.add([50, 50], { x: 50, y: 50 }, true);
     trail.add([], { x: 80, y: 50 }, false);
@@ -32,14 +32,14 @@ describe("Trail", () => {
     });
   });
 
-  it("keeps every corner, however many come with one frame", () => {
+  it("draws a piece that overlaps the last one by no more than it needs", () => {
     const trail = new Trail();
     trail.add([50, 50], { x: 50, y: 50 }, true);
     trail.add([150, 50, 150, 150], { x: 90, y: 150 }, false);
     expect(trail.points()).toEqual([50, 50, 150, 50, 150, 150, 90, 150]);
   });
 
-  it("forgets the oldest corners of a robot that runs for days", () => {
+  it("stores every corner, however many come with one frame", () => {
     const trail = new Trail();
     trail.add([0, 0], { x: 0, y: 0 }, true);
     const many = Array.from({ length: 40_000 }, (_, at) => at);

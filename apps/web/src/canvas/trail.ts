@@ -1,25 +1,27 @@
-/**
- * Where the robot has been: the corners that it turned at, and its newest position.
- * Keeps a bounded number of corners, the newest; a robot may run for days.
- */
+/** discards the oldest corners of a robot that runs for days */
 
-/** Corners kept. A corner costs two numbers, and one line when everything is drawn anew. */
+/**
+ * Largest number of corners. A corner costs two numbers, and one line when the trail is redrawn.
+ */
 const MAX_CORNERS = 20_000;
-/** How many of the oldest go at once when there are too many: each loss means drawing all anew. */
+/**
+ * Number of oldest corners that are discarded at once, because each discard redraws the whole
+ * trail.
+ */
 const DROP = 5_000;
 
-/** A line from point to point: x and y by turns, in units. */
+/** A polyline: x and y alternating, in units. */
 export type Points = readonly number[];
 
-/** What changed, and so what has to be drawn. */
+/** How the trail changed, and so what has to be drawn. */
 export type TrailChange =
   | { kind: "none" }
-  /** draw these points: what was added, and a little of what was there before */
+  /** draw these points: the new piece with an overlap */
   | { kind: "grown"; points: Points }
-  /** draw everything anew */
+  /** redraw everything */
   | { kind: "replaced" };
 
-/** Units that a new piece goes back over the old one, so that no seam shows and no dot is lost. */
+/** Units by which a new piece overlaps the old one, so that no seam shows and no dot is covered. */
 const OVERLAP = 15;
 
 export class Trail {
@@ -29,10 +31,11 @@ export class Trail {
   #end: { x: number; y: number } | null = null;
 
   /**
-   * Takes what a frame brings.
-   * @param corners x and y by turns, in units; packed or not
-   * @param end where the robot is now
-   * @param isReset whether all before is to be forgotten
+   *
+   * Adds the positions of a frame.
+   * @param corners x and y alternating, in units
+   * @param end position of the robot now
+   * @param isReset whether to discard the existing trail
    */
   add(
     corners: Points | Float64Array,
@@ -52,18 +55,18 @@ export class Trail {
     }
     if (corners.length === 0 && before.x === end.x && before.y === end.y) return { kind: "none" };
     const points = [...this.#tail, ...corners, end.x, end.y];
-    this.#tail = lastPiece(points);
+    this.#tail = tailOf(points);
     return { kind: "grown", points };
   }
 
-  /** The whole line, from the oldest corner kept to where the robot is; empty before the first frame. */
+  /** The whole polyline, from the oldest corner to the robot; empty before the first frame. */
   points(): Points {
     return this.#end === null ? [] : [...this.#corners, this.#end.x, this.#end.y];
   }
 }
 
-/** The last points of a line, at least the overlap long if the line is. */
-function lastPiece(points: Points): number[] {
+/** The last points of a polyline, at least `OVERLAP` units long if the polyline is. */
+function tailOf(points: Points): number[] {
   let length = 0;
   let at = points.length - 2;
   while (at >= 2 && length < OVERLAP) {

@@ -25,7 +25,7 @@ const anyView = fc.record({
 });
 
 describe("layOut", () => {
-  it("draws the design's maze with squares of 84 pixels, where the picture has them", () => {
+  it("draws the design's maze with cells of 84 pixels, at the same position", () => {
     const layout = layOut({ columns: 11, rows: 7 }, { width: 1028, height: 644 }, padding, 30);
     expect(layout).toMatchObject({ cellPx: 84, origin: { x: 70, y: 36 }, overflows: false });
   });
@@ -112,7 +112,7 @@ describe("followScroll", () => {
     expect(followScroll(layout, scroll, 11_500, 11_000)).toEqual(scroll);
   });
 
-  it("brings the robot into sight wherever it is and however the stage was scrolled", () => {
+  it("scrolls the robot into view wherever it is and however the stage was scrolled", () => {
     const within = fc.integer({ min: 25, max: 25_575 });
     const scrolled = fc.record({
       x: fc.integer({ min: 0, max: layout.content.width - layout.view.width }),

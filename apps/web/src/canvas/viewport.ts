@@ -1,23 +1,28 @@
 /**
- * Where the maze stands in the stage: centimetres to pixels and back.
  *
- * Pure. "View" is the visible drawing area in CSS pixels; "content" is what can be scrolled through,
- * which is the view itself as long as the whole maze fits. Squares are whole pixels wide, so that
- * hairlines stay sharp.
+ * Position of the maze in the stage: converts units to pixels and back.
+ *
+ * Pure. "View" is the visible drawing area in CSS pixels. "Content" is the scrollable area, which
+ * equals the view while the whole maze fits. Cells are whole pixels wide, so that hairlines stay
+ * sharp.
  */
 
 /** Units along one side of a cell. */
 export const CELL = 100;
-/** Squares of a maze that is too large for the stage: 0.3 px per unit. */
+/** Cell size of a maze that is too large for the stage: 0.3 px per unit. */
 export const MIN_CELL_PX = 30;
-/** A maze opens whole down to this size: one of 21 by 21 squares fits a screen of 1440 by 900. */
+/**
+ * Smallest cell size at which a maze opens as a whole: 21 by 21 cells fit a screen of 1440 by 900.
+ */
 export const MIN_WHOLE_CELL_PX = 24;
-/** On short phones the whole of a maze, its goal included, is worth more than large squares. */
+/** The same on short phones, where seeing the goal matters more than large cells. */
 export const MIN_CELL_PX_COMPACT = 10;
-/** A tiny maze does not blow the robot up to the size of the screen: 2 px per unit. */
+/**
+ * Largest cell size, so that a tiny maze does not fill the screen with the robot: 2 px per unit.
+ */
 export const MAX_CELL_PX = 200;
 
-/** Free pixels around the maze: for rulers, and for the reader's eye. */
+/** Pixels around the maze, for rulers and white space. */
 export interface Padding {
   top: number;
   right: number;
@@ -33,33 +38,33 @@ export interface Box {
   height: number;
 }
 
-/** How the stage is divided, for one size of maze and screen. */
+/** Division of the stage for one maze size and one screen size. */
 export interface Layout {
   columns: number;
   rows: number;
   /** side of a cell in whole CSS pixels */
   cellPx: number;
   view: { width: number; height: number };
-  /** size of what can be scrolled through, at least the view */
+  /** size of the scrollable area, at least the view */
   content: { width: number; height: number };
   /** top-left corner of the maze in the content */
   origin: { x: number; y: number };
-  /** the part of the view in which the maze may show */
+  /** the part of the view that shows the maze */
   port: Box;
-  /** whether only a part of the maze shows at a time, and the stage is scrolled */
+  /** whether the maze is larger than the port, and the stage scrolls */
   overflows: boolean;
-  /** whether only a part of the maze shows at a time, and a camera goes with the robot */
+  /** whether the maze is larger than the port, and a camera follows the robot */
   follows: boolean;
 }
 
-/** The transformation for drawing: view pixel = origin + units * scale. */
+/** Transformation for drawing: view pixel = origin + units * scale. */
 export interface Viewport {
   /** CSS pixels per unit */
   scale: number;
   originX: number;
   originY: number;
   port: Box;
-  /** all of the drawing area: numbers of the maze may stand around it, too */
+  /** the whole drawing area; numbers may stand around the maze, too */
   view: Box;
   columns: number;
   rows: number;
@@ -71,7 +76,10 @@ export interface Scroll {
   y: number;
 }
 
-/** Divides a view for a maze: the largest whole squares that fit, else the smallest that can be read. */
+/**
+ * Lays out a maze in a view: the largest cells in whole pixels that fit, but at least the smallest
+ * readable ones.
+ */
 export function layOut(
   maze: { columns: number; rows: number },
   view: { width: number; height: number },
@@ -92,7 +100,7 @@ export function layOut(
     x: padding.left + (isWide ? 0 : Math.floor((roomX - width) / 2)),
     y: padding.top + (isTall ? 0 : Math.floor((roomY - height) / 2)),
   };
-  // A maze that is cut begins at its padding, so the port does too, wherever it is scrolled.
+  // A clipped maze starts at its padding, so the port does too, at every scroll position.
   const port = { ...origin, width: Math.min(width, roomX), height: Math.min(height, roomY) };
   return {
     columns,
@@ -111,8 +119,9 @@ export function layOut(
 }
 
 /**
- * Divides a view for a camera that goes with the robot: squares of a fixed size, and the maze reaches the
- * view's edges. A maze that fits as a whole needs no camera and is shown as large as it fits.
+ *
+ * Lays out a maze for a camera that follows the robot: cells of a fixed size, and the maze reaches
+ * the view's edges. A maze that fits as a whole needs no camera and is as large as possible.
  */
 export function layOutFollowing(
   maze: { columns: number; rows: number },
@@ -139,7 +148,7 @@ export function viewportAt(layout: Layout, scroll: Scroll): Viewport {
   };
 }
 
-/** Where the robot's run is drawn: a maze that is cut ends at the port, and so does its run. */
+/** The box for drawing the run: the port if the maze is clipped, otherwise the view. */
 export function runBox({ port, view, columns, rows, scale }: Viewport): Box {
   const isCut = columns * CELL * scale > port.width || rows * CELL * scale > port.height;
   return isCut ? port : view;
@@ -172,7 +181,7 @@ export function cellAt(
   return isInside ? { column, row } : null;
 }
 
-/** Cells that show, as half-open ranges; drawing anything else would be wasted. */
+/** Visible cells, as half-open ranges. */
 export interface CellRange {
   fromColumn: number;
   toColumn: number;
@@ -193,12 +202,17 @@ export function visibleCells(viewport: Viewport): CellRange {
   };
 }
 
-/** Share of the port at each side in which the robot makes the stage move on. */
+/**
+ * Margin at each side of the port in which the robot makes the stage scroll, as a share of the
+ * port.
+ */
 const FOLLOW_MARGIN = 0.2;
 
 /**
- * Where to scroll so that a point stays in sight: nowhere while it is well inside, else so that it
- * stands in the middle. Jumps instead of creeping, so that walls are not drawn anew on every frame.
+ *
+ * Scroll position that shows a point: unchanged while the point is well inside the port, otherwise
+ * centred on it. It jumps instead of moving gradually, so that the walls are not redrawn on every
+ * frame.
  * @param x position in units
  * @param y position in units
  */
@@ -217,7 +231,7 @@ export function followScroll(layout: Layout, scroll: Scroll, x: number, y: numbe
   };
 }
 
-/** The nearest scroll position at which the layout shows no more than its content. */
+/** The nearest scroll position that shows nothing beyond the content. */
 export function clampScroll({ content, view }: Layout, scroll: Scroll): Scroll {
   const within = (at: number, most: number): number => Math.min(Math.max(0, most), Math.max(0, at));
   return {
@@ -227,8 +241,9 @@ export function clampScroll({ content, view }: Layout, scroll: Scroll): Scroll {
 }
 
 /**
- * Where a camera stands that has a point in its middle, but never shows more than the padding beyond the
- * maze: near the maze's edges the point leaves the middle and the camera stands still.
+ *
+ * Scroll position that centres a point, without showing more than the padding beyond the maze. Near
+ * the maze's edges the point leaves the centre and the position stands still.
  * @param x position in units
  * @param y position in units
  */
@@ -236,12 +251,13 @@ export function centredScroll(layout: Layout, x: number, y: number): Scroll {
   return clampScroll(layout, unboundedCentre(layout, x, y));
 }
 
-/** Share of the view between two places of a camera that cuts instead of moving. */
+/** Distance between two positions of a jumping camera, as a share of the view. */
 const CUT_SHARE = 0.6;
 
 /**
- * Where a camera stands that cuts: the nearest of fixed places to the one that has the point in its
- * middle. The point is never nearer to an edge of the view than a fifth of it, but at the maze's edges.
+ *
+ * Scroll position of a jumping camera: the nearest fixed position to the one that centres the
+ * point. The point is at least a fifth of the view away from its edges, except at the maze's edges.
  */
 export function steppedScroll(layout: Layout, x: number, y: number): Scroll {
   const middle = unboundedCentre(layout, x, y);

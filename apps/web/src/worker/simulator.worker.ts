@@ -383,7 +383,7 @@ function handle(message: ToWorker): void {
       return withRemote((host) => host.clearCommands());
     case "stage-mount":
     case "stage-mount-here":
-    case "stage-scene":
+    case "stage-model":
     case "stage-numbers":
     case "stage-unmount":
       return painter.handle(message);

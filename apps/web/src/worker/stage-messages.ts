@@ -1,7 +1,7 @@
 /** What crosses between page and worker for drawing the stage. */
 import type { Snapshot } from "@corridor/protocol";
-import type { LayerCanvases } from "../canvas/brush.ts";
-import type { Scene } from "../canvas/scene.ts";
+import type { LayerCanvases } from "../canvas/drawing-context.ts";
+import type { StageModel } from "../canvas/stage-model.ts";
 
 export type StageToWorker =
   /** the worker draws on these canvases from now on; they are transferred. `font`: address of the page's font */
@@ -9,7 +9,7 @@ export type StageToWorker =
   /** the page draws by itself, and is sent every frame for it */
   | { type: "stage-mount-here" }
   /** fields of the scene that changed; all of them after a mount */
-  | { type: "stage-scene"; changes: Partial<Scene> }
+  | { type: "stage-model"; changes: Partial<StageModel> }
   /** the page displays the numbers of this snapshot from now on: the stage writes the same ones */
   | { type: "stage-numbers"; snapshot: Snapshot }
   /** the canvases are gone */

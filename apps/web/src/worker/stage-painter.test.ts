@@ -51,7 +51,7 @@ describe("a stage without canvases", () => {
   it("asks for no animation frame, however much the robot drives", () => {
     const { painter, waiting, counts } = newPainter();
     painter.add(frameOf());
-    painter.handle({ type: "stage-scene", changes: { scroll: { x: 10, y: 0 } } });
+    painter.handle({ type: "stage-model", changes: { scroll: { x: 10, y: 0 } } });
     expect(waiting).toHaveLength(0);
     expect(counts.caughtUp).toBe(0);
   });

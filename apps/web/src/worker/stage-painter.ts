@@ -8,7 +8,7 @@
  */
 import { StageRenderer } from "../canvas/renderer.ts";
 import type { Palette } from "../canvas/palette.ts";
-import type { Scene } from "../canvas/scene.ts";
+import type { StageModel } from "../canvas/stage-model.ts";
 import { FrameBuffer } from "./frame-buffer.ts";
 import type { StageToWorker } from "./stage-messages.ts";
 import type { Frame, FromWorker } from "./worker-messages.ts";
@@ -33,7 +33,7 @@ export class StagePainter {
   readonly #port: StagePainterPort;
   readonly #frames = new FrameBuffer();
   readonly #renderer: StageRenderer;
-  #scene: Scene | null = null;
+  #model: StageModel | null = null;
   #isPageDrawing = false;
   #font: string | null = null;
   #hasFont = false;
@@ -76,9 +76,9 @@ export class StagePainter {
         this.#isPageDrawing = true;
         this.#post();
         return;
-      case "stage-scene":
+      case "stage-model":
         // The first one after a mount is whole.
-        this.#scene = { ...this.#scene, ...message.changes } as Scene;
+        this.#model = { ...this.#model, ...message.changes } as StageModel;
         this.#show();
         return;
       case "stage-numbers":
@@ -97,14 +97,14 @@ export class StagePainter {
   }
 
   #show(): void {
-    const scene = this.#scene;
-    if (scene === null) return;
-    if (!this.#hasFont) return this.#renderer.show(scene);
-    if (scene.palette !== this.#plain) {
-      this.#plain = scene.palette;
-      this.#inFont = { ...scene.palette, font: `"${STAGE_FONT}", ${scene.palette.font}` };
+    const model = this.#model;
+    if (model === null) return;
+    if (!this.#hasFont) return this.#renderer.show(model);
+    if (model.palette !== this.#plain) {
+      this.#plain = model.palette;
+      this.#inFont = { ...model.palette, font: `"${STAGE_FONT}", ${model.palette.font}` };
     }
-    this.#renderer.show({ ...scene, palette: this.#inFont ?? scene.palette });
+    this.#renderer.show({ ...model, palette: this.#inFont ?? model.palette });
   }
 
   /** Words are drawn in the fallback font until the page's own is there, and once more then. */

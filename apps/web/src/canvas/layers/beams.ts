@@ -1,16 +1,19 @@
 /**
- * The four range beams as tape measures, from the robot's centre to the wall.
- * Ticks every 10 cm, longer at 50 and 100. The sensors that the running line reads are lit.
+ *
+ * The four range beams as tape measures, from the robot's centre to the wall. Ticks every 10 units,
+ * longer at 50 and 100. The sensors that the running line reads are highlighted.
  */
 import { sensorNames, type SensorName, type Snapshot } from "@corridor/protocol";
-import type { Brush } from "../brush.ts";
-import type { Dirt } from "../dirt.ts";
+import type { DrawingContext } from "../drawing-context.ts";
+import type { DirtyRects } from "../dirty-rects.ts";
 import type { Palette } from "../palette.ts";
 import { viewX, viewY, type Viewport } from "../viewport.ts";
 import { ROBOT_RADIUS } from "./robot.ts";
 
 const TICK = 10;
-/** Ticks closer than this many pixels would be a grey band; only every fifth is drawn then. */
+/**
+ * Ticks closer than this many pixels would look like a grey band; only every fifth is drawn then.
+ */
 const TICKS_FROM_PX = 2.5;
 
 /** Pixels from a beam to the end of its longest mark. */
@@ -22,32 +25,40 @@ export interface Direction {
   dy: number;
 }
 
-/** Where a sensor looks. @param heading degrees clockwise from north */
+/**
+ *
+ * Unit vector along the beam of a sensor.
+ * @param heading degrees clockwise from north
+ */
 export function beamDirection(sensor: SensorName, heading: number): Direction {
   const degrees = heading + 90 * sensorNames.indexOf(sensor);
   const radians = (degrees * Math.PI) / 180;
   return { dx: Math.sin(radians), dy: -Math.cos(radians) };
 }
 
-/** Draws the beams; `lit` are the sensors that the running line reads. */
+/**
+ *
+ * Draws the beams.
+ * @param lit the sensors that the running line reads
+ */
 export function drawBeams(
-  context: Brush,
+  context: DrawingContext,
   viewport: Viewport,
   palette: Palette,
   snapshot: Snapshot,
   lit: readonly SensorName[],
-  dirt: Dirt,
+  dirty: DirtyRects,
 ): void {
   const x = viewX(viewport, snapshot.pose.x);
   const y = viewY(viewport, snapshot.pose.y);
   const reach = reachOf(viewport);
-  // Lit beams last, so that nothing lies over them.
+  // Highlighted beams come last, so that no other beam covers them.
   for (const isLit of [false, true]) {
     for (const sensor of sensorNames) {
       if (lit.includes(sensor) !== isLit) continue;
       const { dx, dy } = beamDirection(sensor, snapshot.pose.heading);
       const length = Math.min(snapshot.sensors[sensor], reach) * viewport.scale;
-      dirt.addLine(x, y, x + dx * length, y + dy * length, WIDEST);
+      dirty.addLine(x, y, x + dx * length, y + dy * length, WIDEST);
       context.save();
       context.translate(x, y);
       // From here on the beam runs along the x axis.
@@ -58,13 +69,13 @@ export function drawBeams(
   }
 }
 
-/** A beam can be 25,600 units long; what lies beyond the view is not drawn. */
+/** Length in units beyond which a beam leaves the view. A beam can be 25,600 units long. */
 function reachOf({ port, scale }: Viewport): number {
   return (port.width + port.height) / scale;
 }
 
 function drawBeam(
-  context: Brush,
+  context: DrawingContext,
   viewport: Viewport,
   palette: Palette,
   reading: number,
@@ -103,7 +114,13 @@ function drawBeam(
   line(context, length - 1, -half, length - 1, half);
 }
 
-function line(context: Brush, fromX: number, fromY: number, toX: number, toY: number): void {
+function line(
+  context: DrawingContext,
+  fromX: number,
+  fromY: number,
+  toX: number,
+  toY: number,
+): void {
   context.beginPath();
   context.moveTo(fromX, fromY);
   context.lineTo(toX, toY);

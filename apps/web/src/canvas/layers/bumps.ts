@@ -1,22 +1,22 @@
-/** Where the robot has bumped: a small red burst at the place of contact. */
+/** Marks of bumps: a small red burst at each contact point. */
 import type { MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
 import { contactOf, type Contact } from "@corridor/simulation";
-import type { Pen } from "../brush.ts";
+import type { VectorContext } from "../drawing-context.ts";
 import type { Palette } from "../palette.ts";
 import { viewX, viewY, type Viewport } from "../viewport.ts";
 import { ROBOT_RADIUS } from "./robot.ts";
 
-/** A place in units. */
+/** A position in units. */
 export interface BumpMark {
   x: number;
   y: number;
 }
 
-/** A touching disc ends this far before the wall at the most, in units. */
+/** Largest distance in units between the robot's edge and a wall that it touches. */
 const TOUCH = 2;
 
-/** Where a robot that has just bumped touches a block, ahead or behind; null where it touches none. */
+/** The contact of a robot that has just bumped, ahead or behind; null where it touches nothing. */
 export function touchOf(maze: MazeDocument, pose: Pose): Contact | null {
   const touches = (["front", "back"] as const)
     .map((side) => contactOf(maze, pose, side))
@@ -27,15 +27,16 @@ export function touchOf(maze: MazeDocument, pose: Pose): Contact | null {
   return (isBack ? back : front)?.contact ?? null;
 }
 
-/** Where a bump is marked; the robot's centre where the wall has gone since. */
+/** Position of a bump's mark; the robot's centre if the wall has been removed since. */
 export function bumpMark(maze: MazeDocument, pose: Pose): BumpMark {
   return touchOf(maze, pose) ?? { x: pose.x, y: pose.y };
 }
 
 /**
- * The marks of bumps.
- * @param places where the robot's centre was, x and y by turns, in units
- * @param heading of the robot now; the newest bumps happened with it
+ *
+ * Marks of several bumps.
+ * @param places positions of the robot's centre, x and y alternating, in units
+ * @param heading heading of the robot now, which is also that of the newest bumps
  */
 export function bumpMarks(
   maze: MazeDocument,
@@ -51,9 +52,9 @@ export function bumpMarks(
 
 const POINTS = 8;
 
-/** Draws the bursts. */
+/** Draws the marks. */
 export function drawBumps(
-  context: Pen,
+  context: VectorContext,
   viewport: Viewport,
   palette: Palette,
   marks: readonly BumpMark[],

@@ -1,7 +1,7 @@
 import type { MazeDocument } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
 import { touchOf } from "./bumps.ts";
-import { awayFrom, hitSensor, isAtHit, type Hit } from "./hit.ts";
+import { recoilDirection, hitSensor, isAtHit, type Hit } from "./hit.ts";
 
 const maze: MazeDocument = {
   format: "corridor/maze",
@@ -21,11 +21,11 @@ const seen = (heading: number) => ({
   sensors: heading % 90 === 0 ? allAt(25) : allAt(35.4),
 });
 
-describe("a bump is shown", () => {
+describe("a displayed bump", () => {
   it.each([
-    { name: "while the robot stands at it", pose: hit.pose, isShown: true },
-    { name: "while it turns there", pose: { ...hit.pose, heading: 0 }, isShown: true },
-    { name: "no more once it has driven away", pose: { ...hit.pose, x: 173 }, isShown: false },
+    { name: "stays while the robot stands at it", pose: hit.pose, isShown: true },
+    { name: "stays while the robot turns there", pose: { ...hit.pose, heading: 0 }, isShown: true },
+    { name: "ends once the robot has driven away", pose: { ...hit.pose, x: 173 }, isShown: false },
   ])("$name", ({ pose, isShown }) => {
     expect(isAtHit(hit, pose)).toBe(isShown);
     expect(isAtHit(null, pose)).toBe(false);
@@ -37,12 +37,15 @@ describe("a bump is shown", () => {
     { heading: 270, sensor: "back" },
     { heading: 180, sensor: "left" },
     { heading: 45, sensor: null },
-  ])("by the sensor that looks at the wall: $sensor at heading $heading", ({ heading, sensor }) => {
-    expect(hitSensor(maze, hit, seen(heading))).toBe(sensor);
-  });
+  ])(
+    "names the sensor that measures the wall: $sensor at heading $heading",
+    ({ heading, sensor }) => {
+      expect(hitSensor(maze, hit, seen(heading))).toBe(sensor);
+    },
+  );
 
-  it("by no sensor where the beam passes the corner that was hit", () => {
-    // 4 cm beside the block's side, so the beam ahead goes on for 225 cm.
+  it("names no sensor where the beam misses the corner that was hit", () => {
+    // 4 units beside the block, so the beam ahead continues for 225 units.
     const corner: Hit = { pose: { x: 175.3, y: 104, heading: 90 }, wanted: null };
     const sensors = { front: 225, right: 196, back: 175, left: 104 };
     expect(hitSensor(maze, corner, { pose: corner.pose, sensors })).toBeNull();
@@ -54,12 +57,12 @@ describe("a bump is shown", () => {
     });
   });
 
-  it("by no sensor where the wall has gone since", () => {
+  it("names no sensor where the wall has been removed since", () => {
     expect(hitSensor({ ...maze, blocks: ["...", "...", "..."] }, hit, seen(90))).toBeNull();
   });
 
-  it("by a recoil away from the wall", () => {
-    const { dx, dy } = awayFrom(maze, hit);
+  it("recoils away from the wall", () => {
+    const { dx, dy } = recoilDirection(maze, hit);
     expect(dx).toBeCloseTo(-1, 6);
     expect(dy).toBeCloseTo(0, 6);
   });

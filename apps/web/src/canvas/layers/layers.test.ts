@@ -1,14 +1,14 @@
 import type { MazeDocument } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
-import type { Pen } from "../brush.ts";
+import type { VectorContext } from "../drawing-context.ts";
 import { readPalette } from "../palette.ts";
 import { beamDirection } from "./beams.ts";
 import { bumpMark } from "./bumps.ts";
-import { isOnReachedGoal } from "./joy.ts";
+import { isOnReachedGoal } from "./celebration.ts";
 import { drawStart } from "./places.ts";
 import { faceOf } from "./robot.ts";
 import { numberStep } from "./rulers.ts";
-import { shownMarks } from "./tags.ts";
+import { visibleMarks } from "./tags.ts";
 
 const maze: MazeDocument = {
   format: "corridor/maze",
@@ -27,7 +27,7 @@ describe("a bump", () => {
     { name: "at a corner", pose: { x: 185, y: 118, heading: 60 }, mark: { x: 200, y: 100 } },
     { name: "in a nook", pose: { x: 275, y: 275, heading: 90 }, mark: { x: 300, y: 275 } },
     { name: "nowhere", pose: { x: 150, y: 150, heading: 0 }, mark: { x: 150, y: 150 } },
-  ])("$name is marked where the robot touches", ({ pose, mark }) => {
+  ])("$name is marked at the contact point", ({ pose, mark }) => {
     const { x, y } = bumpMark(maze, pose);
     expect(x).toBeCloseTo(mark.x, 6);
     expect(y).toBeCloseTo(mark.y, 6);
@@ -58,7 +58,7 @@ describe("the robot's face", () => {
   });
 });
 
-describe("the rays of a reached goal", () => {
+describe("the rays of a celebration", () => {
   const goals = [{ column: 2, row: 1 }];
   it.each([
     { name: "shine on the goal", x: 210, y: 150, goalReached: true, shine: true },
@@ -69,7 +69,7 @@ describe("the rays of a reached goal", () => {
   });
 });
 
-describe("the word of the start", () => {
+describe("the label of the start", () => {
   it.each([
     { name: "stands below the robot in a large square", side: 80, words: ["Start"] },
     { name: "is left out where the robot would cover half of it", side: 70, words: [] },
@@ -81,7 +81,7 @@ describe("the word of the start", () => {
         get: (_, name) => (text: string) => void (name === "fillText" && written.push(text)),
         set: () => true,
       },
-    ) as Pen;
+    ) as VectorContext;
     const palette = readPalette(() => "black");
     drawStart(pen, { x: 0, y: 0, width: side, height: side }, palette, maze.start, "Start");
     expect(written).toEqual(words);
@@ -111,6 +111,6 @@ describe("the marks on the beams", () => {
     { name: "the running line's stands in a small one", scale: 0.3, isAtBump: false, lines: [1] },
     { name: "none hides a bump there", scale: 0.3, isAtBump: true, lines: [] },
   ])("$name", ({ scale, isAtBump, lines }) => {
-    expect(shownMarks(limits, scale, isAtBump).map(({ line }) => line)).toEqual(lines);
+    expect(visibleMarks(limits, scale, isAtBump).map(({ line }) => line)).toEqual(lines);
   });
 });

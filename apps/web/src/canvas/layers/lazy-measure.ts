@@ -1,14 +1,14 @@
-/** The tape is drawn by a file of its own: most visits measure nothing. */
+/** Loads the drawing code of the measuring tape on demand: most visits measure nothing. */
 import type { drawMeasure } from "./measure.ts";
 
 let draw: typeof drawMeasure | null = null;
 
-/** @throws when the file cannot be fetched */
+/** @throws if the file cannot be loaded */
 export async function loadMeasure(): Promise<void> {
   ({ drawMeasure: draw } = await import("./measure.ts"));
 }
 
-/** What draws it; null before it is loaded. */
+/** The drawing function; null until it is loaded. */
 export function measureLayer(): typeof drawMeasure | null {
   return draw;
 }

@@ -2,9 +2,9 @@ import type { MazeDocument } from "@corridor/maze";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { beforeEach, expect, it, vi } from "vitest";
 import { frameOf } from "../../worker/testing/frame-of.ts";
-import type { LayerCanvas } from "../brush.ts";
+import type { LayerCanvas } from "../drawing-context.ts";
 import { readPalette } from "../palette.ts";
-import { Surface } from "../surface.ts";
+import { CanvasLayer } from "../canvas-layer.ts";
 import { layOut, viewportAt } from "../viewport.ts";
 import { drawLive } from "./live.ts";
 
@@ -22,7 +22,7 @@ beforeEach(() => {
   return () => vi.unstubAllGlobals();
 });
 
-it("a reading beside the frame is written over the ruler's mark, which has the same place", () => {
+it("draws a reading beside the frame over the ruler's mark at the same position", () => {
   const layout = layOut(
     { columns: 3, rows: 3 },
     { width: 400, height: 400 },
@@ -55,7 +55,7 @@ it("a reading beside the frame is written over the ruler's mark, which has the s
   });
   const scroll = { x: 0, y: 0 };
   drawLive(
-    new Surface(canvas),
+    new CanvasLayer(canvas),
     viewportAt(layout, scroll),
     {
       layout,
@@ -70,7 +70,7 @@ it("a reading beside the frame is written over the ruler's mark, which has the s
       showBeams: true,
       showTrail: true,
       showRulers: true,
-      ghost: null,
+      preview: null,
       measured: null,
       isCalm: true,
     },

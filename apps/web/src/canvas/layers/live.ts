@@ -1,108 +1,130 @@
-/** Everything that moves with the run, in one picture: ghost, way ahead, beams, robot, tags, ruler marks, tape. */
+/**
+ *
+ * The live layer, everything that moves with the run: edit preview, path ahead, beams, robot, tags,
+ * ruler marks, tape.
+ */
 import type { Snapshot } from "@corridor/protocol";
 import { limitsOf, litSensors } from "../running-line.ts";
 import { endOf } from "../path-ahead.ts";
-import type { Scene } from "../scene.ts";
-import type { Surface } from "../surface.ts";
+import type { StageModel } from "../stage-model.ts";
+import type { CanvasLayer } from "../canvas-layer.ts";
 import { runBox, type Viewport } from "../viewport.ts";
 import type { Frame } from "../../worker/worker-messages.ts";
 import { drawBeams } from "./beams.ts";
-import { drawGhost } from "./ghost.ts";
+import { drawPreview } from "./edit-preview.ts";
 import { drawHit, hitSensor, isAtHit, type Hit } from "./hit.ts";
 import { measureLayer } from "./lazy-measure.ts";
 import { raceGhostsLayer } from "./lazy-race-ghosts.ts";
-import { drawJoy, isOnReachedGoal } from "./joy.ts";
+import { drawCelebration, isOnReachedGoal } from "./celebration.ts";
 import { drawOutline, drawPath } from "./path.ts";
 import { drawRadius, drawRadiusLabel } from "./radius.ts";
 import { drawRobot, faceOf } from "./robot.ts";
 import { drawRulerMarks } from "./rulers.ts";
 import { drawTags } from "./tags.ts";
 
-/** The run as it is to be drawn. */
-export interface Shown {
+/** The displayed state of the run. */
+export interface DisplayedRun {
   frame: Frame;
-  /** the snapshot whose numbers the page displays; robot and beams may be some ticks further */
+  /** the snapshot whose numbers the page displays; robot and beams may be some ticks ahead */
   numbers: Snapshot;
-  /** the newest bump; null when there is none */
+  /** the newest bump; null if there is none */
   hit: Hit | null;
-  /** pixels by which the robot is drawn beside its place, for a moment */
+  /** offset in pixels of the robot from its position, during a nudge */
   nudge: { x: number; y: number };
 }
 
-/** Draws the live layer over what was wiped. @param shown null before the first frame */
+/**
+ *
+ * Draws the live layer after it was erased.
+ * @param displayed null before the first frame
+ */
 export function drawLive(
-  surface: Surface,
+  layer: CanvasLayer,
   viewport: Viewport,
-  scene: Scene,
-  shown: Shown | null,
+  model: StageModel,
+  displayed: DisplayedRun | null,
 ): void {
-  const { brush, dirt } = surface;
-  const { palette } = scene;
-  surface.clipped(runBox(viewport), () => {
-    if (scene.ghost !== null) drawGhost(brush, viewport, palette, scene.ghost, scene, dirt);
-    if (shown !== null) drawRun(surface, viewport, scene, shown);
-    if (scene.measured !== null) measureLayer()?.(brush, viewport, palette, scene.measured, dirt);
+  const { context, dirty } = layer;
+  const { palette } = model;
+  layer.clipped(runBox(viewport), () => {
+    if (model.preview !== null)
+      drawPreview(context, viewport, palette, model.preview, model, dirty);
+    if (displayed !== null) drawRun(layer, viewport, model, displayed);
+    if (model.measured !== null)
+      measureLayer()?.(context, viewport, palette, model.measured, dirty);
   });
-  if (shown === null) return;
-  // Below the numbers: beside the frame both may have the same place.
-  if (scene.showRulers) {
-    drawRulerMarks(brush, viewport, palette, shown.frame.snapshot.pose, dirt);
+  if (displayed === null) return;
+  // Below the numbers: beside the frame both may have the same position.
+  if (model.showRulers) {
+    drawRulerMarks(context, viewport, palette, displayed.frame.snapshot.pose, dirty);
   }
-  drawNumbers(surface, viewport, scene, shown);
+  drawNumbers(layer, viewport, model, displayed);
 }
 
-/** The bump at which the robot stands. */
-function hitAt({ hit, frame }: Shown): Hit | null {
+/** The bump that the robot has not left. */
+function hitAt({ hit, frame }: DisplayedRun): Hit | null {
   return isAtHit(hit, frame.snapshot.pose) ? hit : null;
 }
 
-/** On a reached goal nothing is left to be measured, and the goal is in sight. */
-function isJoyful({ maze }: Scene, shown: Shown): boolean {
-  return hitAt(shown) === null && isOnReachedGoal(maze, shown.frame.snapshot);
+/** On a reached goal the beams are hidden, so that the goal is visible. */
+function isCelebrating({ maze }: StageModel, displayed: DisplayedRun): boolean {
+  return hitAt(displayed) === null && isOnReachedGoal(maze, displayed.frame.snapshot);
 }
 
-function drawRun(surface: Surface, viewport: Viewport, scene: Scene, shown: Shown): void {
-  const { brush, dirt } = surface;
-  const { palette, maze, program } = scene;
-  const { snapshot, progress, ghosts } = shown.frame;
+function drawRun(
+  layer: CanvasLayer,
+  viewport: Viewport,
+  model: StageModel,
+  displayed: DisplayedRun,
+): void {
+  const { context, dirty } = layer;
+  const { palette, maze, program } = model;
+  const { snapshot, progress, ghosts } = displayed.frame;
   const { pose } = snapshot;
-  const hit = hitAt(shown);
-  if (hit !== null) drawHit(brush, viewport, palette, maze, hit, dirt);
-  if (isJoyful(scene, shown)) {
-    drawJoy(brush, viewport, palette, pose, dirt);
-  } else if (scene.showBeams) {
-    drawBeams(brush, viewport, palette, snapshot, litSensors(program, shown.numbers), dirt);
+  const hit = hitAt(displayed);
+  if (hit !== null) drawHit(context, viewport, palette, maze, hit, dirty);
+  if (isCelebrating(model, displayed)) {
+    drawCelebration(context, viewport, palette, pose, dirty);
+  } else if (model.showBeams) {
+    drawBeams(context, viewport, palette, snapshot, litSensors(program, displayed.numbers), dirty);
   }
-  if (ghosts !== undefined) raceGhostsLayer()?.(brush, viewport, palette, ghosts, dirt);
-  drawPath(brush, viewport, palette, pose, progress, dirt);
+  if (ghosts !== undefined) raceGhostsLayer()?.(context, viewport, palette, ghosts, dirty);
+  drawPath(context, viewport, palette, pose, progress, dirty);
   const end = snapshot.driver === "remote" ? endOf(pose, progress) : null;
-  if (end !== null) drawOutline(brush, viewport, palette.liveInk, end, dirt);
+  if (end !== null) drawOutline(context, viewport, palette.liveInk, end, dirty);
   const face = hit === null ? faceOf(snapshot) : "bumped";
-  drawRobot(brush, viewport, palette, pose, face, dirt, shown.nudge);
+  drawRobot(context, viewport, palette, pose, face, dirty, displayed.nudge);
 }
 
-/** Numbers may stand outside of the maze: a robot in its corner has no room for them inside. */
-function drawNumbers(surface: Surface, viewport: Viewport, scene: Scene, shown: Shown): void {
-  const { brush, dirt } = surface;
-  const { palette, maze, program, showBeams } = scene;
-  const { numbers } = shown;
-  const { snapshot } = shown.frame;
-  const hit = hitAt(shown);
+/** Numbers may stand outside of the maze: a robot in a corner leaves no room for them inside. */
+function drawNumbers(
+  layer: CanvasLayer,
+  viewport: Viewport,
+  model: StageModel,
+  displayed: DisplayedRun,
+): void {
+  const { context, dirty } = layer;
+  const { palette, maze, program, showBeams } = model;
+  const { numbers } = displayed;
+  const { snapshot } = displayed.frame;
+  const hit = hitAt(displayed);
   const bumped = hit === null ? null : hitSensor(maze, hit, snapshot);
   const drawMeasured = ({ pose }: Hit) =>
-    surface.clipped(runBox(viewport), () => drawRadius(brush, viewport, palette, maze, pose, dirt));
+    layer.clipped(runBox(viewport), () =>
+      drawRadius(context, viewport, palette, maze, pose, dirty),
+    );
   const measure = hit === null ? null : drawMeasured(hit);
-  const areReadingsShown = showBeams && !isJoyful(scene, shown);
-  // A red reading already says it.
-  const needsLabel = measure !== null && !(areReadingsShown && bumped !== null);
-  const label = needsLabel ? drawRadiusLabel(brush, viewport, palette, measure, dirt) : null;
-  if (!areReadingsShown) return;
-  drawTags(brush, viewport, palette, snapshot, dirt, {
+  const hasReadings = showBeams && !isCelebrating(model, displayed);
+  // A red reading already shows the distance.
+  const needsLabel = measure !== null && !(hasReadings && bumped !== null);
+  const label = needsLabel ? drawRadiusLabel(context, viewport, palette, measure, dirty) : null;
+  if (!hasReadings) return;
+  drawTags(context, viewport, palette, snapshot, dirty, {
     lit: litSensors(program, numbers),
     limits: limitsOf(program, numbers),
     bumped,
     sensors: numbers.sensors,
     goals: maze.goals,
-    taken: label === null ? [] : [label],
+    occupied: label === null ? [] : [label],
   });
 }

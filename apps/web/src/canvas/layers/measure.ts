@@ -1,79 +1,82 @@
-/** The tape between two points that the reader measures: dashed, ticks every 10 cm, its length in words. */
-import type { Brush } from "../brush.ts";
-import type { Dirt } from "../dirt.ts";
+/** The measuring tape between two points: dashed, ticks every 10 units, with a label. */
+import type { DrawingContext } from "../drawing-context.ts";
+import type { DirtyRects } from "../dirty-rects.ts";
 import type { Palette } from "../palette.ts";
 import { viewX, viewY, type Viewport } from "../viewport.ts";
 
-/** A tape; points in units. */
+/** A measurement. Points are in units. */
 export interface Measured {
   from: { x: number; y: number };
   to: { x: number; y: number };
-  /** lines of the label, in the reader's language; none while there is only one point */
+  /** translated lines of the label; empty while there is only one point */
   words: readonly string[];
 }
 
 const TICK = 10;
-/** Ticks closer than this many pixels would be a grey band; only every fifth is drawn then. */
+/**
+ * Ticks closer than this many pixels would look like a grey band; only every fifth is drawn then.
+ */
 const TICKS_FROM_PX = 3;
 const LABEL = { font: 13, line: 18, padding: 8, gap: 10 };
 
 /** Draws the tape and its label. */
 export function drawMeasure(
-  brush: Brush,
+  context: DrawingContext,
   viewport: Viewport,
   palette: Palette,
   { from, to, words }: Measured,
-  dirt: Dirt,
+  dirty: DirtyRects,
 ): void {
   const x = viewX(viewport, from.x);
   const y = viewY(viewport, from.y);
   const dx = viewX(viewport, to.x) - x;
   const dy = viewY(viewport, to.y) - y;
   const length = Math.sqrt(dx * dx + dy * dy);
-  dirt.addLine(x, y, x + dx, y + dy, 10);
-  brush.save();
-  brush.translate(x, y);
-  brush.rotate(Math.atan2(dy, dx));
-  brush.strokeStyle = palette.ink;
-  brush.lineWidth = 2;
-  brush.setLineDash([6, 4]);
-  brush.beginPath();
-  brush.moveTo(0, 0);
-  brush.lineTo(length, 0);
-  brush.stroke();
-  brush.setLineDash([]);
-  brush.lineWidth = 1;
+  dirty.addLine(x, y, x + dx, y + dy, 10);
+  context.save();
+  context.translate(x, y);
+  context.rotate(Math.atan2(dy, dx));
+  context.strokeStyle = palette.ink;
+  context.lineWidth = 2;
+  context.setLineDash([6, 4]);
+  context.beginPath();
+  context.moveTo(0, 0);
+  context.lineTo(length, 0);
+  context.stroke();
+  context.setLineDash([]);
+  context.lineWidth = 1;
   const step = TICK * viewport.scale >= TICKS_FROM_PX ? TICK : TICK * 5;
   const units = length / viewport.scale;
-  brush.beginPath();
+  context.beginPath();
   for (let at = 0; at < units; at += step) {
     const half = at % 100 === 0 ? 8 : at % 50 === 0 ? 6 : 3;
-    brush.moveTo(at * viewport.scale, -half);
-    brush.lineTo(at * viewport.scale, half);
+    context.moveTo(at * viewport.scale, -half);
+    context.lineTo(at * viewport.scale, half);
   }
-  brush.moveTo(length, -8);
-  brush.lineTo(length, 8);
-  brush.stroke();
-  brush.fillStyle = palette.ink;
-  brush.beginPath();
-  brush.arc(0, 0, 3.5, 0, 2 * Math.PI);
-  brush.arc(length, 0, 3.5, 0, 2 * Math.PI);
-  brush.fill();
-  brush.restore();
-  if (words.length > 0) drawLabel(brush, viewport, palette, { x: x + dx, y: y + dy }, words, dirt);
+  context.moveTo(length, -8);
+  context.lineTo(length, 8);
+  context.stroke();
+  context.fillStyle = palette.ink;
+  context.beginPath();
+  context.arc(0, 0, 3.5, 0, 2 * Math.PI);
+  context.arc(length, 0, 3.5, 0, 2 * Math.PI);
+  context.fill();
+  context.restore();
+  if (words.length > 0)
+    drawLabel(context, viewport, palette, { x: x + dx, y: y + dy }, words, dirty);
 }
 
-/** Beside the tape's end, where there is room for it. */
+/** Draws the label beside the end of the tape, inside the port. */
 function drawLabel(
-  brush: Brush,
+  context: DrawingContext,
   { port }: Viewport,
   palette: Palette,
   end: { x: number; y: number },
   words: readonly string[],
-  dirt: Dirt,
+  dirty: DirtyRects,
 ): void {
-  brush.font = `600 ${LABEL.font}px ${palette.font}`;
-  const widths = words.map((line) => brush.measureText(line).width);
+  context.font = `600 ${LABEL.font}px ${palette.font}`;
+  const widths = words.map((line) => context.measureText(line).width);
   const width = Math.ceil(Math.max(...widths)) + 2 * LABEL.padding;
   const height = words.length * LABEL.line + LABEL.padding;
   const right = port.x + port.width;
@@ -81,20 +84,20 @@ function drawLabel(
   const above = end.y - LABEL.gap - height;
   const left = Math.round(Math.max(port.x, x));
   const top = Math.round(above >= port.y ? above : end.y + LABEL.gap);
-  dirt.add(left, top, width, height);
-  brush.beginPath();
-  brush.roundRect(left + 0.5, top + 0.5, width - 1, height - 1, 6);
-  brush.fillStyle = palette.surface;
-  brush.fill();
-  brush.strokeStyle = palette.edge;
-  brush.lineWidth = 1;
-  brush.stroke();
-  brush.fillStyle = palette.ink;
-  brush.textAlign = "left";
-  brush.textBaseline = "middle";
+  dirty.add(left, top, width, height);
+  context.beginPath();
+  context.roundRect(left + 0.5, top + 0.5, width - 1, height - 1, 6);
+  context.fillStyle = palette.surface;
+  context.fill();
+  context.strokeStyle = palette.edge;
+  context.lineWidth = 1;
+  context.stroke();
+  context.fillStyle = palette.ink;
+  context.textAlign = "left";
+  context.textBaseline = "middle";
   words.forEach((line, at) => {
     const middle = top + LABEL.padding / 2 + (at + 0.5) * LABEL.line;
-    brush.fillStyle = at === 0 ? palette.ink : palette.ink2;
-    brush.fillText(line, left + LABEL.padding, middle);
+    context.fillStyle = at === 0 ? palette.ink : palette.ink2;
+    context.fillText(line, left + LABEL.padding, middle);
   });
 }

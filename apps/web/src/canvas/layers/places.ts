@@ -1,23 +1,27 @@
-/** Start and goals: dashed square with the first heading, and the flag. */
+/** Start and goals: a dashed square with the start heading, and a flag. */
 import type { Cell, HeadingName, MazeDocument, Start } from "@corridor/maze";
-import type { Pen } from "../brush.ts";
+import type { VectorContext } from "../drawing-context.ts";
 import type { Palette } from "../palette.ts";
-import { pathOf } from "../path-text.ts";
+import { svgPath } from "../svg-path.ts";
 import { CELL, visibleCells, viewX, viewY, type Box, type Viewport } from "../viewport.ts";
 
-/** The words that are drawn; they come from the page's catalogue. */
+/** Translated labels. */
 export interface PlaceWords {
   startWord: string;
   goalWord: string;
 }
 
-/** Smallest square in which a word can be read. */
+/** Smallest cell, in pixels, with a readable label. */
 const WORD_FROM_PX = 60;
-/** Smallest square in which the word of the start is read below a robot that stands there: its wheels reach 27 cm. */
+/**
+ *
+ * Smallest cell, in pixels, in which the label of the start is readable below a robot that stands
+ * there. Its wheels reach 27 units.
+ */
 const START_WORD_FROM_PX = 76;
-/** From the middle of a goal down to the middle of its word. */
+/** Pixels from the middle of a goal down to the middle of its label. */
 const WORD_DOWN_PX = 16;
-/** Side of the largest flag. */
+/** Side in pixels of the largest flag. */
 const FLAG_PX = 22;
 /** Lucide's "flag", in its 24 x 24 box, as in the tool strip. */
 const FLAG = "M5 21v-6.2M5 14.8c6.6-4.4 8.4 2.6 15 0V4.2c-6.6 2.6-8.4-4.4-15 0z";
@@ -26,7 +30,7 @@ const quarterTurns: Record<HeadingName, number> = { north: 0, east: 1, south: 2,
 
 /** Draws start and goals inside the port. */
 export function drawPlaces(
-  context: Pen,
+  context: VectorContext,
   viewport: Viewport,
   palette: Palette,
   maze: MazeDocument,
@@ -46,7 +50,7 @@ export function drawPlaces(
   }
 }
 
-/** The pixels of one cell. */
+/** Pixels of one cell. */
 export function cellBox(viewport: Viewport, cell: Cell): Box {
   const side = viewport.scale * CELL;
   return {
@@ -57,7 +61,7 @@ export function cellBox(viewport: Viewport, cell: Cell): Box {
   };
 }
 
-/** What of a goal's cell has to be seen to know it: its flag, and its word. */
+/** The part of a goal's cell that identifies it: flag and label. */
 export function goalPicture(cell: Box): Box {
   const flag = Math.min(FLAG_PX, cell.width * 0.6);
   const hasWord = cell.width >= WORD_FROM_PX;
@@ -70,8 +74,8 @@ export function goalPicture(cell: Box): Box {
   };
 }
 
-/** A goal in one cell. */
-export function drawGoal(context: Pen, box: Box, palette: Palette, word: string): void {
+/** Draws a goal in one cell. */
+export function drawGoal(context: VectorContext, box: Box, palette: Palette, word: string): void {
   const inset = Math.max(1.5, box.width * 0.04);
   context.beginPath();
   context.roundRect(
@@ -96,16 +100,16 @@ export function drawGoal(context: Pen, box: Box, palette: Palette, word: string)
   context.lineJoin = "round";
   context.lineCap = "round";
   context.strokeStyle = palette.goodInk;
-  context.stroke(pathOf(FLAG));
+  context.stroke(svgPath(FLAG));
   context.restore();
   if (hasWord) {
     label(context, palette, palette.goodInk, word, box, box.y + box.height / 2 + WORD_DOWN_PX);
   }
 }
 
-/** The start in one cell, with an arrow head that points where the robot will face. */
+/** Draws the start in one cell, with an arrow head for the start heading. */
 export function drawStart(
-  context: Pen,
+  context: VectorContext,
   box: Box,
   palette: Palette,
   start: Start,
@@ -139,7 +143,7 @@ export function drawStart(
   context.fill();
   context.restore();
   if (box.width >= START_WORD_FROM_PX) {
-    // A robot that stands here covers the middle; the word stays readable below it.
+    // A robot that stands here covers the middle; the label stays readable below it.
     const isDown = start.heading === "south";
     const y = isDown ? box.y + inset + 9 : box.y + box.height - inset - 8;
     label(context, palette, palette.ink3, word, box, y);
@@ -147,7 +151,7 @@ export function drawStart(
 }
 
 function label(
-  context: Pen,
+  context: VectorContext,
   palette: Palette,
   colour: string,
   text: string,

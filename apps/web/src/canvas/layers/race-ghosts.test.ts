@@ -4,7 +4,7 @@ import { ROBOT_RADIUS } from "./robot.ts";
 
 describe("the badges of ghosts", () => {
   it.each([0.3, 0.6, 1, 2])(
-    "in one place at scale %d cover neither the robot nor each other",
+    "at one position and scale %d cover neither the robot nor each other",
     (scale) => {
       const places = ["A", "B", "C", "D"].map((badge) => badgeOffset(badge, scale));
       for (const [at, { x, y }] of places.entries()) {

@@ -3,8 +3,8 @@ import type { Pose } from "@corridor/protocol";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { divideStage } from "../../features/stage/stage-layout.ts";
-import type { Brush } from "../brush.ts";
-import { Dirt } from "../dirt.ts";
+import type { DrawingContext } from "../drawing-context.ts";
+import { DirtyRects } from "../dirty-rects.ts";
 import { readPalette } from "../palette.ts";
 import { followScroll, viewportAt, viewX, viewY } from "../viewport.ts";
 import { drawRadius, drawRadiusLabel } from "./radius.ts";
@@ -19,10 +19,10 @@ const maze: MazeDocument = {
   start: { column: 0, row: 0, heading: "north" },
   goals: [],
 };
-const brush = new Proxy({}, { get: () => () => undefined, set: () => true }) as Brush;
+const context = new Proxy({}, { get: () => () => undefined, set: () => true }) as DrawingContext;
 const palette = readPalette(() => "black");
 
-/** A robot that touches an outer wall while it drives towards it at a slant. */
+/** A robot that touches an outer wall while it drives towards it at an angle. */
 const touching = fc
   .record({
     quarter: fc.constantFrom(0, 90, 180, 270),
@@ -43,17 +43,17 @@ const view = fc.constantFrom(
   { width: 1028, height: 644 },
 );
 
-describe("the number of the radius", () => {
-  it("is whole at every outer wall, beside the robot", () => {
+describe("the label of the radius", () => {
+  it("is fully visible at every outer wall, beside the robot", () => {
     fc.assert(
       fc.property(touching, view, fc.boolean(), (pose, size, showRulers) => {
         const room = { maze: { columns: SIDE, rows: SIDE }, view: size, showRulers };
         const layout = divideStage({ ...room, follows: false, zoom: null });
         const viewport = viewportAt(layout, followScroll(layout, { x: 0, y: 0 }, pose.x, pose.y));
-        const dirt = new Dirt();
-        const measure = drawRadius(brush, viewport, palette, maze, pose, dirt);
+        const dirty = new DirtyRects();
+        const measure = drawRadius(context, viewport, palette, maze, pose, dirty);
         if (measure === null) throw new Error("The robot touches a wall.");
-        const label = drawRadiusLabel(brush, viewport, palette, measure, dirt);
+        const label = drawRadiusLabel(context, viewport, palette, measure, dirty);
         if (label === null) throw new Error("The label has no place.");
         expect(label.x).toBeGreaterThanOrEqual(0);
         expect(label.y).toBeGreaterThanOrEqual(0);

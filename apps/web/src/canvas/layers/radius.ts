@@ -1,11 +1,13 @@
 /**
- * The robot's radius at a bump: a thin circle, and a measure from the centre to the point that was touched. It
- * shows why a robot bumps whose beam passes a corner: the beam is thin, the robot is 50 cm wide.
+ *
+ * The robot's radius at a bump: a thin circle, and a measure from the centre to the contact point.
+ * It shows why a robot bumps although its beam misses a corner: the beam is thin, the robot is 50
+ * units wide.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
-import type { Brush } from "../brush.ts";
-import type { Dirt } from "../dirt.ts";
+import type { DrawingContext } from "../drawing-context.ts";
+import type { DirtyRects } from "../dirty-rects.ts";
 import type { Palette } from "../palette.ts";
 import { placeTags, readingCentres, type Beam } from "../tag-placement.ts";
 import { viewX, viewY, type Box, type Viewport } from "../viewport.ts";
@@ -13,18 +15,18 @@ import { touchOf } from "./bumps.ts";
 import { robotBox, ROBOT_RADIUS } from "./robot.ts";
 
 const LABEL = { width: 22, height: 16, font: 12 };
-/** Half the length of the bar at the touched point, and the radius of a corner's dot, in pixels. */
+/** Pixels: half the length of the bar at the contact point, and the radius of a corner's dot. */
 const BAR = 5;
 const DOT = 4;
 
-/** @returns the measure; null where nothing is touched any more */
+/** @returns the measure; null if the robot touches nothing any more */
 export function drawRadius(
-  brush: Brush,
+  context: DrawingContext,
   viewport: Viewport,
   palette: Palette,
   maze: MazeDocument,
   pose: Pose,
-  dirt: Dirt,
+  dirty: DirtyRects,
 ): Beam | null {
   const contact = touchOf(maze, pose);
   if (contact === null) return null;
@@ -36,49 +38,50 @@ export function drawRadius(
   const dx = (endX - x) / length;
   const dy = (endY - y) / length;
   const radius = ROBOT_RADIUS * viewport.scale;
-  dirt.add(x - radius - BAR, y - radius - BAR, 2 * (radius + BAR), 2 * (radius + BAR));
+  dirty.add(x - radius - BAR, y - radius - BAR, 2 * (radius + BAR), 2 * (radius + BAR));
 
-  brush.strokeStyle = palette.bad;
-  brush.lineWidth = 1.25;
-  brush.beginPath();
-  brush.arc(x, y, radius, 0, 2 * Math.PI);
-  brush.stroke();
-  // Over the robot's body, whose colour is near to red.
+  context.strokeStyle = palette.bad;
+  context.lineWidth = 1.25;
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.stroke();
+  // A light border separates the red line from the robot's body, whose colour is similar.
   for (const [colour, width] of [
     [palette.surface, 4],
     [palette.bad, 2],
   ] as const) {
-    brush.strokeStyle = colour;
-    brush.lineWidth = width;
-    brush.beginPath();
-    brush.moveTo(x, y);
-    brush.lineTo(endX, endY);
-    brush.moveTo(endX - dy * BAR, endY + dx * BAR);
-    brush.lineTo(endX + dy * BAR, endY - dx * BAR);
-    brush.stroke();
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.beginPath();
+    context.moveTo(x, y);
+    context.lineTo(endX, endY);
+    context.moveTo(endX - dy * BAR, endY + dx * BAR);
+    context.lineTo(endX + dy * BAR, endY - dx * BAR);
+    context.stroke();
   }
   if (contact.isCorner) {
-    brush.beginPath();
-    brush.arc(endX, endY, DOT, 0, 2 * Math.PI);
-    brush.fillStyle = palette.bad;
-    brush.fill();
-    brush.strokeStyle = palette.surface;
-    brush.lineWidth = 1.5;
-    brush.stroke();
+    context.beginPath();
+    context.arc(endX, endY, DOT, 0, 2 * Math.PI);
+    context.fillStyle = palette.bad;
+    context.fill();
+    context.strokeStyle = palette.surface;
+    context.lineWidth = 1.5;
+    context.stroke();
   }
   return { origin: { x, y }, dx, dy };
 }
 
 /**
- * The number of the measure: beyond the touched point, on the block or outside of the maze.
- * @returns its place, where no reading may stand; null where the view has no room for it
+ *
+ * Draws the label of the measure beyond the contact point, on the block or outside of the maze.
+ * @returns its box, which no reading may cover; null if the view has no room for it
  */
 export function drawRadiusLabel(
-  brush: Brush,
+  context: DrawingContext,
   viewport: Viewport,
   palette: Palette,
   measure: Beam,
-  dirt: Dirt,
+  dirty: DirtyRects,
 ): Box | null {
   const { width, height, font } = LABEL;
   const robot = robotBox(viewport, measure.origin);
@@ -87,18 +90,18 @@ export function drawRadiusLabel(
   const request = { name: "radius", sizes: [{ width, height, centres }] };
   const [box] = placeTags([request], [robot], viewport.view);
   if (box === undefined) return null;
-  dirt.add(box.x, box.y, width, height);
-  brush.beginPath();
-  brush.roundRect(box.x + 0.5, box.y + 0.5, width - 1, height - 1, 4);
-  brush.fillStyle = palette.surface;
-  brush.fill();
-  brush.strokeStyle = palette.bad;
-  brush.lineWidth = 1;
-  brush.stroke();
-  brush.font = `600 ${font}px ${palette.font}`;
-  brush.textAlign = "center";
-  brush.textBaseline = "middle";
-  brush.fillStyle = palette.ink;
-  brush.fillText(String(ROBOT_RADIUS), box.x + width / 2, box.y + height / 2 + 0.5);
+  dirty.add(box.x, box.y, width, height);
+  context.beginPath();
+  context.roundRect(box.x + 0.5, box.y + 0.5, width - 1, height - 1, 4);
+  context.fillStyle = palette.surface;
+  context.fill();
+  context.strokeStyle = palette.bad;
+  context.lineWidth = 1;
+  context.stroke();
+  context.font = `600 ${font}px ${palette.font}`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.fillStyle = palette.ink;
+  context.fillText(String(ROBOT_RADIUS), box.x + width / 2, box.y + height / 2 + 0.5);
   return box;
 }

@@ -1,20 +1,21 @@
 /**
- * The robot: one drawing, three faces. Shapes are in units around its centre, facing north,
- * and equal the SVG files of the design.
+ *
+ * The robot: one shape, three faces. Shapes are in units around its centre, facing north, and equal
+ * the SVG files of the design.
  */
 import type { Snapshot } from "@corridor/protocol";
-import type { Brush, Pen } from "../brush.ts";
-import type { Dirt } from "../dirt.ts";
+import type { DrawingContext, VectorContext } from "../drawing-context.ts";
+import type { DirtyRects } from "../dirty-rects.ts";
 import type { Palette } from "../palette.ts";
-import { pathOf } from "../path-text.ts";
+import { svgPath } from "../svg-path.ts";
 import { viewX, viewY, type Box, type Viewport } from "../viewport.ts";
 
-/** The robot's disc, in units (CONTRACT: radius 25). */
+/** Radius of the robot's disc, in units. */
 export const ROBOT_RADIUS = 25;
 
 export type Face = "driving" | "bumped" | "solved";
 
-/** The face that a snapshot asks for; a bump shows even on the goal. */
+/** The face for a snapshot. A bump takes precedence over a goal. */
 export function faceOf(snapshot: Pick<Snapshot, "bumping" | "goalReached">): Face {
   if (snapshot.bumping) return "bumped";
   return snapshot.goalReached ? "solved" : "driving";
@@ -45,15 +46,15 @@ const faces: Record<
   },
 };
 
-/** Units from the robot's centre to the corner of a wheel and its outline. */
+/** Units from the robot's centre to the corner of a wheel, including its outline. */
 const REACH = 32;
 
-/** Units around the robot's disc that no tag may cover: as far as its wheels stand out. */
-const AIR = 1;
+/** Units around the robot's disc that no tag may cover, because its wheels protrude. */
+const MARGIN = 1;
 
-/** The pixels around the robot's centre that tags leave to it. */
+/** Pixels around the robot's centre that tags may not cover. */
 export function robotBox({ scale }: Viewport, { x, y }: { x: number; y: number }): Box {
-  const radius = (ROBOT_RADIUS + AIR) * scale;
+  const radius = (ROBOT_RADIUS + MARGIN) * scale;
   return { x: x - radius, y: y - radius, width: 2 * radius, height: 2 * radius };
 }
 
@@ -65,43 +66,47 @@ interface Shapes {
 
 const shapes = new Map<Face, Shapes>();
 
-/** Paths are read from their text once a face: reading them on every frame would cost more than drawing. */
+/** Parses the paths once per face: parsing them on every frame would cost more than drawing. */
 function shapesOf(face: Face): Shapes {
   let known = shapes.get(face);
   if (known === undefined) {
     const { eyes, mouth } = faces[face];
-    known = { body: pathOf(BODY), eyes: pathOf(eyes), mouth: pathOf(mouth) };
+    known = { body: svgPath(BODY), eyes: svgPath(eyes), mouth: svgPath(mouth) };
     shapes.set(face, known);
   }
   return known;
 }
 
-/** Strokes the body's outline, in units around the robot's centre. */
-export function traceBody(context: Brush): void {
+/** Strokes the body's outline. The context is in units around the robot's centre. */
+export function traceBody(context: DrawingContext): void {
   context.stroke(shapesOf("driving").body);
 }
 
-/** Fills the body, in units around the robot's centre. */
-export function fillBody(context: Brush): void {
+/** Fills the body. The context is in units around the robot's centre. */
+export function fillBody(context: DrawingContext): void {
   context.fill(shapesOf("driving").body);
 }
 
-/** Draws the robot at its pose, or so many pixels beside it. */
+/**
+ *
+ * Draws the robot at its pose.
+ * @param offset CSS pixels between the pose and the drawing
+ */
 export function drawRobot(
-  context: Pen,
+  context: VectorContext,
   viewport: Viewport,
   palette: Palette,
   pose: Snapshot["pose"],
   face: Face,
-  dirt: Dirt,
-  beside: { x: number; y: number } = { x: 0, y: 0 },
+  dirty: DirtyRects,
+  offset: { x: number; y: number } = { x: 0, y: 0 },
 ): void {
   const { eyesWidth, isMouthOpen } = faces[face];
   const { body, eyes, mouth } = shapesOf(face);
-  const x = viewX(viewport, pose.x) + beside.x;
-  const y = viewY(viewport, pose.y) + beside.y;
+  const x = viewX(viewport, pose.x) + offset.x;
+  const y = viewY(viewport, pose.y) + offset.y;
   const reach = REACH * viewport.scale;
-  dirt.add(x - reach, y - reach, 2 * reach, 2 * reach);
+  dirty.add(x - reach, y - reach, 2 * reach, 2 * reach);
   context.save();
   context.translate(x, y);
   context.rotate((pose.heading * Math.PI) / 180);

@@ -1,21 +1,21 @@
-/** Rulers along the top and the left, in the same centimetres as the program's numbers. */
-import type { Pen } from "../brush.ts";
-import type { Dirt } from "../dirt.ts";
+/** Rulers along the top and the left, in the same units as the program's numbers. */
+import type { VectorContext } from "../drawing-context.ts";
+import type { DirtyRects } from "../dirty-rects.ts";
 import type { Palette } from "../palette.ts";
 import { CELL, viewX, viewY, type Viewport } from "../viewport.ts";
 
-/** Room that a number needs, in pixels along its ruler. */
+/** Room in pixels that a number needs along its ruler. */
 const NUMBER_ROOM_TOP = 44;
 const NUMBER_ROOM_LEFT = 24;
 const steps = [1, 2, 5, 10, 20, 50, 100];
 
-/** Every how many squares a number stands, so that numbers never touch. */
+/** Number of cells between two numbers, so that numbers never touch. */
 export function numberStep(cellPx: number, room: number): number {
   return steps.find((step) => step * cellPx >= room) ?? 100;
 }
 
 /** Draws both rulers beside the port. */
-export function drawRulers(context: Pen, viewport: Viewport, palette: Palette): void {
+export function drawRulers(context: VectorContext, viewport: Viewport, palette: Palette): void {
   const { port, columns, rows } = viewport;
   const cellPx = viewport.scale * CELL;
   context.font = `500 11px ${palette.font}`;
@@ -52,30 +52,30 @@ export function drawRulers(context: Pen, viewport: Viewport, palette: Palette): 
   context.stroke();
 }
 
-/** Marks on both rulers where the robot is. */
+/** Marks the robot's position on both rulers. */
 export function drawRulerMarks(
-  context: Pen,
+  context: VectorContext,
   viewport: Viewport,
   palette: Palette,
   pose: { x: number; y: number },
-  dirt: Dirt,
+  dirty: DirtyRects,
 ): void {
   const { port } = viewport;
   const x = viewX(viewport, pose.x);
   const y = viewY(viewport, pose.y);
   context.fillStyle = palette.live;
   if (x >= port.x && x <= port.x + port.width) {
-    dirt.add(x - 5, port.y - 12, 10, 8);
+    dirty.add(x - 5, port.y - 12, 10, 8);
     triangle(context, x, port.y - 4, -5, -8, 5, -8);
   }
   if (y >= port.y && y <= port.y + port.height) {
-    dirt.add(port.x - 12, y - 5, 8, 10);
+    dirty.add(port.x - 12, y - 5, 8, 10);
     triangle(context, port.x - 4, y, -8, -5, -8, 5);
   }
 }
 
 function triangle(
-  context: Pen,
+  context: VectorContext,
   x: number,
   y: number,
   ax: number,

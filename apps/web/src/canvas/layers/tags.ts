@@ -1,11 +1,13 @@
 /**
- * The tags on the beams: the reading at each wall, and the numbers of the program's lines with the
- * line's badge, on a bar across the beam: whole where the beam reaches it, dashed where a wall is nearer.
+ *
+ * The tags on the beams: the reading at each wall, and the limits of the program's lines. A limit
+ * is a bar across the beam with the line's badge: solid where the beam reaches it, dashed where a
+ * wall is nearer.
  */
 import type { Cell } from "@corridor/maze";
 import { type SensorName, type Snapshot } from "@corridor/protocol";
-import type { Brush } from "../brush.ts";
-import type { Dirt } from "../dirt.ts";
+import type { DrawingContext } from "../drawing-context.ts";
+import type { DirtyRects } from "../dirty-rects.ts";
 import type { Palette } from "../palette.ts";
 import type { Limit } from "../running-line.ts";
 import {
@@ -16,41 +18,47 @@ import {
   type TagRequest,
 } from "../tag-placement.ts";
 import { viewX, viewY, type Box, type Viewport } from "../viewport.ts";
-import { placeReadings, ROOMY_FROM, type PlacedReading } from "../reading-places.ts";
+import { placeReadings, MIN_ROOMY_SCALE, type PlacedReading } from "../reading-placement.ts";
 import { beamDirection } from "./beams.ts";
 import { cellBox, goalPicture } from "./places.ts";
 import { robotBox } from "./robot.ts";
 
-/** Pixels of a mark where there is room, and where there is little. */
+/** Pixels of a mark, with and without much room. */
 const largeMark = { height: 18, padding: 6, font: 12, badge: 16, reach: 13 };
 const smallMark = { height: 14, padding: 4, font: 11, badge: 13, reach: 9 };
-type MarkLook = typeof largeMark;
-/** Of a maze full of goals, so many are looked at: a frame has no time for all. */
+type MarkStyle = typeof largeMark;
+/**
+ * Largest number of flags that tags avoid, so that a maze full of goals does not slow down a frame.
+ */
 const MAX_FLAGS = 16;
 
-/** What the tags are drawn by, besides the robot. */
-interface TagScene {
+/** What the tags depend on, besides the robot. */
+interface TagModel {
   /** the sensors that the running line reads */
   lit: readonly SensorName[];
   limits: readonly Limit[];
-  /** looks at a wall that was hit */
+  /** the sensor that measures a wall that was hit */
   bumped: SensorName | null;
-  /** the readings as the page displays them: of the same tick as every other number on the screen */
+  /** the readings that the page displays: of the same tick as every other number on the screen */
   sensors: Snapshot["sensors"];
-  /** their flags stay in sight where a tag has another place */
+  /** their flags stay visible if a tag has another position */
   goals: readonly Cell[];
-  /** what else stands on the stage and no tag may cover */
-  taken: readonly Box[];
+  /** other boxes on the stage that no tag may cover */
+  occupied: readonly Box[];
 }
 
-/** Draws readings and marks. @param snapshot where the robot and its beams are drawn */
+/**
+ *
+ * Draws readings and marks.
+ * @param snapshot where the robot and its beams are drawn
+ */
 export function drawTags(
-  context: Brush,
+  context: DrawingContext,
   viewport: Viewport,
   palette: Palette,
   snapshot: Snapshot,
-  dirt: Dirt,
-  { lit, limits, bumped, sensors, goals, taken }: TagScene,
+  dirty: DirtyRects,
+  { lit, limits, bumped, sensors, goals, occupied }: TagModel,
 ): void {
   const origin = { x: viewX(viewport, snapshot.pose.x), y: viewY(viewport, snapshot.pose.y) };
   const beamOf = (sensor: SensorName): Beam => ({
@@ -62,17 +70,23 @@ export function drawTags(
   context.textBaseline = "middle";
 
   const flags = goals.slice(0, MAX_FLAGS).map((goal) => goalPicture(cellBox(viewport, goal)));
-  const readings = placeReadings(viewport, snapshot, [robot, ...taken], flags, (sensor, font) => {
-    context.font = `600 ${font}px ${palette.font}`;
-    return textWidth(context, readingText(sensors[sensor]));
-  });
+  const readings = placeReadings(
+    viewport,
+    snapshot,
+    [robot, ...occupied],
+    flags,
+    (sensor, font) => {
+      context.font = `600 ${font}px ${palette.font}`;
+      return textWidth(context, readingText(sensors[sensor]));
+    },
+  );
 
-  const shown = shownMarks(limits, viewport.scale, bumped !== null);
-  const others = [robot, ...taken, ...readings];
-  drawMarks(context, viewport, palette, sensors, shown, beamOf, others, dirt);
+  const visible = visibleMarks(limits, viewport.scale, bumped !== null);
+  const others = [robot, ...occupied, ...readings];
+  drawMarks(context, viewport, palette, sensors, visible, beamOf, others, dirty);
 
   for (const tag of readings) {
-    dirt.add(tag.x, tag.y, tag.width, tag.height);
+    dirty.add(tag.x, tag.y, tag.width, tag.height);
     drawReading(
       context,
       palette,
@@ -83,26 +97,30 @@ export function drawTags(
   }
 }
 
-/** All marks where there is room; else that of the running line, and none at a bump, which shows its own number. */
-export function shownMarks(
+/**
+ *
+ * All marks if there is room; otherwise that of the running line. At a bump, which shows its own
+ * number, none.
+ */
+export function visibleMarks(
   limits: readonly Limit[],
   scale: number,
   isAtBump: boolean,
 ): readonly Limit[] {
-  if (scale >= ROOMY_FROM) return limits;
+  if (scale >= MIN_ROOMY_SCALE) return limits;
   return isAtBump ? [] : limits.filter((each) => each.isRunning);
 }
 
-/** A reading as it is written on the stage: whole centimetres. */
+/** A reading in whole units. */
 function readingText(reading: number): string {
   return String(Math.round(reading));
 }
 
-/** Widths that were measured, by font and text: a frame asks for the same few numbers as the one before. */
+/** Measured widths, by font and text. Consecutive frames need almost the same numbers. */
 const widths = new Map<string, number>();
 const MAX_WIDTHS = 4000;
 
-function textWidth(context: Brush, text: string): number {
+function textWidth(context: DrawingContext, text: string): number {
   const key = `${context.font} ${text}`;
   let width = widths.get(key);
   if (width === undefined) {
@@ -113,78 +131,89 @@ function textWidth(context: Brush, text: string): number {
   return width;
 }
 
-/** Another font may stand behind the same name from now on. */
-export function forgetTextWidths(): void {
+/**
+ * Discards measured widths after a font has loaded, because the same name stands for another font.
+ */
+export function clearTextWidths(): void {
   widths.clear();
 }
 
 function drawReading(
-  context: Brush,
+  context: DrawingContext,
   palette: Palette,
   box: PlacedReading,
   text: string,
-  look: "plain" | "lit" | "bumped",
+  style: "plain" | "lit" | "bumped",
 ): void {
-  const { font, corner } = box.look;
+  const { font, corner } = box.style;
   context.font = `600 ${font}px ${palette.font}`;
   context.beginPath();
   context.roundRect(box.x + 0.5, box.y + 0.5, box.width - 1, box.height - 1, corner);
-  const fill = { plain: palette.surface, lit: palette.live, bumped: palette.bad }[look];
+  const fill = { plain: palette.surface, lit: palette.live, bumped: palette.bad }[style];
   context.fillStyle = fill;
   context.fill();
-  context.strokeStyle = look === "plain" ? palette.edge : fill;
+  context.strokeStyle = style === "plain" ? palette.edge : fill;
   context.lineWidth = 1;
   context.stroke();
-  context.fillStyle = { plain: palette.ink, lit: palette.onLive, bumped: palette.onInk }[look];
+  context.fillStyle = { plain: palette.ink, lit: palette.onLive, bumped: palette.onInk }[style];
   context.fillText(text, box.x + box.width / 2, box.y + box.height / 2 + 0.5);
 }
 
 function drawMarks(
-  context: Brush,
+  context: DrawingContext,
   viewport: Viewport,
   palette: Palette,
   sensors: Snapshot["sensors"],
   limits: readonly Limit[],
   beamOf: (sensor: SensorName) => Beam,
-  taken: readonly Box[],
-  dirt: Dirt,
+  occupied: readonly Box[],
+  dirty: DirtyRects,
 ): void {
-  const look = viewport.scale < ROOMY_FROM ? smallMark : largeMark;
-  context.font = `600 ${look.font}px ${palette.font}`;
+  const style = viewport.scale < MIN_ROOMY_SCALE ? smallMark : largeMark;
+  context.font = `600 ${style.font}px ${palette.font}`;
   const requests = limits.map((limit): TagRequest<Limit> => {
     const beam = beamOf(limit.sensor);
-    const width = look.badge + textWidth(context, String(limit.distance)) + 2 * look.padding;
+    const width = style.badge + textWidth(context, String(limit.distance)) + 2 * style.padding;
     const distance = limit.distance * viewport.scale;
-    const centres = markCentres(beam, distance, look.reach, width, look.height);
-    return { name: limit, sizes: [{ width, height: look.height, centres }] };
+    const centres = markCentres(beam, distance, style.reach, width, style.height);
+    return { name: limit, sizes: [{ width, height: style.height, centres }] };
   });
-  const tags = placeTags(requests, taken, viewport.view);
+  const tags = placeTags(requests, occupied, viewport.view);
   const isReached = ({ distance, sensor }: Limit): boolean => distance <= sensors[sensor];
   for (const limit of limits) {
-    // A bar without its number says nothing, but for the line that the panel shows as running.
+    // A bar without a number is useless, except for the line that the panel shows as running.
     if (!limit.isRunning && !tags.some(({ name }) => name === limit)) continue;
     const distance = limit.distance * viewport.scale;
-    drawBar(context, palette, beamOf(limit.sensor), distance, limit, isReached(limit), look, dirt);
+    drawBar(
+      context,
+      palette,
+      beamOf(limit.sensor),
+      distance,
+      limit,
+      isReached(limit),
+      style,
+      dirty,
+    );
   }
   for (const tag of tags) {
-    dirt.add(tag.x, tag.y, tag.width, tag.height);
-    drawMark(context, palette, tag, isReached(tag.name), look);
+    dirty.add(tag.x, tag.y, tag.width, tag.height);
+    drawMark(context, palette, tag, isReached(tag.name), style);
   }
 }
 
 function drawBar(
-  context: Brush,
+  context: DrawingContext,
   palette: Palette,
   { origin, dx, dy }: Beam,
   distance: number,
   { isRunning }: Limit,
   isReached: boolean,
-  { reach }: MarkLook,
-  dirt: Dirt,
+  { reach }: MarkStyle,
+  dirty: DirtyRects,
 ): void {
   const x = origin.x + dx * distance;
   const y = origin.y + dy * distance;
-  dirt.add(x - reach, y - reach, 2 * reach, 2 * reach);
+  dirty.add(x - reach, y - reach, 2 * reach, 2 * reach);
   context.beginPath();
   context.moveTo(x - dy * reach, y + dx * reach);
   context.lineTo(x + dy * reach, y - dx * reach);
@@ -196,11 +225,11 @@ function drawBar(
 }
 
 function drawMark(
-  context: Brush,
+  context: DrawingContext,
   palette: Palette,
   tag: PlacedTag<Limit>,
   isReached: boolean,
-  { badge }: MarkLook,
+  { badge }: MarkStyle,
 ): void {
   const { isRunning, line, distance } = tag.name;
   const colour = isRunning ? palette.live : palette.ink2;

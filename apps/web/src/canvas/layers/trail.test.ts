@@ -13,22 +13,22 @@ describe("the dots of the trail", () => {
     { name: "eastward", line: [50, 650, 110, 650], at: ["50,650", "75,650", "100,650"] },
     { name: "northward", line: [450, 60, 450, 20], at: ["450,25", "450,50"] },
     { name: "nowhere", line: [50, 50, 50, 50], at: [] },
-    { name: "a way too short for one", line: [51, 50, 60, 50], at: [] },
+    { name: "a segment too short for one", line: [51, 50, 60, 50], at: [] },
   ] as const)("stand every 25 cm: $name", ({ line, at }) => {
     const [x0, y0, x1, y1] = line;
     expect(dots(x0, y0, x1, y1).map(String)).toEqual(at);
   });
 
-  it("stand on the same places when the robot drives back", () => {
-    const whole = fc.integer({ min: 0, max: 25_600 });
+  it("are at the same positions when the robot drives back", () => {
+    const snapTo = fc.integer({ min: 0, max: 25_600 });
     fc.assert(
-      fc.property(whole, whole, whole, (from, to, across) => {
+      fc.property(snapTo, snapTo, snapTo, (from, to, across) => {
         expect(dots(to, across, from, across)).toEqual(dots(from, across, to, across));
       }),
     );
   });
 
-  it("are the same for a way in one piece and in two", () => {
+  it("are the same for a path in one piece and in two", () => {
     fc.assert(
       fc.property(fc.nat(2000), fc.nat(2000), fc.nat(2000), (a, b, c) => {
         const [from = 0, middle = 0, to = 0] = [a, b, c].sort((p, q) => p - q);

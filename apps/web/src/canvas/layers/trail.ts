@@ -1,22 +1,23 @@
 /**
- * The trail: a broad line with a dot every 25 cm.
  *
- * Dots stand at round coordinates rather than at round distances, so that a robot that drives the
- * same corridor again puts them onto the old ones, and a dot is a place in the maze.
+ * The trail: a broad line with a dot every 25 units.
+ *
+ * Dots are at round coordinates, not at round distances. A robot that drives the same corridor
+ * again puts them onto the old ones, and a dot is a position in the maze.
  */
-import type { Pen } from "../brush.ts";
+import type { VectorContext } from "../drawing-context.ts";
 import type { Palette } from "../palette.ts";
 import type { Points } from "../trail.ts";
 import { viewX, viewY, type Viewport } from "../viewport.ts";
 
 /** Units between dots. */
 const DOT_EVERY = 25;
-/** Below this many pixels between dots they would be a second line. */
+/** Below this many pixels between dots they would look like a second line. */
 const DOTS_FROM_PX = 6;
 
-/** Numbers in a trail that may well go over its own places again. */
+/** Numbers in a trail that is long enough to cross itself many times. */
 const LAPS_FROM = 400;
-/** Segments stroked at once: one path of thousands that cross each other takes far longer. */
+/** Segments per stroke: one path of thousands of crossing segments takes far longer. */
 const BATCH = 100;
 
 /** Width of the line in pixels at a scale. */
@@ -25,13 +26,14 @@ function widthAt(scale: number): number {
 }
 
 /**
- * Draws a piece of the trail over what is there.
- * @param points x and y by turns, in units
- * @param cap "round" for the whole trail; "butt" for a piece that goes on, whose round start would
+ *
+ * Draws a piece of the trail over the existing one.
+ * @param points x and y alternating, in units
+ * @param cap "round" for the whole trail; "butt" for a continued piece, whose round start would
  *   cover the last dots
  */
 export function drawTrail(
-  context: Pen,
+  context: VectorContext,
   viewport: Viewport,
   palette: Palette,
   points: Points,
@@ -44,7 +46,8 @@ export function drawTrail(
   const columns = Math.ceil(port.width) + 1;
   const hasLaps = hasDots && points.length > LAPS_FROM;
   const marked = new Uint8Array(hasLaps ? columns * (Math.ceil(port.height) + 1) : 0);
-  // Laps put their dots onto the same places: a pixel gets one. Outside of the port none is needed.
+  // Laps put their dots onto the same positions, so each pixel gets only one. None is needed
+  // outside of the port.
   const put = (x: number, y: number): void => {
     const atX = viewX(viewport, x);
     const atY = viewY(viewport, y);
@@ -100,9 +103,9 @@ export function drawTrail(
 }
 
 /**
- * Visits every point of a segment whose coordinate along the segment's longer axis is a multiple
- * of 25. A dot at the very end is visited by every segment that touches it, so none gets lost under
- * the next piece.
+ *
+ * Visits every point of a segment whose coordinate along the segment's longer axis is a multiple of
+ * 25. Every segment that touches a dot at its end visits it, so that the next piece covers none.
  */
 export function eachDot(
   x0: number,

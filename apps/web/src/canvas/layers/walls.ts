@@ -1,19 +1,20 @@
 /**
- * The still picture under everything: floor, hairlines, blocks and their outline.
- * Only what the port shows is drawn, and each kind of line in one path: 9,000 squares cost a few milliseconds,
- * once a maze, size or theme.
+ *
+ * The static background: floor, hairlines, blocks and their outline. Draws only what is inside the
+ * port, with one path per kind of line. 9,000 cells take a few milliseconds, once per maze, size or
+ * theme.
  */
 import { isBlock, type MazeDocument } from "@corridor/maze";
-import type { Pen } from "../brush.ts";
+import type { VectorContext } from "../drawing-context.ts";
 import type { Palette } from "../palette.ts";
 import { CELL, visibleCells, viewX, viewY, type CellRange, type Viewport } from "../viewport.ts";
 
-/** Under this many pixels a square's seams would be all that is seen of it. */
+/** Below this many pixels the seams of a cell would hide it. */
 const SEAM_FROM_PX = 8;
 
 /** Draws floor, grid and blocks inside the port. */
 export function drawWalls(
-  context: Pen,
+  context: VectorContext,
   viewport: Viewport,
   palette: Palette,
   maze: MazeDocument,
@@ -61,7 +62,7 @@ export function drawWalls(
 
 /** One rectangle for each run of blocks in a row. */
 function fillBlocks(
-  context: Pen,
+  context: VectorContext,
   viewport: Viewport,
   palette: Palette,
   maze: MazeDocument,
@@ -85,7 +86,7 @@ function fillBlocks(
 }
 
 /** The edge of the grid, which is solid. */
-function drawFrame(context: Pen, viewport: Viewport, palette: Palette): void {
+function drawFrame(context: VectorContext, viewport: Viewport, palette: Palette): void {
   const x = viewX(viewport, 0);
   const y = viewY(viewport, 0);
   const width = viewport.columns * CELL * viewport.scale;
@@ -95,7 +96,7 @@ function drawFrame(context: Pen, viewport: Viewport, palette: Palette): void {
   stroke(context, palette.wallEdge, 3);
 }
 
-/** Visits the left and top side of every cell in the range, the maze's own frame left out. */
+/** Visits the left and top side of every cell in the range, except the maze's own frame. */
 function eachBorder(
   range: CellRange,
   visit: (column: number, row: number, isVertical: boolean) => void,
@@ -109,7 +110,7 @@ function eachBorder(
 }
 
 function border(
-  context: Pen,
+  context: VectorContext,
   viewport: Viewport,
   column: number,
   row: number,
@@ -121,12 +122,18 @@ function border(
   line(context, x, y, isVertical ? x : x + cellPx, isVertical ? y + cellPx : y);
 }
 
-function line(context: Pen, fromX: number, fromY: number, toX: number, toY: number): void {
+function line(
+  context: VectorContext,
+  fromX: number,
+  fromY: number,
+  toX: number,
+  toY: number,
+): void {
   context.moveTo(fromX, fromY);
   context.lineTo(toX, toY);
 }
 
-function stroke(context: Pen, colour: string, width: number): void {
+function stroke(context: VectorContext, colour: string, width: number): void {
   context.strokeStyle = colour;
   context.lineWidth = width;
   context.stroke();

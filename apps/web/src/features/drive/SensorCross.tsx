@@ -4,7 +4,7 @@ import { useLayoutEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { touchingSensor } from "../../canvas/touching.ts";
+import { contactSensor } from "../../canvas/contact-sensor.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import { decimalSign, formatReading } from "../../text/numbers.ts";
 import { classNames } from "../../ui/class-names.ts";
@@ -25,7 +25,7 @@ export function SensorCross({ look }: { look: "cross" | "row" }) {
     const names = ({ snapshot }: RunState): string => readSensors(program, snapshot).join(" ");
     return followText(run, names, (read) => list.current?.setAttribute("data-reads", read));
   }, [run, program]);
-  const touching = useStore(run, ({ snapshot }) => touchingSensor(snapshot));
+  const touching = useStore(run, ({ snapshot }) => contactSensor(snapshot));
   const isBumping = useStore(run, ({ snapshot }) => snapshot?.bumping === true);
   const isCross = look === "cross";
   return (

@@ -8,7 +8,7 @@ import { drawRulers } from "../../canvas/layers/rulers.ts";
 import { drawTrail } from "../../canvas/layers/trail.ts";
 import { drawWalls } from "../../canvas/layers/walls.ts";
 import type { Palette } from "../../canvas/palette.ts";
-import { Dirt } from "../../canvas/dirt.ts";
+import { DirtyRects } from "../../canvas/dirty-rects.ts";
 import { CELL, type Viewport } from "../../canvas/viewport.ts";
 import { escapeText, SvgPen } from "./svg-pen.ts";
 
@@ -70,7 +70,7 @@ export function mazeSvg(scene: PictureScene): { text: string; width: number; hei
     drawTrail(pen, viewport, palette, run.points, "round");
     const marks = bumpMarks(maze, run.bumps, run.pose.heading);
     if (marks.length > 0) drawBumps(pen, viewport, palette, marks);
-    drawRobot(pen, viewport, palette, run.pose, run.face, new Dirt());
+    drawRobot(pen, viewport, palette, run.pose, run.face, new DirtyRects());
   }
   if (hasRulers) drawRulers(pen, viewport, palette);
   const title = maze.name === "" ? "" : `<title>${escapeText(maze.name)}</title>\n`;

@@ -2,8 +2,8 @@
  * A pen that writes SVG, with the words of a 2D canvas: what is drawn on the stage can be drawn into a
  * file by the same code. Numbers are cut to a hundredth of a pixel.
  */
-import type { Pen } from "../../canvas/brush.ts";
-import { textOf } from "../../canvas/path-text.ts";
+import type { VectorContext } from "../../canvas/drawing-context.ts";
+import { svgPathData } from "../../canvas/svg-path.ts";
 
 type Style = string | CanvasGradient | CanvasPattern;
 
@@ -29,7 +29,7 @@ const anchors: Record<CanvasTextAlign, string> = {
   end: "end",
 };
 
-export class SvgPen implements Pen {
+export class SvgPen implements VectorContext {
   fillStyle: Style = "#000";
   strokeStyle: Style = "#000";
   lineWidth = 1;
@@ -157,7 +157,9 @@ export class SvgPen implements Pen {
   }
 
   #dataOf(path: Path2D | CanvasFillRule | undefined): string {
-    return path === undefined || typeof path === "string" ? this.#path : escapeText(textOf(path));
+    return path === undefined || typeof path === "string"
+      ? this.#path
+      : escapeText(svgPathData(path));
   }
 
   #fillWith(): string {

@@ -3,8 +3,8 @@
  * browser without OffscreenCanvas, here on the page by the same renderer, which is only then loaded.
  */
 import interFont from "../../ui/fonts/inter-latin.woff2?url";
-import type { LayerCanvases } from "../../canvas/brush.ts";
-import { sceneChanges, type Scene } from "../../canvas/scene.ts";
+import type { LayerCanvases } from "../../canvas/drawing-context.ts";
+import { modelChanges, type StageModel } from "../../canvas/stage-model.ts";
 import type { Scroll } from "../../canvas/viewport.ts";
 import type { StageLink, StageScreen } from "./stage-screen.ts";
 
@@ -54,12 +54,12 @@ function openInWorker(
   const stop = simulator.listen((message) => {
     if (message.type === "stage-scroll-to") follow(message.scroll);
   });
-  let shown: Scene | null = null;
+  let shown: StageModel | null = null;
   return {
-    show: (scene) => {
-      const changes = sceneChanges(shown, scene);
-      shown = scene;
-      if (changes !== null) simulator.send({ type: "stage-scene", changes });
+    show: (model) => {
+      const changes = modelChanges(shown, model);
+      shown = model;
+      if (changes !== null) simulator.send({ type: "stage-model", changes });
     },
     end: () => {
       stop();
@@ -75,15 +75,15 @@ function openOnPage(
 ): StageScreen {
   let screen: StageScreen | null = null;
   let isOver = false;
-  let scene: Scene | null = null;
+  let model: StageModel | null = null;
   void import("./page-stage.ts").then(({ openPageStage }) => {
     if (isOver) return;
     screen = openPageStage(simulator, canvases, follow);
-    if (scene !== null) screen.show(scene);
+    if (model !== null) screen.show(model);
   });
   return {
     show: (next) => {
-      scene = next;
+      model = next;
       screen?.show(next);
     },
     end: () => {

@@ -1,5 +1,5 @@
 /** Draws the stage on the page's main thread, where the browser cannot hand canvases to a worker. */
-import type { LayerCanvases } from "../../canvas/brush.ts";
+import type { LayerCanvases } from "../../canvas/drawing-context.ts";
 import { loadRaceGhosts, raceGhostsLayer } from "../../canvas/layers/lazy-race-ghosts.ts";
 import { StageRenderer } from "../../canvas/renderer.ts";
 import type { Scroll } from "../../canvas/viewport.ts";
@@ -34,11 +34,11 @@ export function openPageStage(
     }
     renderer.frameArrived();
   });
-  const onFont = (): void => renderer.fontArrived();
+  const onFont = (): void => renderer.fontLoaded();
   document.fonts.addEventListener("loadingdone", onFont);
   simulator.send({ type: "stage-mount-here" });
   return {
-    show: (scene) => renderer.show(scene),
+    show: (model) => renderer.show(model),
     end: () => {
       stop();
       document.fonts.removeEventListener("loadingdone", onFont);

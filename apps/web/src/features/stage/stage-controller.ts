@@ -7,9 +7,9 @@ import type { Pose } from "@corridor/protocol";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import type { CameraState } from "../../stores/camera-store.ts";
-import type { Ghost } from "../../canvas/layers/ghost.ts";
+import type { EditPreview } from "../../canvas/layers/edit-preview.ts";
 import { Camera } from "../../canvas/camera.ts";
-import { PointerInput, type PointerFacts } from "../../canvas/pointer-input.ts";
+import { PointerInput, type PointerDetails } from "../../canvas/pointer-input.ts";
 import type { Measured } from "../../canvas/layers/measure.ts";
 import { readPalette, type Palette } from "../../canvas/palette.ts";
 import { shownProperties, watchPixelRatio, watchTheme } from "./theme-watch.ts";
@@ -25,7 +25,7 @@ import type { StageScreen } from "./stage-screen.ts";
 import { tapePointAt, tapeWords, type Tape, type TapePoint } from "./tape.ts";
 import { createStageView } from "./stage-view.ts";
 import { tellUndoable } from "./tell-undoable.ts";
-import { ghostOf, type ToolRefusal } from "./tool-edit.ts";
+import { previewOf, type ToolRefusal } from "./tool-edit.ts";
 
 /** The elements that the stage is drawn into. */
 export interface StageElements {
@@ -222,19 +222,19 @@ export class StageController {
     on("pointerdown", (event) => {
       // A drag that leaves the maze still ends here.
       grid.setPointerCapture(event.pointerId);
-      if (!this.#isMeasuring()) return this.#pointer.down(this.#factsOf(event));
+      if (!this.#isMeasuring()) return this.#pointer.down(this.#detailsOf(event));
       const point = this.#pointUnder(event);
       if (event.isPrimary && event.button === 0 && point !== null) {
         this.measure.begin(event.pointerId, point);
       }
     });
     on("pointermove", (event) => {
-      if (!this.#isMeasuring()) return this.#pointer.move(this.#factsOf(event));
+      if (!this.#isMeasuring()) return this.#pointer.move(this.#detailsOf(event));
       const point = this.#pointUnder(event);
       if (point !== null) this.measure.drag(event.pointerId, point);
     });
     on("pointerup", (event) => {
-      if (!this.#isMeasuring()) return this.#pointer.up(this.#factsOf(event));
+      if (!this.#isMeasuring()) return this.#pointer.up(this.#detailsOf(event));
       this.measure.end(event.pointerId);
     });
     on("pointercancel", () => {
@@ -255,7 +255,7 @@ export class StageController {
     if (isDriving && !isWhole) camera.setState({ isWhole: true });
   }
 
-  #factsOf(event: PointerEvent): PointerFacts {
+  #detailsOf(event: PointerEvent): PointerDetails {
     const { pointerId, pointerType, button, isPrimary } = event;
     return { pointerId, pointerType, button, isPrimary, cell: this.#cellUnder(event) };
   }
@@ -351,13 +351,13 @@ export class StageController {
       showBeams,
       showTrail,
       showRulers: hasRulers(layout.view.width, showRulers),
-      ghost: hover === null ? null : this.#ghostAt(hover),
+      preview: hover === null ? null : this.#previewAt(hover),
       measured: this.#measured(tape),
       isCalm: this.#isCalm,
     });
   }
 
-  /** The same object as long as the tape is the same, since a scene is compared field by field. */
+  /** The same object as long as the tape is the same, since a model is compared field by field. */
   #measured(tape: Tape | null): Measured | null {
     if (tape === null) return null;
     if (tape !== this.#drawnTape?.tape) {
@@ -375,12 +375,12 @@ export class StageController {
     return this.#services.challenge.getState().rights?.maze === false;
   }
 
-  #ghostAt(cell: Cell): Ghost | null {
+  #previewAt(cell: Cell): EditPreview | null {
     const { tool } = this.#services.screen.getState();
     if (tool === "measure") return null;
     if (this.#isMazeFixed()) return { kind: "refused", cell };
     const { maze } = this.#services.workspace.getState();
-    return ghostOf(maze, tool, cell, this.#pose());
+    return previewOf(maze, tool, cell, this.#pose());
   }
 
   /** Where the robot was when the page was last told; null before the first frame. */

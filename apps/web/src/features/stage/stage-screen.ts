@@ -1,5 +1,5 @@
 /** What the stage is drawn on, wherever that is: in the simulator worker or here on the page. */
-import type { Scene } from "../../canvas/scene.ts";
+import type { StageModel } from "../../canvas/stage-model.ts";
 import type { StageToWorker } from "../../worker/stage-messages.ts";
 import type { FromWorker } from "../../worker/worker-messages.ts";
 
@@ -13,7 +13,7 @@ export interface StageLink {
 
 /** Draws what it is shown. */
 export interface StageScreen {
-  show(scene: Scene): void;
+  show(model: StageModel): void;
   /** ends the drawing and takes the canvases away */
   end(): void;
 }

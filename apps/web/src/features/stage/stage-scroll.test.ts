@@ -7,7 +7,7 @@ import type { Cell, MazeDocument } from "@corridor/maze";
 import { snapshotOf } from "@corridor/protocol/testing";
 import fc from "fast-check";
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import type { LayerCanvas } from "../../canvas/brush.ts";
+import type { LayerCanvas } from "../../canvas/drawing-context.ts";
 import { Camera } from "../../canvas/camera.ts";
 import { readPalette } from "../../canvas/palette.ts";
 import { StageRenderer } from "../../canvas/renderer.ts";
@@ -212,7 +212,7 @@ class Stage {
       showBeams: true,
       showTrail: true,
       showRulers: true,
-      ghost: null,
+      preview: null,
       measured: null,
       isCalm: this.isCalm,
     });

@@ -2,7 +2,7 @@ import { parseMaze, type Cell, type MazeDocument } from "@corridor/maze";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { tools } from "../../stores/screen-store.ts";
-import { ghostOf, isRobotOver, pressTool } from "./tool-edit.ts";
+import { previewOf, isRobotOver, pressTool } from "./tool-edit.ts";
 
 const editTools = tools.filter((tool) => tool !== "measure");
 
@@ -82,7 +82,7 @@ describe("a press", () => {
   });
 });
 
-describe("the ghost", () => {
+describe("the preview", () => {
   it.each([
     { tool: "blocks", cell: at(2, 0), kind: "block" },
     { tool: "blocks", cell: at(1, 1), kind: "open" },
@@ -93,6 +93,6 @@ describe("the ghost", () => {
     { tool: "goal", cell: at(2, 0), kind: "goal" },
     { tool: "goal", cell: at(3, 2), kind: "no-goal" },
   ] as const)("of $tool on $cell.column, $cell.row is $kind", ({ tool, cell, kind }) => {
-    expect(ghostOf(maze, tool, cell, away).kind).toBe(kind);
+    expect(previewOf(maze, tool, cell, away).kind).toBe(kind);
   });
 });

@@ -14,7 +14,7 @@ import {
   type MazeRefusal,
 } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
-import type { Ghost } from "../../canvas/layers/ghost.ts";
+import type { EditPreview } from "../../canvas/layers/edit-preview.ts";
 import { ROBOT_RADIUS } from "@corridor/simulation";
 import { CELL } from "../../canvas/viewport.ts";
 import type { EditTool } from "../../stores/screen-store.ts";
@@ -77,7 +77,12 @@ function headingAfterPress({ start }: MazeDocument, cell: Cell): HeadingName {
 }
 
 /** What a press would leave on the square, for showing before it happens. */
-export function ghostOf(maze: MazeDocument, tool: EditTool, cell: Cell, pose: Pose | null): Ghost {
+export function previewOf(
+  maze: MazeDocument,
+  tool: EditTool,
+  cell: Cell,
+  pose: Pose | null,
+): EditPreview {
   const edit = pressTool(maze, tool, cell, pose);
   if (!edit.ok) return { kind: "refused", cell };
   switch (tool) {

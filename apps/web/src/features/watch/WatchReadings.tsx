@@ -2,7 +2,7 @@
 import { sensorNames } from "@corridor/protocol";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { touchingSensor } from "../../canvas/touching.ts";
+import { contactSensor } from "../../canvas/contact-sensor.ts";
 import { decimalSign, formatReading } from "../../text/numbers.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
@@ -12,7 +12,7 @@ import type { WatchStore } from "./watch-store.ts";
 export function WatchReadings({ store }: { store: WatchStore }) {
   const { t, i18n } = useTranslation();
   const snapshot = useStore(store, (state) => state.snapshot);
-  const touching = touchingSensor(snapshot);
+  const touching = contactSensor(snapshot);
   const sign = decimalSign(i18n.language);
   return (
     <dl className={styles["cross"]} aria-label={t("drive.sensorsIn")} data-reads="">

@@ -61,7 +61,7 @@ export function openWatchStage(ports: WatchStagePorts): () => void {
       showBeams: true,
       showTrail: true,
       showRulers: hasRulers(room.width, true),
-      ghost: null,
+      preview: null,
       measured: null,
       isCalm: calm.matches,
     });

@@ -1,10 +1,11 @@
 /**
- * As much of a 2D canvas as the stage needs. The types of the page and of the worker have no class for
- * it in common, but they share these parts, so that one renderer draws in either.
+ *
+ * The subset of a 2D canvas that the stage needs. The types of the page and of the worker share no
+ * class for it, but they share these parts, so one renderer draws in both.
  */
 
-/** What is drawn with. */
-export interface Brush
+/** The subset of `CanvasRenderingContext2D` and `OffscreenCanvasRenderingContext2D` for drawing. */
+export interface DrawingContext
   extends
     CanvasCompositing,
     CanvasDrawPath,
@@ -17,9 +18,9 @@ export interface Brush
     CanvasTextDrawingStyles,
     CanvasTransform {}
 
-/** What the layers of the whole maze draw with: little enough that an SVG file can be drawn with it too. */
-export type Pen = Pick<
-  Brush,
+/** The subset for the layers of the whole maze, small enough for an SVG export to implement. */
+export type VectorContext = Pick<
+  DrawingContext,
   | "beginPath"
   | "closePath"
   | "fill"
@@ -45,12 +46,12 @@ export type Pen = Pick<
   | "translate"
 >;
 
-/** What is drawn on: a canvas of the page, or an OffscreenCanvas. */
+/** A canvas of the page, or an OffscreenCanvas. */
 export interface LayerCanvas {
   /** device pixels */
   width: number;
   height: number;
-  getContext(kind: "2d"): Brush | null;
+  getContext(kind: "2d"): DrawingContext | null;
 }
 
 /** The three canvases, back to front. */

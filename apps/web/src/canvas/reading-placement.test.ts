@@ -5,7 +5,7 @@ import { describe, expect, it } from "vitest";
 import { divideStage, type Zoom } from "../features/stage/stage-layout.ts";
 import { beamDirection } from "./layers/beams.ts";
 import { robotBox } from "./layers/robot.ts";
-import { placeReadings } from "./reading-places.ts";
+import { placeReadings } from "./reading-placement.ts";
 import {
   CELL,
   followScroll,
@@ -31,7 +31,7 @@ const views = [
   { width: 1028, height: 644 },
 ];
 
-/** As wide as Inter's figures at the weight of a reading. */
+/** As wide as Inter's digits at the weight of a reading. */
 const widthOf =
   (sensors: Snapshot["sensors"]) =>
   (sensor: keyof Snapshot["sensors"], font: number): number =>
@@ -48,7 +48,7 @@ function mazeOf(blocks: readonly string[]): MazeDocument {
   };
 }
 
-/** What the four sensors measure, the slow and obvious way: half a unit at a time. */
+/** Independent reference for the four sensors: advances by half a unit at a time. */
 function sense(maze: MazeDocument, { x, y, heading }: Pose): Snapshot["sensors"] {
   const measure = (sensor: (typeof sensorNames)[number]): number => {
     const { dx, dy } = beamDirection(sensor, heading);
@@ -104,7 +104,7 @@ function expectUnambiguous({ maze, pose, viewport }: Stand): void {
     const { dx, dy } = beamDirection(tag.name, pose.heading);
     const x = tag.x + tag.width / 2 - origin.x;
     const y = tag.y + tag.height / 2 - origin.y;
-    // Tags stand on whole pixels: half a pixel each way.
+    // Tags are on whole pixels: half a pixel each way.
     expect(x * dx + y * dy + 1).toBeGreaterThanOrEqual(Math.abs(y * dx - x * dy));
   }
 }
@@ -116,14 +116,14 @@ const framed = (side: number): string[] => [
   "#".repeat(side),
 ];
 
-/** A place in a cell at which the robot may stand, whatever is around the cell. */
+/** A position in a cell that is free for the robot, whatever is around the cell. */
 const inCell = fc.double({ min: -25, max: 25, noNaN: true });
 const heading = fc.oneof(
   fc.constantFrom(0, 90, 180, 270),
   fc.double({ min: 0, max: 359.99, noNaN: true }),
 );
 const view = fc.constantFrom(...views);
-/** The stage has more room while a camera goes with the robot. */
+/** The stage has more room while a camera follows the robot. */
 const hasCamera = (follows: boolean, { height }: { height: number }): boolean =>
   follows && height >= 190;
 
@@ -174,12 +174,12 @@ describe("the four readings are each at their beam", () => {
     );
   });
 
-  it("where the place that the right reading likes best is the only one of the back reading", () => {
+  it("where the best position of the right reading is the only one of the back reading", () => {
     const pose = { x: 1850, y: 650, heading: 0 };
     expectUnambiguous(standAt(mazeOf(open(21)), pose, { width: 320, height: 148 }, 13));
   });
 
-  it("in a maze that was zoomed", () => {
+  it("in a zoomed maze", () => {
     fc.assert(
       fc.property(
         fc.nat(20),
@@ -190,7 +190,7 @@ describe("the four readings are each at their beam", () => {
         view,
         fc.oneof(fc.constant("fit" as const), fc.integer({ min: 10, max: 200 })),
         (column, row, x, y, degrees, size, zoom) => {
-          // Larger squares leave no room in the view beside the robot.
+          // Larger cells leave no room in the view beside the robot.
           fc.pre(zoom === "fit" || zoom <= Math.min(size.width, size.height) / 2);
           const pose = { x: column * 100 + 50 + x, y: row * 100 + 50 + y, heading: degrees };
           expectUnambiguous(standAt(mazeOf(open(21)), pose, size, zoom));

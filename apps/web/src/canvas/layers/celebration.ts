@@ -1,14 +1,14 @@
-/** The robot on the goal that it has reached: rays all around it, as long as it stands there. */
+/** Rays around the robot while it stands on a goal that it has reached. */
 import type { MazeDocument } from "@corridor/maze";
 import type { Pose, Snapshot } from "@corridor/protocol";
-import type { Brush } from "../brush.ts";
-import type { Dirt } from "../dirt.ts";
+import type { DrawingContext } from "../drawing-context.ts";
+import type { DirtyRects } from "../dirty-rects.ts";
 import type { Palette } from "../palette.ts";
 import { pointAhead } from "../path-ahead.ts";
 import { CELL, viewX, viewY, type Viewport } from "../viewport.ts";
 
 const RAYS = 12;
-/** Units from the robot's centre: where rays begin, and where long and short ones end by turns. */
+/** Units from the robot's centre to the start of a ray, and to the end of long and short rays. */
 const INNER = 38;
 const OUTER = [49, 46] as const;
 const WIDTH = 2.6;
@@ -24,26 +24,26 @@ export function isOnReachedGoal(
   return maze.goals.some((goal) => goal.column === column && goal.row === row);
 }
 
-export function drawJoy(
-  brush: Brush,
+export function drawCelebration(
+  context: DrawingContext,
   viewport: Viewport,
   palette: Palette,
   pose: Pose,
-  dirt: Dirt,
+  dirty: DirtyRects,
 ): void {
   const centre = { x: viewX(viewport, pose.x), y: viewY(viewport, pose.y) };
   const reach = (OUTER[0] + WIDTH) * viewport.scale;
-  dirt.add(centre.x - reach, centre.y - reach, 2 * reach, 2 * reach);
-  brush.strokeStyle = palette.live;
-  brush.lineWidth = Math.max(1, WIDTH * viewport.scale);
-  brush.lineCap = "round";
-  brush.beginPath();
+  dirty.add(centre.x - reach, centre.y - reach, 2 * reach, 2 * reach);
+  context.strokeStyle = palette.live;
+  context.lineWidth = Math.max(1, WIDTH * viewport.scale);
+  context.lineCap = "round";
+  context.beginPath();
   for (let ray = 0; ray < RAYS; ray++) {
     const towards = ((ray + 0.5) * 360) / RAYS;
     const from = pointAhead(centre, towards, INNER * viewport.scale);
     const to = pointAhead(centre, towards, (OUTER[ray % 2] ?? INNER) * viewport.scale);
-    brush.moveTo(from.x, from.y);
-    brush.lineTo(to.x, to.y);
+    context.moveTo(from.x, from.y);
+    context.lineTo(to.x, to.y);
   }
-  brush.stroke();
+  context.stroke();
 }

@@ -1,4 +1,4 @@
-/** Where the four readings stand around the robot, and how large. Pure; pixels of the view. */
+/** Placement and size of the four readings around the robot. Pure; pixels of the view. */
 import { sensorNames, type SensorName, type Snapshot } from "@corridor/protocol";
 import { beamDirection } from "./layers/beams.ts";
 import { robotBox } from "./layers/robot.ts";
@@ -12,47 +12,52 @@ import {
 import { viewX, viewY, type Box, type Viewport } from "./viewport.ts";
 
 /** Pixels of a reading's tag. */
-interface ReadingLook {
+interface ReadingStyle {
   height: number;
   /** on either side of the number */
   padding: number;
   font: number;
-  /** radius of its corners */
+  /** corner radius */
   corner: number;
 }
 
-/** A reading where there is room, and where there is little. */
-const large: ReadingLook = { height: 22, padding: 7, font: 14, corner: 6 };
-const small: ReadingLook = { height: 14, padding: 3, font: 11, corner: 4 };
-/** Below this scale the maze has no room for large readings and for the marks of all lines, pixels per unit. */
-export const ROOMY_FROM = 0.45;
+/** Readings with and without much room. */
+const large: ReadingStyle = { height: 22, padding: 7, font: 14, corner: 6 };
+const small: ReadingStyle = { height: 14, padding: 3, font: 11, corner: 4 };
+/**
+ * Pixels per unit below which the maze has no room for large readings and for the marks of all
+ * lines.
+ */
+export const MIN_ROOMY_SCALE = 0.45;
 
 export interface PlacedReading extends PlacedTag<SensorName> {
-  look: ReadingLook;
+  style: ReadingStyle;
 }
 
 /**
- * Places the readings: each in its beam's quarter, the shortest beam first, which has the fewest places.
- * @param taken what no tag may touch
- * @param spared what a tag covers only where it has no other place
- * @param widthOf pixels of a sensor's number in a font of so many pixels
+ *
+ * Places the readings, each in its beam's quarter. The shortest beam comes first, because it has
+ * the fewest positions.
+ * @param occupied boxes that no tag may touch
+ * @param avoided boxes that a tag covers only if it has no other position
+ * @param widthOf width in pixels of a sensor's number at a font size
  */
 export function placeReadings(
   viewport: Viewport,
   { pose, sensors }: Pick<Snapshot, "pose" | "sensors">,
-  taken: readonly Box[],
-  spared: readonly Box[],
+  occupied: readonly Box[],
+  avoided: readonly Box[],
   widthOf: (sensor: SensorName, font: number) => number,
 ): PlacedReading[] {
   const { scale, port, view } = viewport;
   const origin = { x: viewX(viewport, pose.x), y: viewY(viewport, pose.y) };
   const robot = robotBox(viewport, origin);
-  const looks = scale < ROOMY_FROM ? [small] : [large, small];
+  const styles = scale < MIN_ROOMY_SCALE ? [small] : [large, small];
   const requests = sensorNames.map((name): TagRequest<SensorName> => {
     const beam = { origin, ...beamDirection(name, pose.heading) };
-    // Where the wall is out of sight, the reading stands at the edge of what shows.
+    // If the wall is outside of the view, the reading stands at the edge of the view.
     const length = Math.min(sensors[name] * scale, lengthInside(beam, port));
-    const sizes = looks.map(({ height, padding, font }) => {
+    const sizes = styles.map(({ height, padding, font }) => {
       const width = widthOf(name, font) + 2 * padding;
       return {
         width,
@@ -63,17 +68,17 @@ export function placeReadings(
     return { name, sizes };
   });
   requests.sort((a, b) => sensors[a.name] - sensors[b.name]);
-  // Readings around a robot that is scrolled out of sight would belong to nothing.
+  // If the robot is scrolled out of view, its readings are confined to the port, where none fits.
   const bounds = isInside(origin, port) ? view : port;
   const place = (order: readonly TagRequest<SensorName>[]) =>
-    placeTags(order, [robot, ...taken], bounds, spared);
+    placeTags(order, [robot, ...occupied], bounds, avoided);
   return placeAll(requests, place).map((tag) => ({
     ...tag,
-    look: tag.height < large.height ? small : large,
+    style: tag.height < large.height ? small : large,
   }));
 }
 
-/** Where a place is gone that was another one's only place, that one chooses first. */
+/** Retries with the tags first that found no position, and returns the better result. */
 function placeAll<Request extends { name: SensorName }>(
   requests: readonly Request[],
   place: (order: readonly Request[]) => PlacedTag<SensorName>[],

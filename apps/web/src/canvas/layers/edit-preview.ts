@@ -1,30 +1,30 @@
-/** What a press would do, shown before it happens. */
+/** Preview of an edit, drawn before the pointer is pressed. */
 import type { Cell, Start } from "@corridor/maze";
-import type { Brush } from "../brush.ts";
-import type { Dirt } from "../dirt.ts";
+import type { DrawingContext } from "../drawing-context.ts";
+import type { DirtyRects } from "../dirty-rects.ts";
 import type { Palette } from "../palette.ts";
 import type { Viewport } from "../viewport.ts";
 import { cellBox, drawGoal, drawStart, type PlaceWords } from "./places.ts";
 
-/** The result of the tool at hand on the square under the pointer. */
-export type Ghost =
+/** Result of the current tool on the cell under the pointer. */
+export type EditPreview =
   | { kind: "block" | "open" | "goal" | "no-goal" | "refused"; cell: Cell }
   | { kind: "start"; start: Start };
 
-/** Draws the ghost over the maze, half transparent. */
-export function drawGhost(
-  context: Brush,
+/** Draws the preview over the maze, half transparent. */
+export function drawPreview(
+  context: DrawingContext,
   viewport: Viewport,
   palette: Palette,
-  ghost: Ghost,
+  preview: EditPreview,
   words: PlaceWords,
-  dirt: Dirt,
+  dirty: DirtyRects,
 ): void {
-  const box = cellBox(viewport, ghost.kind === "start" ? ghost.start : ghost.cell);
-  dirt.add(box.x, box.y, box.width, box.height);
+  const box = cellBox(viewport, preview.kind === "start" ? preview.start : preview.cell);
+  dirty.add(box.x, box.y, box.width, box.height);
   context.save();
   context.globalAlpha = 0.6;
-  switch (ghost.kind) {
+  switch (preview.kind) {
     case "block":
       context.fillStyle = palette.wall;
       context.fillRect(box.x, box.y, box.width, box.height);
@@ -38,7 +38,7 @@ export function drawGhost(
       drawGoal(context, box, palette, words.goalWord);
       break;
     case "start":
-      drawStart(context, box, palette, ghost.start, words.startWord);
+      drawStart(context, box, palette, preview.start, words.startWord);
       break;
     case "refused":
       break;
@@ -49,7 +49,7 @@ export function drawGhost(
   context.setLineDash([4, 3]);
   context.strokeRect(box.x + 1, box.y + 1, box.width - 2, box.height - 2);
   context.setLineDash([]);
-  if (ghost.kind === "refused") {
+  if (preview.kind === "refused") {
     const inset = box.width * 0.35;
     context.beginPath();
     context.moveTo(box.x + inset, box.y + inset);

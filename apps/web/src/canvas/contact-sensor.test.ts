@@ -6,7 +6,7 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { beamDirection } from "./layers/beams.ts";
 import { hitSensor } from "./layers/hit.ts";
-import { touchingSensor } from "./touching.ts";
+import { contactSensor } from "./contact-sensor.ts";
 
 const maze: MazeDocument = {
   format: "corridor/maze",
@@ -19,7 +19,7 @@ const maze: MazeDocument = {
 
 type Move = "forward" | "reverse";
 
-/** Drives as told until the robot bumps at the end. */
+/** Drives these moves until the robot bumps at the end. */
 function bumped(moves: readonly (readonly [degrees: number, distance: number])[], last: Move) {
   const simulation = new Simulation(maze);
   for (const [degrees, distance] of moves) {
@@ -44,7 +44,9 @@ function bumped(moves: readonly (readonly [degrees: number, distance: number])[]
   });
 }
 
-/** The nearest point of each block and of each outer wall that touches the robot, or almost does. */
+/**
+ * The nearest point of each block and of each outer wall that touches the robot, or almost does.
+ */
 function touchedPoints({ x, y }: Pose): { x: number; y: number }[] {
   const [width, height] = [700, 500];
   const blocks = maze.blocks.flatMap((line, row) =>
@@ -68,7 +70,7 @@ function touchedPoints({ x, y }: Pose): { x: number; y: number }[] {
   return [...blocks, ...walls].filter((at) => Math.hypot(at.x - x, at.y - y) <= 25.5);
 }
 
-describe("the sensor that touches", () => {
+describe("the sensor that measures the contact", () => {
   it.each([
     { name: "the wall ahead", moves: [[0, 0]], last: "forward", sensor: "front" },
     { name: "the wall behind", moves: [[0, 0]], last: "reverse", sensor: "back" },
@@ -103,15 +105,15 @@ describe("the sensor that touches", () => {
   ] as const)("is $sensor at $name", ({ moves, last, sensor }) => {
     const snapshot = bumped(moves, last);
     expect(snapshot.bumping).toBe(true);
-    expect(touchingSensor(snapshot)).toBe(sensor);
+    expect(contactSensor(snapshot)).toBe(sensor);
   });
 
-  it("is none while nothing is touched, and before the first snapshot", () => {
-    expect(touchingSensor({ ...bumped([], "forward"), bumping: false })).toBeNull();
-    expect(touchingSensor(null)).toBeNull();
+  it("is null while the robot touches nothing, and before the first snapshot", () => {
+    expect(contactSensor({ ...bumped([], "forward"), bumping: false })).toBeNull();
+    expect(contactSensor(null)).toBeNull();
   });
 
-  it("is one whose beam ends at a touched point, the same as on the stage", () => {
+  it("has a beam that ends at a contact point, the same as on the stage", () => {
     const turn = fc.oneof(fc.constantFrom(-90, 0, 90), fc.integer({ min: -180, max: 180 }));
     const move = fc.tuple(turn, fc.integer({ min: -250, max: 250 }));
     fc.assert(
@@ -123,13 +125,13 @@ describe("the sensor that touches", () => {
           fc.pre(snapshot.bumping);
           const { pose, sensors } = snapshot;
           const touched = touchedPoints(pose);
-          const red = touchingSensor(snapshot);
+          const red = contactSensor(snapshot);
           const apart = (sensor: SensorName): number => {
             const { dx, dy } = beamDirection(sensor, pose.heading);
             const end = { x: pose.x + dx * sensors[sensor], y: pose.y + dy * sensors[sensor] };
             return Math.min(...touched.map(({ x, y }) => Math.hypot(x - end.x, y - end.y)));
           };
-          // Between the two a beam ends near a touched point, and either is right.
+          // Between the two limits a beam ends near a contact point, and either result is right.
           const missed = red === null ? sensorNames.filter((each) => apart(each) < 0.3) : [];
           expect(missed).toEqual([]);
           expect(red === null ? 0 : apart(red)).toBeLessThan(8);

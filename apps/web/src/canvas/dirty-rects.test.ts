@@ -1,20 +1,20 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import type { Brush } from "./brush.ts";
-import { Dirt } from "./dirt.ts";
+import type { DrawingContext } from "./drawing-context.ts";
+import { DirtyRects } from "./dirty-rects.ts";
 
 type Box = [x: number, y: number, width: number, height: number];
 
 const view = { width: 960, height: 640 };
 
-/** The rectangles that a wipe empties, in device pixels. */
-function wiped(dirt: Dirt, pixelRatio: number): Box[] {
+/** The rectangles that `erase` clears, in device pixels. */
+function erased(dirty: DirtyRects, pixelRatio: number): Box[] {
   const boxes: Box[] = [];
-  const brush = {
+  const context = {
     setTransform: () => {},
     clearRect: (...box: Box) => boxes.push(box),
   };
-  dirt.wipe(brush as unknown as Brush, pixelRatio, view);
+  dirty.erase(context as unknown as DrawingContext, pixelRatio, view);
   return boxes;
 }
 
@@ -25,16 +25,16 @@ const box = fc.record({
   height: fc.double({ min: 0, max: 40, noNaN: true }),
 });
 
-describe("what a wipe empties", () => {
-  it("covers all that was drawn, however many boxes there were, at any density of pixels", () => {
+describe("the erased area", () => {
+  it("covers everything drawn, for any number of boxes and any pixel density", () => {
     fc.assert(
       fc.property(
         fc.array(box, { maxLength: 100 }),
         fc.double({ min: 0.5, max: 4, noNaN: true }),
         (drawn, pixelRatio) => {
-          const dirt = new Dirt();
-          for (const { x, y, width, height } of drawn) dirt.add(x, y, width, height);
-          const boxes = wiped(dirt, pixelRatio);
+          const dirty = new DirtyRects();
+          for (const { x, y, width, height } of drawn) dirty.add(x, y, width, height);
+          const boxes = erased(dirty, pixelRatio);
           for (const { x, y, width, height } of drawn) {
             const isCovered = boxes.some(
               ([left, top, wide, high]) =>
@@ -50,16 +50,16 @@ describe("what a wipe empties", () => {
     );
   });
 
-  it("is made of whole device pixels, since half a pixel would leave a shadow", () => {
-    const dirt = new Dirt();
-    dirt.addLine(100.3, 50.7, 20.1, 50.7, 9);
-    for (const number of wiped(dirt, 1.25).flat()) expect(Number.isInteger(number)).toBe(true);
+  it("consists of whole device pixels, since half a pixel would leave a shadow", () => {
+    const dirty = new DirtyRects();
+    dirty.addLine(100.3, 50.7, 20.1, 50.7, 9);
+    for (const number of erased(dirty, 1.25).flat()) expect(Number.isInteger(number)).toBe(true);
   });
 
-  it("is nothing twice", () => {
-    const dirt = new Dirt();
-    dirt.add(1, 1, 1, 1);
-    wiped(dirt, 1);
-    expect(wiped(dirt, 1)).toEqual([]);
+  it("is empty the second time", () => {
+    const dirty = new DirtyRects();
+    dirty.add(1, 1, 1, 1);
+    erased(dirty, 1);
+    expect(erased(dirty, 1)).toEqual([]);
   });
 });
