@@ -36,7 +36,7 @@ test("the right-wall follower drives a page that only plain HTTPS reaches", asyn
   ]);
   expect(output).toContain(`${cells} cells visited`);
   expect(code).toBe(0);
-  expect(paths.some((path) => path.endsWith("/line/messages"))).toBe(true);
+  expect(paths.some((path) => path.endsWith("/long-poll/messages"))).toBe(true);
   await context.close();
   await proxy.close();
 });

@@ -227,7 +227,7 @@ test("shows the robot where WebSockets are blocked", async ({ corridor, browser,
   await call(drive, "/commands", { body: { action: "move", distance: 50 } });
   await expect.poll(() => corridor.robotX()).toBeGreaterThan(90);
   await expectSamePlace(corridor, page);
-  expect(paths.some((path) => path.endsWith("/line/messages"))).toBe(true);
+  expect(paths.some((path) => path.endsWith("/long-poll/messages"))).toBe(true);
   await context.close();
   await proxy.close();
 });

@@ -41,12 +41,12 @@ it("sends all requests of a robot's long-poll connection to one relay", async ()
   const { send, portsOf } = await withRelays(3);
   const ports = new Set<number>();
   for (let n = 0; n < 6; n++) {
-    ports.add((await send("robot-1/line/messages?after=0&wait=1")).port);
-    ports.add((await send("robot-1/line", '{"type":"hello"}')).port);
+    ports.add((await send("robot-1/long-poll/messages?after=0&wait=1")).port);
+    ports.add((await send("robot-1/long-poll", '{"type":"hello"}')).port);
     await send("robot-1/commands");
   }
   expect(ports.size).toBe(1);
-  const others = Array.from({ length: 30 }, (_none, n) => `robot-${n}/line`);
+  const others = Array.from({ length: 30 }, (_none, n) => `robot-${n}/long-poll`);
   expect((await portsOf(others)).size).toBe(3);
 });
 
@@ -60,7 +60,7 @@ it("distributes other requests round-robin, with their bodies", async () => {
 
 it("skips a closed relay and leaves the long-poll connections of the others in place", async () => {
   const { relays, send } = await withRelays(3);
-  const paths = Array.from({ length: 20 }, (_none, n) => `robot-${n}/line`);
+  const paths = Array.from({ length: 20 }, (_none, n) => `robot-${n}/long-poll`);
   const before = await Promise.all(paths.map(async (path) => (await send(path)).port));
   const closedPort = before[0] ?? 0;
   relays.get(closedPort)?.close();
@@ -75,7 +75,7 @@ it("disconnects a client when the relay disconnects before it answers", async ()
   const { relays, send } = await withRelays(1);
   const [relay] = relays.values();
   relay?.removeAllListeners("request").on("request", (request) => void request.socket.destroy());
-  await expect(send("a/line/messages?after=0&wait=25")).rejects.toThrow(/fetch failed/);
+  await expect(send("a/long-poll/messages?after=0&wait=25")).rejects.toThrow(/fetch failed/);
 });
 
 it("proxies an upgrade request to a relay", async () => {

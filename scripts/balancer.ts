@@ -14,7 +14,7 @@ import { connect, type AddressInfo, type Socket } from "node:net";
 import { pipeline, type Duplex } from "node:stream";
 
 const CONNECT_MS = 1_000;
-const LONG_POLL_PATH = /^\/api\/v1\/robots\/([^/?]+)\/line(?:[/?]|$)/;
+const LONG_POLL_PATH = /^\/api\/v1\/robots\/([^/?]+)\/long-poll(?:[/?]|$)/;
 /** Headers that apply to one connection only (RFC 9110, 7.6.1). Node.js sets its own. */
 const HOP_BY_HOP_HEADERS = new Set(["connection", "keep-alive", "transfer-encoding"]);
 

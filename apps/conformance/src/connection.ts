@@ -1,7 +1,7 @@
 /** A connection of messages, as a script's library opens it: a WebSocket, or the same by long poll. */
 import {
   fetchedMessagesSchema,
-  openedLineSchema,
+  openedConnectionSchema,
   relayToDriverSchema,
   takenMessagesSchema,
   type RelayToDriver,
@@ -89,7 +89,7 @@ class LongPollConnection extends Connection {
 
   private async ask(path: string, method = "GET", body?: object) {
     const options = { method, key: this.#key, ...(body !== undefined && { body }) };
-    return this.#host.ask(`/line${path}`, options);
+    return this.#host.ask(`/long-poll${path}`, options);
   }
 }
 
@@ -139,10 +139,14 @@ class WebSocketConnection extends Connection {
 }
 
 export const openByLongPoll: OpenConnection = async (host, terms) => {
-  const answer = await host.ask("/line", { method: "POST", key: null, body: host.hello(terms) });
+  const answer = await host.ask("/long-poll", {
+    method: "POST",
+    key: null,
+    body: host.hello(terms),
+  });
   must(answer.status === 201, "201 for a hello", `${answer.status} ${answer.text}`);
-  const { line } = shaped(openedLineSchema, answer.json, "an opened connection");
-  return new LongPollConnection(host, line);
+  const { key } = shaped(openedConnectionSchema, answer.json, "an opened connection");
+  return new LongPollConnection(host, key);
 };
 
 export const openByWebSocket: OpenConnection = async (host, terms) => {

@@ -67,16 +67,16 @@ with Robot(sys.argv[1]) as robot:
         body: JSON.stringify(body),
         headers,
       });
-      return (await answer.json()) as { line: string };
+      return (await answer.json()) as { key: string };
     };
     const hello = { type: "hello", version: 1, role: "drive", key: hash.slice(1), sentAt: 1_500 };
-    const { line } = await post("/line", hello);
+    const { key } = await post("/long-poll", hello);
     // By the script's clock it was sent 1.5 s before the hello.
     const held = { action: "left 90", ttl: 1_000 };
     const messages = [{ type: "command", key: "held-up-1", command: held, sentAt: 0 }];
-    await post("/line/messages", { first: 1, messages }, line);
-    const fetched = await fetch(`${api}/line/messages?after=0&wait=5`, {
-      headers: { Authorization: `Bearer ${line}` },
+    await post("/long-poll/messages", { first: 1, messages }, key);
+    const fetched = await fetch(`${api}/long-poll/messages?after=0&wait=5`, {
+      headers: { Authorization: `Bearer ${key}` },
     });
     expect(await fetched.json()).toMatchObject({
       messages: expect.arrayContaining([

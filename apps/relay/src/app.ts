@@ -18,7 +18,7 @@ import { notFound, problemResponses } from "./routes/fallbacks.ts";
 import { healthRoutes } from "./routes/health.ts";
 import { pythonClientRoutes } from "./routes/python-client.ts";
 import { keyRoutes } from "./routes/keys.ts";
-import { lineRoutes } from "./routes/long-poll.ts";
+import { longPollRoutes } from "./routes/long-poll.ts";
 import { mazeRoutes } from "./routes/maze.ts";
 import { pairingRoutes } from "./routes/pairing.ts";
 import { requestLog } from "./routes/request-log.ts";
@@ -79,7 +79,7 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(mazeRoutes(hub));
   api.use(commandRoutes(hub));
   api.use(eventRoutes(hub, clock));
-  api.use(lineRoutes(lines, guard));
+  api.use(longPollRoutes(lines, guard));
   api.use(documentRoutes(documents, guard));
   api.use(notFound);
   app.use("/api/v1", api);

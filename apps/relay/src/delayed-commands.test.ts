@@ -54,17 +54,17 @@ const transports: Transport[] = [
   {
     name: "long-poll connection",
     connect: async (relay, robot) => {
-      const opened = await relay.ask(robot, "/line", { method: "POST", body: hello(robot) });
-      const { line } = (await opened.json()) as { line: string };
+      const opened = await relay.ask(robot, "/long-poll", { method: "POST", body: hello(robot) });
+      const { key } = (await opened.json()) as { key: string };
       let first = 0;
       let after = 0;
       return async (sentAt, idempotencyKey, age = 0) => {
         first += 1;
         const body = { first, messages: [command(sentAt, idempotencyKey, age)] };
-        await relay.ask(robot, "/line/messages", { method: "POST", key: line, body });
+        await relay.ask(robot, "/long-poll/messages", { method: "POST", key, body });
         for (;;) {
-          const path = `/line/messages?after=${after}&wait=5`;
-          const answer = await relay.ask(robot, path, { key: line });
+          const path = `/long-poll/messages?after=${after}&wait=5`;
+          const answer = await relay.ask(robot, path, { key });
           const fetched = (await answer.json()) as {
             first: number;
             messages: { type: string }[];

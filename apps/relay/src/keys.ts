@@ -4,12 +4,12 @@ import { PAIRING_LENGTH, PAIRING_LETTERS, SHORT_CODE_LENGTHS } from "@corridor/p
 import type { KeyKind, StoredKey } from "./store/session-store.ts";
 
 /** delete: deletes the document of a short link. line: authenticates a long-poll connection. */
-const PREFIX: Record<KeyKind | "delete" | "line", string> = {
+const PREFIX: Record<KeyKind | "delete" | "connection", string> = {
   own: "own_",
   drive: "drv_",
   watch: "wch_",
   delete: "del_",
-  line: "lin_",
+  connection: "con_",
 };
 
 function randomText(): string {

@@ -47,7 +47,7 @@ export const problemKinds = {
       "To end the command of somebody else, send `stop`.",
     ],
   },
-  "sent-away": {
+  blocked: {
     status: 403,
     title: "This script is blocked",
     what: "The robot's owner has blocked this script. All of its requests are refused.",
@@ -77,12 +77,12 @@ export const problemKinds = {
     why: "A robot is deleted 2 hours after its last use, 24 hours after its page registered it, and when its owner deletes it.",
     fix: ["Open the robot's page, choose **Remote** and copy the new address."],
   },
-  "no-line": {
+  "no-connection": {
     status: 404,
-    title: "This line is closed",
+    title: "This connection is closed",
     what: "The long-poll connection does not exist any more.",
     why: "It was silent for too long, or the relay was restarted.",
-    fix: ["Open a new connection with `POST /line`."],
+    fix: ["Open a new connection with `POST /long-poll`."],
   },
   "no-document": {
     status: 404,
@@ -213,7 +213,7 @@ export const problemKinds = {
     why: "A robot has at most 12 keys.",
     fix: ["Revoke a key that nobody uses, then try again."],
   },
-  "too-many-away": {
+  "too-many-blocked": {
     status: 409,
     title: "Too many scripts are blocked",
     what: "The script was not blocked.",

@@ -63,7 +63,7 @@ def fresh_robot():
 
 def connection_of(robot):
     hello = {"type": "hello", "version": 1, "role": "drive", "key": robot["driverKey"]}
-    return call(f"/api/v1/robots/{robot['id']}/line", hello)["line"]
+    return call(f"/api/v1/robots/{robot['id']}/long-poll", hello)["key"]
 
 
 def pairing_code():
@@ -128,13 +128,13 @@ class Keys:
             path["seq"] = call(api + "/commands", STOP, robot["driverKey"])["seq"]
         if "keyId" in path and is_valid(path["keyId"], r"[A-Za-z0-9_-]{1,64}"):
             path["keyId"] = call(api + "/keys", key=robot["ownerKey"])["keys"][0]["id"]
-        if operation == "openLine" and isinstance(case.body, dict):
+        if operation == "openConnection" and isinstance(case.body, dict):
             if is_valid(case.body.get("key"), KEY):
                 case.body["key"] = robot["driverKey"]
         if not schemes:
             return
         key = robot["ownerKey"] if "ownerKey" in schemes else robot["driverKey"]
-        if "lineKey" in schemes:
+        if "connectionKey" in schemes:
             key = connection_of(robot)
         case.headers["Authorization"] = f"Bearer {key}"
 

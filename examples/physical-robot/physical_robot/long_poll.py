@@ -33,7 +33,7 @@ Wait = Callable[[Callable[[], bool]], None]
 
 class _Connection:
     def __init__(self, n: int) -> None:
-        self.key = "lin_" + secrets.token_urlsafe(16)
+        self.key = "con_" + secrets.token_urlsafe(16)
         self.last_contact = time.monotonic()
         #: number of the last message received from the script
         self.received = 0
@@ -68,22 +68,22 @@ class LongPollConnections:
     def call(
         self, method: str, path: str, key: str, query: Dict[str, str], body: bytes, wait: Wait
     ) -> Tuple[int, Optional[Json]]:
-        """Handles a request below /line. Returns the status and the response."""
-        if path == "/line" and method == "POST":
-            return 201, {"line": self._open(read_json(body))}
-        if path not in ("/line", "/line/messages"):
+        """Handles a request below /long-poll. Returns the status and the response."""
+        if path == "/long-poll" and method == "POST":
+            return 201, {"key": self._open(read_json(body))}
+        if path not in ("/long-poll", "/long-poll/messages"):
             raise not_found()
         connection = self._find(key)
-        if path == "/line" and method == "DELETE":
+        if path == "/long-poll" and method == "DELETE":
             with self._store.changed:
                 self._connections.remove(connection)
             return 204, None
-        if path == "/line/messages" and method == "POST":
+        if path == "/long-poll/messages" and method == "POST":
             return 200, {"taken": self._receive(connection, read_json(body))}
-        if path == "/line/messages" and method == "GET":
+        if path == "/long-poll/messages" and method == "GET":
             after = parse_number(query.get("after", "0"), "after")
             return 200, self._fetch(connection, after, wait)
-        raise method_not_allowed(method, "POST, DELETE" if path == "/line" else "GET, POST")
+        raise method_not_allowed(method, "POST, DELETE" if path == "/long-poll" else "GET, POST")
 
     def _open(self, hello: Json) -> str:
         key = hello.get("key")
@@ -189,7 +189,7 @@ class LongPollConnections:
                 if hmac.compare_digest(key.encode(), connection.key.encode()):
                     connection.last_contact = self._store.last_contact = time.monotonic()
                     return connection
-        raise _no_key("This connection is closed. Open another one with POST /line.")
+        raise _no_key("This connection is closed. Open another one with POST /long-poll.")
 
 
 def _no_key(detail: str) -> Problem:

@@ -118,7 +118,7 @@ class _Handler(BaseHTTPRequestHandler):
             detail = "There is no robot with this id. Copy the address that the host printed."
             raise Problem(404, "no-robot", detail)
         path = match[2] or ""
-        if path.startswith("/line"):
+        if path.startswith("/long-poll"):
             key = self._bearer() or ""
             wait = partial(self._wait, query)
             connections = self.server.connections

@@ -164,12 +164,12 @@ def test_a_name_goes_with_every_request_in_letters_that_a_header_can_hold() -> N
     assert len(step.headers["Script-Name"]) < 100
 
 
-def test_a_script_that_was_sent_away_reads_so_and_does_not_try_again() -> None:
-    scene = Scene(problem(403, "sent-away", "The robot's owner has sent this script away."))
+def test_a_script_that_was_blocked_reads_so_and_does_not_try_again() -> None:
+    scene = Scene(problem(403, "blocked", "The robot's owner has sent this script away."))
     with pytest.raises(NotAuthorisedError) as caught:
         scene.run(scene.talk.do(go_forward(100)))
     assert "owner has sent this script away" in str(caught.value)
-    assert caught.value.code == "sent-away"
+    assert caught.value.code == "blocked"
     assert len(scene.requests) == 1
 
 

@@ -9,7 +9,7 @@ export type ClientErrorCode =
   /** the key is wrong, or does not allow this */
   | "not-authorised"
   /** the robot's owner has blocked this script, until it is allowed again */
-  | "sent-away"
+  | "blocked"
   /** there is no robot with this address (any more): robots are deleted after 2 hours without use */
   | "no-robot"
   /** the relay refused the command for another reason */

@@ -7,7 +7,7 @@ export function closeError({ code, cause, remedy }: CloseReason, key: string): C
   // A driver key may do all that a script does, so what is forbidden to it is to be here at all.
   if (code === closeReasons.forbidden.code && key.startsWith("drv_")) {
     return new ClientError(
-      "sent-away",
+      "blocked",
       "This script is blocked",
       "The robot's owner has blocked this script. Ask them to press Unblock under Remote, then start it again.",
     );

@@ -1,4 +1,4 @@
-import { MAX_KEPT_EVENTS } from "@corridor/protocol";
+import { MAX_STORED_EVENTS } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { EventInbox, type RobotEvent } from "./event-inbox.ts";
@@ -29,8 +29,8 @@ describe("the events of a slow reader", () => {
 
   it("say that some are missing where there were too many", async () => {
     const inbox = new EventInbox();
-    for (let seq = 1; seq <= MAX_KEPT_EVENTS + 1; seq++) inbox.put(command(seq));
-    expect(await rest(inbox)).toEqual([{ kind: "gap" }, command(MAX_KEPT_EVENTS + 1)]);
+    for (let seq = 1; seq <= MAX_STORED_EVENTS + 1; seq++) inbox.put(command(seq));
+    expect(await rest(inbox)).toEqual([{ kind: "gap" }, command(MAX_STORED_EVENTS + 1)]);
   });
 
   it("come as soon as there is one", async () => {

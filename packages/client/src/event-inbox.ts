@@ -1,5 +1,5 @@
 /** Events of a robot for one reader that takes them at its own pace. */
-import { MAX_KEPT_EVENTS, type CommandRecord, type Snapshot } from "@corridor/protocol";
+import { MAX_STORED_EVENTS, type CommandRecord, type Snapshot } from "@corridor/protocol";
 
 /** One thing that happened; `kind` says what. */
 export type RobotEvent =
@@ -21,7 +21,7 @@ export class EventInbox {
       this.#waiting = this.#waiting.filter(({ kind }) => kind !== "snapshot");
     }
     // A reader that is this late starts over, as one that the relay has no earlier events for.
-    if (this.#waiting.length >= MAX_KEPT_EVENTS) this.#waiting = [{ kind: "gap" }];
+    if (this.#waiting.length >= MAX_STORED_EVENTS) this.#waiting = [{ kind: "gap" }];
     this.#waiting.push(event);
     this.#wake();
   }

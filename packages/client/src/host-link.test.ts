@@ -253,7 +253,7 @@ describe("HostLink", () => {
     const { platform, link, heard, welcome, reconnect } = host();
     welcome();
     platform.socket.receive(command(1));
-    platform.socket.receive({ type: "cancel", seq: 1, why: "sender" });
+    platform.socket.receive({ type: "cancel", seq: 1, cause: "sender" });
     platform.socket.receive({ type: "state", record: recordOf(2, "expired"), ttl: 400 });
     link.ended(1, done);
     platform.socket.receive({ type: "refused", record: recordOf(1, "cancelled") });
@@ -285,7 +285,7 @@ describe("HostLink", () => {
     platform.pass(3_000);
     platform.socket.receive({ ...command(1), at: 2_000 });
     platform.socket.receive({ ...command(2), at: 2_900, remaining: 50 });
-    const scripts = [{ driver: "Zx81qP", silentMs: 100, lineMs: null }];
+    const scripts = [{ driver: "Zx81qP", silentMs: 100, connectionMs: null }];
     const drivers = { connected: 1, client: "Python", silentMs: 100 };
     platform.socket.receive({
       type: "drivers",
@@ -296,7 +296,7 @@ describe("HostLink", () => {
       at: 1_500,
     });
     expect(delivered.map(({ remaining }) => remaining)).toEqual([9_000, 0]);
-    expect(alive).toEqual([{ driver: "Zx81qP", silentMs: 1_600, lineMs: null }]);
+    expect(alive).toEqual([{ driver: "Zx81qP", silentMs: 1_600, connectionMs: null }]);
   });
 
   it("does not hand on what it did before a reload", () => {

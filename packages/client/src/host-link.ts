@@ -76,7 +76,7 @@ export interface HostLinkOptions {
   /** End all that was handed on, by `ended`, before this returns. The stop itself ends by itself. */
   onStop(stop: DeliveredCommand): void;
   /** Somebody wishes that a command ends: end it, by `ended`, unless it has ended already. */
-  onCancel(seq: number, why: RecallCause): void;
+  onCancel(seq: number, cause: RecallCause): void;
   /** Forget all that was handed on and has not begun: what still holds comes again. */
   onGiveBack(): void;
   /** Another page is about to take the robot: end what runs, by `ended`, before this returns. */
@@ -273,7 +273,7 @@ export class HostLink {
         return;
       }
       case "cancel":
-        return this.#options.onCancel(message.seq, message.why);
+        return this.#options.onCancel(message.seq, message.cause);
       case "stored":
         this.#endings.delete(message.seq);
         return this.#options.onStored?.(message.seq);
@@ -285,10 +285,10 @@ export class HostLink {
       case "drivers": {
         const { type: _type, alive, scripts, paused, at, ...drivers } = message;
         const waited = this.#transit.came(at, this.#clock.now());
-        const now = alive.map(({ driver, silentMs, lineMs }) => ({
+        const now = alive.map(({ driver, silentMs, connectionMs }) => ({
           driver,
           silentMs: silentMs + waited,
-          lineMs: lineMs === null ? null : lineMs + waited,
+          connectionMs: connectionMs === null ? null : connectionMs + waited,
         }));
         this.#askTime();
         return this.#options.onDrivers(drivers, now, { scripts, paused });

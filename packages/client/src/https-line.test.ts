@@ -36,8 +36,8 @@ class OnlyHttps extends FakePlatform {
   });
 
   async #answer({ method, url, body }: HttpRequest) {
-    if (url.endsWith("/line"))
-      return { status: 201, body: '{"line":"lin_AAAAAAAAAAAAAAAAAAAAAA"}' };
+    if (url.endsWith("/long-poll"))
+      return { status: 201, body: '{"line":"con_AAAAAAAAAAAAAAAAAAAAAA"}' };
     if (method === "POST") {
       const sent = JSON.parse(body ?? "") as Sent;
       this.posts.push(sent);
@@ -70,7 +70,7 @@ it("a script that was sent away is told so by HTTPS as well, and does not come a
   const refusing = Object.assign(platform, {
     ask: () => {
       asked += 1;
-      const body = '{"type":"/problems/sent-away"}';
+      const body = '{"type":"/problems/blocked"}';
       return { answer: Promise.resolve({ status: 403, body }), cancel: () => undefined };
     },
   });
@@ -78,7 +78,7 @@ it("a script that was sent away is told so by HTTPS as well, and does not come a
   const refused = connecting.catch((error: unknown) => error);
   platform.socket.cut(1006);
   await platform.passInTurns(500);
-  expect(await refused).toMatchObject({ code: "sent-away" });
+  expect(await refused).toMatchObject({ code: "blocked" });
   await platform.passInTurns(500);
   expect(asked).toBe(1);
 });
@@ -91,7 +91,7 @@ const busy: Fetched = () => ({ status: 503, body: "" });
 /** A line that was open, and whose request for messages has just been cut. */
 async function cutLine(fetched = cut, luck = 0.999) {
   const platform = new OnlyHttps();
-  const url = "https://robots.example.org/api/v1/robots/k3J9x2aB/line";
+  const url = "https://robots.example.org/api/v1/robots/k3J9x2aB/long-poll";
   const line = new HttpsLine(url, platform, {
     opened: () => line.send('{"type":"hello"}'),
     received: () => undefined,

@@ -6,8 +6,8 @@ import {
   closeReasons,
   fetchedMessagesSchema,
   MAX_FRAME_BYTES,
-  MAX_LINE_MESSAGES,
-  openedLineSchema,
+  MAX_LONG_POLL_MESSAGES,
+  openedConnectionSchema,
   readJson,
   takenMessagesSchema,
   type SocketEvents,
@@ -72,7 +72,7 @@ export class HttpsLine implements SocketPort {
 
   /**
    * Opens a line. Nothing is reported before the constructor has returned.
-   * @param url `https://HOST/api/v1/robots/ID/line`
+   * @param url `https://HOST/api/v1/robots/ID/long-poll`
    */
   constructor(url: string, platform: HttpsPlatform, events: SocketEvents) {
     this.#url = url;
@@ -120,9 +120,9 @@ export class HttpsLine implements SocketPort {
     try {
       const { status, body } = await this.#ask("POST", "", text, ANSWER_MS);
       if (!this.#isOpen) return;
-      const opened = readJson(openedLineSchema, body, MAX_ANSWER);
+      const opened = readJson(openedConnectionSchema, body, MAX_ANSWER);
       if (status !== 201 || !opened.ok) return this.#lost(codeOf(status, body));
-      this.#key = opened.value.line;
+      this.#key = opened.value.key;
     } catch {
       return this.#lost(LOST);
     }
@@ -155,7 +155,7 @@ export class HttpsLine implements SocketPort {
 
   #batch(): string[] {
     let characters = 0;
-    const texts = this.#queue.slice(0, MAX_LINE_MESSAGES).map(textOf);
+    const texts = this.#queue.slice(0, MAX_LONG_POLL_MESSAGES).map(textOf);
     const fitting = texts.findIndex((text) => (characters += text.length + 1) > MAX_BATCH);
     return fitting < 0 ? texts : texts.slice(0, Math.max(1, fitting));
   }

@@ -4,8 +4,8 @@
  */
 import {
   pairingAnswerSchema,
-  pairingAskedSchema,
-  pairingWishSchema,
+  requestedPairingSchema,
+  pairingRequestSchema,
   problemSchema,
   readJson,
   readValue,
@@ -60,12 +60,12 @@ export async function pairRobot(
     );
   }
   try {
-    const wish = readValue(pairingWishSchema, { code, name });
+    const wish = readValue(pairingRequestSchema, { code, name });
     if (!wish.ok) throw wrongCode("It has 8 letters, such as BCDF GHJK, and no vowel.");
     const body = JSON.stringify(wish.value);
     const asking = { method: "POST", url, key: null, body };
     const answer = await answerTo(platform, asking, CHECK_MS + GRACE_MS, answerMs);
-    const asked = read(pairingAskedSchema, answer, "wrong-code");
+    const asked = read(requestedPairingSchema, answer, "wrong-code");
     return await untilYes(platform, url, asked, answerMs);
   } catch (error) {
     if (error instanceof ClientError && error.code === "wrong-code") tries.wrong += 1;
@@ -99,13 +99,13 @@ async function untilYes(
 async function answerTo(
   platform: Platform,
   request: HttpRequest,
-  lineMs: number,
+  connectionMs: number,
   answerMs: number,
 ): Promise<Answer> {
   const { clock } = platform;
   const began = clock.now();
   for (let pauseMs = FIRST_PAUSE_MS; ; pauseMs = Math.min(MAX_PAUSE_MS, pauseMs * 2)) {
-    const answer = await once(platform, request, lineMs);
+    const answer = await once(platform, request, connectionMs);
     const isTooFast = answer?.status === 429;
     if (answer !== null && answer.status < 500 && !isTooFast) return answer;
     const wait = platform.random() * pauseMs + (isTooFast ? TOO_FAST_PAUSE_MS : 0);
@@ -122,10 +122,10 @@ async function answerTo(
 }
 
 /** @returns null when no answer came */
-async function once({ ask, clock }: Platform, request: HttpRequest, lineMs: number) {
+async function once({ ask, clock }: Platform, request: HttpRequest, connectionMs: number) {
   if (ask === undefined) return null;
   const asking = ask(request);
-  const cancelTimer = clock.after(lineMs, () => asking.cancel());
+  const cancelTimer = clock.after(connectionMs, () => asking.cancel());
   try {
     return await asking.answer;
   } catch {

@@ -12,7 +12,7 @@ describe("parseRobotAddress", () => {
     });
     expect(doorUrls(address.origin, address.id)).toEqual({
       websocket: "ws://localhost:8080/api/v1/robots/AAAAAAAAAAAAAAAAAAAAAA/socket",
-      https: "http://localhost:8080/api/v1/robots/AAAAAAAAAAAAAAAAAAAAAA/line",
+      https: "http://localhost:8080/api/v1/robots/AAAAAAAAAAAAAAAAAAAAAA/long-poll",
     });
     expect(doorUrls("https://http.example", "x").websocket).toMatch(/^wss:\/\/http\.example\//);
   });

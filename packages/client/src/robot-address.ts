@@ -29,7 +29,7 @@ export function parseRobotAddress(text: string): RobotAddress {
 /** Where the robot's WebSocket is, and the line by HTTPS in its place. The key is part of neither. */
 export function doorUrls(origin: string, id: string): Record<Door, string> {
   const robot = `${origin}/api/v1/robots/${id}`;
-  return { websocket: `${robot.replace(/^http/, "ws")}/socket`, https: `${robot}/line` };
+  return { websocket: `${robot.replace(/^http/, "ws")}/socket`, https: `${robot}/long-poll` };
 }
 
 function hintFor(address: string): string {

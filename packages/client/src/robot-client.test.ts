@@ -77,7 +77,7 @@ describe("RobotClient", () => {
     const move = robot.move(10);
     platform.socket.cut(4403);
     await expect(move).rejects.toMatchObject({
-      code: "sent-away",
+      code: "blocked",
       message: expect.stringContaining("blocked this script"),
     });
     const { socket } = platform;

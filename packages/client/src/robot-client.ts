@@ -151,7 +151,7 @@ export class RobotClient {
    * @param address `http://HOST/r/ID#KEY`, as the robot's page shows it under Remote
    * @param options time limits and a name
    * @returns the robot, once the relay has accepted the key
-   * @throws ClientError bad-address, not-authorised, sent-away, no-robot or timeout
+   * @throws ClientError bad-address, not-authorised, blocked, no-robot or timeout
    */
   static async connect(address: string, options: RobotClientOptions = {}): Promise<RobotClient> {
     const robot = new RobotClient(address, options);

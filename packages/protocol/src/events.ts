@@ -7,8 +7,8 @@ import { commandRecordSchema, commandStates } from "./command-record.ts";
 import { snapshotSchema } from "./snapshot.ts";
 
 /** The newest events of a robot that are kept, and for how long: 10 minutes. */
-export const MAX_KEPT_EVENTS = 1_000;
-export const KEPT_EVENTS_MS = 600_000;
+export const MAX_STORED_EVENTS = 1_000;
+export const EVENT_RETENTION_MS = 600_000;
 
 /** More commands than can be open at once. */
 const MAX_OPEN = 200;
@@ -54,7 +54,7 @@ export const eventPageSchema = z.strictObject({
   /** null when nothing was missed */
   gap: eventGapSchema.nullable(),
   /** in their order */
-  states: z.array(stateEventSchema).max(MAX_KEPT_EVENTS),
+  states: z.array(stateEventSchema).max(MAX_STORED_EVENTS),
   /** the newest; null while the robot has not reported. Never older than the states */
   snapshot: snapshotSchema.nullable(),
 });

@@ -23,8 +23,8 @@ export {
 export {
   eventGapSchema,
   eventPageSchema,
-  KEPT_EVENTS_MS,
-  MAX_KEPT_EVENTS,
+  EVENT_RETENTION_MS,
+  MAX_STORED_EVENTS,
   sinceOf,
   sinceSchema,
   type EventGap,
@@ -40,24 +40,24 @@ export {
 export {
   keyIdSchema,
   keyListSchema,
-  keyWishSchema,
-  madeKeySchema,
+  keyRequestSchema,
+  createdKeySchema,
   MAX_KEYS,
   type KeyList,
-  type KeyWish,
-  type MadeKey,
+  type KeyRequest,
+  type CreatedKey,
 } from "./keys.ts";
 export {
   fetchedMessagesSchema,
-  MAX_LINE_MESSAGES,
-  openedLineSchema,
+  MAX_LONG_POLL_MESSAGES,
+  openedConnectionSchema,
   sentMessagesSchema,
   takenMessagesSchema,
   type FetchedMessages,
-  type OpenedLine,
+  type OpenedConnection,
   type SentMessages,
   type TakenMessages,
-} from "./lines.ts";
+} from "./long-poll.ts";
 export {
   aliveDriverSchema,
   driversSchema,
@@ -97,23 +97,23 @@ export {
   PAIRING_LENGTH,
   PAIRING_LETTERS,
   pairingAnswerSchema,
-  pairingAskedSchema,
-  pairingMadeSchema,
+  requestedPairingSchema,
+  createdPairingSchema,
   pairingReplySchema,
   pairingSchema,
-  pairingWishSchema,
+  pairingRequestSchema,
   type Pairing,
   type PairingAnswer,
-  type PairingAsked,
-  type PairingMade,
+  type RequestedPairing,
+  type CreatedPairing,
 } from "./pairing.ts";
 export { problemSchema, type ProblemDocument } from "./problem.ts";
 export { driverSchema, type DriverName, type Pose, type SensorReadings } from "./quantities.ts";
 export { registrationSchema, robotIdSchema, type Registration } from "./registration.ts";
 export {
-  keptLinksSchema,
+  storedLinksSchema,
   MAX_DOCUMENT_BYTES,
-  MAX_KEPT_LINKS,
+  MAX_STORED_LINKS,
   shortLinkIdSchema,
   shortLinkSchema,
   type ShortLink,
@@ -124,17 +124,17 @@ export { snapshotSchema, type LineRef, type RobotReport, type Snapshot } from ".
 export {
   MAX_SCRIPT_NAME,
   MAX_SCRIPTS,
-  MAX_SENT_AWAY,
+  MAX_BLOCKED_SCRIPTS,
   scriptIdSchema,
   scriptListSchema,
   scriptName,
   scriptRefSchema,
   scriptSchema,
-  sentAwaySchema,
+  blockedScriptSchema,
   type ScriptList,
   type ScriptRef,
   type ScriptView,
-  type SentAway,
+  type BlockedScript,
 } from "./scripts.ts";
 export type { SocketEvents, SocketFactory, SocketPort } from "./socket-port.ts";
 export { PROTOCOL_VERSION } from "./version.ts";

@@ -15,23 +15,23 @@ const replaceError = "true, false or the 6 characters of a key's id";
 const madeKinds = ["drive", "watch"] as const;
 
 /** What the owner asks for. */
-export const keyWishSchema = z.strictObject({
+export const keyRequestSchema = z.strictObject({
   /** drive: sends commands and reads; watch: reads only */
   kind: z.enum(madeKinds, { error: `one of ${madeKinds.join(", ")}` }),
   /** true: revokes all earlier keys of this kind in the same step; an id: that key of this kind alone */
   replace: z.union([z.boolean(), keyIdSchema], { error: replaceError }).optional(),
 });
-export type KeyWish = z.infer<typeof keyWishSchema>;
+export type KeyRequest = z.infer<typeof keyRequestSchema>;
 
 /** The only answer that ever shows the key: the service keeps its hash. */
-export const madeKeySchema = z.strictObject({
+export const createdKeySchema = z.strictObject({
   id: keyIdSchema,
   kind: z.enum(madeKinds),
   key: keySchema,
   /** all that a script needs: `https://HOST/r/ID#KEY` */
   address: z.url({ error: "a web address" }).max(300),
 });
-export type MadeKey = z.infer<typeof madeKeySchema>;
+export type CreatedKey = z.infer<typeof createdKeySchema>;
 
 export const keyListSchema = z.strictObject({
   keys: z
@@ -39,7 +39,7 @@ export const keyListSchema = z.strictObject({
       z.strictObject({
         id: keyIdSchema,
         kind: z.enum(["own", ...madeKinds]),
-        madeAt: z.iso.datetime(),
+        createdAt: z.iso.datetime(),
         /** to about a minute; null: never */
         lastUsedAt: z.iso.datetime().nullable(),
       }),

@@ -12,7 +12,7 @@ import { orderSchema, sentAtSchema } from "./order.ts";
 import { problemSchema } from "./problem.ts";
 import { poseSchema } from "./quantities.ts";
 import { keySchema } from "./registration.ts";
-import { MAX_SCRIPTS, MAX_SENT_AWAY, scriptSchema, sentNameSchema } from "./scripts.ts";
+import { MAX_SCRIPTS, MAX_BLOCKED_SCRIPTS, scriptSchema, sentNameSchema } from "./scripts.ts";
 import { snapshotSchema } from "./snapshot.ts";
 import { PROTOCOL_VERSION } from "./version.ts";
 
@@ -141,7 +141,7 @@ export const aliveDriverSchema = z.strictObject({
   /** ms since it was last heard; 0 while a request of it waits for its answer */
   silentMs: milliseconds,
   /** ms since its newest line was opened; null when it never had one */
-  lineMs: milliseconds.nullable(),
+  connectionMs: milliseconds.nullable(),
 });
 export type AliveDriver = z.infer<typeof aliveDriverSchema>;
 
@@ -149,7 +149,7 @@ export type AliveDriver = z.infer<typeof aliveDriverSchema>;
  * Who wishes that a command ends: its sender; or the owner, who revoked its key, sent its script away or paused
  * remote driving.
  */
-export const recallCauses = ["sender", "revoked", "sent-away", "paused"] as const;
+export const recallCauses = ["sender", "revoked", "blocked", "paused"] as const;
 export type RecallCause = (typeof recallCauses)[number];
 
 export const relayToPageSchema = z.discriminatedUnion(
@@ -160,7 +160,7 @@ export const relayToPageSchema = z.discriminatedUnion(
     /** overtakes: ends what runs and what waits in the page, then ends itself as completed */
     deliveredCommand.extend({ type: z.literal("stop"), at }),
     /** somebody wishes that this command ends; the robot decides, and says so by `ended` */
-    z.strictObject({ type: z.literal("cancel"), seq, why: z.enum(recallCauses) }),
+    z.strictObject({ type: z.literal("cancel"), seq, cause: z.enum(recallCauses) }),
     /** the ending of this command is stored: the page may forget it */
     z.strictObject({ type: z.literal("stored"), seq }),
     /** the ending that the page told came too late: this is how the command has ended */
@@ -178,7 +178,7 @@ export const relayToPageSchema = z.discriminatedUnion(
     driversSchema.extend({
       type: z.literal("drivers"),
       alive: z.array(aliveDriverSchema).max(32),
-      scripts: z.array(scriptSchema).max(MAX_SCRIPTS + MAX_SENT_AWAY),
+      scripts: z.array(scriptSchema).max(MAX_SCRIPTS + MAX_BLOCKED_SCRIPTS),
       /** the owner has paused remote driving */
       paused: z.boolean(),
       at,

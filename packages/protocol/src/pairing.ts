@@ -27,14 +27,14 @@ const seconds = z.int().min(0);
 const endsInSeconds = seconds.describe("until the code counts no more, asked or not");
 
 /** The only answer that ever shows the code: the service keeps its hash. */
-export const pairingMadeSchema = z.strictObject({
+export const createdPairingSchema = z.strictObject({
   code: z.string().length(PAIRING_LENGTH).describe("to be typed where the script runs"),
   endsInSeconds,
 });
-export type PairingMade = z.infer<typeof pairingMadeSchema>;
+export type CreatedPairing = z.infer<typeof createdPairingSchema>;
 
 /** What a script asks with. */
-export const pairingWishSchema = z.strictObject({
+export const pairingRequestSchema = z.strictObject({
   code: pairingCodeSchema,
   name: sentNameSchema
     .nullish()
@@ -42,11 +42,11 @@ export const pairingWishSchema = z.strictObject({
 });
 
 /** The question was put. */
-export const pairingAskedSchema = z.strictObject({
+export const requestedPairingSchema = z.strictObject({
   key: keySchema.describe("waits for the answer now, and drives the robot once its owner said yes"),
   endsInSeconds,
 });
-export type PairingAsked = z.infer<typeof pairingAskedSchema>;
+export type RequestedPairing = z.infer<typeof requestedPairingSchema>;
 
 /** What the script that waits is told. */
 export const pairingAnswerSchema = z.strictObject({

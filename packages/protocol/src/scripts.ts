@@ -13,7 +13,7 @@ const MAX_SENT_NAME = 200;
 /** Scripts of one robot that its owner is told of. */
 export const MAX_SCRIPTS = 16;
 /** Scripts of one robot that may be sent away at a time: beyond that, a new key is the better means. */
-export const MAX_SENT_AWAY = 16;
+export const MAX_BLOCKED_SCRIPTS = 16;
 
 const nameError = `a name of at most ${MAX_SENT_NAME} characters`;
 /** A name as a script sends it; `scriptName` makes of it what is shown. */
@@ -54,24 +54,24 @@ export type ScriptRef = z.infer<typeof scriptRefSchema>;
 export const scriptSchema = z.strictObject({
   id: scriptIdSchema,
   ...who,
-  /** its open lines and event streams */
-  lines: z.int().min(0),
+  /** its open connections and event streams */
+  connections: z.int().min(0),
   /** ms since it was last heard; null while it was not heard by this relay */
   silentMs: z.int().min(0).nullable(),
   /** the newest command that it sent; null where it only reads */
   last: z.strictObject({ seq: z.int().min(1), action: z.enum(actionNames) }).nullable(),
   /** its owner has sent it away: nothing of it is taken until it is let back */
-  isAway: z.boolean(),
+  isBlocked: z.boolean(),
 });
 export type ScriptView = z.infer<typeof scriptSchema>;
 
 export const scriptListSchema = z.strictObject({
   /** remote driving is paused: commands are refused, all but a stop */
   paused: z.boolean(),
-  scripts: z.array(scriptSchema).max(MAX_SCRIPTS + MAX_SENT_AWAY),
+  scripts: z.array(scriptSchema).max(MAX_SCRIPTS + MAX_BLOCKED_SCRIPTS),
 });
 export type ScriptList = z.infer<typeof scriptListSchema>;
 
 /** The answer when a script was sent away: by this id it is let back. */
-export const sentAwaySchema = scriptRefSchema.extend({ id: scriptIdSchema });
-export type SentAway = z.infer<typeof sentAwaySchema>;
+export const blockedScriptSchema = scriptRefSchema.extend({ id: scriptIdSchema });
+export type BlockedScript = z.infer<typeof blockedScriptSchema>;

@@ -37,5 +37,5 @@ export const shortLinkSchema = z.strictObject({
 export type ShortLink = z.infer<typeof shortLinkSchema>;
 
 /** The links that one device has made and can delete: the newest ones. */
-export const MAX_KEPT_LINKS = 200;
-export const keptLinksSchema = z.array(shortLinkSchema).max(MAX_KEPT_LINKS);
+export const MAX_STORED_LINKS = 200;
+export const storedLinksSchema = z.array(shortLinkSchema).max(MAX_STORED_LINKS);

@@ -2,7 +2,7 @@
 import {
   fetchedMessagesSchema,
   hasEnded,
-  openedLineSchema,
+  openedConnectionSchema,
   takenMessagesSchema,
   type CommandRecord,
   type HostFeature,
@@ -54,7 +54,7 @@ const doors: readonly Door[] = [
     open: openByLongPoll,
     refusals: { wrongKey: 401, version: 400 },
     answerTo: async (host, body) =>
-      (await host.ask("/line", { method: "POST", key: null, body })).status,
+      (await host.ask("/long-poll", { method: "POST", key: null, body })).status,
   },
 ];
 
@@ -67,10 +67,14 @@ export const connections: CheckGroup = {
       name: "over the long-poll connection, each message is taken once, and comes again until it is confirmed",
       needs: ["long-poll"],
       run: async (host) => {
-        const opened = await host.ask("/line", { method: "POST", key: null, body: host.hello() });
-        const { line: key } = shaped(openedLineSchema, opened.json, "an opened connection");
+        const opened = await host.ask("/long-poll", {
+          method: "POST",
+          key: null,
+          body: host.hello(),
+        });
+        const { key } = shaped(openedConnectionSchema, opened.json, "an opened connection");
         const ask = async (path: string, method = "GET", body?: object) =>
-          host.ask(`/line${path}`, { method, key, ...(body !== undefined && { body }) });
+          host.ask(`/long-poll${path}`, { method, key, ...(body !== undefined && { body }) });
         const { seq } = await host.done({ action: "stop" });
         const order = { action: "drive", left: 0, right: 0, milliseconds: 100 };
         const body = { first: 1, messages: [{ type: "command", command: order }] };

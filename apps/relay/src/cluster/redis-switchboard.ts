@@ -63,7 +63,7 @@ const messageSchema = z.discriminatedUnion("kind", [
   z.object({ kind: z.literal("yield"), from, epoch }),
   z.object({ kind: z.literal("yielded"), from, epoch }),
   z.object({ kind: z.literal("here"), from, scripts: scriptsSchema, asks: z.boolean() }),
-  z.object({ kind: z.literal("cancel"), from, seq: z.int(), why: z.enum(recallCauses) }),
+  z.object({ kind: z.literal("cancel"), from, seq: z.int(), cause: z.enum(recallCauses) }),
   z.object({ kind: z.literal("keys"), from }),
   z.object({ kind: z.literal("maze"), from, version: z.string() }),
   z.object({ kind: z.literal("over"), from }),

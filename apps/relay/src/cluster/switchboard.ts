@@ -41,7 +41,7 @@ export type News =
   /** that page has reported everything that it started, and starts nothing more */
   | { kind: "yielded"; epoch: number }
   /** asks the page to end this command */
-  | { kind: "cancel"; seq: number; why: RecallCause }
+  | { kind: "cancel"; seq: number; cause: RecallCause }
   /** keys or blocked scripts have changed, or may have; read them from the store */
   | { kind: "keys" }
   /** the robot's maze has changed; read it from the store */

@@ -80,7 +80,7 @@ testEndpoints({
       })),
       "a key of another robot": requesting(async (place) => ({
         ...(await openedConnection(place, place.other)),
-        path: `/robots/${place.robot.id}/line/messages`,
+        path: `/robots/${place.robot.id}/long-poll/messages`,
         body: '{"first":1,"messages":[]}',
       })),
     },
@@ -95,7 +95,7 @@ testEndpoints({
       "wrong UTF-8": "400 bad-request | JSON document in UTF-8",
       "wrong order": '200 | {"taken":0}',
       "half-closed": "400 bad-request | incomplete",
-      "a key of another robot": "404 no-line | Open a new one",
+      "a key of another robot": "404 no-connection | Open a new one",
     },
   },
 
@@ -105,12 +105,12 @@ testEndpoints({
         '{"type":"hello","version":40,"role":"drive","key":"drv_"}',
         16 * KIB,
         ({ robot }) => ({
-          path: `/robots/${robot.id}/line`,
+          path: `/robots/${robot.id}/long-poll`,
         }),
       ),
       "a key of another robot": requesting(({ robot, other }) => ({
         method: "POST",
-        path: `/robots/${robot.id}/line`,
+        path: `/robots/${robot.id}/long-poll`,
         body: JSON.stringify({ ...HELLO, role: "drive", key: other.driverKey }),
       })),
     },

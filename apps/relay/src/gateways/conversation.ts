@@ -52,7 +52,7 @@ export function closeReader(port: Parameters<typeof closeWith>[0], reason: OverR
     const detail = "This key was revoked. Copy the robot's new address from its page.";
     return closeWith(port, closeReasons.notAuthorised, detail);
   }
-  if (reason === "sentAway") {
+  if (reason === "blocked") {
     return closeWith(port, closeReasons.forbidden, scriptIsAway().problem.detail);
   }
   closeWith(port, closeReasons[reason]);

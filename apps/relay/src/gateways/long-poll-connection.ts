@@ -3,7 +3,7 @@
  * fetches them, and deleted when the next request acknowledges them. Each posted message is
  * processed once.
  */
-import { closeReasons, MAX_LINE_MESSAGES, type FetchedMessages } from "@corridor/protocol";
+import { closeReasons, MAX_LONG_POLL_MESSAGES, type FetchedMessages } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import type { Patience } from "../sessions/audience.ts";
 import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
@@ -136,7 +136,7 @@ export class LongPollConnection implements ReaderConnection {
     if (this.#unacknowledged.length === 0 && this.isOpen) await this.#waitForMessages(patience);
     let characters = 0;
     const messages = this.#unacknowledged
-      .slice(0, MAX_LINE_MESSAGES)
+      .slice(0, MAX_LONG_POLL_MESSAGES)
       .filter((text) => (characters += text.length) <= MAX_ANSWER_CHARACTERS);
     const isLast = messages.length === this.#unacknowledged.length;
     return {

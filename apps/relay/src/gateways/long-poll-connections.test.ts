@@ -1,4 +1,8 @@
-import { fetchedMessagesSchema, openedLineSchema, type Registration } from "@corridor/protocol";
+import {
+  fetchedMessagesSchema,
+  openedConnectionSchema,
+  type Registration,
+} from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { limits } from "../sessions/limits.ts";
@@ -24,11 +28,11 @@ class TestLine {
   }
 
   static async open(relay: TestRelay, robot: Registration, hello: object): Promise<TestLine> {
-    const answer = await relay.ask(robot, "/line", {
+    const answer = await relay.ask(robot, "/long-poll", {
       method: "POST",
       body: { type: "hello", version: 1, ...hello },
     });
-    return new TestLine(relay, robot, openedLineSchema.parse(await answer.json()).line);
+    return new TestLine(relay, robot, openedConnectionSchema.parse(await answer.json()).key);
   }
 
   async send(...messages: object[]): Promise<unknown> {
@@ -64,7 +68,7 @@ class TestLine {
   }
 
   #ask(method: string, query: string, body?: unknown): Promise<Response> {
-    const path = `/line/messages${query}`;
+    const path = `/long-poll/messages${query}`;
     return this.#relay.ask(this.#robot, path, { method, key: this.key, body });
   }
 }
@@ -217,43 +221,43 @@ describe("a long-poll connection", () => {
   ])("is not opened with $name", async ({ body, status }) => {
     const { relay, robot } = await withRobot();
     const hello = { type: "hello", version: 1, key: robot.driverKey, ...body };
-    const answer = await relay.ask(robot, "/line", { method: "POST", body: hello });
+    const answer = await relay.ask(robot, "/long-poll", { method: "POST", body: hello });
     expect(answer.status).toBe(status);
   });
 
   it.each([
     { name: "the key of a robot", key: (robot: Registration) => robot.driverKey },
-    { name: "an unknown connection key", key: () => "lin_AAAAAAAAAAAAAAAAAAAAAA" },
+    { name: "an unknown connection key", key: () => "con_AAAAAAAAAAAAAAAAAAAAAA" },
   ])("is not reached with $name", async ({ key }) => {
     const { relay, robot } = await withRobot();
     await TestLine.open(relay, robot, { role: "drive", key: robot.driverKey });
-    const answer = await relay.ask(robot, "/line/messages", { key: key(robot) });
-    expect(await answer.json()).toMatchObject({ type: "/problems/no-line", status: 404 });
+    const answer = await relay.ask(robot, "/long-poll/messages", { key: key(robot) });
+    expect(await answer.json()).toMatchObject({ type: "/problems/no-connection", status: 404 });
   });
 
   it("requires its key before it reads the body", async () => {
     const { relay, robot } = await withRobot();
     const body = " ".repeat(17 * 1024);
     const sent = async (key: string) =>
-      (await relay.ask(robot, "/line/messages", { method: "POST", key, body })).status;
-    expect(await sent("lin_cut_off")).toBe(401);
-    expect(await sent("lin_AAAAAAAAAAAAAAAAAAAAAA")).toBe(404);
-    const { line } = (await (
-      await relay.ask(robot, "/line", {
+      (await relay.ask(robot, "/long-poll/messages", { method: "POST", key, body })).status;
+    expect(await sent("con_cut_off")).toBe(401);
+    expect(await sent("con_AAAAAAAAAAAAAAAAAAAAAA")).toBe(404);
+    const { key } = (await (
+      await relay.ask(robot, "/long-poll", {
         method: "POST",
         body: { type: "hello", version: 1, role: "drive", key: robot.driverKey },
       })
-    ).json()) as { line: string };
-    expect(await sent(line)).toBe(413);
+    ).json()) as { key: string };
+    expect(await sent(key)).toBe(413);
   });
 
   it("is not accessible under another robot, and does not exist after it was closed", async () => {
     const { relay, robot } = await withRobot();
     const other = await relay.register();
     const line = await TestLine.open(relay, robot, { role: "drive", key: robot.driverKey });
-    const elsewhere = await relay.ask(other, "/line/messages", { key: line.key });
+    const elsewhere = await relay.ask(other, "/long-poll/messages", { key: line.key });
     expect(elsewhere.status).toBe(404);
-    const left = await relay.ask(robot, "/line", { method: "DELETE", key: line.key });
+    const left = await relay.ask(robot, "/long-poll", { method: "DELETE", key: line.key });
     expect(left.status).toBe(204);
     expect(await line.status()).toBe(404);
   });

@@ -6,7 +6,7 @@ import {
   closeReasons,
   type FetchedMessages,
   type Hello,
-  type OpenedLine,
+  type OpenedConnection,
   type SentMessages,
   type TakenMessages,
 } from "@corridor/protocol";
@@ -42,7 +42,7 @@ export class LongPollConnections {
    * @param from client address, for the limit only
    * @throws Refusal if the key does not permit it, or if there are too many connections
    */
-  async open(robot: string, hello: Hello, from: string, client: string): Promise<OpenedLine> {
+  async open(robot: string, hello: Hello, from: string, client: string): Promise<OpenedConnection> {
     const { hub, clock, log, metrics } = this.#options;
     const grant = await hub.authorise(
       robot,
@@ -62,7 +62,7 @@ export class LongPollConnections {
         },
       );
     }
-    const key = mintKey("line");
+    const key = mintKey("connection");
     const hash = hashKey(key);
     const connection = new LongPollConnection({
       robot,
@@ -86,7 +86,7 @@ export class LongPollConnections {
       { role: hello.role, client, key: markOf(hello.key) },
       "long-poll client introduced itself",
     );
-    return { line: key };
+    return { key };
   }
 
   /** @throws Refusal if the connection does not exist */
@@ -129,13 +129,13 @@ export class LongPollConnections {
   #find(robot: string, key: string | null): LongPollConnection {
     if (!canBeKey(key)) {
       throw notAuthorised(
-        "Send the key of the long-poll connection, from the response to POST /line, as: Authorization: Bearer KEY",
+        "Send the key of the long-poll connection, from the response to POST /long-poll, as: Authorization: Bearer KEY",
       );
     }
     const connection = this.#connections.get(hashKey(key));
     if (connection?.robot === robot) return connection;
     throw new Refusal(
-      "no-line",
+      "no-connection",
       "The connection was idle for too long, or the relay was restarted. Open a new one.",
     );
   }

@@ -17,7 +17,7 @@ const closeReasonByProblem = new Map<ProblemKind, CloseReason>([
   ["no-robot", closeReasons.noRobot],
   ["not-authorised", closeReasons.notAuthorised],
   ["forbidden", closeReasons.forbidden],
-  ["sent-away", closeReasons.forbidden],
+  ["blocked", closeReasons.forbidden],
   ["too-many-readers", closeReasons.tooMany],
   ["restarting", closeReasons.restart],
 ]);

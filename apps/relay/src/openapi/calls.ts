@@ -2,7 +2,7 @@
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { documentCalls } from "./document-calls.ts";
 import { healthCalls } from "./health-calls.ts";
-import { lineCalls } from "./line-calls.ts";
+import { longPollCalls } from "./long-poll-calls.ts";
 import { pairingCalls } from "./pairing-calls.ts";
 import { robotCalls } from "./robot-calls.ts";
 import { scriptCalls } from "./script-calls.ts";
@@ -11,7 +11,7 @@ export const calls: ZodOpenApiPathsObject = {
   ...robotCalls,
   ...pairingCalls,
   ...scriptCalls,
-  ...lineCalls,
+  ...longPollCalls,
   ...documentCalls,
   ...healthCalls,
 };

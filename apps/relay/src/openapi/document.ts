@@ -45,7 +45,7 @@ export function describeApi(): oas31.OpenAPIObject {
             description:
               "The key in the response to the creation of a short link: deletes its document.",
           },
-          lineKey: {
+          connectionKey: {
             type: "http",
             scheme: "bearer",
             description: "The key of one long-poll connection, from the response that opened it.",

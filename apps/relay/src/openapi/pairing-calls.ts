@@ -1,11 +1,11 @@
 /** Operations for pairing: a code on the robot's page, a script's request, the owner's answer. */
 import {
   pairingAnswerSchema,
-  pairingAskedSchema,
-  pairingMadeSchema,
+  requestedPairingSchema,
+  createdPairingSchema,
   pairingReplySchema,
   pairingSchema,
-  pairingWishSchema,
+  pairingRequestSchema,
 } from "@corridor/protocol";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { nameHeader, waitQuery } from "../routes/reading.ts";
@@ -22,7 +22,7 @@ export const pairingCalls: ZodOpenApiPathsObject = {
         "returned only once.",
       security: owner,
       responses: {
-        201: answer("The code.", pairingMadeSchema),
+        201: answer("The code.", createdPairingSchema),
         ...refusals(...keyed, "storage-full"),
       },
     },
@@ -72,10 +72,10 @@ export const pairingCalls: ZodOpenApiPathsObject = {
       parameters: parameters("header", nameHeader),
       requestBody: {
         required: true,
-        content: { "application/json": { schema: pairingWishSchema } },
+        content: { "application/json": { schema: pairingRequestSchema } },
       },
       responses: {
-        202: answer("The request is sent to the owner.", pairingAskedSchema, location),
+        202: answer("The request is sent to the owner.", requestedPairingSchema, location),
         ...refusals("bad-request", "no-pairing", "code-used", "too-large", "not-json", "too-fast"),
         ...refusals("storage-full"),
       },

@@ -21,7 +21,7 @@ const retryAfter: oas31.HeadersObject = {
 /** Errors of every operation with a key. */
 export const keyed = ["bad-request", "not-authorised", "forbidden", "no-robot"] as const;
 /** Errors of every operation for scripts. */
-export const asScript = [...keyed, "sent-away"] as const;
+export const asScript = [...keyed, "blocked"] as const;
 /** Security of operations for the robot's owner. */
 export const owner = [{ ownerKey: [] }];
 

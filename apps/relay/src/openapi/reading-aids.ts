@@ -27,7 +27,7 @@ export const groups: readonly Group[] = [
   {
     name: "Plain HTTPS",
     description: "The messages of the WebSocket, for networks that block WebSockets.",
-    paths: ["/api/v1/robots/{id}/line"],
+    paths: ["/api/v1/robots/{id}/long-poll"],
   },
   {
     name: "Owning",

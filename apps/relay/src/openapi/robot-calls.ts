@@ -1,12 +1,12 @@
 /** Operations for a robot's owner: register and delete a robot, manage its keys and scripts. */
 import {
   keyListSchema,
-  keyWishSchema,
-  madeKeySchema,
+  keyRequestSchema,
+  createdKeySchema,
   registrationSchema,
   scriptListSchema,
   scriptRefSchema,
-  sentAwaySchema,
+  blockedScriptSchema,
 } from "@corridor/protocol";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { heldSessionSchema } from "../routes/answers.ts";
@@ -53,9 +53,12 @@ export const robotCalls: ZodOpenApiPathsObject = {
         "With `replace`, earlier keys are revoked in the same transaction: true revokes all keys of this kind, an id " +
         "revokes one of them. The key is returned only once.",
       security: owner,
-      requestBody: { required: true, content: { "application/json": { schema: keyWishSchema } } },
+      requestBody: {
+        required: true,
+        content: { "application/json": { schema: keyRequestSchema } },
+      },
       responses: {
-        201: answer("The key, with the address for its user.", madeKeySchema, location),
+        201: answer("The key, with the address for its user.", createdKeySchema, location),
         ...refusals(
           ...keyed,
           "nothing-to-replace",
@@ -118,7 +121,7 @@ export const robotCalls: ZodOpenApiPathsObject = {
       responses: { 204: { description: "Scripts may drive." }, ...refusals(...keyed) },
     },
   },
-  "/api/v1/robots/{id}/away": {
+  "/api/v1/robots/{id}/blocked": {
     parameters: robot,
     post: {
       operationId: "sendScriptAway",
@@ -129,12 +132,12 @@ export const robotCalls: ZodOpenApiPathsObject = {
       security: owner,
       requestBody: { required: true, content: { "application/json": { schema: scriptRefSchema } } },
       responses: {
-        201: answer("The blocked script.", sentAwaySchema, location),
-        ...refusals(...keyed, "unknown-driver", "too-many-away", "too-large", "not-json"),
+        201: answer("The blocked script.", blockedScriptSchema, location),
+        ...refusals(...keyed, "unknown-driver", "too-many-blocked", "too-large", "not-json"),
       },
     },
   },
-  "/api/v1/robots/{id}/away/{scriptId}": {
+  "/api/v1/robots/{id}/blocked/{scriptId}": {
     parameters: [...robot, ...parameters("path", scriptPath)],
     delete: {
       operationId: "letScriptBack",

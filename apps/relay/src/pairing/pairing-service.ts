@@ -3,7 +3,7 @@
  * owner accepts or declines. The script receives its key with the request. The key is valid, and
  * the script receives the robot's address, once the owner accepts.
  */
-import type { Pairing, PairingAnswer, PairingAsked, PairingMade } from "@corridor/protocol";
+import type { Pairing, PairingAnswer, RequestedPairing, CreatedPairing } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../clock.ts";
 import { hashKey, isSameHash, keyId, mintCode, mintKey } from "../keys.ts";
@@ -57,7 +57,7 @@ export class PairingService {
   // --- the owner ---
 
   /** Creates a code and invalidates the previous one of the robot. */
-  async open(robot: string): Promise<PairingMade> {
+  async open(robot: string): Promise<CreatedPairing> {
     const { pairings, clock } = this.#parts;
     await pairings.remove(robot);
     const endsAt = clock.now() + limits.pairingMs;
@@ -123,7 +123,7 @@ export class PairingService {
    * Requests access from the owner whose page displays the code.
    * @throws Refusal no-pairing, code-used or too-fast
    */
-  async ask({ code, name, client, from }: AccessRequest): Promise<PairingAsked> {
+  async ask({ code, name, client, from }: AccessRequest): Promise<RequestedPairing> {
     const hash = hashKey(code);
     const found = await this.#checks.run(from, async () => {
       const pairing = await this.#find({ code: hash });

@@ -1,8 +1,8 @@
 import {
   keyListSchema,
-  madeKeySchema,
+  createdKeySchema,
   REVOKED_REASON,
-  type MadeKey,
+  type CreatedKey,
   type Registration,
 } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
@@ -11,11 +11,11 @@ import { FakeClock } from "../testing/fake-clock.ts";
 import { startTestRelay, testFolder, type TestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 
-async function make(relay: TestRelay, robot: Registration, wish: object): Promise<MadeKey> {
+async function make(relay: TestRelay, robot: Registration, wish: object): Promise<CreatedKey> {
   const request = { method: "POST", key: robot.ownerKey, body: wish };
   const answer = await relay.ask(robot, "/keys", request);
   expect(answer.status).toBe(201);
-  return madeKeySchema.parse(await answer.json());
+  return createdKeySchema.parse(await answer.json());
 }
 
 async function revoke(relay: TestRelay, robot: Registration, id: string): Promise<number> {
@@ -61,32 +61,32 @@ describe("keys of a robot", () => {
       const { keys } = keyListSchema.parse(await answer.json());
       return keys
         .filter(({ kind }) => kind !== "own")
-        .map(({ id, madeAt, lastUsedAt }) => ({
+        .map(({ id, createdAt, lastUsedAt }) => ({
           id,
-          madeAt: (Date.parse(madeAt) - began) / 1_000,
+          createdAt: (Date.parse(createdAt) - began) / 1_000,
           lastUsedAt: lastUsedAt && (Date.parse(lastUsedAt) - began) / 1_000,
         }));
     };
     await clock.pass(10_000);
     const made = await make(relay, robot, { kind: "watch" });
     const [drive] = (await list()).filter(({ id }) => id !== made.id);
-    expect(drive).toMatchObject({ madeAt: 0, lastUsedAt: null });
-    expect(await list()).toContainEqual({ id: made.id, madeAt: 10, lastUsedAt: null });
+    expect(drive).toMatchObject({ createdAt: 0, lastUsedAt: null });
+    expect(await list()).toContainEqual({ id: made.id, createdAt: 10, lastUsedAt: null });
     await clock.pass(10_000);
     await relay.ask(robot, "/sensors", { key: made.key });
     await clock.pass(1_000);
     await relay.ask(robot, "/sensors", { key: made.key });
-    expect(await list()).toContainEqual({ id: made.id, madeAt: 10, lastUsedAt: 21 });
+    expect(await list()).toContainEqual({ id: made.id, createdAt: 10, lastUsedAt: 21 });
     await relay.close();
     // The first use is stored within a second, the next one after a minute.
     const again = await startTestRelay({ clock, dataDir });
-    expect(await list(again)).toContainEqual({ id: made.id, madeAt: 10, lastUsedAt: 20 });
+    expect(await list(again)).toContainEqual({ id: made.id, createdAt: 10, lastUsedAt: 20 });
     await clock.pass(60_000);
     await again.ask(robot, "/sensors", { key: made.key });
     await clock.pass(1_000);
     await again.close();
     const last = await startTestRelay({ clock, dataDir });
-    expect(await list(last)).toContainEqual({ id: made.id, madeAt: 10, lastUsedAt: 81 });
+    expect(await list(last)).toContainEqual({ id: made.id, createdAt: 10, lastUsedAt: 81 });
   });
 
   it("remain valid after a restart of the relay, and revoked keys remain invalid", async () => {
@@ -167,8 +167,8 @@ describe("a new driver key", () => {
     page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq: 5 }) });
     const script = await TestSocket.driver(relay, robot);
     const hello = { type: "hello", version: 1, role: "drive", key: robot.driverKey };
-    const opened = await relay.ask(robot, "/line", { method: "POST", body: hello });
-    const { line } = (await opened.json()) as { line: string };
+    const opened = await relay.ask(robot, "/long-poll", { method: "POST", body: hello });
+    const { key } = (await opened.json()) as { key: string };
     const stream = await relay.ask(robot, "/events");
     const streamed = stream.text();
     const sensors = relay.ask(robot, "/sensors?after=99&wait=25");
@@ -183,7 +183,7 @@ describe("a new driver key", () => {
     expect(reason).toContain("was revoked");
     expect((await sensors).status).toBe(401);
     expect(await streamed).toContain("event: snapshot");
-    const fetched = await relay.ask(robot, "/line/messages?after=1", { key: line });
+    const fetched = await relay.ask(robot, "/long-poll/messages?after=1", { key });
     expect(await fetched.json()).toMatchObject({ closed: { code: 4401 } });
     expect((await relay.ask(robot, "/commands")).status).toBe(401);
     expect((await relay.ask(robot, "/commands", { key: made.key })).status).toBe(200);

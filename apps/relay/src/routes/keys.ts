@@ -1,10 +1,10 @@
 /** Keys that a robot's owner creates for others and revokes. */
 import {
   keyIdSchema,
-  keyWishSchema,
+  keyRequestSchema,
   MAX_FRAME_BYTES,
   type KeyList,
-  type MadeKey,
+  type CreatedKey,
 } from "@corridor/protocol";
 import { Router } from "express";
 import { z } from "zod";
@@ -30,10 +30,15 @@ export function keyRoutes(hub: SessionHub, guard: RequestGuard): Router {
       jsonText(),
       async (request, response) => {
         const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-        const options = readBody(request, keyWishSchema, MAX_FRAME_BYTES, "The request is wrong.");
+        const options = readBody(
+          request,
+          keyRequestSchema,
+          MAX_FRAME_BYTES,
+          "The request is wrong.",
+        );
         const made = await session.keys.make(options);
         const address = `${guard.originOf(request)}/r/${session.id}#${made.key}`;
-        const created: MadeKey = { ...made, address };
+        const created: CreatedKey = { ...made, address };
         response
           .status(201)
           .location(`/api/v1/robots/${session.id}/keys/${made.id}`)

@@ -6,11 +6,11 @@ import type { LongPollConnections } from "../gateways/long-poll-connections.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 import { jsonText, patienceOf, readBearer, readBody, readClient, readFetch } from "./reading.ts";
 
-export function lineRoutes(connections: LongPollConnections, guard: RequestGuard): Router {
+export function longPollRoutes(connections: LongPollConnections, guard: RequestGuard): Router {
   const router = Router();
 
   router
-    .route("/robots/:id/line")
+    .route("/robots/:id/long-poll")
     .post(jsonText(), async (request, response) => {
       const hello = readBody(request, helloSchema, MAX_FRAME_BYTES, "The hello is wrong.");
       const from = guard.addressOf(request);
@@ -24,7 +24,7 @@ export function lineRoutes(connections: LongPollConnections, guard: RequestGuard
     .all(methodNotAllowed("POST, DELETE"));
 
   router
-    .route("/robots/:id/line/messages")
+    .route("/robots/:id/long-poll/messages")
     .post(
       // Rejects unauthorised requests before it reads the body.
       (request, _response, next) => {

@@ -1,4 +1,4 @@
-import { madeKeySchema, problemSchema, type Registration } from "@corridor/protocol";
+import { createdKeySchema, problemSchema, type Registration } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { limits } from "../sessions/limits.ts";
 import { FakeClock } from "../testing/fake-clock.ts";
@@ -20,7 +20,7 @@ function publish(relay: TestRelay, robot: Registration, body: unknown): Promise<
 
 async function watchKey(relay: TestRelay, robot: Registration): Promise<string> {
   const request = { method: "POST", key: robot.ownerKey, body: { kind: "watch" } };
-  return madeKeySchema.parse(await (await relay.ask(robot, "/keys", request)).json()).key;
+  return createdKeySchema.parse(await (await relay.ask(robot, "/keys", request)).json()).key;
 }
 
 async function problemOf(answer: Response): Promise<string> {

@@ -2,7 +2,7 @@
 import {
   MAX_FRAME_BYTES,
   pairingReplySchema,
-  pairingWishSchema,
+  pairingRequestSchema,
   scriptName,
 } from "@corridor/protocol";
 import { Router } from "express";
@@ -72,7 +72,7 @@ export function pairingRoutes(
     .post(jsonText(), async (request, response) => {
       const { code, name } = readBody(
         request,
-        pairingWishSchema,
+        pairingRequestSchema,
         MAX_FRAME_BYTES,
         "The pairing code is wrong.",
       );

@@ -1,5 +1,5 @@
 /** Permissions: every endpoint and message type with every kind of key, and without a key. */
-import { madeKeySchema, type Registration } from "@corridor/protocol";
+import { createdKeySchema, type Registration } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { rights, type Verb } from "../sessions/rights.ts";
@@ -34,10 +34,10 @@ const calls: { verb: Verb; method: string; path: string; body?: unknown }[] = [
   {
     verb: "moderate",
     method: "POST",
-    path: "/away",
+    path: "/blocked",
     body: { driver: "______", name: null, client: "Python" },
   },
-  { verb: "moderate", method: "DELETE", path: "/away/________" },
+  { verb: "moderate", method: "DELETE", path: "/blocked/________" },
   { verb: "inspect", method: "GET", path: "" },
   { verb: "remove", method: "DELETE", path: "" },
 ];
@@ -47,7 +47,7 @@ const holders = [
   "unknown",
   "of another robot",
   "revoked",
-  "of a line",
+  "of a connection",
   "watch",
   "drive",
   "own",
@@ -57,18 +57,18 @@ type Holder = (typeof holders)[number];
 async function keysOf(relay: TestRelay, robot: Registration): Promise<Record<Holder, string>> {
   const make = async (kind: string) => {
     const request = { method: "POST", key: robot.ownerKey, body: { kind } };
-    return madeKeySchema.parse(await (await relay.ask(robot, "/keys", request)).json());
+    return createdKeySchema.parse(await (await relay.ask(robot, "/keys", request)).json());
   };
   const gone = await make("drive");
   await relay.ask(robot, `/keys/${gone.id}`, { method: "DELETE", key: robot.ownerKey });
   const hello = { type: "hello", version: 1, role: "drive", key: robot.driverKey };
-  const opened = await relay.ask(robot, "/line", { method: "POST", body: hello });
+  const opened = await relay.ask(robot, "/long-poll", { method: "POST", body: hello });
   return {
     none: "",
     unknown: `drv_${"A".repeat(22)}`,
     "of another robot": (await relay.register()).ownerKey,
     revoked: gone.key,
-    "of a line": String(((await opened.json()) as { line: string }).line),
+    "of a connection": String(((await opened.json()) as { key: string }).key),
     watch: (await make("watch")).key,
     drive: robot.driverKey,
     own: robot.ownerKey,
@@ -170,11 +170,11 @@ describe("permissions", () => {
       bySocket[holder] = await welcome;
       socket.close();
       await socket.closed;
-      const opened = await relay.ask(robot, "/line", { method: "POST", body: hello });
+      const opened = await relay.ask(robot, "/long-poll", { method: "POST", body: hello });
       byLine[holder] = opened.ok ? "yes" : opened.status;
       if (!opened.ok) continue;
-      const { line } = (await opened.json()) as { line: string };
-      await relay.ask(robot, "/line", { method: "DELETE", key: line });
+      const { key } = (await opened.json()) as { key: string };
+      await relay.ask(robot, "/long-poll", { method: "DELETE", key });
     }
     expect(bySocket).toEqual(expectedFor(verb, { yes: "yes", forbidden: 4403, stranger: 4401 }));
     // A hello without a key is invalid.

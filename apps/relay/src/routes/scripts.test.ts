@@ -2,7 +2,7 @@ import {
   BLOCKED_REASON,
   PAUSED_REASON,
   scriptListSchema,
-  sentAwaySchema,
+  blockedScriptSchema,
   type Registration,
   type ScriptView,
 } from "@corridor/protocol";
@@ -29,12 +29,12 @@ function helpers(relay: TestRelay, robot: Registration) {
   };
   const sendAway = async ({ driver, name, client }: ScriptView) => {
     const body = { driver, name, client };
-    const answer = await relay.ask(robot, "/away", { ...owner, method: "POST", body });
+    const answer = await relay.ask(robot, "/blocked", { ...owner, method: "POST", body });
     expect(answer.status).toBe(201);
-    return sentAwaySchema.parse(await answer.json()).id;
+    return blockedScriptSchema.parse(await answer.json()).id;
   };
   const letBack = async (id: string) =>
-    (await relay.ask(robot, `/away/${id}`, { ...owner, method: "DELETE" })).status;
+    (await relay.ask(robot, `/blocked/${id}`, { ...owner, method: "DELETE" })).status;
   /** Sends a request as a script with a name. */
   const as = (name: string, path: string, body?: unknown) =>
     relay.ask(robot, path, {
@@ -58,9 +58,9 @@ describe("the scripts of a robot", () => {
     await socketOf("Clara");
     const list = await scripts();
     expect(list).toMatchObject([
-      { name: "Anna", client: "Python", lines: 0, last: { seq: 1, action: "left 90" } },
-      { name: "Ben ✓", client: "Python", lines: 0, last: null },
-      { name: "Clara", client: "JavaScript", lines: 1, last: null },
+      { name: "Anna", client: "Python", connections: 0, last: { seq: 1, action: "left 90" } },
+      { name: "Ben ✓", client: "Python", connections: 0, last: null },
+      { name: "Clara", client: "JavaScript", connections: 1, last: null },
     ]);
     expect(new Set(list.map(({ id }) => id)).size).toBe(3);
     expect(new Set(list.map(({ driver }) => driver)).size).toBe(1);
@@ -99,11 +99,11 @@ describe("a blocked script", () => {
     const { relay, robot, named, sendAway, letBack, as, socketOf } = await withRobot();
     const socket = await socketOf("Anna");
     const waiting = as("Anna", "/events?since=00000000-0&wait=25");
-    const opened = await relay.ask(robot, "/line", {
+    const opened = await relay.ask(robot, "/long-poll", {
       method: "POST",
       body: { type: "hello", version: 1, role: "drive", key: robot.driverKey, name: "Anna" },
     });
-    const { line } = (await opened.json()) as { line: string };
+    const { key } = (await opened.json()) as { key: string };
     await waiting;
     const poll = as("Anna", "/sensors?wait=25");
     await as("Anna", "/commands?after=0");
@@ -112,18 +112,18 @@ describe("a blocked script", () => {
     const { code, reason } = await socket.closed;
     expect([code, reason]).toEqual([4403, expect.stringContaining("blocked this script")]);
     expect((await poll).status).toBe(403);
-    const fetched = await relay.ask(robot, "/line/messages?after=1", { key: line });
+    const fetched = await relay.ask(robot, "/long-poll/messages?after=1", { key });
     expect(await fetched.json()).toMatchObject({ closed: { code: 4403 } });
     const refused = await as("Anna", "/commands", LEFT);
     expect(refused.status).toBe(403);
     expect(await refused.json()).toMatchObject({
-      type: "/problems/sent-away",
+      type: "/problems/blocked",
       detail: expect.stringContaining("press Unblock"),
     });
     const again = await TestSocket.open(relay, robot.id);
     again.send({ type: "hello", version: 1, role: "drive", key: robot.driverKey, name: "Anna" });
     expect((await again.closed).code).toBe(4403);
-    expect(await named("Anna")).toMatchObject({ isAway: true, lines: 0 });
+    expect(await named("Anna")).toMatchObject({ isBlocked: true, connections: 0 });
 
     expect(await letBack(anna)).toBe(204);
     expect((await as("Anna", "/commands", LEFT)).status).toBe(202);
@@ -140,7 +140,7 @@ describe("a blocked script", () => {
     page.send({ type: "started", epoch, seq: 1 });
     await sendAway(await named("Anna"));
     // The robot ends the commands that it has received.
-    expect(await page.next("cancel")).toMatchObject({ seq: 1, why: "sent-away" });
+    expect(await page.next("cancel")).toMatchObject({ seq: 1, cause: "blocked" });
     await expect
       .poll(async () => (await (await as("Ben", "/commands?after=9")).json()) as unknown)
       .toMatchObject({
@@ -173,11 +173,11 @@ describe("a blocked script", () => {
     await as("one more", "/commands?after=0");
     const { driver, client } = await named("one more");
     const post = (body: unknown) =>
-      relay.ask(robot, "/away", { method: "POST", key: robot.ownerKey, body });
+      relay.ask(robot, "/blocked", { method: "POST", key: robot.ownerKey, body });
     const full = await post({ driver, client, name: "one more" });
     expect([full.status, await full.json()]).toMatchObject([
       409,
-      { type: "/problems/too-many-away" },
+      { type: "/problems/too-many-blocked" },
     ]);
     const unknown = await post({ driver: "______", client, name: "Anna" });
     expect([unknown.status, await unknown.json()]).toMatchObject([
@@ -225,7 +225,7 @@ describe("paused remote driving", () => {
     for (let n = 0; n < 9; n++) await as("Anna", "/commands", LEFT);
     await pause(world);
     for (let seq = 1; seq <= 8; seq++) {
-      expect(await page.next("cancel")).toEqual({ type: "cancel", seq, why: "paused" });
+      expect(await page.next("cancel")).toEqual({ type: "cancel", seq, cause: "paused" });
     }
     expect(await (await relay.ask(robot, "/commands/9?wait=5")).json()).toMatchObject({
       state: "cancelled",

@@ -4,7 +4,7 @@ import {
   scriptIdSchema,
   scriptRefSchema,
   type ScriptList,
-  type SentAway,
+  type BlockedScript,
 } from "@corridor/protocol";
 import { Router } from "express";
 import { z } from "zod";
@@ -43,7 +43,7 @@ export function scriptRoutes(hub: SessionHub): Router {
     .all(methodNotAllowed("PUT, DELETE"));
 
   router
-    .route("/robots/:id/away")
+    .route("/robots/:id/blocked")
     .post(
       // Rejects unauthorised requests before it reads the body.
       async (request, _response, next) => {
@@ -60,17 +60,17 @@ export function scriptRoutes(hub: SessionHub): Router {
           "The script is wrong.",
         );
         const script = await session.gate.sendAway(reference);
-        const blocked: SentAway = { ...script, driver: keyId(script.driver) };
+        const blocked: BlockedScript = { ...script, driver: keyId(script.driver) };
         response
           .status(201)
-          .location(`/api/v1/robots/${session.id}/away/${script.id}`)
+          .location(`/api/v1/robots/${session.id}/blocked/${script.id}`)
           .json(blocked);
       },
     )
     .all(methodNotAllowed("POST"));
 
   router
-    .route("/robots/:id/away/:scriptId")
+    .route("/robots/:id/blocked/:scriptId")
     .delete(async (request, response) => {
       const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
       const { scriptId } = read(

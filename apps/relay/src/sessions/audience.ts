@@ -26,9 +26,9 @@ interface Listener {
 
 /**
  * Why somebody is sent away. revoked: the key was, by which they read; busy: nobody knows whether it was;
- * sentAway: the owner wants them to go
+ * blocked: the owner wants them to go
  */
-export type AwayReason = "over" | "restart" | "revoked" | "busy" | "sentAway";
+export type AwayReason = "over" | "restart" | "revoked" | "busy" | "blocked";
 
 /** The ways in which a robot is followed. */
 export type ReaderDoor = "websocket" | "line" | "events" | "long-poll";
@@ -96,7 +96,7 @@ export class Audience {
     const over = (reason: AwayReason): void => {
       if (reason === "revoked") return reject(keyRevoked());
       if (reason === "busy") return reject(new StoreAway("which keys count is not known"));
-      if (reason === "sentAway") return reject(scriptIsAway());
+      if (reason === "blocked") return reject(scriptIsAway());
       return resolve();
     };
     const deaf = { snapshot: () => undefined, state: () => undefined, maze: () => undefined };

@@ -98,9 +98,9 @@ export class CommandLife {
       store,
       work: this.#work,
       ended: (commands) => this.#endedHere(commands),
-      ask: (seq, why) => {
-        seat.page?.link.send({ type: "cancel", seq, why });
-        line.cancel(seq, why);
+      ask: (seq, cause) => {
+        seat.page?.link.send({ type: "cancel", seq, cause });
+        line.cancel(seq, cause);
       },
     });
     this.#deadlines = new DeadlineTimer(clock, () => void this.#expire().catch(() => undefined));

@@ -29,7 +29,7 @@ export interface CommandRecallParts {
   /** commands have ended at the relay */
   ended(commands: readonly TermedRecord[]): void;
   /** asks the page, wherever it is, to end a command */
-  ask(seq: number, why: RecallCause): void;
+  ask(seq: number, cause: RecallCause): void;
 }
 
 /** As the record of a command says it. */
@@ -37,7 +37,7 @@ const reasons = {
   sender:
     "Its script cancelled it before it started. Send it again if the robot should still do it.",
   revoked: REVOKED_REASON,
-  "sent-away": BLOCKED_REASON,
+  blocked: BLOCKED_REASON,
   paused: PAUSED_REASON,
 } as const satisfies Record<RecallCause, string>;
 
@@ -89,7 +89,7 @@ export class CommandRecall {
   async changeAway(change: Omit<ScriptChange, "reason">): Promise<AwayResult> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
-      const result = await store.changeAway(robot, { ...change, reason: reasons["sent-away"] });
+      const result = await store.changeAway(robot, { ...change, reason: reasons["blocked"] });
       if (result.outcome === "changed") this.#parts.ended(result.ended);
       return result;
     });

@@ -15,7 +15,7 @@ export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusa
       return noRobot();
     case "revoked":
       return keyRevoked();
-    case "sent-away":
+    case "blocked":
       return scriptIsAway();
     case "paused":
       return new Refusal("driving-paused", PAUSED_REASON);

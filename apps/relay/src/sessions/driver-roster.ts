@@ -126,7 +126,7 @@ export class DriverRoster {
       .map(([driver, { heardAt, waiting, lineAt }]) => ({
         driver: keyId(driver),
         silentMs: waiting > 0 ? 0 : Math.max(0, now - heardAt),
-        lineMs: lineAt === null ? null : Math.max(0, now - lineAt),
+        connectionMs: lineAt === null ? null : Math.max(0, now - lineAt),
       }))
       .toSorted((a, b) => a.silentMs - b.silentMs)
       .slice(0, MOST_TOLD);

@@ -1,4 +1,4 @@
-import { KEPT_EVENTS_MS, MAX_KEPT_EVENTS, type CommandRecord } from "@corridor/protocol";
+import { EVENT_RETENTION_MS, MAX_STORED_EVENTS, type CommandRecord } from "@corridor/protocol";
 import fc from "fast-check";
 import { expect, it } from "vitest";
 import type { Clock } from "../clock.ts";
@@ -20,7 +20,7 @@ const record = (seq: number): CommandRecord => ({
 
 const step = fc.oneof(
   { weight: 4, arbitrary: fc.record({ add: fc.integer({ min: 1, max: 400 }) }) },
-  fc.record({ passMs: fc.integer({ min: 1, max: KEPT_EVENTS_MS }) }),
+  fc.record({ passMs: fc.integer({ min: 1, max: EVENT_RETENTION_MS }) }),
   fc.constant("forget" as const),
   fc.constant("lose" as const),
 );
@@ -36,7 +36,7 @@ it("has every event that is neither too old nor one too many, by its number, and
       for (const each of steps) {
         if (each === "forget") {
           log.forgetOld();
-          kept = kept.filter(({ at }) => at >= now - KEPT_EVENTS_MS);
+          kept = kept.filter(({ at }) => at >= now - EVENT_RETENTION_MS);
         } else if (each === "lose") {
           log.lose();
           n += 1;
@@ -46,7 +46,7 @@ it("has every event that is neither too old nor one too many, by its number, and
           for (let times = 0; times < each.add; times++) {
             n += 1;
             log.add(record(n));
-            kept = [...kept, { n, at: now }].slice(-MAX_KEPT_EVENTS);
+            kept = [...kept, { n, at: now }].slice(-MAX_STORED_EVENTS);
           }
         }
         const oldest = kept[0]?.n ?? n + 1;
@@ -68,7 +68,7 @@ it("tells no event under another's number, whatever happens while it is read", (
   const clock: Clock = { now: () => 0, after: () => () => undefined };
   for (const happens of ["add", "lose"] as const) {
     const log = new EventLog(clock);
-    for (let n = 1; n <= MAX_KEPT_EVENTS; n++) log.add(record(n));
+    for (let n = 1; n <= MAX_STORED_EVENTS; n++) log.add(record(n));
     const told: number[] = [];
     for (const event of log.after(0) ?? []) {
       expect(event.record).toEqual(record(event.n));
@@ -76,7 +76,7 @@ it("tells no event under another's number, whatever happens while it is read", (
       if (event.n === 500 && happens === "lose") log.lose();
       else if (event.n > 500) log.add(record(log.n + 1));
     }
-    const last = happens === "lose" ? 500 : MAX_KEPT_EVENTS;
+    const last = happens === "lose" ? 500 : MAX_STORED_EVENTS;
     expect(told).toEqual(Array.from({ length: last }, (_, at) => at + 1));
   }
 });

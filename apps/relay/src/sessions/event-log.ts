@@ -4,8 +4,8 @@
  * gap and never takes silence for "nothing happened".
  */
 import {
-  KEPT_EVENTS_MS,
-  MAX_KEPT_EVENTS,
+  EVENT_RETENTION_MS,
+  MAX_STORED_EVENTS,
   sinceOf,
   type CommandRecord,
   type StateEvent,
@@ -43,7 +43,7 @@ export class EventLog {
     this.#n += 1;
     this.#kept.push(packed(record));
     this.#times.push(this.#clock.now());
-    if (this.#kept.length > MAX_KEPT_EVENTS) {
+    if (this.#kept.length > MAX_STORED_EVENTS) {
       this.#kept.shift(1);
       this.#times.shift();
     }
@@ -58,7 +58,7 @@ export class EventLog {
 
   /** Lets go of what is too old. */
   forgetOld(): void {
-    const oldest = this.#clock.now() - KEPT_EVENTS_MS;
+    const oldest = this.#clock.now() - EVENT_RETENTION_MS;
     if ((this.#times[0] ?? oldest) >= oldest) return;
     const first = this.#times.findIndex((at) => at >= oldest);
     this.#forget(first < 0 ? this.#kept.length : first);

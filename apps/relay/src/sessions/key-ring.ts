@@ -1,5 +1,5 @@
 /** The keys of one robot: whose a key is, new ones, and the end of old ones for everybody who uses them. */
-import { MAX_KEYS, type KeyList, type KeyWish, type MadeKey } from "@corridor/protocol";
+import { MAX_KEYS, type KeyList, type KeyRequest, type CreatedKey } from "@corridor/protocol";
 import { hashKey, keyId, matchKey, mintKey } from "../keys.ts";
 import { noRobot, notAuthorised, Refusal } from "../problems.ts";
 import type { Clock } from "../clock.ts";
@@ -80,12 +80,12 @@ export class KeyRing {
     const stored = await this.#parts.store.keyTimes(this.#parts.robot);
     const times = new Map(stored.map((each) => [each.hash, each]));
     return this.#keys.map(({ hash, kind }) => {
-      const { madeAt, lastUsedAt } = times.get(hash) ?? { madeAt: 0, lastUsedAt: null };
+      const { createdAt, lastUsedAt } = times.get(hash) ?? { createdAt: 0, lastUsedAt: null };
       const usedAt = Math.max(lastUsedAt ?? 0, this.#uses.get(hash)?.at ?? 0);
       return {
         id: keyId(hash),
         kind,
-        madeAt: new Date(madeAt).toISOString(),
+        createdAt: new Date(createdAt).toISOString(),
         lastUsedAt: usedAt === 0 ? null : new Date(usedAt).toISOString(),
       };
     });
@@ -111,7 +111,7 @@ export class KeyRing {
    * @returns the key itself, which nobody can ask for again
    * @throws Refusal when there are too many, or none such to replace
    */
-  async make({ kind, replace = false }: KeyWish): Promise<Omit<MadeKey, "address">> {
+  async make({ kind, replace = false }: KeyRequest): Promise<Omit<CreatedKey, "address">> {
     const remove = typeof replace === "string" ? [await this.#hashToReplace(replace, kind)] : [];
     const key = this.#mint(kind);
     const hash = hashKey(key);
@@ -213,7 +213,7 @@ export class KeyRing {
     return stored?.keys.find(({ hash }) => keyId(hash) === id) ?? null;
   }
 
-  async #hashToReplace(id: string, kind: KeyWish["kind"]): Promise<string> {
+  async #hashToReplace(id: string, kind: KeyRequest["kind"]): Promise<string> {
     const key = await this.#storedKey(id);
     if (key?.kind === kind) return key.hash;
     const detail = `There is no such key of the kind ${kind} to replace. GET .../keys lists all.`;
@@ -235,7 +235,7 @@ export class KeyRing {
   }
 
   /** A key whose id no other key of this robot has. */
-  #mint(kind: KeyWish["kind"]): string {
+  #mint(kind: KeyRequest["kind"]): string {
     for (;;) {
       const key = mintKey(kind);
       const id = keyId(hashKey(key));

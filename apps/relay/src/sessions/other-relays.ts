@@ -93,7 +93,7 @@ export class OtherRelays {
         if (news.asks) this.#answer(view.newest);
         return this.#parts.tellScripts();
       case "cancel":
-        return page?.link.send({ type: "cancel", seq: news.seq, why: news.why });
+        return page?.link.send({ type: "cancel", seq: news.seq, cause: news.cause });
       case "keys":
         return keys.refresh();
       case "maze":

@@ -1,4 +1,4 @@
-import { KEPT_EVENTS_MS, MAX_KEPT_EVENTS, type CommandRecord } from "@corridor/protocol";
+import { EVENT_RETENTION_MS, MAX_STORED_EVENTS, type CommandRecord } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { CoalescedTimers } from "../coalesced-timers.ts";
@@ -108,8 +108,8 @@ describe("a reader that comes back", () => {
   });
 
   it.each([
-    { name: "of more states than are kept", after: MAX_KEPT_EVENTS + 1, ms: 0 },
-    { name: "of states that are too old", after: 1, ms: KEPT_EVENTS_MS + 1 },
+    { name: "of more states than are kept", after: MAX_STORED_EVENTS + 1, ms: 0 },
+    { name: "of states that are too old", after: 1, ms: EVENT_RETENTION_MS + 1 },
   ])("gets one gap in place $name", async ({ after, ms }) => {
     const { clock, events, join, happen, report } = robotWithReaders();
     happen(3);

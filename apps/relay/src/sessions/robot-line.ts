@@ -58,8 +58,8 @@ export class RobotLine implements Waiter {
   }
 
   /** Asks the page, wherever it is, to end a command. */
-  cancel(seq: number, why: RecallCause): void {
-    this.#line?.tell({ kind: "cancel", seq, why });
+  cancel(seq: number, cause: RecallCause): void {
+    this.#line?.tell({ kind: "cancel", seq, cause });
   }
 
   /** The owner has changed which keys count, or which scripts are away. */
@@ -165,7 +165,7 @@ function older({ silentMs, alive, scripts, ...rest }: Scripts, ms: number): Scri
     alive: alive.map((each) => ({
       ...each,
       silentMs: each.silentMs + ms,
-      lineMs: each.lineMs === null ? null : each.lineMs + ms,
+      connectionMs: each.connectionMs === null ? null : each.connectionMs + ms,
     })),
   };
 }
@@ -174,10 +174,10 @@ function together(a: Scripts, b: Scripts): Scripts {
   const newest = (a.silentMs ?? Infinity) <= (b.silentMs ?? Infinity) ? a : b;
   const alive = new Map<string, AliveDriver>();
   for (const each of [...a.alive, ...b.alive].toSorted((c, d) => d.silentMs - c.silentMs)) {
-    const lines = [each.lineMs, alive.get(each.driver)?.lineMs].filter(
+    const lines = [each.connectionMs, alive.get(each.driver)?.connectionMs].filter(
       (ms) => typeof ms === "number",
     );
-    alive.set(each.driver, { ...each, lineMs: lines.length > 0 ? Math.min(...lines) : null });
+    alive.set(each.driver, { ...each, connectionMs: lines.length > 0 ? Math.min(...lines) : null });
   }
   const { client, silentMs } = newest;
   const connected = a.connected + b.connected;

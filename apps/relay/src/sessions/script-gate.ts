@@ -2,7 +2,7 @@
  * Which scripts the owner of a robot has sent away, and whether any may drive. Sending away is no lock: whoever has the key can come back under
  * another name. It says to one of several scripts that it is not its turn; a new key ends them all.
  */
-import { MAX_SENT_AWAY, type ScriptRef } from "@corridor/protocol";
+import { MAX_BLOCKED_SCRIPTS, type ScriptRef } from "@corridor/protocol";
 import { keyId } from "../keys.ts";
 import { noRobot, Refusal } from "../problems.ts";
 import type {
@@ -27,7 +27,7 @@ export interface ScriptGateParts {
   /** is told when this relay has changed something */
   changed: () => void;
   /** is told of a script that was sent away */
-  sentAway: (script: StoredScript) => void;
+  blocked: (script: StoredScript) => void;
   /** is told when remote driving was paused */
   paused: () => void;
 }
@@ -102,7 +102,7 @@ export class ScriptGate {
     this.#isPaused = isPaused ?? wasPaused;
     if (this.#isPaused && !wasPaused) this.#parts.paused();
     for (const script of away) {
-      if (!before.some(({ id }) => id === script.id)) this.#parts.sentAway(script);
+      if (!before.some(({ id }) => id === script.id)) this.#parts.blocked(script);
     }
   }
 
@@ -112,12 +112,12 @@ export class ScriptGate {
   }
 
   async #change(change: Pick<ScriptChange, "add" | "remove">): Promise<void> {
-    const result = await this.#parts.change({ ...change, most: MAX_SENT_AWAY });
+    const result = await this.#parts.change({ ...change, most: MAX_BLOCKED_SCRIPTS });
     if (result.outcome === "no-session") throw noRobot();
     if (result.outcome === "full") {
       throw new Refusal(
-        "too-many-away",
-        `${MAX_SENT_AWAY} scripts are blocked already. Unblock one, or make a new key, which ends all of the old one.`,
+        "too-many-blocked",
+        `${MAX_BLOCKED_SCRIPTS} scripts are blocked already. Unblock one, or make a new key, which ends all of the old one.`,
       );
     }
     this.learn(result);
@@ -128,7 +128,7 @@ export class ScriptGate {
 /** The answer to a script that was sent away. */
 export function scriptIsAway(): Refusal {
   return new Refusal(
-    "sent-away",
+    "blocked",
     "The robot's owner has blocked this script. Ask them to press Unblock under Remote, then start it again.",
   );
 }

@@ -12,7 +12,7 @@ const SHOWN_MS = 120_000;
 
 interface Trace {
   script: StoredScript;
-  lines: number;
+  connections: number;
   heardAt: number;
   /** requests that wait for their answer */
   waiting: number;
@@ -48,9 +48,9 @@ export class ScriptList {
   /** A line of a script was opened. @returns to be called when it is closed */
   connected(script: StoredScript): () => void {
     const trace = this.#traceOf(script);
-    trace.lines += 1;
+    trace.connections += 1;
     return () => {
-      trace.lines -= 1;
+      trace.connections -= 1;
     };
   }
 
@@ -62,33 +62,33 @@ export class ScriptList {
   /** @param away those that the owner has sent away; told first, however long ago that was */
   told(away: readonly StoredScript[]): ScriptView[] {
     const now = this.#clock.now();
-    const isAway = (id: string): boolean => away.some((script) => script.id === id);
+    const isBlocked = (id: string): boolean => away.some((script) => script.id === id);
     const here = [...this.#traces.values()]
-      .filter(({ script, lines, waiting, heardAt }) => {
-        const isHere = lines > 0 || waiting > 0 || now - heardAt < SHOWN_MS;
-        return isHere && !isAway(script.id);
+      .filter(({ script, connections, waiting, heardAt }) => {
+        const isHere = connections > 0 || waiting > 0 || now - heardAt < SHOWN_MS;
+        return isHere && !isBlocked(script.id);
       })
       .slice(-MAX_SCRIPTS)
       .map((trace) => ({
         ...view(trace.script),
-        lines: trace.lines,
+        connections: trace.connections,
         silentMs: trace.waiting > 0 ? 0 : Math.max(0, now - trace.heardAt),
         last: trace.last,
-        isAway: false,
+        isBlocked: false,
       }));
     const gone = away.map((script) => ({
       ...view(script),
-      lines: 0,
+      connections: 0,
       silentMs: null,
       last: this.#traces.get(script.id)?.last ?? null,
-      isAway: true,
+      isBlocked: true,
     }));
     return [...gone, ...here];
   }
 
   #traceOf(script: StoredScript, now = this.#clock.now()): Trace {
     const known = this.#traces.get(script.id);
-    const trace = known ?? { script, lines: 0, heardAt: 0, waiting: 0, last: null };
+    const trace = known ?? { script, connections: 0, heardAt: 0, waiting: 0, last: null };
     trace.heardAt = now;
     if (trace === this.#newest) return trace;
     this.#newest = trace;
@@ -101,8 +101,8 @@ export class ScriptList {
   /** Scripts that give ever new names must not fill the memory. */
   #forgetOldest(): void {
     if (this.#traces.size <= 2 * MAX_SCRIPTS) return;
-    for (const [id, { lines, waiting }] of this.#traces) {
-      if (lines > 0 || waiting > 0) continue;
+    for (const [id, { connections, waiting }] of this.#traces) {
+      if (connections > 0 || waiting > 0) continue;
       this.#traces.delete(id);
       return;
     }
@@ -113,7 +113,7 @@ function view({ id, driver, name, client }: StoredScript) {
   return { id, driver: keyId(driver), name, client };
 }
 
-/** The scripts of several relays as one list: the same one may have lines at each. */
+/** The scripts of several relays as one list: the same one may have connections at each. */
 export function mergedScripts(lists: readonly ScriptView[][]): ScriptView[] {
   const byId = new Map<string, ScriptView>();
   for (const script of lists.flat()) {
@@ -121,15 +121,21 @@ export function mergedScripts(lists: readonly ScriptView[][]): ScriptView[] {
     byId.set(script.id, other === undefined ? script : merged(other, script));
   }
   const all = [...byId.values()];
-  const here = all.filter(({ isAway }) => !isAway).toSorted(byHeard);
-  return [...all.filter(({ isAway }) => isAway), ...here.slice(0, MAX_SCRIPTS)];
+  const here = all.filter(({ isBlocked }) => !isBlocked).toSorted(byHeard);
+  return [...all.filter(({ isBlocked }) => isBlocked), ...here.slice(0, MAX_SCRIPTS)];
 }
 
 function merged(a: ScriptView, b: ScriptView): ScriptView {
   const last = (a.last?.seq ?? 0) >= (b.last?.seq ?? 0) ? a.last : b.last;
   const times = [a.silentMs, b.silentMs].filter((ms) => ms !== null);
   const silentMs = times.length > 0 ? Math.min(...times) : null;
-  return { ...a, lines: a.lines + b.lines, silentMs, last, isAway: a.isAway || b.isAway };
+  return {
+    ...a,
+    connections: a.connections + b.connections,
+    silentMs,
+    last,
+    isBlocked: a.isBlocked || b.isBlocked,
+  };
 }
 
 function byHeard(a: ScriptView, b: ScriptView): number {

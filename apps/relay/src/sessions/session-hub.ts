@@ -120,7 +120,7 @@ export class SessionHub {
   /**
    * Finds the session and checks that the key allows what is asked of it.
    * @param introduction what a script says of itself
-   * @throws Refusal no-robot, not-authorised, forbidden, sent-away or restarting
+   * @throws Refusal no-robot, not-authorised, forbidden, blocked or restarting
    */
   async authorise(
     id: string,

@@ -11,11 +11,11 @@ describe("a robot session: the life of its scripts", () => {
     const host = await page(robot);
     await robot.clock.pass(2_000);
     robot.session.heard(robot.key)();
-    expect(alive(host)).toEqual([{ driver: name(robot), silentMs: 0, lineMs: null }]);
+    expect(alive(host)).toEqual([{ driver: name(robot), silentMs: 0, connectionMs: null }]);
     await robot.clock.pass(300);
     robot.session.heard(robot.key)();
     await robot.clock.pass(700);
-    expect(alive(host)).toEqual([{ driver: name(robot), silentMs: 700, lineMs: null }]);
+    expect(alive(host)).toEqual([{ driver: name(robot), silentMs: 700, connectionMs: null }]);
   });
 
   it("takes a request that waits for a sign of life, each second, and none that was answered", async () => {
@@ -39,10 +39,10 @@ describe("a robot session: the life of its scripts", () => {
     const host = await page(robot);
     await robot.clock.pass(2_000);
     for (let n = 0; n < 3; n++) robot.session.spoke(robot.key);
-    expect(alive(host)).toEqual([{ driver: name(robot), silentMs: 0, lineMs: null }]);
+    expect(alive(host)).toEqual([{ driver: name(robot), silentMs: 0, connectionMs: null }]);
     await robot.clock.pass(1_000);
-    expect(alive(host)).toEqual([{ driver: name(robot), silentMs: 1_000, lineMs: null }]);
-    expect(robot.session.scripts).toMatchObject([{ silentMs: 1_000, lines: 0 }]);
+    expect(alive(host)).toEqual([{ driver: name(robot), silentMs: 1_000, connectionMs: null }]);
+    expect(robot.session.scripts).toMatchObject([{ silentMs: 1_000, connections: 0 }]);
     const told = host.told.length;
     await robot.clock.pass(5_000);
     expect(host.told).toHaveLength(told);
@@ -73,6 +73,6 @@ describe("a robot session: the life of its scripts", () => {
       { snapshot: () => undefined, state: () => undefined, ...deafReader },
       null,
     );
-    expect(alive(host)).toMatchObject([{ driver: name(robot), lineMs: 0 }]);
+    expect(alive(host)).toMatchObject([{ driver: name(robot), connectionMs: 0 }]);
   });
 });

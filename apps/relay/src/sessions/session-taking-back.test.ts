@@ -23,7 +23,7 @@ describe("a robot session: replacing and cancelling", () => {
     for (let n = 0; n < 9; n++) await robot.submit(LEFT);
     expect(await robot.session.cancel(robot.key, 9)).toMatchObject({ state: "cancelled" });
     expect(await robot.session.cancel(robot.key, 8)).toMatchObject({ state: "delivered" });
-    expect(host.told.at(-1)).toEqual({ type: "cancel", seq: 8, why: "sender" });
+    expect(host.told.at(-1)).toEqual({ type: "cancel", seq: 8, cause: "sender" });
     await host.ended({ ...completed(8), state: "cancelled" });
     expect(await robot.session.cancel(robot.key, 8)).toMatchObject({ state: "cancelled" });
     await expect(robot.session.cancel(robot.key, 10)).rejects.toMatchObject({ kind: "no-command" });
@@ -43,7 +43,7 @@ describe("a robot session: taking back while the page is away", () => {
       expect(await robot.session.cancel(robot.key, seq)).toHaveProperty("seq");
     const after = await page(robot, { lastApplied: 1 });
     expect(after.seqs("command")).toEqual([3]);
-    expect(after.told).toContainEqual({ type: "cancel", seq: 1, why: "sender" });
+    expect(after.told).toContainEqual({ type: "cancel", seq: 1, cause: "sender" });
     expect(await robot.states()).toEqual(["1 started", "2 cancelled", "3 delivered"]);
     await after.ended({ ...completed(1), state: "cancelled" });
     expect(await robot.states()).toEqual(["1 cancelled", "2 cancelled", "3 delivered"]);

@@ -116,7 +116,7 @@ export class Session {
         line.rightsChanged();
         this.roster.awayChanged();
       },
-      sentAway: (script) => this.#sentAway(script),
+      blocked: (script) => this.#blocked(script),
       paused: () => this.#askToEnd(),
     });
     this.mazes = new MazeBoard({
@@ -400,8 +400,8 @@ export class Session {
   }
 
   /** The script loses its lines, and what it asked for ends. */
-  #sentAway({ id }: StoredScript): void {
-    this.#audience.dismiss(({ script }) => script?.id === id, "sentAway");
+  #blocked({ id }: StoredScript): void {
+    this.#audience.dismiss(({ script }) => script?.id === id, "blocked");
     this.#askToEnd();
   }
 

@@ -160,7 +160,7 @@ describe("page and script at different relays", () => {
       record: { seq: 9, state: "cancelled" },
     });
     await atScripts.cancel(key, 1);
-    expect(host.told.at(-1)).toEqual({ type: "cancel", seq: 1, why: "sender" });
+    expect(host.told.at(-1)).toEqual({ type: "cancel", seq: 1, cause: "sender" });
     await submit({ action: "stop" });
     expect(seqs(host)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 10]);
   });
@@ -238,7 +238,11 @@ describe("page and script at different relays", () => {
     atScripts.heard(key)();
     await clock.pass(limits.driversIntervalMs);
     const drivers = host.told.findLast(({ type }) => type === "drivers");
-    expect(drivers).toMatchObject({ connected: 1, client: "Python", alive: [{ lineMs: 1_000 }] });
+    expect(drivers).toMatchObject({
+      connected: 1,
+      client: "Python",
+      alive: [{ connectionMs: 1_000 }],
+    });
   });
 
   it("sends the page away when another takes the robot at the other relay, and believes it no more", async () => {
@@ -370,7 +374,7 @@ describe("page and script at different relays", () => {
     await submit(LEFT);
     await atScripts.gate.pause(true);
     await settled();
-    expect(host.told).toContainEqual({ type: "cancel", seq: 1, why: "paused" });
+    expect(host.told).toContainEqual({ type: "cancel", seq: 1, cause: "paused" });
     expect(host.session.gate.isPaused).toBe(true);
     await expect(submit(LEFT)).rejects.toMatchObject({ kind: "driving-paused" });
     await host.session.gate.pause(false);

@@ -19,7 +19,7 @@ import {
 /** Whether who sends a command may. @returns null: yes */
 export function refusal({ standing }: LiveRobot, { driver, script }: NewCommand): AddResult | null {
   if (!standing.keys.has(driver)) return { outcome: "revoked" };
-  return script !== null && standing.away.has(script) ? { outcome: "sent-away" } : null;
+  return script !== null && standing.away.has(script) ? { outcome: "blocked" } : null;
 }
 
 /** Stores a command whose key is not known. @param known what it is */

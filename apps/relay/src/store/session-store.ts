@@ -20,7 +20,7 @@ export interface StoredKey {
 /** When a key was made, and when it was in use last as far as that was noted; null: never. */
 export interface KeyTimes {
   hash: string;
-  madeAt: number;
+  createdAt: number;
   lastUsedAt: number | null;
 }
 
@@ -125,7 +125,7 @@ export type AddResult =
   /** the key that sent it is none of this robot's any more */
   | { outcome: "revoked" }
   /** the script that sent it is away */
-  | { outcome: "sent-away" }
+  | { outcome: "blocked" }
   /** the owner lets no script drive at the moment */
   | { outcome: "paused" }
   | { outcome: "no-session" };

@@ -17,14 +17,14 @@ export function awayIn(statements: Statements, robot: string): StoredScript[] {
 
 /**
  * Sends a script away, or lets one back.
- * @param sentAway takes back what the script has sent
+ * @param blocked takes back what the script has sent
  * @returns all that are away then
  */
 export function changeAway(
   writing: Statements,
   robot: string,
   { add, remove, most }: ScriptChange,
-  sentAway: (script: string) => TermedRecord[],
+  blocked: (script: string) => TermedRecord[],
 ): AwayResult {
   if (remove !== null) {
     writing.run("DELETE FROM away WHERE robot = ? AND id = ?", [robot, remove]);
@@ -41,6 +41,6 @@ export function changeAway(
       client,
     ]);
   }
-  const ended = add === null ? [] : sentAway(add.id);
+  const ended = add === null ? [] : blocked(add.id);
   return { outcome: "changed", away: awayIn(writing, robot), ended };
 }

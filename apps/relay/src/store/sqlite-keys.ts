@@ -36,8 +36,8 @@ export function addKeys(
 export function keyTimesIn(statements: Statements, robot: string): KeyTimes[] {
   const sql = "SELECT hash, made_at, last_used_at FROM keys WHERE robot = ?";
   return statements.all(sql, [robot]).map((row) => {
-    const { made_at: madeAt, last_used_at: lastUsedAt, hash } = timesRow.parse(row);
-    return { hash, madeAt, lastUsedAt };
+    const { made_at: createdAt, last_used_at: lastUsedAt, hash } = timesRow.parse(row);
+    return { hash, createdAt, lastUsedAt };
   });
 }
 

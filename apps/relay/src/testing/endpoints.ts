@@ -112,12 +112,12 @@ export async function openedConnection(
   robot: Registration,
 ): Promise<BareRequest> {
   const hello = { type: "hello", version: 1, role: "drive", key: robot.driverKey };
-  const opened = await relay.ask(robot, "/line", { method: "POST", body: hello });
-  const { line } = (await opened.json()) as { line: string };
+  const opened = await relay.ask(robot, "/long-poll", { method: "POST", body: hello });
+  const { key } = (await opened.json()) as { key: string };
   return {
     method: "POST",
-    path: `/robots/${robot.id}/line/messages`,
-    headers: { Authorization: `Bearer ${line}` },
+    path: `/robots/${robot.id}/long-poll/messages`,
+    headers: { Authorization: `Bearer ${key}` },
   };
 }
 

@@ -1,8 +1,8 @@
 /** The two parties of a pairing: a robot's owner, and scripts that have only a code. */
 import {
   pairingAnswerSchema,
-  pairingAskedSchema,
-  pairingMadeSchema,
+  requestedPairingSchema,
+  createdPairingSchema,
   pairingSchema,
   problemSchema,
   type Pairing,
@@ -34,7 +34,7 @@ export function ownerOf(relay: Requests, robot: Registration) {
     relay.ask(robot, `/pairing${query}`, { method, key: robot.ownerKey, body });
   return {
     code: async (): Promise<string> =>
-      pairingMadeSchema.parse(await (await ask("POST")).json()).code,
+      createdPairingSchema.parse(await (await ask("POST")).json()).code,
     show: async (wait = 0): Promise<Pairing> =>
       pairingSchema.parse(await (await ask("GET", `?wait=${wait}`)).json()),
     takeBack: async (): Promise<number> => (await ask("DELETE")).status,
@@ -52,7 +52,7 @@ export function scriptAt({ origin }: Requests) {
   return {
     ask: async (body: unknown, headers: Record<string, string> = {}) =>
       outcomeOf(
-        pairingAskedSchema,
+        requestedPairingSchema,
         await fetch(url, {
           method: "POST",
           headers: { "Content-Type": "application/json", ...headers },

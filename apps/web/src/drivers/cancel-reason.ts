@@ -14,7 +14,7 @@ export const cancelReasons = {
   replaced: "A newer command took its place.",
   takenBack: "Its script cancelled it. Send it again if the robot should still do it.",
   keyRevoked: REVOKED_REASON,
-  sentAway: BLOCKED_REASON,
+  blocked: BLOCKED_REASON,
   paused: PAUSED_REASON,
   silent: "Its sender fell silent, so the robot stopped.",
   disconnected: "The robot's page disconnected.",

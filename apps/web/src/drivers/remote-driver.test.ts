@@ -98,7 +98,7 @@ describe("a remote command that its sender takes back", () => {
 });
 
 describe("a motion without an end", () => {
-  const heard = (silentMs = 0) => [{ driver: "Zx81qP", silentMs, lineMs: null }];
+  const heard = (silentMs = 0) => [{ driver: "Zx81qP", silentMs, connectionMs: null }];
 
   it("stops 3 s after its script was heard last", () => {
     const { bench, deliver } = robot();
@@ -130,7 +130,7 @@ describe("a motion without an end", () => {
     bench.loop.setSpeed(0.25);
     deliver({ action: "forward" });
     bench.pass(2_000);
-    bench.loop.remote?.hear([{ driver: "other1", silentMs: 0, lineMs: null }]);
+    bench.loop.remote?.hear([{ driver: "other1", silentMs: 0, connectionMs: null }]);
     bench.pass(1_100);
     expect(bench.story).toEqual(["started 1", "cancelled 1"]);
   });
@@ -215,7 +215,7 @@ describe("wheel powers that come all at once", () => {
     {
       name: "the script's line",
       begin: (bench: Bench) =>
-        bench.loop.remote?.hear([{ driver: "Zx81qP", silentMs: 0, lineMs: 0 }]),
+        bench.loop.remote?.hear([{ driver: "Zx81qP", silentMs: 0, connectionMs: 0 }]),
     },
   ])("count for the last of the first 100 ms of $name", ({ begin }) => {
     const { bench, deliver } = robot();

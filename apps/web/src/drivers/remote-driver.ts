@@ -96,9 +96,9 @@ export class RemoteDriver {
     // A lease that ran out while the page slept is not renewed any more.
     this.tend();
     const now = this.#now();
-    for (const { driver, silentMs, lineMs } of alive) {
+    for (const { driver, silentMs, connectionMs } of alive) {
       this.#running?.lease?.heard(driver, now - silentMs);
-      if (lineMs !== null) this.#bursts.lineOf(lineMs, now);
+      if (connectionMs !== null) this.#bursts.lineOf(connectionMs, now);
     }
   }
 

@@ -38,7 +38,7 @@ const noDrivers: Drivers = { connected: 0, client: null, silentMs: null };
 const recallReasons = {
   sender: "takenBack",
   revoked: "keyRevoked",
-  "sent-away": "sentAway",
+  blocked: "blocked",
   paused: "paused",
 } as const satisfies Record<RecallCause, CancelReason>;
 

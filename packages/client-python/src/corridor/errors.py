@@ -38,7 +38,7 @@ class CommandError(RobotError, ValueError):
 
 
 class NotAuthorisedError(RobotError):
-    """The key is wrong (`not-authorised`), or the robot's owner has blocked this script (`sent-away`)."""
+    """The key is wrong (`not-authorised`), or the robot's owner has blocked this script (`blocked`)."""
 
 
 class PairingError(RobotError):

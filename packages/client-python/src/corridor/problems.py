@@ -64,8 +64,8 @@ def error_of(answer: Answer) -> RobotError:
             "Something else than a robot's host answers at this address",
             "Copy the whole address again; a network with a sign-in page wants that done first.",
         )
-    if kind == "sent-away":
-        return NotAuthorisedError("sent-away", "This script is blocked", reason)
+    if kind == "blocked":
+        return NotAuthorisedError("blocked", "This script is blocked", reason)
     if status in (401, 403):
         return NotAuthorisedError("not-authorised", "The robot does not take this key", reason)
     if status == 407:

@@ -1,5 +1,5 @@
 /** A robot at the real relay, a pairing code for it, and an owner who answers as the test says. */
-import { pairingMadeSchema, pairingSchema, type Registration } from "@corridor/protocol";
+import { createdPairingSchema, pairingSchema, type Registration } from "@corridor/protocol";
 import { onTestFinished } from "vitest";
 import { registerRobot } from "../register-robot.ts";
 import { GridRobot } from "./grid-robot.ts";
@@ -31,7 +31,7 @@ export async function robotWithCode(maze: readonly string[]): Promise<RobotWithC
     });
     return got.status === 204 ? null : got.json();
   };
-  const { code } = pairingMadeSchema.parse(await own("POST"));
+  const { code } = createdPairingSchema.parse(await own("POST"));
   const say = async (accept: boolean): Promise<void> => {
     const { question } = pairingSchema.parse(await own("GET", "?wait=20"));
     await own("PUT", "", { id: question?.id, accept });

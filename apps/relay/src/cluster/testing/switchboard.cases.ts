@@ -97,7 +97,7 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
           { kind: "snapshot", snapshot: { message: snapshot.message } },
         ]),
       );
-      const cancel = { kind: "cancel", seq: 3, why: "revoked" } as const;
+      const cancel = { kind: "cancel", seq: 3, cause: "revoked" } as const;
       a.line.tell(cancel);
       await vi.waitFor(() => expect(b.heard.at(-1)).toMatchObject(cancel));
       const maze = { kind: "maze", version: "k3J9x2aBk3J9x2aBk3J9x2" } as const;
@@ -122,7 +122,7 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
     it("delivers nothing after leaving", async () => {
       const { a, b } = await withLine();
       b.line.leave();
-      a.line.tell({ kind: "cancel", seq: 3, why: "sender" });
+      a.line.tell({ kind: "cancel", seq: 3, cause: "sender" });
       await a.add();
       await a.deliver(await a.take());
       // A bus without other subscribers may skip the publication of new commands.

@@ -52,7 +52,7 @@ const awayText = z
   );
 const keyTimes = z.object({
   hash: z.string(),
-  madeAt: z.number(),
+  createdAt: z.number(),
   lastUsedAt: z.number().nullable(),
 });
 const sessionAnswer = z
@@ -78,7 +78,7 @@ const recalledAnswer = z.array(z.object({ seq: z.int(), reason: z.string() }));
 const addAnswer = z.discriminatedUnion("outcome", [
   z.object({ outcome: z.literal("stored"), row: recordRow, ended: z.array(termedRow) }),
   z.object({ outcome: z.enum(["duplicate", "conflict"]), row: recordRow }),
-  z.object({ outcome: z.enum(["full", "late", "revoked", "sent-away", "paused", "no-session"]) }),
+  z.object({ outcome: z.enum(["full", "late", "revoked", "blocked", "paused", "no-session"]) }),
 ]);
 const expireAnswer = z.object({ ended: z.array(termedRow), next: z.number().nullable() });
 const cancelAnswer = z.discriminatedUnion("outcome", [

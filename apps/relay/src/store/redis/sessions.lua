@@ -226,7 +226,7 @@ function steps.keyTimes()
     local made, used = unpack(redis.call('HMGET', SESSION, 'made:' .. key.hash, 'used:' .. key.hash))
     -- One from before there were times is as old as its robot, for all that is known.
     made = made or redis.call('HGET', SESSION, 'createdAt')
-    texts[i] = cjson.encode({ hash = key.hash, madeAt = tonumber(made), lastUsedAt = used and tonumber(used) or cjson.null })
+    texts[i] = cjson.encode({ hash = key.hash, createdAt = tonumber(made), lastUsedAt = used and tonumber(used) or cjson.null })
   end
   return '[' .. table.concat(texts, ',') .. ']'
 end
@@ -267,7 +267,7 @@ function steps.add()
   local row = given.row
   if not string.find(keys, '"' .. row.driver .. '"', 1, true) then return '{"outcome":"revoked"}' end
   if away and row.script ~= cjson.null and string.find(away, '"' .. row.script .. '"', 1, true) then
-    return '{"outcome":"sent-away"}'
+    return '{"outcome":"blocked"}'
   end
   if row.key ~= cjson.null then
     local known = redis.call('HGET', BY_KEY, keyOf(row))

@@ -60,10 +60,13 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
     it("says when each was made and used last, for those that count, after a restart too", async () => {
       const { store, reopen, holds } = await withRobot();
       await store.changeKeys(ID, keyChange({ add: [watch], now: 7_000 }));
-      const made = { hash: first.hash, madeAt: 1_000, lastUsedAt: null };
+      const made = { hash: first.hash, createdAt: 1_000, lastUsedAt: null };
       const times = async (from = store) =>
-        (await from.keyTimes(ID)).toSorted((a, b) => a.madeAt - b.madeAt);
-      expect(await times()).toEqual([made, { hash: watch.hash, madeAt: 7_000, lastUsedAt: null }]);
+        (await from.keyTimes(ID)).toSorted((a, b) => a.createdAt - b.createdAt);
+      expect(await times()).toEqual([
+        made,
+        { hash: watch.hash, createdAt: 7_000, lastUsedAt: null },
+      ]);
       await store.touch(ID, 9_000, [
         { hash: watch.hash, at: 8_000 },
         { hash: "no key of this robot", at: 8_000 },
@@ -72,7 +75,7 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
       const again = await reopen();
       expect(await times(again)).toEqual([
         made,
-        { hash: watch.hash, madeAt: 7_000, lastUsedAt: 8_000 },
+        { hash: watch.hash, createdAt: 7_000, lastUsedAt: 8_000 },
       ]);
       await again.changeKeys(ID, keyChange({ remove: [watch.hash] }));
       expect(await times(again)).toEqual([made]);

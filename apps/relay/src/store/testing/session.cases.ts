@@ -72,7 +72,7 @@ export function sessionCases(name: string, open: () => Promise<OpenStore>): void
       const { store, add } = await withRobot();
       const byAnna = { script: anna.id };
       await store.changeAway(ID, { add: anna, remove: null, reason, most: 16 });
-      expect(await add(LEFT, null, byAnna)).toEqual({ outcome: "sent-away" });
+      expect(await add(LEFT, null, byAnna)).toEqual({ outcome: "blocked" });
       expect(await add(LEFT)).toMatchObject({ outcome: "stored" });
       await store.changeAway(ID, { add: null, remove: anna.id, reason, most: 16 });
       expect(await add(LEFT, null, byAnna)).toMatchObject({ outcome: "stored" });

@@ -27,7 +27,7 @@ export function ScriptList({ session }: { session: RemoteSession }) {
     setFailed(!(await pauseDriving(fetch, session, !isPaused)));
   };
   const change = async (script: ListedScript): Promise<void> => {
-    const isDone = script.isAway
+    const isDone = script.isBlocked
       ? await letBack(fetch, session, script.id)
       : await sendAway(fetch, session, script);
     setFailed(!isDone);
@@ -80,7 +80,7 @@ function ScriptRow({ script, now, onChange }: ScriptRowProps) {
   const language = useLanguageName(script.client);
   const details = useDetails(script, now);
   return (
-    <li className={classNames(styles["script"], script.isAway && styles["away"])}>
+    <li className={classNames(styles["script"], script.isBlocked && styles["away"])}>
       <div className={styles["cardWords"]}>
         <p id={id} className={styles["scriptName"]}>
           <bdi>{script.name ?? language}</bdi>
@@ -90,7 +90,7 @@ function ScriptRow({ script, now, onChange }: ScriptRowProps) {
         </p>
       </div>
       <Button size="small" aria-describedby={id} onClick={onChange}>
-        {script.isAway ? t("remote.letBack") : t("remote.sendAway")}
+        {script.isBlocked ? t("remote.letBack") : t("remote.sendAway")}
       </Button>
     </li>
   );
@@ -100,12 +100,12 @@ function ScriptRow({ script, now, onChange }: ScriptRowProps) {
 function useDetails(script: ListedScript, now: number): string[] {
   const { t } = useTranslation();
   const { remote } = useServices();
-  const { last, isAway } = script;
+  const { last, isBlocked } = script;
   const state = useStore(
     remote,
     ({ commands }) => commands.find(({ seq }) => seq === last?.seq)?.state ?? null,
   );
-  if (isAway) return [t("remote.away")];
+  if (isBlocked) return [t("remote.away")];
   const seconds = quietSeconds(script, now);
   const did = last === null ? t("remote.readsOnly") : t("remote.last", { action: last.action });
   return [

@@ -44,10 +44,10 @@ export async function revokeKey(ask: Ask, owner: Owner, key: string): Promise<bo
  */
 export function listed({ keys }: KeyList, shown: string, now: number): ListedKey[] {
   const ago = (time: string): number => Math.max(0, now - Date.parse(time));
-  const others = keys.flatMap(({ id, kind, madeAt, lastUsedAt }): ListedKey[] => {
+  const others = keys.flatMap(({ id, kind, createdAt, lastUsedAt }): ListedKey[] => {
     if (kind === "own") return [];
     const usedAgo = lastUsedAt === null ? null : ago(lastUsedAt);
-    return [{ id, kind, madeAgo: ago(madeAt), usedAgo, isShown: id === shown }];
+    return [{ id, kind, madeAgo: ago(createdAt), usedAgo, isShown: id === shown }];
   });
   return others.toSorted((a, b) => Number(b.isShown) - Number(a.isShown) || b.madeAgo - a.madeAgo);
 }

@@ -5,10 +5,10 @@ import { listed, listKeys, revokeKey } from "./key-calls.ts";
 
 const at = (minute: number): string => new Date(Date.UTC(2026, 0, 1, 12, minute)).toISOString();
 const keys = [
-  { id: "watch1", kind: "watch" as const, madeAt: at(20), lastUsedAt: null },
-  { id: "owner1", kind: "own" as const, madeAt: at(0), lastUsedAt: at(29) },
-  { id: "paired", kind: "drive" as const, madeAt: at(10), lastUsedAt: at(31) },
-  { id: "first1", kind: "drive" as const, madeAt: at(0), lastUsedAt: at(25) },
+  { id: "watch1", kind: "watch" as const, createdAt: at(20), lastUsedAt: null },
+  { id: "owner1", kind: "own" as const, createdAt: at(0), lastUsedAt: at(29) },
+  { id: "paired", kind: "drive" as const, createdAt: at(10), lastUsedAt: at(31) },
+  { id: "first1", kind: "drive" as const, createdAt: at(0), lastUsedAt: at(25) },
 ];
 const owner = { id: "A".repeat(22), ownerKey: "own_secret", driverKey: "drv_secret" };
 const MINUTE = 60_000;

@@ -6,7 +6,7 @@ const NOW = 1_000_000;
 
 function script(change: Partial<ListedScript>): ListedScript {
   const base = { id: "AAAAAAAA", driver: "Zx81qP", name: null, client: "Python" };
-  return { ...base, lines: 0, heardAt: NOW, last: null, isAway: false, ...change };
+  return { ...base, connections: 0, heardAt: NOW, last: null, isBlocked: false, ...change };
 }
 
 describe("the scripts in the panel", () => {
@@ -22,8 +22,8 @@ describe("the scripts in the panel", () => {
     const long = { heardAt: NOW - 130_000 };
     const list = [
       script({ id: "1", ...long }),
-      script({ id: "2", ...long, lines: 1 }),
-      script({ id: "3", heardAt: null, isAway: true }),
+      script({ id: "2", ...long, connections: 1 }),
+      script({ id: "3", heardAt: null, isBlocked: true }),
     ];
     expect(shownScripts(list, NOW).map(({ id }) => id)).toEqual(["2", "3"]);
   });
@@ -31,7 +31,7 @@ describe("the scripts in the panel", () => {
   it("are quiet once they have asked nothing for five seconds", () => {
     expect(quietSeconds(script({ heardAt: NOW - 4_900 }), NOW)).toBe(0);
     expect(quietSeconds(script({ heardAt: NOW - 12_300 }), NOW)).toBe(12);
-    expect(quietSeconds(script({ heardAt: NOW - 12_300, lines: 1 }), NOW)).toBe(0);
-    expect(quietSeconds(script({ heardAt: null, isAway: true }), NOW)).toBe(0);
+    expect(quietSeconds(script({ heardAt: NOW - 12_300, connections: 1 }), NOW)).toBe(0);
+    expect(quietSeconds(script({ heardAt: null, isBlocked: true }), NOW)).toBe(0);
   });
 });

@@ -9,14 +9,20 @@ const QUIET_AFTER_MS = 5_000;
 /** @param now milliseconds since 1970 */
 export function shownScripts(scripts: readonly ListedScript[], now: number): ListedScript[] {
   return scripts
-    .filter(({ isAway, lines, heardAt }) => isAway || lines > 0 || silence(heardAt, now) < SHOWN_MS)
+    .filter(
+      ({ isBlocked, connections, heardAt }) =>
+        isBlocked || connections > 0 || silence(heardAt, now) < SHOWN_MS,
+    )
     .toSorted((a, b) => order(a.name ?? a.client, b.name ?? b.client) || order(a.id, b.id));
 }
 
 /** Whole seconds for which a script has been quiet; 0 while it is heard. */
-export function quietSeconds({ isAway, lines, heardAt }: ListedScript, now: number): number {
+export function quietSeconds(
+  { isBlocked, connections, heardAt }: ListedScript,
+  now: number,
+): number {
   const ms = silence(heardAt, now);
-  return isAway || lines > 0 || ms < QUIET_AFTER_MS ? 0 : Math.floor(ms / 1_000);
+  return isBlocked || connections > 0 || ms < QUIET_AFTER_MS ? 0 : Math.floor(ms / 1_000);
 }
 
 function silence(heardAt: number | null, now: number): number {

@@ -78,8 +78,8 @@ describe("a script", () => {
     expect(await sendAway(ask, session, anna)).toBe(true);
     expect(await letBack(ask, session, "k3J9x2aB")).toBe(true);
     expect(asked).toEqual([
-      `POST /api/v1/robots/${id}/away Bearer own_secret {"driver":"Zx81qP","name":"Anna","client":"Python"}`,
-      `DELETE /api/v1/robots/${id}/away/k3J9x2aB Bearer own_secret`,
+      `POST /api/v1/robots/${id}/blocked Bearer own_secret {"driver":"Zx81qP","name":"Anna","client":"Python"}`,
+      `DELETE /api/v1/robots/${id}/blocked/k3J9x2aB Bearer own_secret`,
     ]);
   });
 

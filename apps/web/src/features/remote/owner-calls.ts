@@ -1,10 +1,10 @@
 /** What the owner of a robot asks of the service: how long the robot has left, new keys, and which
  * scripts may drive. */
 import {
-  madeKeySchema,
+  createdKeySchema,
   readJson,
-  type KeyWish,
-  type MadeKey,
+  type KeyRequest,
+  type CreatedKey,
   type ScriptRef,
 } from "@corridor/protocol";
 import type { RemoteSession } from "../../worker/worker-messages.ts";
@@ -39,7 +39,7 @@ export async function secondsLeft(
  * @returns the session with the new address; null when the service made none
  */
 export async function withNewKey(ask: Ask, session: RemoteSession): Promise<RemoteSession | null> {
-  const wish: KeyWish = { kind: "drive", replace: keyIdOf(session.driverKey) };
+  const wish: KeyRequest = { kind: "drive", replace: keyIdOf(session.driverKey) };
   let answer = await makeKey(ask, session, wish);
   // The old one is gone already: the answer to an earlier wish may have been lost.
   if (answer.status === 409) answer = await makeKey(ask, session, { kind: "drive" });
@@ -62,7 +62,7 @@ export async function sendAway(
   session: RemoteSession,
   { driver, name, client }: ScriptRef,
 ): Promise<boolean> {
-  return isDone(ask, session, "/away", {
+  return isDone(ask, session, "/blocked", {
     method: "POST",
     body: JSON.stringify({ driver, name, client }),
   });
@@ -70,7 +70,7 @@ export async function sendAway(
 
 /** @param script id @returns whether the service did so */
 export async function letBack(ask: Ask, session: RemoteSession, script: string): Promise<boolean> {
-  return isDone(ask, session, `/away/${script}`, { method: "DELETE" });
+  return isDone(ask, session, `/blocked/${script}`, { method: "DELETE" });
 }
 
 /** Pauses remote driving, or lets scripts drive again. @returns whether the service did so */
@@ -101,15 +101,15 @@ export async function isDone(
 async function makeKey(
   ask: Ask,
   { id, ownerKey }: RemoteSession,
-  wish: KeyWish,
-): Promise<{ status: number | null; made: MadeKey | null }> {
+  wish: KeyRequest,
+): Promise<{ status: number | null; made: CreatedKey | null }> {
   try {
     const answer = await ask(`/api/v1/robots/${id}/keys`, {
       method: "POST",
       headers: { ...bearer(ownerKey), "Content-Type": "application/json" },
       body: JSON.stringify(wish),
     });
-    const made = readJson(madeKeySchema, await answer.text(), MAX_ANSWER);
+    const made = readJson(createdKeySchema, await answer.text(), MAX_ANSWER);
     return { status: answer.status, made: answer.ok && made.ok ? made.value : null };
   } catch {
     return { status: null, made: null };

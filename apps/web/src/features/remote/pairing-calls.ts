@@ -1,11 +1,11 @@
 /** What the owner of a robot asks of the service about its pairing code. */
 import {
-  pairingMadeSchema,
+  createdPairingSchema,
   pairingSchema,
   problemSchema,
   readJson,
   type Pairing,
-  type PairingMade,
+  type CreatedPairing,
 } from "@corridor/protocol";
 import type { RemoteSession } from "../../worker/worker-messages.ts";
 import { bearer, isDone, type Ask } from "./owner-calls.ts";
@@ -15,10 +15,10 @@ export type Owner = Pick<RemoteSession, "id" | "ownerKey">;
 const MAX_ANSWER = 4_096;
 
 /** @returns the code; null when the service made none */
-export async function makeCode(ask: Ask, owner: Owner): Promise<PairingMade | null> {
+export async function makeCode(ask: Ask, owner: Owner): Promise<CreatedPairing | null> {
   try {
     const answer = await ask(url(owner), { method: "POST", headers: bearer(owner.ownerKey) });
-    const made = readJson(pairingMadeSchema, await answer.text(), MAX_ANSWER);
+    const made = readJson(createdPairingSchema, await answer.text(), MAX_ANSWER);
     return answer.ok && made.ok ? made.value : null;
   } catch {
     return null;

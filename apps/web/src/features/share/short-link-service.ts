@@ -5,8 +5,8 @@
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 import {
-  keptLinksSchema,
-  MAX_KEPT_LINKS,
+  storedLinksSchema,
+  MAX_STORED_LINKS,
   readJson,
   shortLinkSchema,
   type ShortLink,
@@ -28,7 +28,7 @@ export class ShortLinkService {
   constructor(ask: Ask, device: KeyValueStorage) {
     this.#ask = ask;
     this.#device = device;
-    const kept = readJson(keptLinksSchema, device.getItem(KEPT) ?? "[]", MAX_KEPT_TEXT);
+    const kept = readJson(storedLinksSchema, device.getItem(KEPT) ?? "[]", MAX_KEPT_TEXT);
     this.#made = kept.ok ? kept.value : [];
   }
 
@@ -80,7 +80,7 @@ export class ShortLinkService {
   }
 
   #keep(links: ShortLink[]): void {
-    this.#made = links.slice(-MAX_KEPT_LINKS);
+    this.#made = links.slice(-MAX_STORED_LINKS);
     try {
       this.#device.setItem(KEPT, JSON.stringify(this.#made));
     } catch {

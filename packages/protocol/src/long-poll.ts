@@ -7,7 +7,7 @@ import { z } from "zod";
 import { keySchema } from "./registration.ts";
 
 /** Messages in one request or answer. */
-export const MAX_LINE_MESSAGES = 64;
+export const MAX_LONG_POLL_MESSAGES = 64;
 
 const number = z
   .int({ error: "a whole number" })
@@ -17,14 +17,14 @@ const number = z
 const message = z.looseObject({ type: z.string() }, { error: "a message with a type" });
 const messages = z
   .array(message, { error: "a list of messages" })
-  .max(MAX_LINE_MESSAGES, { error: `at most ${MAX_LINE_MESSAGES} messages` });
+  .max(MAX_LONG_POLL_MESSAGES, { error: `at most ${MAX_LONG_POLL_MESSAGES} messages` });
 
-/** The answer to the `hello` that opens a line. */
-export const openedLineSchema = z.strictObject({
-  /** the bearer key of this line alone */
-  line: keySchema,
+/** The response to the `hello` that opens a connection. */
+export const openedConnectionSchema = z.strictObject({
+  /** the bearer key of this connection alone */
+  key: keySchema,
 });
-export type OpenedLine = z.infer<typeof openedLineSchema>;
+export type OpenedConnection = z.infer<typeof openedConnectionSchema>;
 
 /** What a client sends; what was sent before is taken once. */
 export const sentMessagesSchema = z.strictObject({

@@ -2,7 +2,7 @@
 import {
   fetchedMessagesSchema,
   helloSchema,
-  openedLineSchema,
+  openedConnectionSchema,
   sentMessagesSchema,
   takenMessagesSchema,
 } from "@corridor/protocol";
@@ -10,13 +10,13 @@ import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { fetchQuery } from "../routes/reading.ts";
 import { answer, asScript, parameters, refusals, robot } from "./parts.ts";
 
-const line = [{ lineKey: [] }];
+const line = [{ connectionKey: [] }];
 
-export const lineCalls: ZodOpenApiPathsObject = {
-  "/api/v1/robots/{id}/line": {
+export const longPollCalls: ZodOpenApiPathsObject = {
+  "/api/v1/robots/{id}/long-poll": {
     parameters: robot,
     post: {
-      operationId: "openLine",
+      operationId: "openConnection",
       summary: "Open a long-poll connection, for networks without WebSockets",
       description:
         "The messages are those of the WebSocket, which `/asyncapi.json` describes. The body of this request is " +
@@ -24,21 +24,21 @@ export const lineCalls: ZodOpenApiPathsObject = {
       security: [],
       requestBody: { required: true, content: { "application/json": { schema: helloSchema } } },
       responses: {
-        201: answer("The key of the connection.", openedLineSchema),
+        201: answer("The key of the connection.", openedConnectionSchema),
         ...refusals(...asScript, "too-large", "not-json", "too-many-readers"),
       },
     },
     delete: {
-      operationId: "leaveLine",
+      operationId: "closeConnection",
       summary: "Close a long-poll connection",
       security: line,
       responses: {
         204: { description: "The connection is closed." },
-        ...refusals("bad-request", "not-authorised", "no-line"),
+        ...refusals("bad-request", "not-authorised", "no-connection"),
       },
     },
   },
-  "/api/v1/robots/{id}/line/messages": {
+  "/api/v1/robots/{id}/long-poll/messages": {
     parameters: robot,
     post: {
       operationId: "sendMessages",
@@ -52,7 +52,7 @@ export const lineCalls: ZodOpenApiPathsObject = {
       },
       responses: {
         200: answer("The number of the last message that was processed.", takenMessagesSchema),
-        ...refusals("bad-request", "not-authorised", "too-large", "not-json", "no-line"),
+        ...refusals("bad-request", "not-authorised", "too-large", "not-json", "no-connection"),
       },
     },
     get: {
@@ -64,7 +64,7 @@ export const lineCalls: ZodOpenApiPathsObject = {
       parameters: parameters("query", fetchQuery),
       responses: {
         200: answer("The pending messages.", fetchedMessagesSchema),
-        ...refusals("bad-request", "not-authorised", "no-line"),
+        ...refusals("bad-request", "not-authorised", "no-connection"),
       },
     },
   },
