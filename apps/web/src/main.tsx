@@ -18,7 +18,7 @@ import { startTheme } from "./app/theme.ts";
 import { WorkReader } from "./app/work-reader.ts";
 import { storageOrNone, WorkShelf } from "./app/works.ts";
 import { RACE_KEY } from "./stores/race-store.ts";
-import { createScreenStore, tell } from "./stores/screen-store.ts";
+import { createScreenStore, showMessage } from "./stores/screen-store.ts";
 import { englishWords } from "./text/english-words.ts";
 import { createI18n } from "./text/i18n.ts";
 import { preloadParts } from "./ui/lazy-part.tsx";
@@ -117,7 +117,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   };
   const followOrTell = (isLoad: boolean) =>
     follow(isLoad).catch(() => {
-      tell(screen, { tone: "bad", text: words.t("offline.linkFailed") });
+      showMessage(screen, { tone: "bad", text: words.t("offline.linkFailed") });
     });
   window.addEventListener("online", () => services.connection.networkIsBack());
   window.addEventListener("hashchange", () => void followOrTell(false));

@@ -15,7 +15,7 @@ import { Stage } from "../features/stage/Stage.tsx";
 import { Transport } from "../features/transport/Transport.tsx";
 import { Button } from "../ui/Button.tsx";
 import { Dialog } from "../ui/Dialog.tsx";
-import { Later } from "../ui/Later.tsx";
+import { Deferred } from "../ui/Deferred.tsx";
 import { lazyDialog } from "../ui/lazy-part.tsx";
 import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./app.module.css";
@@ -66,15 +66,15 @@ function Page() {
         onLessons={() => challenge.setState({ isPathOpen: true })}
       />
       <main className={styles["stage"]}>
-        <Later>
+        <Deferred>
           <Stage />
-        </Later>
+        </Deferred>
         <FaultNotice />
-        <Later>
+        <Deferred>
           <Messages>
             <PairingPlace />
           </Messages>
-        </Later>
+        </Deferred>
       </main>
       {isPhone ? (
         <>
@@ -94,7 +94,7 @@ function Page() {
           </div>
         </>
       )}
-      <Later>
+      <Deferred>
         <SpokenRun />
         <LessonsDialog
           isOpen={isPathOpen}
@@ -108,7 +108,7 @@ function Page() {
             <LazyRemotePanel />
           </div>
         </Dialog>
-      </Later>
+      </Deferred>
     </div>
   );
 }

@@ -11,7 +11,7 @@ import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
 import { useRights } from "../features/lessons/use-rights.ts";
 import { LazyPresetsPanel } from "../features/presets/lazy-presets-panel.ts";
 import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
-import { Later } from "../ui/Later.tsx";
+import { Deferred } from "../ui/Deferred.tsx";
 import { Tabs } from "../ui/Tabs.tsx";
 import styles from "./phone-sheet.module.css";
 import { useServices } from "./services.ts";
@@ -62,7 +62,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
       data-mission={isMission}
       aria-label={t("shell.panel")}
     >
-      <Later until="early-sheet">
+      <Deferred until="early-sheet">
         <GrabBar
           position={position}
           onChange={(next) => {
@@ -99,7 +99,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
           )}
           {tab === "presets" && <LazyPresetsPanel />}
         </Tabs>
-      </Later>
+      </Deferred>
     </aside>
   );
 }

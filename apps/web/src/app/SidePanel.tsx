@@ -8,7 +8,7 @@ import type { HoldStore } from "../features/drive/hold-store.ts";
 import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
 import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
 import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
-import { Later } from "../ui/Later.tsx";
+import { Deferred } from "../ui/Deferred.tsx";
 import styles from "./side-panel.module.css";
 import { useServices } from "./services.ts";
 
@@ -18,7 +18,7 @@ export function SidePanel({ hold }: { hold: HoldStore }) {
   const isRemote = useStore(run, ({ snapshot }) => snapshot?.driver === "remote");
   return (
     <aside className={styles["panel"]} aria-label={t("shell.panel")}>
-      <Later until="early-panel">
+      <Deferred until="early-panel">
         <div className={styles["who"]}>
           <DriverChoice />
         </div>
@@ -37,7 +37,7 @@ export function SidePanel({ hold }: { hold: HoldStore }) {
             <DriveFoot hold={hold} />
           </>
         )}
-      </Later>
+      </Deferred>
     </aside>
   );
 }

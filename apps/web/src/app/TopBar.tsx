@@ -9,7 +9,7 @@ import { ThemeButton } from "../features/theme/ThemeButton.tsx";
 import { MazeMenu } from "../features/works/MazeMenu.tsx";
 import { IconButton } from "../ui/Button.tsx";
 import { lazyPart } from "../ui/lazy-part.tsx";
-import { Later } from "../ui/Later.tsx";
+import { Deferred } from "../ui/Deferred.tsx";
 import { Popover, usePopover } from "../ui/Popover.tsx";
 import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./top-bar.module.css";
@@ -27,7 +27,7 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   return (
     <header className={styles["bar"]}>
       <Brand />
-      <Later>
+      <Deferred>
         <MazeMenu />
         <div className={styles["end"]}>
           {!isPhone && <PresetsButton />}
@@ -45,7 +45,7 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
             </div>
           )}
         </div>
-      </Later>
+      </Deferred>
     </header>
   );
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { createScreenStore } from "../stores/screen-store.ts";
-import { createWorkspaceStore, openWork, setMaze, undo } from "../stores/workspace-store.ts";
+import { createWorkspaceStore, openProject, setMaze, undo } from "../stores/workspace-store.ts";
 import { flushWhenHidden, startAutosave } from "./autosave.ts";
 import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "../worker/first-work.ts";
@@ -152,7 +152,7 @@ describe("works in several tabs", () => {
     one.wait();
     const { maze, program } = two.current.open(listed);
     expect(maze.name).toBe("New");
-    openWork(two.workspace, maze, program);
+    openProject(two.workspace, maze, program);
     two.rename("Newest");
     two.wait();
     expect(two.told).toEqual([]);

@@ -4,7 +4,7 @@ import { missionHash } from "../features/lessons/mission-address.ts";
 import { programForMaze } from "../features/program/own-program.ts";
 import { holdAgain } from "../features/share/held-link.ts";
 import { openEmptyMaze } from "../features/works/empty-maze.ts";
-import { dismiss, tell } from "../stores/screen-store.ts";
+import { dismiss, showMessage } from "../stores/screen-store.ts";
 import type { Services } from "./services.ts";
 import { followAddress } from "./url-sync.ts";
 
@@ -43,7 +43,7 @@ export async function followPageAddress(
       const { pathname, search } = location;
       const hash = mission === null ? "" : missionHash(mission);
       history.replaceState(null, "", pathname + search + hash);
-      const message = tell(services.screen, {
+      const message = showMessage(services.screen, {
         tone: "bad",
         text: words.t("missions:path.unknown"),
         action: {

@@ -5,7 +5,7 @@
 import type { i18n } from "i18next";
 import { showLanguage, shownLanguage } from "../text/i18n.ts";
 import { languageOf, languages, matchLanguage, type LanguageTag } from "../text/languages.ts";
-import { tell, type ScreenStore } from "../stores/screen-store.ts";
+import { showMessage, type ScreenStore } from "../stores/screen-store.ts";
 import type { KeyValueStorage } from "./works.ts";
 
 const LANGUAGE_KEY = "corridor.language";
@@ -48,7 +48,7 @@ export class LanguageChoice {
     this.#apply();
     if (asked !== null && inAddress === null) {
       this.#writeAddress(null);
-      tell(screen, { tone: "info", text: words.t("language.unknown", { tag: asked }) });
+      showMessage(screen, { tone: "info", text: words.t("language.unknown", { tag: asked }) });
     }
   }
 
@@ -72,7 +72,7 @@ export class LanguageChoice {
     } catch {
       this.#wished = shownLanguage(words);
       const language = languageOf(tag).name;
-      tell(screen, { tone: "bad", text: words.t("language.notLoaded", { language }) });
+      showMessage(screen, { tone: "bad", text: words.t("language.notLoaded", { language }) });
     }
     return shownLanguage(words) === tag;
   }

@@ -1,6 +1,6 @@
 import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
-import { createWorkspaceStore, openWork, setMaze, undo } from "../stores/workspace-store.ts";
+import { createWorkspaceStore, openProject, setMaze, undo } from "../stores/workspace-store.ts";
 import { RunLoop } from "../worker/run-loop.ts";
 import { loadRun } from "../worker/testing/load-run.ts";
 import type { ToWorker } from "../worker/worker-messages.ts";
@@ -60,7 +60,7 @@ describe("what is edited", () => {
     const { workspace, sent } = newPage();
     setMaze(workspace, maze);
     expect(sent).toEqual(["edit-maze"]);
-    openWork(workspace, firstMaze, program);
+    openProject(workspace, firstMaze, program);
     expect(sent).toEqual(["edit-maze", "edit-maze", "edit-program"]);
   });
 
@@ -68,7 +68,7 @@ describe("what is edited", () => {
     const { workspace, loop, deliver, inputs } = newPage();
     const run = recorded();
     loadRun(loop, run);
-    openWork(workspace, structuredClone(maze), structuredClone(program));
+    openProject(workspace, structuredClone(maze), structuredClone(program));
     deliver();
     expect(inputs()).toEqual(run.inputs);
     setMaze(workspace, firstMaze);
@@ -86,7 +86,7 @@ describe("what is edited", () => {
     if (isEarly) deliver();
     const loaded = loadRun(loop, recorded());
     deliver();
-    if (loaded.ok) openWork(workspace, loaded.maze, loaded.program);
+    if (loaded.ok) openProject(workspace, loaded.maze, loaded.program);
     deliver();
     expect(known()).toBe(workspace.getState().maze.name);
     expect(known()).toBe("Recorded");

@@ -44,27 +44,27 @@ it("displays the numbers of one tick everywhere: the stage writes those that the
 describe("a run that went on from an earlier moment", () => {
   it("leaves nothing on the page that came after it", () => {
     const { hear, run, cards } = openPage();
-    hear({ type: "moment", moment: momentAt("bump", 316) });
-    hear({ type: "moment", moment: momentAt("goal", 400) });
+    hear({ type: "event", event: momentAt("bump", 316) });
+    hear({ type: "event", event: momentAt("goal", 400) });
     hear({ type: "forgotten", after: 350 });
-    expect(run.getState().moment).toBeNull();
+    expect(run.getState().event).toBeNull();
     expect(cards.getState().goal).toBeNull();
-    expect(cards.getState().bump?.moment.tick).toBe(316);
+    expect(cards.getState().bump?.event.tick).toBe(316);
   });
 
   it("keeps what came before it", () => {
     const { hear, run, cards } = openPage();
-    hear({ type: "moment", moment: momentAt("goal", 400) });
+    hear({ type: "event", event: momentAt("goal", 400) });
     hear({ type: "forgotten", after: 400 });
-    expect(run.getState().moment?.tick).toBe(400);
-    expect(cards.getState().goal?.moment.tick).toBe(400);
+    expect(run.getState().event?.tick).toBe(400);
+    expect(cards.getState().goal?.event.tick).toBe(400);
   });
 
   it("is nothing at all when another run is shown", () => {
     const { hear, run, cards } = openPage();
-    hear({ type: "moment", moment: momentAt("goal", 0) });
+    hear({ type: "event", event: momentAt("goal", 0) });
     hear({ type: "forgotten", after: -1 });
-    expect(run.getState().moment).toBeNull();
+    expect(run.getState().event).toBeNull();
     expect(cards.getState()).toEqual({ bump: null, goal: null });
   });
 });

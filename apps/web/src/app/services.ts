@@ -16,22 +16,22 @@ import {
   createCardDock,
   createCardStore,
   explain,
-  forgetAfter,
+  truncateCards,
   type CardDock,
   type CardStore,
 } from "../stores/card-store.ts";
 import { createChallengeStore, type ChallengeStore } from "../stores/challenge-store.ts";
-import { createMomentTeller } from "../stores/moment-teller.ts";
-import { LateRun } from "../stores/late-run.ts";
+import { createEventThrottle } from "../stores/event-throttle.ts";
+import { DeferredRun } from "../stores/deferred-run.ts";
 import { createRaceStore, type RaceStore } from "../stores/race-store.ts";
 import { createRemoteStore, type RemoteStore } from "../stores/remote-store.ts";
 import { createRunStore, type RunStore } from "../stores/run-store.ts";
-import { tell, type ScreenStore } from "../stores/screen-store.ts";
+import { showMessage, type ScreenStore } from "../stores/screen-store.ts";
 import { TimelineStore } from "../stores/timeline-store.ts";
-import { ShownRun } from "../stores/shown-run.ts";
+import { RunTrace } from "../stores/run-trace.ts";
 import { createWorkspaceStore, type WorkspaceStore } from "../stores/workspace-store.ts";
 import { SimulatorClient, type WorkerPort } from "../worker/simulator-client.ts";
-import type { Moment } from "../worker/worker-messages.ts";
+import type { RunEvent } from "../worker/worker-messages.ts";
 import { CurrentWork } from "./current-work.ts";
 import { firstWork } from "./first-visit.ts";
 import { RemoteConnection } from "./remote-session.ts";
@@ -72,7 +72,7 @@ export interface Services {
   race: RaceStore;
   screen: ScreenStore;
   /** the run as the screen shows it, with its trail */
-  shownRun: ShownRun;
+  shownRun: RunTrace;
   works: WorksService;
   /** keeps the run over a reload */
   runKeeper: RunKeeper;
@@ -107,18 +107,18 @@ export function createServices(browser: Browser): Services {
   );
   const run = createRunStore();
   followLanguage({ workspace, run }, words);
-  const late = new LateRun(run, nextFrame);
+  const late = new DeferredRun(run, nextFrame);
   const cards = createCardStore();
   const cardDock = createCardDock();
   const challenge = createChallengeStore();
   const camera = createCameraStore();
   const remote = createRemoteStore();
-  const shownRun = new ShownRun();
+  const shownRun = new RunTrace();
 
   const now = () => performance.now();
   const later = (action: () => void, milliseconds: number) => setTimeout(action, milliseconds);
-  const show = (moment: Moment | null) => run.setState({ moment });
-  const moments = createMomentTeller({ show, now, later });
+  const show = (event: RunEvent | null) => run.setState({ event });
+  const moments = createEventThrottle({ show, now, later });
   const timeline = new TimelineStore();
   simulator.listen((message) => {
     switch (message.type) {
@@ -128,16 +128,16 @@ export function createServices(browser: Browser): Services {
         run.setState({ snapshot, progress, view, nowTick, waited, nowDriver });
         simulator.send({ type: "stage-numbers", snapshot });
         const news = message.timeline;
-        if (news !== null) late.after(() => timeline.take(news));
+        if (news !== null) late.with(() => timeline.add(news));
         return;
       }
       case "forgotten":
-        moments.forgetAfter(message.after);
-        forgetAfter(cards, message.after);
+        moments.truncate(message.after);
+        truncateCards(cards, message.after);
         return;
-      case "moment":
-        moments.tell(message.moment);
-        explain(cards, message.moment, workspace.getState().program);
+      case "event":
+        moments.push(message.event);
+        explain(cards, message.event, workspace.getState().program);
         return;
       case "diagnosed":
         // In a challenge its own card says it.
@@ -152,7 +152,7 @@ export function createServices(browser: Browser): Services {
         remote.setState(message.remote);
         return;
       case "shown-maze":
-        run.setState({ shownMaze: message.maze });
+        run.setState({ pastMaze: message.maze });
         return;
       case "fault":
         run.setState({ fault: message.reason });
@@ -185,8 +185,8 @@ export function createServices(browser: Browser): Services {
     simulator,
     workspace,
     tab,
-    onNotStored: () => tell(screen, { tone: "bad", text: words.t("timeline.notStored") }),
-    onLost: () => tell(screen, { tone: "bad", text: words.t("timeline.notKept") }),
+    onNotStored: () => showMessage(screen, { tone: "bad", text: words.t("timeline.notStored") }),
+    onLost: () => showMessage(screen, { tone: "bad", text: words.t("timeline.notKept") }),
   });
   const connection = new RemoteConnection({ simulator, remote, run, tab });
   const solved = createSolvedStore({ run, workspace, device });

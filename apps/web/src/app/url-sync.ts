@@ -9,7 +9,7 @@ import type { FieldProblem } from "@corridor/protocol";
 import type { ProgramDocument } from "@corridor/program";
 import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
-import { dismiss, tell, type ScreenStore } from "../stores/screen-store.ts";
+import { dismiss, showMessage, type ScreenStore } from "../stores/screen-store.ts";
 import { missionOfHash } from "../features/lessons/mission-address.ts";
 import type { ShortLinkResult } from "./short-link.ts";
 import type { WorksService } from "./works-service.ts";
@@ -131,12 +131,12 @@ async function openShownChallenge(
   if (!(await ports.openChallenge(challenge, program))) return;
   clean();
   const key = isOwner ? "share.openedChallengeBeside" : "share.openedChallenge";
-  tell(ports.screen, { tone: "info", text: ports.words.t(key) });
+  showMessage(ports.screen, { tone: "info", text: ports.words.t(key) });
 }
 
 function tellBadLink(ports: UrlPorts, text: string): void {
   const { screen, words } = ports;
-  const id = tell(screen, {
+  const id = showMessage(screen, {
     tone: "bad",
     text,
     action: {
@@ -156,7 +156,7 @@ function tellNotLoaded(ports: UrlPorts): void {
 /** The address keeps the link, so that it can be tried again. */
 function tellNotOpened(ports: UrlPorts, text: string): void {
   const { screen, words } = ports;
-  const id = tell(screen, {
+  const id = showMessage(screen, {
     tone: "bad",
     text,
     action: {
@@ -172,7 +172,7 @@ function tellNotOpened(ports: UrlPorts, text: string): void {
 async function openRecorded({ openRun, screen, words }: UrlPorts, run: RunDocument): Promise<void> {
   const [problem] = await openRun(run);
   if (problem === undefined) return;
-  tell(screen, { tone: "bad", text: words.t("timeline.notOpened", { ...problem }) });
+  showMessage(screen, { tone: "bad", text: words.t("timeline.notOpened", { ...problem }) });
 }
 
 function openShared(ports: UrlPorts, content: LinkContent): void {
@@ -184,10 +184,10 @@ function openShared(ports: UrlPorts, content: LinkContent): void {
     content.program ?? ports.programForMaze(),
   );
   if (!isOwner) {
-    tell(screen, { tone: "info", text: words.t("share.opened") });
+    showMessage(screen, { tone: "info", text: words.t("share.opened") });
     return;
   }
-  const id = tell(screen, {
+  const id = showMessage(screen, {
     tone: "info",
     text: words.t("share.openedBeside"),
     action: {

@@ -108,10 +108,9 @@ function listen(
     },
     { signal },
   );
-  const endWatch = run.subscribe(({ snapshot, moment }, before) => {
+  const endWatch = run.subscribe(({ snapshot, event }, before) => {
     if (before.snapshot?.driver === "me" && snapshot?.driver !== "me") hold.forget();
-    if (moment !== before.moment && moment?.kind === "goal" && moment.driver === "me")
-      hold.arrive();
+    if (event !== before.event && event?.kind === "goal" && event.driver === "me") hold.arrive();
   });
   return () => {
     end.abort();

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { createScreenStore, tell } from "../stores/screen-store.ts";
+import { createScreenStore, showMessage } from "../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze } from "../stores/workspace-store.ts";
 import { CurrentWork } from "./current-work.ts";
 import { firstMaze, firstProgram } from "../worker/first-work.ts";
@@ -171,8 +171,8 @@ describe("another work", () => {
   it("takes no Undo along that is meant for the work before", () => {
     const { works, screen, told } = openTab(new MemoryStorage());
     const action = { label: "Undo", run: () => undefined };
-    tell(screen, { tone: "info", text: "Line 1 deleted.", action, isOfWork: true });
-    tell(screen, { tone: "bad", text: "Not saved." });
+    showMessage(screen, { tone: "info", text: "Line 1 deleted.", action, isOfProject: true });
+    showMessage(screen, { tone: "bad", text: "Not saved." });
     works.begin({ ...firstMaze, name: "Other" }, null);
     expect(told()).toEqual(["Not saved."]);
   });

@@ -6,8 +6,13 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { i18n } from "i18next";
-import { dismiss, dismissOfWork, tell, type ScreenStore } from "../stores/screen-store.ts";
-import { openWork, type WorkspaceStore } from "../stores/workspace-store.ts";
+import {
+  dismiss,
+  dismissOfProject,
+  showMessage,
+  type ScreenStore,
+} from "../stores/screen-store.ts";
+import { openProject, type WorkspaceStore } from "../stores/workspace-store.ts";
 import type { SimulatorClient } from "../worker/simulator-client.ts";
 import { startAutosave, type Autosave } from "./autosave.ts";
 import type { CurrentWork } from "./current-work.ts";
@@ -35,8 +40,8 @@ export class WorksService {
     const { screen, words } = ports;
     this.autosave = startAutosave({
       ...ports,
-      onFork: () => tell(screen, { tone: "info", text: words.t("works.forked") }),
-      onBlocked: () => tell(screen, { tone: "bad", text: words.t("works.blocked") }),
+      onFork: () => showMessage(screen, { tone: "info", text: words.t("works.forked") }),
+      onBlocked: () => showMessage(screen, { tone: "bad", text: words.t("works.blocked") }),
     });
     this.#tellDamage();
     ports.shelf.sweepChallenges();
@@ -123,7 +128,7 @@ export class WorksService {
     const { maze, program } = workspace.getState();
     if (current.has(maze, program)) return;
     const back = this.#wayBack();
-    const id = tell(screen, {
+    const id = showMessage(screen, {
       tone: "bad",
       text: words.t("works.blocked"),
       action: {
@@ -163,7 +168,7 @@ export class WorksService {
     // Another tab may have saved it since it was listed, and what is taken back must be what went.
     const removed = shelf.read(work.id) ?? work;
     const challenge = shelf.remove(work.id);
-    const id = tell(screen, {
+    const id = showMessage(screen, {
       tone: "info",
       text: words.t("works.deleted", { name: removed.maze.name }),
       action: {
@@ -173,7 +178,7 @@ export class WorksService {
             // A tab that has it open stores it again with its next edit, which is newer.
             if (!shelf.has(removed.id)) shelf.write(removed, challenge);
           } catch {
-            tell(screen, { tone: "bad", text: words.t("works.blocked") });
+            showMessage(screen, { tone: "bad", text: words.t("works.blocked") });
           }
           dismiss(screen, id);
         },
@@ -188,8 +193,8 @@ export class WorksService {
 
   #put(maze: MazeDocument, program: ProgramDocument, isRobotThere = false): void {
     const { workspace, simulator, screen } = this.#ports;
-    openWork(workspace, maze, program);
-    dismissOfWork(screen);
+    openProject(workspace, maze, program);
+    dismissOfProject(screen);
     if (!isRobotThere) simulator.send({ type: "reset" });
   }
 
@@ -202,7 +207,7 @@ export class WorksService {
   #tellDamage(): void {
     const { shelf, screen, words } = this.#ports;
     for (const { reason } of shelf.sweep()) {
-      tell(screen, { tone: "bad", text: words.t("works.damaged", { reason }) });
+      showMessage(screen, { tone: "bad", text: words.t("works.damaged", { reason }) });
     }
   }
 }

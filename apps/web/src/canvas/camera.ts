@@ -1,5 +1,4 @@
 /**
- *
  * Camera that follows the robot where the stage shows only a part of the maze. It centres the
  * robot. If the user prefers reduced motion, it stands still and jumps when the robot comes near
  * its edge.
@@ -14,7 +13,6 @@ export class Camera {
   #scroll: Scroll = { x: 0, y: 0 };
 
   /**
-   *
    * Scroll position of the camera for a robot.
    * @param step size of one device pixel in CSS pixels
    */

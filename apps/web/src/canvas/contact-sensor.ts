@@ -11,7 +11,6 @@ import type { SensorName, Snapshot } from "@corridor/protocol";
 export const CONTACT_RANGE = 25.5;
 
 /**
- *
  * The sensor that measures what the robot pushes against. Null while the robot pushes against
  * nothing, and where all beams miss the contact: at the corner of a block, or at a wall that the
  * robot meets at an angle.

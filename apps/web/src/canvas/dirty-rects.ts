@@ -1,5 +1,4 @@
 /**
- *
  * The dirty rectangles of a layer. Before the next frame only these are erased: a robot with its
  * beams covers a hundredth of the stage.
  *
@@ -34,7 +33,6 @@ export class DirtyRects {
   }
 
   /**
-   *
    * Adds the bounding box of a line.
    * @param half half the width of the line, in CSS pixels
    */
@@ -45,7 +43,6 @@ export class DirtyRects {
   }
 
   /**
-   *
    * Erases the dirty rectangles and empties the list.
    * @param pixelRatio device pixels per CSS pixel; only whole device pixels are erased, because
    *   half ones would leave a shadow

@@ -1,5 +1,4 @@
 /**
- *
  * The subset of a 2D canvas that the stage needs. The types of the page and of the worker share no
  * class for it, but they share these parts, so one renderer draws in both.
  */

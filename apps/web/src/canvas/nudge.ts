@@ -1,5 +1,4 @@
 /**
- *
  * The robot's only playful animations: a recoil from a bump and a hop on the goal. Both use the
  * page's `--ease-nudge`, which overshoots slightly.
  */
@@ -39,7 +38,6 @@ export function nudgeOffset(
 }
 
 /**
- *
  * Value of `--ease-nudge`.
  * @param share elapsed share of the duration, 0 to 1
  */

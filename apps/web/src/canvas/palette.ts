@@ -1,5 +1,4 @@
 /**
- *
  * Colours of the canvas, read from the custom properties of the page. Reading them costs a style
  * calculation, so they are read once per theme, never once per frame.
  */
@@ -38,7 +37,6 @@ const names = {
 export type Palette = Record<keyof typeof names, string>;
 
 /**
- *
  * Reads the current colours.
  * @param valueOf returns the value of a custom property, empty if it is unknown
  */

@@ -11,7 +11,6 @@ interface Point {
 }
 
 /**
- *
  * The point at a distance in units from another one.
  * @param heading degrees clockwise from north
  */
@@ -21,7 +20,6 @@ export function pointAhead({ x, y }: Point, heading: number, distance: number): 
 }
 
 /**
- *
  * The rest of the path of a delayed turn: from the robot's centre to the turning point, and out of
  * the junction to the end position of its front.
  * @returns three points, or two once the robot has turned; null for every other action

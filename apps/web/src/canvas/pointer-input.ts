@@ -1,5 +1,4 @@
 /**
- *
  * Turns pointer events over the maze into intents: hover over a cell, paint cells, end, cancel.
  *
  * A press paints immediately, and a drag paints every cell on its path. Where the maze is larger
@@ -104,7 +103,6 @@ function isSame(a: Cell, b: Cell): boolean {
 }
 
 /**
- *
  * The cells from one cell to another, without the first: a fast pointer skips cells between two
  * events. Neighbours in the result share a side or a corner.
  */

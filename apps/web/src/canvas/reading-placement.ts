@@ -35,7 +35,6 @@ export interface PlacedReading extends PlacedTag<SensorName> {
 }
 
 /**
- *
  * Places the readings, each in its beam's quarter. The shortest beam comes first, because it has
  * the fewest positions.
  * @param occupied boxes that no tag may touch

@@ -1,5 +1,4 @@
 /**
- *
  * Which canvas is redrawn when. Node has no canvas, so a recording one replaces it. The browser
  * tests check how the result looks.
  */

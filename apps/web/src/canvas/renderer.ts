@@ -1,5 +1,4 @@
 /**
- *
  * Paints the stage on three canvases. Each is redrawn only when it changes:
  *
  * - the static maze: once per maze, size, theme or scroll position
@@ -316,7 +315,6 @@ function paintTrail(layer: CanvasLayer, model: StageModel, viewport: Viewport, t
 }
 
 /**
- *
  * Bumps share the trail's canvas: the robot's centre is never close to a wall, so neither covers
  * the other.
  */

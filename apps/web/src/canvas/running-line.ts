@@ -33,7 +33,6 @@ export function litSensors(
 }
 
 /**
- *
  * The numbers that lines compare their sensors with, the running line first. Empty unless the
  * program drives.
  */

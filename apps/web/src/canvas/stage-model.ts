@@ -10,7 +10,6 @@ import type { Palette } from "./palette.ts";
 import type { Layout, Scroll } from "./viewport.ts";
 
 /**
- *
  * Everything that is drawn besides the robot. It is compared field by field, so an unchanged field
  * must stay the same object.
  */

@@ -1,5 +1,4 @@
 /**
- *
  * Path2D objects with their SVG path data. A Path2D does not expose its data, but the SVG export
  * needs it.
  */
@@ -14,7 +13,6 @@ export function svgPath(text: string): Path2D {
 }
 
 /**
- *
  * Returns the path data that was given to `svgPath`.
  * @throws Error for a path that was not created by `svgPath`
  */

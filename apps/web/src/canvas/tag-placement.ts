@@ -1,5 +1,4 @@
 /**
- *
  * Placement of tags beside a beam: inside the view, never over the robot and never over each other.
  * A tag stands in the quarter of the view around its own beam, so that it is not mistaken for the
  * tag of another beam. Pure; pixels of the view.
@@ -44,7 +43,6 @@ const GAP = 4;
 const STEP = 3;
 
 /**
- *
  * Places each tag, in list order. A tag that fits nowhere is omitted: covering the robot would be
  * worse, and the panel shows every number of the stage, too.
  * @param occupied boxes that no tag may touch
@@ -87,7 +85,6 @@ function firstPlace(
 }
 
 /**
- *
  * Candidate positions of a reading: on the beam before its wall, beyond the wall, beside the beam,
  * or next to the robot. All of them are nearer to this beam than to its neighbours.
  * @param length pixels from the robot's centre to the wall
@@ -127,7 +124,6 @@ export function readingCentres(
 }
 
 /**
- *
  * Candidate positions of a mark's tag: beside the mark on either side, then farther out.
  * @param distance pixels from the robot's centre to the mark
  * @param reach half the length of the mark's bar in pixels

@@ -31,7 +31,6 @@ export class Trail {
   #end: { x: number; y: number } | null = null;
 
   /**
-   *
    * Adds the positions of a frame.
    * @param corners x and y alternating, in units
    * @param end position of the robot now

@@ -1,5 +1,4 @@
 /**
- *
  * Position of the maze in the stage: converts units to pixels and back.
  *
  * Pure. "View" is the visible drawing area in CSS pixels. "Content" is the scrollable area, which
@@ -119,7 +118,6 @@ export function layOut(
 }
 
 /**
- *
  * Lays out a maze for a camera that follows the robot: cells of a fixed size, and the maze reaches
  * the view's edges. A maze that fits as a whole needs no camera and is as large as possible.
  */
@@ -209,7 +207,6 @@ export function visibleCells(viewport: Viewport): CellRange {
 const FOLLOW_MARGIN = 0.2;
 
 /**
- *
  * Scroll position that shows a point: unchanged while the point is well inside the port, otherwise
  * centred on it. It jumps instead of moving gradually, so that the walls are not redrawn on every
  * frame.
@@ -241,7 +238,6 @@ export function clampScroll({ content, view }: Layout, scroll: Scroll): Scroll {
 }
 
 /**
- *
  * Scroll position that centres a point, without showing more than the padding beyond the maze. Near
  * the maze's edges the point leaves the centre and the position stands still.
  * @param x position in units
@@ -255,7 +251,6 @@ export function centredScroll(layout: Layout, x: number, y: number): Scroll {
 const CUT_SHARE = 0.6;
 
 /**
- *
  * Scroll position of a jumping camera: the nearest fixed position to the one that centres the
  * point. The point is at least a fifth of the view away from its edges, except at the maze's edges.
  */

@@ -1,15 +1,18 @@
 /**
- * How the stage looks at the maze. While a phone's Drive tab is open nobody edits: a camera goes with the
- * robot, or the whole maze shows.
+ * Camera of the stage. While the Drive tab of a phone is open, nobody edits: the stage follows the
+ * robot or shows the whole maze.
  */
 import { createStore } from "zustand/vanilla";
 
 export interface CameraState {
-  /** whether the phone's Drive tab is open: no tools, no transport, the robot has the stage */
+  /** whether the Drive tab of a phone is open, which hides tools and transport */
   isDriving: boolean;
-  /** whether the reader wants to see the whole maze while driving */
+  /** whether the user wants to see the whole maze while driving */
   isWhole: boolean;
-  /** zooms the stage, around a pixel of its view or around the robot; does nothing while there is no stage */
+  /**
+   * zooms the stage around a pixel of its view or, for null, around the robot; does nothing without
+   * a stage
+   */
   zoom: (
     by: "in" | "out" | "fit" | { factor: number },
     at: { x: number; y: number } | null,

@@ -1,14 +1,14 @@
 /**
- * What there is to explain: the newest bump of a program or a script, and the goal. A card belongs to a moment of
- * the run; whether it shows is seen from the moment on the screen.
+ * Explanations: the newest bump of a program or a script, and the goal. A card belongs to a tick of
+ * the run; it shows only while that tick is displayed.
  */
 import type { Diagnosis } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import { createStore } from "zustand/vanilla";
-import type { Moment } from "../worker/worker-messages.ts";
+import type { RunEvent } from "../worker/worker-messages.ts";
 
 export interface Explanation {
-  moment: Moment;
+  event: RunEvent;
   /** the program that drove */
   program: ProgramDocument;
   /** why the robot bumped; null for the goal */
@@ -25,11 +25,13 @@ export function createCardStore() {
 }
 export type CardStore = ReturnType<typeof createCardStore>;
 
-/** Where a card stands that has no place beside the robot: at the upper end of the panel or the sheet. */
+/**
+ * Place for a card that does not fit beside the robot: at the upper end of the panel or the sheet.
+ */
 export interface CardDockState {
-  /** null before there is one */
+  /** null before it is mounted */
   element: HTMLElement | null;
-  /** how far a sheet has to be open for the card that stands there; null while none does */
+  /** how far a sheet has to be open for the docked card; null without one */
   need: "half" | "more" | null;
 }
 
@@ -38,23 +40,23 @@ export function createCardDock() {
 }
 
 /**
- * Keeps a moment that has a card: the goal, and a bump for which the run has paused.
- * @param newest the program that stands on the page, which may have been edited in the same moment
+ * Stores an event that has a card: the goal, or a bump that paused the run.
+ * @param newest the program of the page, which may have been edited since the event
  */
-export function explain(store: CardStore, moment: Moment, newest: ProgramDocument): void {
-  const { kind, diagnosis } = moment;
-  const drove = moment.program ?? newest;
-  // What is equal is the page's own, so that an edit from here on is seen by the object.
+export function explain(store: CardStore, event: RunEvent, newest: ProgramDocument): void {
+  const { kind, diagnosis } = event;
+  const drove = event.program ?? newest;
+  // An equal program is replaced by the page's own object, so that an edit shows by its identity.
   const program = JSON.stringify(drove) === JSON.stringify(newest) ? newest : drove;
-  if (kind === "goal") store.setState({ goal: { moment, program, diagnosis } });
-  else if (diagnosis !== null) store.setState({ bump: { moment, program, diagnosis } });
+  if (kind === "goal") store.setState({ goal: { event, program, diagnosis } });
+  else if (diagnosis !== null) store.setState({ bump: { event, program, diagnosis } });
 }
 
-/** The run no longer goes further than to this tick: what came after it has not happened. */
-export function forgetAfter(store: CardStore, tick: number): void {
-  const kept = (each: Explanation | null) =>
-    each !== null && each.moment.tick <= tick ? each : null;
+/** Discards explanations after this tick, at which the run now ends. */
+export function truncateCards(store: CardStore, tick: number): void {
+  const retained = (each: Explanation | null) =>
+    each !== null && each.event.tick <= tick ? each : null;
   const { bump, goal } = store.getState();
-  store.setState({ bump: kept(bump), goal: kept(goal) });
+  store.setState({ bump: retained(bump), goal: retained(goal) });
 }
 export type CardDock = ReturnType<typeof createCardDock>;

@@ -1,42 +1,45 @@
 /**
- * The challenge that is open, if any: what it leaves to the editor and how the attempt stands. Filled
- * by the lessons, which come in a file of their own; everything else only reads it.
+ * The open challenge, if any: what the editor may offer and the state of the attempt. The lessons,
+ * which load on demand, write it; everything else only reads it.
  */
 import type { ChallengeDocument, FailureCode, Rights, Verdict } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
 import type { DriverName } from "@corridor/protocol";
 import { createStore } from "zustand/vanilla";
 
-/** How the attempt on the screen stands. */
+/** State of the attempt. */
 export type ChallengeResult =
   | { state: "open" }
-  /** the goal is met in the maze that is shown; what it takes beyond that is being checked, or is to be */
+  /**
+   * the goal is met in the displayed maze; the other mazes are being checked, or are still to be
+   * checked
+   */
   | { state: "here"; ticks: number; bumps: number; lines: number }
-  /** `driver`: who did it; lines of the program, 0 for a hand */
+  /** `driver`: who reached it; `lines` of the program, 0 for a hand-driven robot */
   | { state: "met"; driver: DriverName; ticks: number; bumps: number; lines: number }
-  /** until the robot is put back to its start; "late" and "edited" come from the run alone */
+  /** until the robot is reset; "late" and "edited" come from the run alone */
   | { state: "failed"; code: FailureCode | "late" | "edited"; tick: number };
 
 export interface ChallengeState {
   /** null while none is open */
   challenge: ChallengeDocument | null;
-  /** id of the mission whose challenge it is; null for one that came by a link */
+  /** id of the mission of the challenge; null for a challenge from a link */
   mission: string | null;
-  /** index of the maze that is shown */
+  /** index of the displayed maze */
   maze: number;
   /** what the editor may offer; null: everything */
   rights: Rights | null;
   result: ChallengeResult;
-  /** what the newest check of all mazes said of the program as it is; null when there was none */
+  /** result of the newest check of all mazes for the current program; null without one */
   verdict: Verdict | null;
-  /** beside the verdict, for each maze: why the program fails there */
+  /** parallel to the mazes of the verdict: why the program fails there */
   diagnoses: readonly (Diagnosis | null)[];
-  /** why the run on the screen failed; null while it has not, and once a check says something newer */
+  /** why the displayed run failed; null if it has not, and after a newer check */
   failedRun: Diagnosis | null;
-  /** whether the card beside the robot offers the way on, so that nothing else has to */
-  isCardShown: boolean;
+  /** whether the card beside the robot offers the next step, so that nothing else has to */
+  hasCard: boolean;
   isChecking: boolean;
-  /** a reader who has never been here is asked whether to begin with mission 1 */
+  /** whether a first-time user is asked to start with mission 1 */
   isInvited: boolean;
   /** whether the dialog with all missions is open */
   isPathOpen: boolean;
@@ -51,7 +54,7 @@ export const noChallenge = {
   verdict: null,
   diagnoses: [],
   failedRun: null,
-  isCardShown: false,
+  hasCard: false,
   isChecking: false,
 } as const satisfies Partial<ChallengeState>;
 
@@ -64,12 +67,14 @@ export function createChallengeStore() {
 }
 export type ChallengeStore = ReturnType<typeof createChallengeStore>;
 
-/** How the open challenge stands; null while none is open. */
+/** State of the open challenge; null while none is open. */
 export function challengeResult({ challenge, result }: ChallengeState): ChallengeResult | null {
   return challenge === null ? null : result;
 }
 
-/** Whether what the run on the screen does is what counts: one maze, and a goal that is seen reached. */
-export function isSeenInRun({ mazes, goal }: ChallengeDocument): boolean {
+/**
+ * Whether the displayed run alone decides: one maze, and a goal that the run can show as reached.
+ */
+export function isJudgedByRun({ mazes, goal }: ChallengeDocument): boolean {
   return mazes.length === 1 && (goal.kind === "reach" || goal.kind === "stop");
 }

@@ -1,26 +1,29 @@
-/** The race that is on, if any: the ghosts, and what the robot itself took. Filled by `features/race`. */
+/**
+ * The current race, if any: the ghosts, and the result of the robot itself. Written by
+ * `features/race`.
+ */
 import { createStore } from "zustand/vanilla";
 import type { Finish } from "../worker/worker-messages.ts";
 
-/** Where this tab stores the ghosts. */
+/** Session storage key of the ghosts. */
 export const RACE_KEY = "corridor.race";
 
 export interface RaceGhost {
   id: number;
   /** A to D */
   badge: string;
-  /** name of the program that its run began with */
+  /** name of the program at the start of its run */
   program: string;
-  /** the same for two ghosts only if they are the same run */
+  /** equal for two ghosts only if they are the same run */
   digest: string;
   /** null while it is loading */
   finish: Finish | null;
 }
 
 export interface RaceState {
-  /** in the order of their badges; empty while no race is on */
+  /** in the order of their badges; empty without a race */
   ghosts: readonly RaceGhost[];
-  /** what the live run took to the goal; null while it has not reached it */
+  /** result of the live run; null until it reaches the goal */
   you: Finish | null;
 }
 

@@ -1,4 +1,7 @@
-/** What the Remote panel shows: the connection, the address with its key, the scripts and the commands. */
+/**
+ * What the Remote panel shows: the connection, the address with its key, the scripts and the
+ * commands.
+ */
 import { createStore } from "zustand/vanilla";
 import type { RemoteView } from "../worker/worker-messages.ts";
 

@@ -1,31 +1,34 @@
 /**
- * What the panels show of the run: the newest snapshot at a calm rate, the speed, and what happened.
- * The stage does not read this store; the worker draws it from the run itself.
+ * The run as the panels show it: the newest snapshot at a throttled rate, the speed, and the newest
+ * event. The stage does not read this store; the worker draws the stage from the run itself.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { DriverName, Snapshot } from "@corridor/protocol";
 import type { Progress } from "@corridor/simulation";
 import { createStore } from "zustand/vanilla";
-import type { Moment, RunView, Speed } from "../worker/worker-messages.ts";
+import type { RunEvent, RunView, Speed } from "../worker/worker-messages.ts";
 
 export interface RunState {
-  /** of the shown moment; null until the worker has sent its first frame */
+  /** at the displayed tick; null before the worker's first frame */
   snapshot: Snapshot | null;
-  /** how far the running manoeuvre is at the shown moment; null when none runs */
+  /** progress of the running manoeuvre at the displayed tick; null if none runs */
   progress: Progress | null;
-  /** which moment is shown */
+  /** whether the newest or an earlier tick is displayed */
   view: RunView;
-  /** the run's last tick; the shown one is the snapshot's */
+  /** the run's last tick; the displayed tick is the snapshot's */
   nowTick: number;
-  /** ticks up to the shown moment in which a script let the robot wait; the others it drove */
+  /** ticks up to the displayed one in which a script made the robot wait; in the others it drove */
   waited: number;
-  /** who drives the newest moment, null before the first frame; the driver of the shown one is the snapshot's */
+  /**
+   * the driver at the newest tick, null before the first frame; the driver at the displayed tick is
+   * the snapshot's
+   */
   nowDriver: DriverName | null;
-  /** the maze of the shown moment where it is not the workspace's; null when it is */
-  shownMaze: MazeDocument | null;
+  /** the maze at the displayed tick if it differs from the workspace's; otherwise null */
+  pastMaze: MazeDocument | null;
   speed: Speed;
-  /** the newest bump or goal since the robot was last put at its start; null when there is none */
-  moment: Moment | null;
+  /** the newest bump or goal since the last reset; null without one */
+  event: RunEvent | null;
   /** why the simulator stopped for good, in its own words; null while it works */
   fault: string | null;
 }
@@ -38,9 +41,9 @@ export function createRunStore() {
     nowTick: 0,
     waited: 0,
     nowDriver: null,
-    shownMaze: null,
+    pastMaze: null,
     speed: 1,
-    moment: null,
+    event: null,
     fault: null,
   }));
 }

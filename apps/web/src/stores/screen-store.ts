@@ -1,4 +1,4 @@
-/** What the screen itself remembers: theme, tool, what is shown, messages. Not part of any document. */
+/** State of the screen itself: theme, tool, visible layers, messages. Not part of any document. */
 import { createStore } from "zustand/vanilla";
 
 export const tools = ["blocks", "start", "goal", "measure"] as const;
@@ -6,25 +6,27 @@ export type Tool = (typeof tools)[number];
 /** A tool that changes the maze. */
 export type EditTool = Exclude<Tool, "measure">;
 export type Theme = "system" | "light" | "dark";
-/** more: high contrast even where the system does not ask for it */
+/** more: high contrast even if the system does not request it */
 export type Contrast = "system" | "more";
 
-/** In the order in which they stand. */
+/** In display order. */
 export const sheetTabs = ["drive", "program", "presets"] as const;
 export type SheetTab = (typeof sheetTabs)[number];
 
-/** A dismissable message. `text` is already in the reader's language. */
+/** A dismissible message. `text` is already translated. */
 export interface Message {
   id: number;
   tone: "info" | "bad";
   text: string;
-  /** information that waits for an answer, however long; by itself it leaves after some seconds */
+  /** whether information stays until it is dismissed; otherwise it disappears after some seconds */
   stays?: boolean;
-  /** it takes back an edit of the open work, and leaves when another work opens */
-  isOfWork?: boolean;
-  /** how much of what is waited for is done, from 0 to 1 */
+  /**
+   * whether it offers to undo an edit of the open project; it disappears when another project opens
+   */
+  isOfProject?: boolean;
+  /** progress from 0 to 1 of the task that the message is about */
   part?: number;
-  /** one way to mend or take back, such as Undo */
+  /** one action that fixes or undoes, such as Undo */
   action?: { label: string; run: () => void } | undefined;
 }
 
@@ -37,17 +39,20 @@ export interface ScreenState {
   showTrail: boolean;
   showRulers: boolean;
   messages: readonly Message[];
-  /** the tab of a phone's sheet; null: where the work is done */
+  /** the open tab of a phone's sheet; null: the tab that fits the current task */
   sheetTab: SheetTab | null;
-  /** whether "Try it in other mazes" is open: it stays so when a phone is turned */
+  /** whether "Try it in other mazes" is open; stays set when a phone is rotated */
   isTryingMazes: boolean;
-  /** whether the page opens and what its address asks for is on its way: no other work is shown meanwhile */
+  /**
+   * whether the document of the page's address is still loading; no other project is displayed
+   * meanwhile
+   */
   isOpening: boolean;
-  /** whether keys without Ctrl drive and open things (WCAG 2.1.4 asks for a switch) */
+  /** whether single-key shortcuts are enabled (WCAG 2.1.4 requires a switch) */
   singleKeys: boolean;
-  /** whether those who listen are told of the run while it goes on */
+  /** whether screen readers receive messages about the run while it continues */
   speakRun: boolean;
-  /** whether the newest edit has reached the device's storage */
+  /** whether the newest edit is stored on the device */
   saved: "saved" | "saving" | "blocked";
 }
 
@@ -72,32 +77,32 @@ export type ScreenStore = ReturnType<typeof createScreenStore>;
 
 let lastMessageId = 0;
 
-/** Messages that stand at once, so that the screen is never covered. */
-const MOST_MESSAGES = 4;
+/** Largest number of messages at a time, so that the screen is never covered. */
+const MAX_MESSAGES = 4;
 
 /**
- * Shows a message; the newest stands first. One that says the same as before takes its place. Where
- * there are too many the oldest goes that would have left by itself; what stays is not pushed out.
+ * Shows a message above the others. It replaces one with the same text. If there are too many, the
+ * oldest that would disappear by itself is removed; messages that stay are removed last.
  */
-export function tell(store: ScreenStore, message: Omit<Message, "id">): number {
+export function showMessage(store: ScreenStore, message: Omit<Message, "id">): number {
   const id = ++lastMessageId;
   store.setState((state) => {
-    const others = state.messages.filter((each) => !isRenewedBy(each, message));
-    return { messages: withRoom([{ ...message, id }, ...others]) };
+    const others = state.messages.filter((each) => !isReplacedBy(each, message));
+    return { messages: limited([{ ...message, id }, ...others]) };
   });
   return id;
 }
 
-function withRoom(messages: readonly Message[]): readonly Message[] {
-  if (messages.length <= MOST_MESSAGES) return messages;
-  const passing = messages.findLastIndex(
+function limited(messages: readonly Message[]): readonly Message[] {
+  if (messages.length <= MAX_MESSAGES) return messages;
+  const evicted = messages.findLastIndex(
     ({ tone, stays = tone === "bad" }, at) => at > 0 && !stays,
   );
-  return messages.toSpliced(passing < 0 ? messages.length - 1 : passing, 1);
+  return messages.toSpliced(evicted < 0 ? messages.length - 1 : evicted, 1);
 }
 
-/** Information with an action takes something back, and two of those may say the same of two things. */
-function isRenewedBy(shown: Message, next: Omit<Message, "id">): boolean {
+/** Information with an action undoes something, and two such messages may have the same text. */
+function isReplacedBy(shown: Message, next: Omit<Message, "id">): boolean {
   if (shown.text !== next.text || shown.tone !== next.tone) return false;
   return next.tone === "bad" || shown.action === undefined;
 }
@@ -106,13 +111,15 @@ export function dismiss(store: ScreenStore, id: number): void {
   store.setState((state) => ({ messages: state.messages.filter((each) => each.id !== id) }));
 }
 
-/** Another work opens: what takes back an edit of the one before would change this one. */
-export function dismissOfWork(store: ScreenStore): void {
-  store.setState((state) => ({ messages: state.messages.filter(({ isOfWork }) => !isOfWork) }));
+/** Removes messages whose action would change the project that was open before. */
+export function dismissOfProject(store: ScreenStore): void {
+  store.setState((state) => ({
+    messages: state.messages.filter(({ isOfProject: isOfWork }) => !isOfWork),
+  }));
 }
 
-/** What a message waits for is so far now, from 0 to 1. */
-export function tellPart(store: ScreenStore, id: number, part: number): void {
+/** Updates the progress of a message, from 0 to 1. */
+export function setMessageProgress(store: ScreenStore, id: number, part: number): void {
   store.setState((state) => ({
     messages: state.messages.map((each) => (each.id === id ? { ...each, part } : each)),
   }));

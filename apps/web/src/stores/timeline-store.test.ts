@@ -7,39 +7,39 @@ function newStore() {
   const recorded = new Timeline();
   const store = new TimelineStore();
   const timeline = store.open(() => new Timeline());
-  const told: number[] = [];
-  const end = store.listen(() => told.push(timeline.endTick));
+  const received: number[] = [];
+  const end = store.listen(() => received.push(timeline.endTick));
   const record = (...ticks: number[]) => {
     for (const tick of ticks) recorded.advanceTo(tick);
-    const news = recorded.takeDelta();
-    if (news !== null) store.take(news);
+    const delta = recorded.takeDelta();
+    if (delta !== null) store.add(delta);
   };
-  return { told, end, record };
+  return { received, end, record };
 }
 
 describe("the page's timeline", () => {
-  it("tells the news at once, and what came between two frames in one go", () => {
-    const { told, record } = newStore();
+  it("publishes each delta at once, and everything between two frames together", () => {
+    const { received, record } = newStore();
     record(1);
     record(2, 3, 4);
-    expect(told).toEqual([1, 4]);
+    expect(received).toEqual([1, 4]);
   });
 
-  it("is at rest when nothing comes", () => {
-    const { told, record } = newStore();
+  it("publishes nothing without a delta", () => {
+    const { received, record } = newStore();
     record(1);
     record();
-    expect(told).toEqual([1]);
+    expect(received).toEqual([1]);
   });
 
-  it("tells nobody who has left", () => {
-    const { told, record, end } = newStore();
+  it("does not notify removed listeners", () => {
+    const { received, record, end } = newStore();
     end();
     record(1);
-    expect(told).toEqual([]);
+    expect(received).toEqual([]);
   });
 
-  it("has all that came before it was opened, and tells so", () => {
+  it("applies all deltas from before it was opened, and notifies once", () => {
     const recorded = new Timeline();
     const store = new TimelineStore();
     const waited: number[] = [];
@@ -47,8 +47,8 @@ describe("the page's timeline", () => {
     for (const tick of [30, 60]) {
       recorded.commands.setWaiting(tick, tick === 30);
       recorded.advanceTo(tick);
-      const news = recorded.takeDelta();
-      if (news !== null) store.take(news);
+      const delta = recorded.takeDelta();
+      if (delta !== null) store.add(delta);
     }
     expect(waited).toEqual([]);
     const opened = store.open(() => new Timeline());

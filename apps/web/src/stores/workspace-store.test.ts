@@ -6,7 +6,7 @@ import { firstMaze, firstProgram } from "../worker/first-work.ts";
 import {
   beginStroke,
   createWorkspaceStore,
-  openWork,
+  openProject,
   redo,
   setMaze,
   setProgram,
@@ -54,7 +54,7 @@ function documents(store: WorkspaceStore) {
 }
 
 describe("undo", () => {
-  it("after any edits gives back each document as it was, and redo each as it became", () => {
+  it("after any edits restores each document as it was, and redo each as it became", () => {
     fc.assert(
       fc.property(fc.array(anyEdit, { maxLength: 25 }), (edits) => {
         const store = createWorkspaceStore(firstMaze, firstProgram);
@@ -81,7 +81,7 @@ describe("undo", () => {
     );
   });
 
-  it("takes a whole stroke over many cells back at once", () => {
+  it("undoes a whole stroke over many cells at once", () => {
     const store = createWorkspaceStore(firstMaze, firstProgram);
     const endStroke = beginStroke(store);
     for (const column of [5, 6, 7]) {
@@ -95,19 +95,19 @@ describe("undo", () => {
     expect(store.getState().maze.blocks[6]).not.toBe(firstMaze.blocks[6]);
   });
 
-  it("does not reach back behind the opening of another work", () => {
+  it("does not go back beyond the opening of another project", () => {
     const store = createWorkspaceStore(firstMaze, firstProgram);
     const other = { ...firstMaze, name: "Other" };
-    openWork(store, other, firstProgram);
+    openProject(store, other, firstProgram);
     undo(store);
     expect(store.getState().maze.name).toBe("Other");
   });
 
-  it("nor where the other work was opened in the middle of a stroke", () => {
+  it("nor if the other project was opened during a stroke", () => {
     const store = createWorkspaceStore(firstMaze, firstProgram);
     const endStroke = beginStroke(store);
     onMaze(() => setBlock(store.getState().maze, { column: 5, row: 6 }, true))(store);
-    openWork(store, { ...firstMaze, name: "Other" }, firstProgram);
+    openProject(store, { ...firstMaze, name: "Other" }, firstProgram);
     endStroke();
     undo(store);
     expect(store.getState().maze.name).toBe("Other");

@@ -1,6 +1,7 @@
 /**
- * The documents that the user works on, and their one history: undo takes back the last edit,
- * whether of the maze or of the program. React-free; actions call the packages' pure edits.
+ * The documents that the user edits, with one history: undo reverts the last edit, whether of the
+ * maze or of the program. Independent of React; actions call the pure edit functions of the
+ * packages.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
@@ -10,18 +11,18 @@ import { createStore } from "zustand/vanilla";
 export interface Workspace {
   maze: MazeDocument;
   program: ProgramDocument;
-  /** one id a rule, so that a line keeps its focus and its badge's place when it moves */
+  /** one id per rule, so that a line's focus and badge move with it */
   lineIds: readonly number[];
-  /** an edited program under the name that it goes on with */
+  /** returns the edited program under its new name */
   named: NameEdit;
 }
 
 type NameEdit = (before: ProgramDocument, after: ProgramDocument) => ProgramDocument;
 
-/** Steps that undo can take back. */
+/** Largest number of undo steps. */
 const HISTORY_LIMIT = 200;
 
-/** New ids for the lines of a program; ids are unique within the page. */
+/** Creates ids for lines; ids are unique within the page. */
 let lastLineId = 0;
 export function newLineIds(count: number): number[] {
   return Array.from({ length: count }, () => ++lastLineId);
@@ -43,12 +44,12 @@ export function createWorkspaceStore(
 
 export type WorkspaceStore = ReturnType<typeof createWorkspaceStore>;
 
-/** Puts another or an edited maze in, as one step of the history. */
+/** Replaces the maze, as one step of the history. */
 export function setMaze(store: WorkspaceStore, maze: MazeDocument): void {
   store.setState({ maze });
 }
 
-/** Puts another or an edited program in. Without ids, lines keep theirs if their number is the same. */
+/** Replaces the program. Without ids, lines retain theirs if their number is the same. */
 export function setProgram(
   store: WorkspaceStore,
   program: ProgramDocument,
@@ -62,8 +63,8 @@ export function setProgram(
   });
 }
 
-/** Opens other documents altogether (another saved work, a link): the history begins anew. */
-export function openWork(
+/** Opens other documents (another stored project, a link) with an empty history. */
+export function openProject(
   store: WorkspaceStore,
   maze: MazeDocument,
   program: ProgramDocument,
@@ -81,7 +82,7 @@ export function redo(store: WorkspaceStore): void {
 }
 
 /**
- * Runs several edits (a drag over many cells) so that one undo takes them all back.
+ * Groups several edits (a drag over many cells) into one undo step.
  * @returns a function that ends the stroke
  */
 export function beginStroke(store: WorkspaceStore): () => void {
@@ -93,7 +94,7 @@ export function beginStroke(store: WorkspaceStore): () => void {
     history.getState().resume();
     const after = store.getState();
     if (after.maze === maze && after.program === program) return;
-    // Another work was opened meanwhile: the stroke was one in the work before.
+    // Another project was opened meanwhile: the stroke belongs to the previous one.
     if (history.getState().pastStates !== pastStates) return;
     history.setState({
       pastStates: [...history.getState().pastStates, { maze, program, lineIds }].slice(

@@ -1,12 +1,12 @@
-/** The square number of a program line: the same badge wherever that line is meant. */
+/** The number of a program line, with the same look wherever that line is meant. */
 import type { ReactNode } from "react";
 import styles from "./tag.module.css";
 import { classNames } from "./class-names.ts";
 
 interface BadgeProps {
-  /** rest: ink; live: this line runs; bad: this line bumped */
+  /** rest: ink; live: the line runs; bad: the line caused a bump */
   tone?: "rest" | "live" | "bad";
-  /** the number, or a picture where no numbered line is meant */
+  /** the number, or an icon for something other than a numbered line */
   children: ReactNode;
   className?: string | undefined;
 }

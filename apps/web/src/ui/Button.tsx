@@ -1,4 +1,4 @@
-/** Buttons: run (the one orange thing), primary, outline and quiet; with or without an icon. */
+/** Buttons: run (the only orange one), primary, outline and quiet; with or without an icon. */
 import type { ComponentProps, ReactNode } from "react";
 import styles from "./button.module.css";
 import { classNames } from "./class-names.ts";
@@ -6,14 +6,14 @@ import { classNames } from "./class-names.ts";
 export type ButtonKind = "run" | "primary" | "outline" | "quiet";
 
 export interface ButtonProps extends ComponentProps<"button"> {
-  /** outline unless told */
+  /** default: outline */
   kind?: ButtonKind;
-  /** small 32 px, medium 36 px, large 44 px high; every size is 44 px under a finger */
+  /** height: small 32 px, medium 36 px, large 44 px; every size is 44 px on touch screens */
   size?: "small" | "medium" | "large";
   icon?: ReactNode;
 }
 
-/** A native button; `type` is "button", so that it never sends a form by accident. */
+/** A native button whose `type` is "button", so that it never submits a form by accident. */
 export function Button({
   kind = "outline",
   size = "medium",
@@ -35,9 +35,9 @@ export function Button({
 }
 
 interface IconButtonProps extends Omit<ComponentProps<"button">, "aria-label" | "title"> {
-  /** what it does: its accessible name and its tooltip */
+  /** accessible name and tooltip */
   label: string;
-  /** quiet unless told */
+  /** default: quiet */
   kind?: ButtonKind;
   size?: "small" | "medium" | "large";
 }

@@ -1,4 +1,4 @@
-/** A tick box with its words and, where they need it, a note below. */
+/** A checkbox with a label and an optional note below. */
 import { useId } from "react";
 import styles from "./field.module.css";
 

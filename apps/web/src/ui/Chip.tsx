@@ -4,7 +4,7 @@ import { classNames } from "./class-names.ts";
 import styles from "./tag.module.css";
 
 interface ChipProps {
-  /** ring: waiting; live: happening; good, bad: how it ended; dashed: never happened */
+  /** ring: waiting; live: in progress; good, bad: ended; dashed: never started */
   tone: "ring" | "live" | "good" | "bad" | "dashed";
   icon: ReactNode;
   children: string;

@@ -1,6 +1,6 @@
 /**
- * A modal dialog on the native element: focus stays in it, Escape closes it, focus returns to where
- * it was. On phones it is a sheet of full height.
+ * A modal dialog on the native element: it traps focus, closes on Escape, and restores focus. On
+ * phones it is a sheet of full height.
  */
 import { X } from "lucide-react";
 import { useEffect, useId, useRef, type ReactNode } from "react";
@@ -17,14 +17,14 @@ interface DialogProps {
   subtitle?: string;
   /** wide: 816 px (share); narrow: 480 px */
   width?: "wide" | "narrow";
-  /** a quiet band at the bottom */
+  /** a quiet bar at the bottom */
   footer?: ReactNode;
-  /** its content has nothing to press: it is a stop of the Tab key itself, so that keys scroll it */
+  /** whether the content has no controls: it can then be focused, so that keys scroll it */
   isText?: boolean;
   children: ReactNode;
 }
 
-/** Stays mounted while closed, so that the browser can give focus back; its content does not. */
+/** Stays mounted while closed, so that the browser can restore focus; its content does not. */
 export function Dialog({
   isOpen,
   onClose,
@@ -50,7 +50,8 @@ export function Dialog({
       aria-labelledby={titleId}
       onClose={onClose}
       onPointerDown={(event) => {
-        // The frame has no padding: a press on the dialog element itself is one on the backdrop.
+        // The frame has no padding: a press on the dialog element itself is a press on the
+        // backdrop.
         if (event.target === event.currentTarget) onClose();
       }}
     >

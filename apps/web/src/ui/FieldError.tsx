@@ -1,4 +1,4 @@
-/** What is wrong with a field and how to mend it, below the field. */
+/** The error of a field and how to fix it, below the field. */
 import { TriangleAlert } from "lucide-react";
 import styles from "./field.module.css";
 

@@ -1,4 +1,4 @@
-/** A key of the keyboard, as it is printed on it: "Alt+↓" in every script. */
+/** A key of the keyboard as printed on it: "Alt+↓" in every script. */
 import styles from "./tag.module.css";
 
 export function Kbd({ children }: { children: string }) {

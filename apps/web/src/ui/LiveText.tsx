@@ -1,13 +1,13 @@
 /**
- * A text that moves with the run. React renders its element once; from then on it is written straight
- * to its text node. Give it a box of its own size, and nothing else on the page is laid out with it.
+ * A text that changes with the run. React renders its element once; after that its text node is
+ * written directly. In a box of fixed size it causes no other layout.
  */
 import { useLayoutEffect, useRef } from "react";
-import { followText, type Followed } from "./follow-text.ts";
+import { followText, type StateSource } from "./follow-text.ts";
 
 interface LiveTextProps<State> {
-  of: Followed<State>;
-  /** the same function each time while it says the same: a new one is followed anew */
+  of: StateSource<State>;
+  /** must be a stable function: a new one is subscribed again */
   text: (state: State) => string;
   className?: string | undefined;
 }

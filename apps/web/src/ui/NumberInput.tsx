@@ -1,4 +1,4 @@
-/** A field for a number that is being typed; label and error have their places around it. */
+/** A field for a number while it is typed. Label and error are rendered around it. */
 import type { ComponentProps } from "react";
 import { classNames } from "./class-names.ts";
 import styles from "./field.module.css";
@@ -6,7 +6,7 @@ import type { NumberDraft } from "./use-number-draft.ts";
 
 interface NumberInputProps extends Omit<ComponentProps<"input">, "value" | "onChange"> {
   draft: Omit<NumberDraft, "hasErrorRoom">;
-  /** id of the element that tells the error */
+  /** id of the element with the error */
   errorId: string;
 }
 
@@ -15,7 +15,7 @@ export function NumberInput({ draft, errorId, className, onBlur, ...rest }: Numb
     <input
       {...rest}
       type="text"
-      // A minus stands before its figures in every script.
+      // A minus sign precedes its digits in every script.
       dir="ltr"
       inputMode="decimal"
       autoComplete="off"

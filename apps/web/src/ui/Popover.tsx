@@ -1,6 +1,6 @@
 /**
- * A small surface that floats at its button: menus and short panels, on the native Popover API.
- * The browser closes it on Escape and on a press elsewhere, and gives focus back.
+ * A small panel at its button: menus and short forms, on the native Popover API. The browser closes
+ * it on Escape and on a press outside, and restores focus.
  *
  * ```tsx
  * const menu = usePopover();
@@ -9,14 +9,14 @@
  * ```
  */
 import { useId, useState, type ReactNode } from "react";
-import { placePopover } from "./popover-place.ts";
+import { placePopover } from "./popover-position.ts";
 import styles from "./popover.module.css";
 import { classNames } from "./class-names.ts";
 
 interface PopoverControl {
-  /** for the button that opens it */
+  /** props of the button that opens it */
   trigger: { popoverTarget: string; "aria-expanded": boolean };
-  /** for the Popover itself */
+  /** props of the Popover itself */
   panel: { id: string; isOpen: boolean; onOpenChange: (isOpen: boolean) => void };
   close: () => void;
 }
@@ -36,15 +36,15 @@ interface PopoverProps {
   id: string;
   isOpen: boolean;
   onOpenChange: (isOpen: boolean) => void;
-  /** what it holds, for those who cannot see it */
+  /** accessible name */
   label: string;
-  /** which edge of the button it shares; start is the left one unless the page runs right-to-left */
+  /** the edge that it shares with the button; start is left, or right in right-to-left pages */
   align?: "start" | "end";
   className?: string | undefined;
   children: ReactNode;
 }
 
-/** Its content exists only while it is open. */
+/** Its content is mounted only while it is open. */
 export function Popover({
   id,
   isOpen,
@@ -61,13 +61,13 @@ export function Popover({
       aria-label={label}
       className={classNames(styles["popover"], className)}
       onToggle={(event) => {
-        // A details element inside tells of a toggle too; only our own counts.
+        // A details element inside sends toggle events, too.
         if (event.target !== event.currentTarget) return;
         onOpenChange(event.newState === "open");
       }}
     >
       {isOpen && (
-        <div ref={(content) => keepPlaced(id, content, align)} className={styles["content"]}>
+        <div ref={(content) => observePosition(id, content, align)} className={styles["content"]}>
           {children}
         </div>
       )}
@@ -76,27 +76,27 @@ export function Popover({
 }
 
 /**
- * Places it now, and again whenever its content or the window has another size: some of it may come
- * later, and a phone is turned.
+ * Positions it now and after each resize of its content or the window: content may load later, and
+ * phones rotate.
  */
-function keepPlaced(
+function observePosition(
   id: string,
   content: HTMLElement | null,
   align: "start" | "end",
 ): (() => void) | undefined {
   if (content === null) return undefined;
-  const placeNow = () => place(id, content, align);
-  const watch = new ResizeObserver(placeNow);
-  watch.observe(content);
-  window.addEventListener("resize", placeNow);
-  placeNow();
+  const update = () => place(id, content, align);
+  const observer = new ResizeObserver(update);
+  observer.observe(content);
+  window.addEventListener("resize", update);
+  update();
   return () => {
-    watch.disconnect();
-    window.removeEventListener("resize", placeNow);
+    observer.disconnect();
+    window.removeEventListener("resize", update);
   };
 }
 
-/** Puts the popover at its button, once its content has a size. */
+/** Positions the popover at its button once its content has a size. */
 function place(id: string, content: HTMLElement, align: "start" | "end"): void {
   const popover = content.parentElement;
   const button = document.querySelector(`[popovertarget="${CSS.escape(id)}"]`);
@@ -118,12 +118,12 @@ interface MenuItemProps {
   /** second, quieter line */
   note?: string;
   disabled?: boolean;
-  /** whether the menu stays open when it is taken: it has something to ask first */
+  /** whether the menu stays open after a selection, for items that ask a question first */
   staysOpen?: boolean;
   onSelect: () => void;
 }
 
-/** One choice of a menu in a Popover; the menu closes itself when it is taken. */
+/** One item of a menu in a Popover. Selecting it closes the menu. */
 export function MenuItem({
   icon,
   children,

@@ -1,8 +1,8 @@
-/** The robot from above as a small picture. The only thing with a face. */
+/** The robot from above as an icon. Nothing else has a face. */
 import styles from "./robot-face.module.css";
 
 interface RobotFaceProps {
-  /** its width in px */
+  /** width in px */
   size: number;
   mood?: "driving" | "bumped";
   className?: string | undefined;

@@ -1,4 +1,4 @@
-/** A choice of few, all in sight: a native radio group in one track. */
+/** A choice between few visible options: a native radio group in one track. */
 import { useId, type ReactNode } from "react";
 import { classNames } from "./class-names.ts";
 import styles from "./segmented.module.css";
@@ -7,18 +7,20 @@ interface SegmentedOption<Value extends string> {
   value: Value;
   label: string;
   icon?: ReactNode;
-  /** why it does nothing now, for an option that looks fixed; it can be chosen, to leave another one */
+  /** why an option has no effect now; it looks disabled but can be chosen */
   fixed?: string | undefined;
 }
 
 interface SegmentedProps<Value extends string> {
-  /** names the group for everyone; shown above only with `showLabel` */
+  /** accessible name of the group; visible only with `showLabel` */
   label: string;
   showLabel?: boolean;
   value: Value;
   options: readonly SegmentedOption<Value>[];
   onChange: (value: Value) => void;
-  /** "track" fills the width on a sunken track; "strip" is as wide as its words, on a raised bar */
+  /**
+   * "track" fills the width on a sunken track; "strip" is as wide as its labels, on a raised bar
+   */
   look?: "track" | "strip";
 }
 

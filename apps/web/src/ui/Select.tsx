@@ -1,4 +1,4 @@
-/** A native select in the house's clothes: the phone keeps its own wheel, the keyboard its own ways. */
+/** A styled native select, so that phones show their own picker and keys work as usual. */
 import { ChevronDown } from "lucide-react";
 import type { ComponentProps, ReactNode } from "react";
 import { classNames } from "./class-names.ts";
@@ -8,12 +8,12 @@ interface SelectProps<Value extends string> extends Omit<
   ComponentProps<"select">,
   "value" | "onChange" | "aria-label" | "children"
 > {
-  /** the accessible name; a visible label is the caller's */
+  /** accessible name; the caller renders a visible label */
   label: string;
   value: Value;
   options: readonly { value: Value; label: string }[];
   onChange: (value: Value) => void;
-  /** a picture of the chosen value, before its words */
+  /** icon of the chosen value, before its label */
   icon?: ReactNode;
 }
 

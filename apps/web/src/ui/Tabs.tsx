@@ -1,4 +1,4 @@
-/** Tabs: one row of names, one panel; arrows move between the names. */
+/** Tabs: one row of tabs and one panel; arrow keys move between the tabs. */
 import { useId, type ReactNode } from "react";
 import styles from "./tabs.module.css";
 
@@ -8,7 +8,7 @@ interface TabsProps<Value extends string> {
   tabs: readonly { value: Value; label: string; icon?: ReactNode }[];
   onChange: (value: Value) => void;
   panelClassName?: string | undefined;
-  /** content of the chosen tab */
+  /** content of the selected tab */
   children: ReactNode;
 }
 
@@ -60,7 +60,7 @@ export function Tabs<Value extends string>({
           </button>
         ))}
       </div>
-      {/* Another one for each tab: it begins at its top, however far the last was scrolled. */}
+      {/* A new panel for each tab starts at its top, however far the previous one was scrolled. */}
       <div
         key={value}
         role="tabpanel"

@@ -1,6 +1,6 @@
-/** One className from several, so that components read without string building. */
+/** Joins class names, so that components need no string building. */
 
-/** Joins the names that are there; false and undefined are left out. */
+/** Joins the names; false and undefined are omitted. */
 export function classNames(...names: readonly (string | false | undefined)[]): string {
   return names.filter(Boolean).join(" ");
 }

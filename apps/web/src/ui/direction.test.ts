@@ -1,4 +1,4 @@
-/** Styles name the start and the end of a line, not left and right: the page also runs right-to-left. */
+/** Styles use logical start and end instead of left and right: the page also runs right-to-left. */
 import { globSync, readFileSync } from "node:fs";
 import { expect, it } from "vitest";
 

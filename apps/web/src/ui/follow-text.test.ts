@@ -14,7 +14,7 @@ function follow() {
 }
 
 describe("a text that moves with the run", () => {
-  it("is there at once, and written only when it is another one", () => {
+  it("is written at once, and then only when it changes", () => {
     const { store, written } = follow();
     store.setState({ y: 5 });
     store.setState({ x: 1.01 });
@@ -24,7 +24,7 @@ describe("a text that moves with the run", () => {
     expect(written).toEqual(["1.0", "2.5", "1.0"]);
   });
 
-  it("rests when nobody shows it any more", () => {
+  it("has no subscription after it is unmounted", () => {
     const { store, written, end } = follow();
     end();
     store.setState({ x: 9 });

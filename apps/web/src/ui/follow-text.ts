@@ -1,17 +1,17 @@
-/** Follows a text that is made of a store's state, and tells it only when it has become another one. */
+/** Subscribes to a text derived from a store's state and reports it only when it changes. */
 
-/** What of a store is followed. */
-export interface Followed<State> {
+/** The part of a store that is read. */
+export interface StateSource<State> {
   getState: () => State;
   subscribe: (listener: (state: State) => void) => () => void;
 }
 
 /**
- * Writes the text at once, and from then on each time that it changes.
- * @returns a function that ends it
+ * Writes the text now and after each change.
+ * @returns a function that unsubscribes
  */
 export function followText<State>(
-  { getState, subscribe }: Followed<State>,
+  { getState, subscribe }: StateSource<State>,
   text: (state: State) => string,
   write: (text: string) => void,
 ): () => void {

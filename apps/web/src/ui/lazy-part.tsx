@@ -1,10 +1,10 @@
 /**
- * Parts of the screen that come in a file of their own: dialogs, menus, panels. The first screen stays
- * small, and all of them are fetched in the background once the page has time (`preloadParts`), so
- * that hardly anybody ever waits for one.
+ * Parts of the screen in files of their own: dialogs, menus, panels. The first screen stays small,
+ * and `preloadParts` loads them all in the background once the page is idle, so that users hardly
+ * ever wait for one.
  *
- * When a file does not come (no network, a newer Corridor on the server), the part says so where it
- * would stand and can be asked for again; nothing else on the page is touched.
+ * If a file does not load (no network, a newer Corridor on the server), the part shows an error in
+ * its place with a button to retry. Nothing else on the page is affected.
  */
 import { useEffect, useSyncExternalStore, type ComponentType, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
@@ -15,7 +15,10 @@ import { PartLoader } from "./part-loader.ts";
 
 const loaders = new Set<{ load: () => Promise<void> }>();
 
-/** Fetches the parts that nobody has asked for yet, one after the other. What fails waits for its call. */
+/**
+ * Loads the parts that were not requested yet, one after the other. A failed one loads when it is
+ * requested.
+ */
 export async function preloadParts(): Promise<void> {
   for (const loader of loaders) await loader.load();
 }
@@ -34,7 +37,7 @@ function useLoaded<Part>(loader: PartLoader<Part>, isWanted: boolean) {
 }
 
 /**
- * A part that fills a place: a panel, the content of a menu.
+ * A part with its own place: a panel, the content of a menu.
  *
  * ```tsx
  * const PresetsPanel = lazyPart(async () => (await import("./PresetsPanel.tsx")).PresetsPanel);
@@ -48,30 +51,30 @@ export function lazyPart<Props extends object>(
     const { t } = useTranslation();
     const state = useLoaded(loader, true);
     if (state.kind === "ready") return <state.part {...props} />;
-    if (state.kind === "failed") return <PartFailure onRetry={() => void tryAgain(loader)} />;
+    if (state.kind === "failed") return <PartFailure onRetry={() => void retry(loader)} />;
     return <p className={styles["opening"]}>{t("offline.opening")}</p>;
   };
 }
 
-export interface WaitingProps {
+export interface DeferredProps {
   isWanted: boolean;
   children?: ReactNode;
 }
 
 /**
- * A part that can wait: it is fetched once it is wanted, or with all the others in the background. Until then
- * its children stand in its place, which must have a size of its own.
+ * A part that can wait: it loads once it is wanted, or with all others in the background. Until
+ * then its children replace it; they must have its size.
  */
-export function waitingPart<Props extends object>(
+export function deferredPart<Props extends object>(
   load: () => Promise<ComponentType<Props>>,
-): ComponentType<Props & WaitingProps> {
+): ComponentType<Props & DeferredProps> {
   const loader = loaderOf(load);
-  return function WaitingPart(props: Props & WaitingProps) {
+  return function DeferredPart(props: Props & DeferredProps) {
     const { isWanted, children } = props;
     const state = useLoaded(loader, isWanted);
     if (state.kind === "ready") return <state.part {...props} />;
     if (state.kind === "failed" && isWanted) {
-      return <PartFailure onRetry={() => void tryAgain(loader)} />;
+      return <PartFailure onRetry={() => void retry(loader)} />;
     }
     return children;
   };
@@ -82,7 +85,10 @@ interface DialogProps {
   onClose: () => void;
 }
 
-/** A part that is a dialog: it opens once its file is there; until then the screen stays as it is. */
+/**
+ * A part that is a dialog: it opens once its file has loaded; until then the screen does not
+ * change.
+ */
 export function lazyDialog<Props extends DialogProps>(
   load: () => Promise<ComponentType<Props>>,
 ): ComponentType<Props> {
@@ -99,23 +105,23 @@ export function lazyDialog<Props extends DialogProps>(
         title={t("offline.partFailedTitle")}
         width="narrow"
       >
-        <PartFailure onRetry={() => void tryAgain(loader)} />
+        <PartFailure onRetry={() => void retry(loader)} />
       </Dialog>
     );
   };
 }
 
 /**
- * Browsers remember for as long as a page is open that a file did not come, and a newer Corridor does
- * not have this one's files: then only a reload helps. It is done where the service answers, so that
- * nobody loses the page to a network that is gone; the work is saved when the page is left.
+ * Browsers cache a failed import for as long as the page is open, and a newer server does not have
+ * this version's files: then only a reload helps. The page reloads only if the server responds, so
+ * that a broken network does not cost the page. Leaving the page stores the project.
  */
-async function tryAgain(loader: PartLoader<unknown>): Promise<void> {
+async function retry(loader: PartLoader<unknown>): Promise<void> {
   await loader.load();
-  if (loader.state().kind === "failed" && (await answers("/healthz"))) location.reload();
+  if (loader.state().kind === "failed" && (await isReachable("/healthz"))) location.reload();
 }
 
-async function answers(address: string): Promise<boolean> {
+async function isReachable(address: string): Promise<boolean> {
   try {
     return (await fetch(address, { cache: "no-store" })).ok;
   } catch {

@@ -26,18 +26,18 @@ describe("readNumber", () => {
     },
   );
 
-  it("takes negative numbers, with a hyphen or a minus sign, where they are allowed", () => {
+  it("accepts negative numbers, with a hyphen or a minus sign, if they are allowed", () => {
     const signed = { min: -100, max: 100 };
     expect(readNumber("-1", signed)).toBe(-1);
     expect(readNumber("−1", signed)).toBe(-1);
   });
 
-  it("takes only whole numbers where parts make no sense", () => {
+  it("accepts only integers if fractions make no sense", () => {
     expect(readNumber("4.5", { min: 1, max: 256, whole: true })).toBeNull();
     expect(readNumber("4", { min: 1, max: 256, whole: true })).toBe(4);
   });
 
-  it("reads back every legal distance with up to four decimals", () => {
+  it("parses every valid distance with up to four decimals", () => {
     fc.assert(
       fc.property(fc.integer({ min: 0, max: 1_000_000_000 }), (tenThousandths) => {
         const number = tenThousandths / 10_000;

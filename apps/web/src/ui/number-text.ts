@@ -1,13 +1,13 @@
-/** What people type as a number: with a dot or a comma, with spaces around it. */
+/** Parses typed numbers: with a dot or a comma, with spaces around them. */
 
 export interface NumberBounds {
   min: number;
   max: number;
-  /** true where only whole numbers make sense, such as columns */
+  /** true if only integers are valid, such as for columns */
   whole?: boolean;
 }
 
-/** The number that a text stands for, or null when it is none or out of bounds. */
+/** The parsed number, or null if the text is no number or out of bounds. */
 export function readNumber(text: string, { min, max, whole = false }: NumberBounds): number | null {
   const trimmed = text.trim().replace(",", ".").replace("−", "-");
   if (!/^[+-]?(\d+\.?\d*|\.\d+)$/.test(trimmed)) return null;

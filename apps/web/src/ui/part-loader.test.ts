@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { PartLoader } from "./part-loader.ts";
 
-describe("a part of the page that comes later", () => {
-  it("is fetched once, however often it is wanted", async () => {
+describe("a part of the page that loads on demand", () => {
+  it("is loaded once, however often it is wanted", async () => {
     let fetched = 0;
     const loader = new PartLoader(() => Promise.resolve(++fetched));
     await Promise.all([loader.load(), loader.load()]);
@@ -10,7 +10,7 @@ describe("a part of the page that comes later", () => {
     expect(loader.state()).toEqual({ kind: "ready", part: 1 });
   });
 
-  it("can be asked for again when it did not come", async () => {
+  it("can be requested again after a failure", async () => {
     let isOnline = false;
     const loader = new PartLoader(() =>
       isOnline ? Promise.resolve("part") : Promise.reject(new TypeError("Failed to fetch")),

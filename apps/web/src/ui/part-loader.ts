@@ -1,6 +1,6 @@
-/** Loads one file of the page at most once for good, again after a failure, and tells who waits for it. */
+/** Loads one file of the page, retries after a failure, and notifies its listeners. */
 
-/** `part` is what the file gave. */
+/** `part` is the result of the import. */
 export type PartState<Part> =
   | { kind: "none" | "loading" | "failed" }
   | { kind: "ready"; part: Part };
@@ -9,7 +9,7 @@ export class PartLoader<Part> {
   readonly #import: () => Promise<Part>;
   readonly #listeners = new Set<() => void>();
   #state: PartState<Part> = { kind: "none" };
-  #isOnItsWay = false;
+  #isPending = false;
 
   constructor(load: () => Promise<Part>) {
     this.#import = load;
@@ -17,26 +17,26 @@ export class PartLoader<Part> {
 
   readonly state = (): PartState<Part> => this.#state;
 
-  /** @returns a function that ends it */
+  /** @returns a function that unsubscribes */
   readonly listen = (listener: () => void): (() => void) => {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
   };
 
   /**
-   * Never throws: a failure is a state, and the next call tries again. Until that has ended, the state
-   * stays "failed", so that what says so stays on the screen.
+   * Never throws: a failure is a state, and the next call retries. During the retry the state stays
+   * "failed", so that the error stays on the screen.
    */
   readonly load = async (): Promise<void> => {
-    if (this.#state.kind === "ready" || this.#isOnItsWay) return;
-    this.#isOnItsWay = true;
+    if (this.#state.kind === "ready" || this.#isPending) return;
+    this.#isPending = true;
     if (this.#state.kind === "none") this.#set({ kind: "loading" });
     try {
       this.#set({ kind: "ready", part: await this.#import() });
     } catch {
       this.#set({ kind: "failed" });
     } finally {
-      this.#isOnItsWay = false;
+      this.#isPending = false;
     }
   };
 

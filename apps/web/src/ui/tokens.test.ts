@@ -1,10 +1,10 @@
-/** Computes the contrast of every pair of tokens that stands on another, in all four themes. */
+/** Computes the contrast of every pair of text and background tokens, in all four themes. */
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 
 const css = readFileSync(new URL("tokens.css", import.meta.url), "utf8");
 
-/** The colours of a block of rules, by token. */
+/** The colours in a rule block, by token. */
 function colours(selector: string): Map<string, string> {
   const start = css.indexOf(`\n${selector} {`);
   if (start < 0) throw new Error(`tokens.css has no ${selector}`);
@@ -47,7 +47,7 @@ const textOn: Record<string, readonly string[]> = {
   "--bad-ink": ["--surface", "--bad-bg"],
   "--surface": ["--bad"],
 };
-/** Edges of controls, states and what the stage shows. */
+/** Edges of controls, states, and colours of the stage. */
 const shapesOn: Record<string, readonly string[]> = {
   "--edge": ["--surface", "--surface-2", "--paper"],
   "--live": ["--surface"],
@@ -57,7 +57,7 @@ const shapesOn: Record<string, readonly string[]> = {
   "--bad": ["--surface", "--floor"],
   "--focus": ["--surface", "--surface-2", "--paper", "--floor"],
 };
-/** What only high contrast promises. */
+/** Additional promises of high contrast. */
 const edgesOn: Record<string, readonly string[]> = {
   "--line": ["--surface", "--paper"],
   "--line-2": ["--surface", "--surface-2", "--paper"],
@@ -70,17 +70,17 @@ const edgesOn: Record<string, readonly string[]> = {
 };
 
 describe.each(themes)("$name", ({ tokens, text }) => {
-  it.each(pairs(textOn))("text %s can be read on %s", (ink, ground) => {
+  it.each(pairs(textOn))("text %s is readable on %s", (ink, ground) => {
     expect(ratio(tokens, ink, ground)).toBeGreaterThanOrEqual(text);
   });
 
-  it.each(pairs(shapesOn))("shape %s can be seen on %s", (shape, ground) => {
+  it.each(pairs(shapesOn))("shape %s is visible on %s", (shape, ground) => {
     expect(ratio(tokens, shape, ground)).toBeGreaterThanOrEqual(3);
   });
 });
 
 describe.each(themes.filter(({ text }) => text === 7))("$name", ({ tokens }) => {
-  it.each(pairs(edgesOn))("edge %s can be seen on %s", (edge, ground) => {
+  it.each(pairs(edgesOn))("edge %s is visible on %s", (edge, ground) => {
     expect(ratio(tokens, edge, ground)).toBeGreaterThanOrEqual(3);
   });
 });

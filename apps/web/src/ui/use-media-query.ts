@@ -1,4 +1,4 @@
-/** Whether a media query holds, for the few places where the page is built differently, not just styled. */
+/** Whether a media query matches, for the few places that render differently instead of styling. */
 import { useSyncExternalStore } from "react";
 
 export function useMediaQuery(query: string): boolean {

@@ -1,42 +1,44 @@
 /**
- * What is being typed into a number field. The text may be half a number; the value outside only
- * ever sees whole, legal ones, and the last of them comes back when the field is left.
+ * The draft of a number field. The text may be an incomplete number; the outer value receives only
+ * valid numbers, and the last of them is restored on blur.
  *
- * A press elsewhere leaves the field when the button goes down. If the error went away then, what
- * stands below would move from under the pointer, and the press would be no click: its room is kept
- * until the press is over.
+ * A press elsewhere blurs the field on mousedown. If the error disappeared at that moment, the
+ * content below would move away from the pointer and the press would be no click. The error's space
+ * is therefore retained until the press ends.
  */
 import { useEffect, useRef, useState } from "react";
 import { readNumber, type NumberBounds } from "./number-text.ts";
 
 interface Draft {
   text: string;
-  /** the outer value while this was typed: when that changes from elsewhere, the draft is void */
+  /**
+   * the outer value while this was typed; if that changes from elsewhere, the draft is discarded
+   */
   value: number;
 }
 
 export interface NumberDraft {
   text: string;
   isInvalid: boolean;
-  /** whether the error takes its room: while it is to be seen, and on to the end of a press */
+  /** whether the error takes up space: while it is displayed, and until the end of a press */
   hasErrorRoom: boolean;
   type: (text: string) => void;
   leave: () => void;
 }
 
-/** @param onChange called with each legal number as soon as it is typed */
+/** @param onChange receives each valid number as it is typed */
 export function useNumberDraft(
   value: number,
   bounds: NumberBounds,
   onChange: (value: number) => void,
 ): NumberDraft {
   const [draft, setDraft] = useState<Draft | null>(null);
-  const [keepsRoom, setKeepsRoom] = useState(false);
+  const [holdsRoom, setHoldsRoom] = useState(false);
   const isTyping = draft !== null && draft.value === value;
   const text = isTyping ? draft.text : String(value);
   const isInvalid = isTyping && readNumber(text, bounds) === null;
-  const hasErrorRoom = isInvalid || keepsRoom;
-  const isPressing = usePressing(hasErrorRoom, () => setKeepsRoom(false));
+  const hasErrorRoom = isInvalid || holdsRoom;
+  const isPressing = usePressing(hasErrorRoom, () => setHoldsRoom(false));
   return {
     text,
     isInvalid,
@@ -47,29 +49,29 @@ export function useNumberDraft(
       if (number !== null && number !== value) onChange(number);
     },
     leave: () => {
-      setKeepsRoom(isInvalid && isPressing());
+      setHoldsRoom(isInvalid && isPressing());
       setDraft(null);
     },
   };
 }
 
 /**
- * Watches for presses while there is an error that they could move. It listens to the mouse, since
- * it is the mouse event, for a finger too, that takes the focus and makes the click.
- * @returns whether a button is down now
+ * Observes presses while there is an error that they could move. It uses mouse events, which move
+ * the focus and create the click for fingers, too.
+ * @returns whether a button is pressed now
  */
-function usePressing(isWatching: boolean, onEnd: () => void): () => boolean {
+function usePressing(isActive: boolean, onEnd: () => void): () => boolean {
   const isPressing = useRef(false);
   const end = useRef(onEnd);
   useEffect(() => {
     end.current = onEnd;
   });
   useEffect(() => {
-    if (!isWatching) return;
-    const watch = new AbortController();
-    const options = { capture: true, signal: watch.signal };
+    if (!isActive) return;
+    const listeners = new AbortController();
+    const options = { capture: true, signal: listeners.signal };
     window.addEventListener("mousedown", () => (isPressing.current = true), options);
-    // A menu of the browser or a drag may swallow the release: a key or the next press ends it too.
+    // A browser menu or a drag may swallow the release: a key or the next press ends it, too.
     for (const type of ["mouseup", "dragend", "keydown"]) {
       window.addEventListener(
         type,
@@ -81,9 +83,9 @@ function usePressing(isWatching: boolean, onEnd: () => void): () => boolean {
       );
     }
     return () => {
-      watch.abort();
+      listeners.abort();
       isPressing.current = false;
     };
-  }, [isWatching]);
+  }, [isActive]);
   return () => isPressing.current;
 }

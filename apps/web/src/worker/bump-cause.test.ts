@@ -2,10 +2,10 @@ import type { MazeDocument } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-work.ts";
 import { Bench } from "./testing/bench.ts";
-import type { Moment } from "./worker-messages.ts";
+import type { RunEvent } from "./worker-messages.ts";
 
 /** Runs until the page would be told of a bump; null when none comes within 20 seconds. */
-function causeOfFirstBump(bench: Bench): Moment["cause"] {
+function causeOfFirstBump(bench: Bench): RunEvent["cause"] {
   bench.loop.run();
   while (bench.time < 20_000) {
     bench.time += 8;

@@ -4,7 +4,7 @@ import { firstMaze, firstProgram } from "./first-work.ts";
 import * as diagnostics from "./diagnose-run.ts";
 import { RunLoop } from "./run-loop.ts";
 import { loadRun } from "./testing/load-run.ts";
-import type { Moment } from "./worker-messages.ts";
+import type { RunEvent } from "./worker-messages.ts";
 
 /** Drives straight on, into the wall. */
 const straight: ProgramDocument = { ...firstProgram, rules: [] };
@@ -14,14 +14,14 @@ function newBench(program = straight) {
   const loop = new RunLoop(firstMaze, program, () => time);
   loop.useDiagnostics(diagnostics);
   const forgotten: number[] = [];
-  const news = (): Moment[] => {
+  const news = (): RunEvent[] => {
     const taken = loop.takeNews();
     if (taken === null) return [];
     if (taken.forgottenAfter !== null) forgotten.push(taken.forgottenAfter);
     return taken.moments;
   };
   const pass = (seconds: number) => {
-    const moments: Moment[] = [];
+    const moments: RunEvent[] = [];
     for (let i = 0; i < seconds * 60; i++) {
       time += 1000 / 60;
       loop.advance();

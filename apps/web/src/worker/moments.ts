@@ -2,14 +2,14 @@
 import type { Run } from "@corridor/recording";
 import type { DriverName, LineRef } from "@corridor/protocol";
 import type { DiagnosedRun } from "./diagnose-run.ts";
-import type { Moment } from "./worker-messages.ts";
+import type { RunEvent } from "./worker-messages.ts";
 
 export class Moments {
-  #waiting: Moment[] = [];
+  #waiting: RunEvent[] = [];
 
   /** Notes what just happened; `line` and `driver` were in charge, a bump may be `explained`. */
   add(
-    kind: Moment["kind"],
+    kind: RunEvent["kind"],
     run: Run,
     line: LineRef | null,
     driver: DriverName,
@@ -29,7 +29,7 @@ export class Moments {
     this.#waiting = this.#waiting.filter((each) => each.tick <= tick);
   }
 
-  take(): Moment[] {
+  take(): RunEvent[] {
     const taken = this.#waiting;
     this.#waiting = [];
     return taken;

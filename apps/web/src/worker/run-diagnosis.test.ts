@@ -3,7 +3,7 @@ import type { ProgramDocument, Rule } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import * as diagnostics from "./diagnose-run.ts";
 import { RunLoop } from "./run-loop.ts";
-import type { Moment } from "./worker-messages.ts";
+import type { RunEvent } from "./worker-messages.ts";
 
 let time = 0;
 
@@ -24,8 +24,8 @@ function newLoop(...[maze, program, now]: ConstructorParameters<typeof RunLoop>)
 }
 
 /** Lets real time pass in frames. @returns what was told meanwhile */
-function pass(loop: RunLoop, seconds: number): Moment[] {
-  const moments: Moment[] = [];
+function pass(loop: RunLoop, seconds: number): RunEvent[] {
+  const moments: RunEvent[] = [];
   for (let frame = 0; frame < seconds * 60; frame++) {
     time += 1000 / 60 + 1e-9;
     loop.advance();

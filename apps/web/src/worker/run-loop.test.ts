@@ -8,7 +8,7 @@ import { RemoteDriver } from "../drivers/remote-driver.ts";
 import * as diagnostics from "./diagnose-run.ts";
 import { RunLoop } from "./run-loop.ts";
 import { deliveryOf } from "./testing/bench.ts";
-import type { Moment } from "./worker-messages.ts";
+import type { RunEvent } from "./worker-messages.ts";
 
 let time = 0;
 let story: string[] = [];
@@ -36,8 +36,8 @@ function loopOf(maze: MazeDocument = firstMaze, program: ProgramDocument = first
 }
 
 /** Lets real time pass in intervals as the worker's timer gives them, and collects what is told. */
-function pass(loop: RunLoop, milliseconds: number): Moment[] {
-  const moments: Moment[] = [];
+function pass(loop: RunLoop, milliseconds: number): RunEvent[] {
+  const moments: RunEvent[] = [];
   for (const end = time + milliseconds; time < end;) {
     time += 8;
     loop.advance();

@@ -21,7 +21,7 @@ import type { Diagnostics } from "./run-diagnosis.ts";
 import type { RunJudge } from "./run-judge.ts";
 import { RunWatch } from "./run-watch.ts";
 import { ScreenMoment } from "./screen-moment.ts";
-import type { DriveKey, Frame, GhostPose, Moment, Speed, StepLength } from "./worker-messages.ts";
+import type { DriveKey, Frame, GhostPose, RunEvent, Speed, StepLength } from "./worker-messages.ts";
 
 /** Where the ghosts of a race are at the end of a tick. */
 interface Ghosts {
@@ -258,7 +258,7 @@ export class RunLoop {
   }
 
   /** What there is to draw and to tell since the last call; null when nothing changed. */
-  takeNews(): { frame: Frame; moments: Moment[]; forgottenAfter: number | null } | null {
+  takeNews(): { frame: Frame; moments: RunEvent[]; forgottenAfter: number | null } | null {
     if (!this.#isDirty) return null;
     this.#isDirty = false;
     const frame = this.#screen.frame(this.#isRunning);

@@ -10,7 +10,7 @@ import { Moments } from "./moments.ts";
 import type { DiagnosedRun, TaskOf } from "./diagnose-run.ts";
 import { RunDiagnosis, type Diagnostics } from "./run-diagnosis.ts";
 import type { RunJudge } from "./run-judge.ts";
-import type { Moment } from "./worker-messages.ts";
+import type { RunEvent } from "./worker-messages.ts";
 
 /** The program does not get to the goal, since this tick. */
 interface NoGoal {
@@ -78,7 +78,7 @@ export class RunWatch {
     return isExplained || driver !== "remote";
   }
 
-  takeMoments(): Moment[] {
+  takeMoments(): RunEvent[] {
     return this.#moments.take();
   }
 

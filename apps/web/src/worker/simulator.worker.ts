@@ -458,7 +458,7 @@ function tellNews(): void {
     post({ type: "frame", frame: { ...frame, corners }, timeline: loop.takeTimeline() });
   }
   if (news !== null) {
-    for (const moment of news.moments) post({ type: "moment", moment });
+    for (const event of news.moments) post({ type: "event", event });
     const diagnosed = loop.takeDiagnosed();
     if (diagnosed !== null) post({ type: "diagnosed", ...diagnosed });
   }

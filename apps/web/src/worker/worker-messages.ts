@@ -185,7 +185,7 @@ export type AddedGhost =
   | { ok: false; problems: FieldProblem[] };
 
 /** Something worth telling in words. `line` is null when no program line was in charge. */
-export interface Moment {
+export interface RunEvent {
   kind: "bump" | "goal";
   tick: number;
   pose: Pose;
@@ -280,7 +280,7 @@ export type FromWorker =
    * another way; -1: it is another run. Comes before the frames and moments of the new way.
    */
   | { type: "forgotten"; after: number }
-  | { type: "moment"; moment: Moment }
+  | { type: "event"; event: RunEvent }
   /** why the program's robot does not get to the goal; sent once, and once more when the time is over */
   | { type: "diagnosed"; program: ProgramDocument; diagnosis: Diagnosis }
   /** how the attempt stands by the newest `judge`, each time that this changes; open to begin with */

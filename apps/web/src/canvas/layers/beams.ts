@@ -1,5 +1,4 @@
 /**
- *
  * The four range beams as tape measures, from the robot's centre to the wall. Ticks every 10 units,
  * longer at 50 and 100. The sensors that the running line reads are highlighted.
  */
@@ -26,7 +25,6 @@ export interface Direction {
 }
 
 /**
- *
  * Unit vector along the beam of a sensor.
  * @param heading degrees clockwise from north
  */
@@ -37,7 +35,6 @@ export function beamDirection(sensor: SensorName, heading: number): Direction {
 }
 
 /**
- *
  * Draws the beams.
  * @param lit the sensors that the running line reads
  */

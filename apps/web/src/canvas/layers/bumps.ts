@@ -33,7 +33,6 @@ export function bumpMark(maze: MazeDocument, pose: Pose): BumpMark {
 }
 
 /**
- *
  * Marks of several bumps.
  * @param places positions of the robot's centre, x and y alternating, in units
  * @param heading heading of the robot now, which is also that of the newest bumps

@@ -1,5 +1,4 @@
 /**
- *
  * A bump while the robot stands at it: the block that was hit, in red, and the position that the
  * robot was driving to.
  */
@@ -46,7 +45,6 @@ function headingTo({ x, y }: Pose, contact: Contact): number {
 }
 
 /**
- *
  * The sensor that measures the block that was hit, at the robot's current heading; null while none
  * does. A beam is thin and the robot is 50 units wide, so a beam may miss the corner that was hit.
  */

@@ -1,5 +1,4 @@
 /**
- *
  * The live layer, everything that moves with the run: edit preview, path ahead, beams, robot, tags,
  * ruler marks, tape.
  */
@@ -34,7 +33,6 @@ export interface DisplayedRun {
 }
 
 /**
- *
  * Draws the live layer after it was erased.
  * @param displayed null before the first frame
  */

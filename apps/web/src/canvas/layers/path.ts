@@ -1,5 +1,4 @@
 /**
- *
  * The path ahead: the dashed arrow of a delayed turn, and the outline of the pose at which a
  * command ends.
  */
@@ -17,7 +16,6 @@ const BEND = 14;
 const HEAD_PX = 9;
 
 /**
- *
  * Draws the path of a delayed turn; nothing while none runs. It starts under the robot, which is
  * drawn later.
  */

@@ -14,7 +14,6 @@ export interface PlaceWords {
 /** Smallest cell, in pixels, with a readable label. */
 const WORD_FROM_PX = 60;
 /**
- *
  * Smallest cell, in pixels, in which the label of the start is readable below a robot that stands
  * there. Its wheels reach 27 units.
  */

@@ -1,5 +1,4 @@
 /**
- *
  * The ghosts of a race: the robot's outline without a face, filled like the floor, and a round
  * badge with a letter. Each letter has its own corner, so that ghosts at one position can be
  * distinguished.
@@ -97,7 +96,6 @@ function drawBadge(
 }
 
 /**
- *
  * Offset in pixels of a badge from the ghost's centre. The badge touches the body and covers none
  * of it.
  */

@@ -1,5 +1,4 @@
 /**
- *
  * The robot's radius at a bump: a thin circle, and a measure from the centre to the contact point.
  * It shows why a robot bumps although its beam misses a corner: the beam is thin, the robot is 50
  * units wide.
@@ -72,7 +71,6 @@ export function drawRadius(
 }
 
 /**
- *
  * Draws the label of the measure beyond the contact point, on the block or outside of the maze.
  * @returns its box, which no reading may cover; null if the view has no room for it
  */

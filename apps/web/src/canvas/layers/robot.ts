@@ -1,5 +1,4 @@
 /**
- *
  * The robot: one shape, three faces. Shapes are in units around its centre, facing north, and equal
  * the SVG files of the design.
  */
@@ -88,7 +87,6 @@ export function fillBody(context: DrawingContext): void {
 }
 
 /**
- *
  * Draws the robot at its pose.
  * @param offset CSS pixels between the pose and the drawing
  */

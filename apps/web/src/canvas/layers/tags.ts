@@ -1,5 +1,4 @@
 /**
- *
  * The tags on the beams: the reading at each wall, and the limits of the program's lines. A limit
  * is a bar across the beam with the line's badge: solid where the beam reaches it, dashed where a
  * wall is nearer.
@@ -48,7 +47,6 @@ interface TagModel {
 }
 
 /**
- *
  * Draws readings and marks.
  * @param snapshot where the robot and its beams are drawn
  */
@@ -98,7 +96,6 @@ export function drawTags(
 }
 
 /**
- *
  * All marks if there is room; otherwise that of the running line. At a bump, which shows its own
  * number, none.
  */

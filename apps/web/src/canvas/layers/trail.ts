@@ -1,5 +1,4 @@
 /**
- *
  * The trail: a broad line with a dot every 25 units.
  *
  * Dots are at round coordinates, not at round distances. A robot that drives the same corridor
@@ -26,7 +25,6 @@ function widthAt(scale: number): number {
 }
 
 /**
- *
  * Draws a piece of the trail over the existing one.
  * @param points x and y alternating, in units
  * @param cap "round" for the whole trail; "butt" for a continued piece, whose round start would
@@ -103,7 +101,6 @@ export function drawTrail(
 }
 
 /**
- *
  * Visits every point of a segment whose coordinate along the segment's longer axis is a multiple of
  * 25. Every segment that touches a dot at its end visits it, so that the next piece covers none.
  */

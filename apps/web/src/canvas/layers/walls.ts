@@ -1,5 +1,4 @@
 /**
- *
  * The static background: floor, hairlines, blocks and their outline. Draws only what is inside the
  * port, with one path per kind of line. 9,000 cells take a few milliseconds, once per maze, size or
  * theme.

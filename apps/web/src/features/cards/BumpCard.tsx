@@ -34,7 +34,7 @@ interface BumpCardProps {
 export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
   const { t, i18n, ready } = useTranslation(["diagnosis", "words"], { useSuspense: false });
   const { workspace, simulator, screen, run, timeline, challenge } = useServices();
-  const { moment, program, diagnosis } = explanation;
+  const { event: moment, program, diagnosis } = explanation;
   // A program that was edited since needs other fixes, or none.
   const isSame = useStore(workspace, (state) => state.program === program);
   // In a challenge the student finds the change: the card names the place and the idea.

@@ -5,7 +5,7 @@ import { useServices } from "../../app/services.ts";
 import type { Explanation } from "../../stores/card-store.ts";
 import {
   challengeResult,
-  isSeenInRun,
+  isJudgedByRun,
   type ChallengeResult,
 } from "../../stores/challenge-store.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
@@ -21,7 +21,7 @@ export function Cards({ view }: { view: StageViewStore }) {
   const result = useStore(challenge, challengeResult);
   const isSeen = useStore(
     challenge,
-    (state) => state.challenge !== null && isSeenInRun(state.challenge),
+    (state) => state.challenge !== null && isJudgedByRun(state.challenge),
   );
   const kind = useStore(run, ({ snapshot, view: shown }) =>
     shownCard({ bump, goal }, snapshot, shown, result && { result, isSeen }),
@@ -47,12 +47,12 @@ export function Cards({ view }: { view: StageViewStore }) {
   }, [open]);
   if (open === null) return null;
   const close = () => setClosed(open);
-  if (kind === "bump" && "moment" in open) {
-    return <BumpCard key={open.moment.tick} view={view} explanation={open} onClose={close} />;
+  if (kind === "bump" && "event" in open) {
+    return <BumpCard key={open.event.tick} view={view} explanation={open} onClose={close} />;
   }
   const solved: Solved | null =
-    "moment" in open
-      ? { ...open.moment, ticks: open.moment.tick }
+    "event" in open
+      ? { ...open.event, ticks: open.event.tick }
       : pose === undefined
         ? null
         : { ...open, pose };

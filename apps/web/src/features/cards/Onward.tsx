@@ -35,8 +35,8 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
   const isChecking = useStore(challenge, (each) => each.isChecking);
   const [service, setService] = useState<LessonsService | null>(null);
   useEffect(() => {
-    challenge.setState({ isCardShown: true });
-    return () => challenge.setState({ isCardShown: false });
+    challenge.setState({ hasCard: true });
+    return () => challenge.setState({ hasCard: false });
   }, [challenge]);
   useEffect(() => {
     void lessons.load().then(setService, () => undefined);

@@ -1,7 +1,7 @@
 /** The way on from a bump whose program was mended: Run alone would go on from the wall. */
 import type { i18n } from "i18next";
 import type { RunStore } from "../../stores/run-store.ts";
-import { dismiss, tell, type ScreenStore } from "../../stores/screen-store.ts";
+import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-store.ts";
 import type { SimulatorClient } from "../../worker/simulator-client.ts";
 
 type Simulator = Pick<SimulatorClient, "send">;
@@ -21,7 +21,7 @@ interface MendedParts {
 
 /** Says that it is mended, and offers the new run for as long as the robot stands where it bumped. */
 export function tellMended({ screen, run, simulator, words }: MendedParts): void {
-  const id = tell(screen, {
+  const id = showMessage(screen, {
     tone: "info",
     text: words.t("cards.mend.done"),
     stays: true,

@@ -1,11 +1,11 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { firstProgram } from "../../worker/first-work.ts";
-import type { Moment } from "../../worker/worker-messages.ts";
+import type { RunEvent } from "../../worker/worker-messages.ts";
 import { shownCard } from "./shown-card.ts";
 
-function explained(kind: Moment["kind"], tick: number) {
-  const moment: Moment = {
+function explained(kind: RunEvent["kind"], tick: number) {
+  const event: RunEvent = {
     kind,
     tick,
     pose: { x: 50, y: 50, heading: 0 },
@@ -16,7 +16,7 @@ function explained(kind: Moment["kind"], tick: number) {
     diagnosis: null,
     program: null,
   };
-  return { moment, program: firstProgram, diagnosis: null };
+  return { event, program: firstProgram, diagnosis: null };
 }
 
 const bump = explained("bump", 100);
@@ -108,7 +108,7 @@ describe("shownCard", () => {
 
   describe("of a script", () => {
     const atRest = { driver: "remote", state: "running", command: null, motion: "stop" } as const;
-    const its = { ...bump, moment: { ...bump.moment, driver: "remote" as const, line: null } };
+    const its = { ...bump, event: { ...bump.event, driver: "remote" as const, line: null } };
 
     it("is the bump while the robot rests at the wall, though time goes on", () => {
       const snapshot = snapshotOf({ ...atRest, tick: 160, bumping: true, bumps: 1 });

@@ -2,7 +2,7 @@
 import type { Snapshot } from "@corridor/protocol";
 import type { CardState } from "../../stores/card-store.ts";
 import type { ChallengeResult } from "../../stores/challenge-store.ts";
-import type { Moment, RunView } from "../../worker/worker-messages.ts";
+import type { RunEvent, RunView } from "../../worker/worker-messages.ts";
 
 /** How the open challenge stands. */
 export interface ShownAttempt {
@@ -28,16 +28,16 @@ export function shownCard(
   }
   // A goal that is reached against the rules of the challenge solves nothing.
   const counts = attempt?.result.state !== "failed" && attempt?.result.state !== "met";
-  const isReached = goal !== null && snapshot.goalReached && snapshot.tick >= goal.moment.tick;
-  const isAtBump = bump !== null && isOf(bump.moment, snapshot);
+  const isReached = goal !== null && snapshot.goalReached && snapshot.tick >= goal.event.tick;
+  const isAtBump = bump !== null && isOf(bump.event, snapshot);
   // After a robot drove on from the goal into a wall, the card explains the bump.
-  const isGoalNewer = !isAtBump || (goal?.moment.tick ?? 0) >= bump.moment.tick;
+  const isGoalNewer = !isAtBump || (goal?.event.tick ?? 0) >= bump.event.tick;
   if (counts && isReached && isGoalNewer) return "goal";
   return isAtBump ? "bump" : null;
 }
 
 /** A script's robot rests at the wall until the next command. */
-function isOf({ driver, bumps, tick }: Moment, snapshot: Snapshot): boolean {
+function isOf({ driver, bumps, tick }: RunEvent, snapshot: Snapshot): boolean {
   if (driver !== "remote") return snapshot.tick === tick;
   return snapshot.driver === "remote" && snapshot.bumping && snapshot.bumps === bumps;
 }

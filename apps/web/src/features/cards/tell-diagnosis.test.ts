@@ -61,7 +61,7 @@ describe("the message that the robot gets nowhere", () => {
       name: "the card of a bump",
       change: ({ run }: Awaited<ReturnType<typeof told>>) =>
         run.setState({
-          moment: {
+          event: {
             kind: "bump",
             tick: 960,
             pose: { x: 50, y: 50, heading: 0 },

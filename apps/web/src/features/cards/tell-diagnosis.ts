@@ -6,7 +6,7 @@ import { causeLine, type Diagnosis } from "@corridor/coach";
 import type { i18n } from "i18next";
 import type { RunStore } from "../../stores/run-store.ts";
 import type { TimelineStore } from "../../stores/timeline-store.ts";
-import { dismiss, tell, type ScreenStore } from "../../stores/screen-store.ts";
+import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-store.ts";
 import type { WorkspaceStore } from "../../stores/workspace-store.ts";
 import { focusLine } from "../program/focus-line.ts";
 import { diagnosisText, diagnosisWords } from "./diagnosis-text.ts";
@@ -30,7 +30,7 @@ export async function tellDiagnosis(
   const known = diagnosisWords(words.t, words.language, (tick) => timeline.waitedUpTo(tick));
   const line = causeLine(diagnosis);
   const id = typeof line === "number" ? workspace.getState().lineIds[line] : undefined;
-  const message = tell(screen, {
+  const message = showMessage(screen, {
     tone: "info",
     stays: true,
     text: diagnosisText(known, diagnosis),
@@ -48,9 +48,9 @@ export async function tellDiagnosis(
   const ends = [
     workspace.subscribe(() => end()),
     run.subscribe((next, before) => {
-      const isBump = next.moment !== before.moment && next.moment?.kind === "bump";
+      const isBump = next.event !== before.event && next.event?.kind === "bump";
       // The card of a bump is the newer verdict.
-      if (next.nowTick < before.nowTick || (isBump && next.moment?.diagnosis)) end();
+      if (next.nowTick < before.nowTick || (isBump && next.event?.diagnosis)) end();
     }),
   ];
   function end(): void {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { createScreenStore, tell } from "../../stores/screen-store.ts";
+import { createScreenStore, showMessage } from "../../stores/screen-store.ts";
 import { tellTakeOver } from "./tell-take-over.ts";
 
 const words = {
@@ -10,7 +10,7 @@ const words = {
 describe("a hand that takes over", () => {
   it("is told so by one message, also where another driver had the robot before", async () => {
     const screen = createScreenStore();
-    tell(screen, { tone: "info", text: "something else" });
+    showMessage(screen, { tone: "info", text: "something else" });
     await tellTakeOver(screen, words, "remote");
     await tellTakeOver(screen, words, "program");
     expect(screen.getState().messages.map(({ text }) => text)).toEqual([

@@ -1,7 +1,7 @@
 /** Says once that the hand drives from now on, or that it may not. Comes in a file of its own. */
 import type { i18n } from "i18next";
 import type { DriverName } from "@corridor/protocol";
-import { dismiss, tell, type ScreenStore } from "../../stores/screen-store.ts";
+import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-store.ts";
 
 const events = ["refused", "fromScript", "fromProgram"] as const;
 
@@ -18,5 +18,5 @@ export async function tellTakeOver(
   for (const { id, text } of screen.getState().messages) {
     if (texts.includes(text)) dismiss(screen, id);
   }
-  tell(screen, { tone: "info", text: words.t(`runDetails:hand.${event}`) });
+  showMessage(screen, { tone: "info", text: words.t(`runDetails:hand.${event}`) });
 }

@@ -6,7 +6,7 @@ import { FileDown } from "lucide-react";
 import { useCallback, useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
-import { tell } from "../../stores/screen-store.ts";
+import { showMessage } from "../../stores/screen-store.ts";
 import { lazyDialog } from "../../ui/lazy-part.tsx";
 import { FileActionsProvider } from "./file-actions.ts";
 import { chooseFiles, listenForFiles } from "./incoming.ts";
@@ -29,7 +29,7 @@ export function FileDoor({ children }: { children: ReactNode }) {
         const { openFiles } = await import("./open-files.ts");
         setReports(await openFiles(services, i18n, files));
       } catch {
-        tell(services.screen, { tone: "bad", text: i18n.t("offline.partFailed") });
+        showMessage(services.screen, { tone: "bad", text: i18n.t("offline.partFailed") });
       }
     },
     [services, i18n],
@@ -42,7 +42,7 @@ export function FileDoor({ children }: { children: ReactNode }) {
         const { readPasted } = await import("./read-pasted.ts");
         pasted = readPasted(text, location.origin);
       } catch {
-        tell(services.screen, { tone: "bad", text: i18n.t("offline.partFailed") });
+        showMessage(services.screen, { tone: "bad", text: i18n.t("offline.partFailed") });
         return;
       }
       if (pasted === "file") {
@@ -50,7 +50,7 @@ export function FileDoor({ children }: { children: ReactNode }) {
         await take([{ name, size: text.length, text: () => Promise.resolve(text) }]);
       } else if (pasted === "script" || pasted === "other") {
         const key = pasted === "script" ? "files.scriptAddress" : "files.strayText";
-        tell(services.screen, { tone: "info", text: t(key) });
+        showMessage(services.screen, { tone: "info", text: t(key) });
       } else {
         // As if it had been put into the address bar: with the same page only its fragment changes.
         location.assign(pasted);

@@ -8,7 +8,7 @@ import type { ProgramDocument } from "@corridor/program";
 import type { FieldProblem } from "@corridor/protocol";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
-import { dismiss, tell } from "../../stores/screen-store.ts";
+import { dismiss, showMessage } from "../../stores/screen-store.ts";
 import { joinList } from "../../text/joined.ts";
 import { programForMaze } from "../program/own-program.ts";
 import { openRun } from "../timeline/open-run.ts";
@@ -114,7 +114,7 @@ function openDocuments(
     program: program?.name || words.t("files.unnamedProgram"),
   };
   const kind = maze === undefined ? "program" : program === undefined ? "maze" : "both";
-  const id = tell(services.screen, {
+  const id = showMessage(services.screen, {
     tone: "info",
     text:
       kind === "maze" && opened !== null

@@ -28,7 +28,7 @@ export function drawPicture(
   const shown = withRun ? shownRun.take() : null;
   const { text, width, height } = mazeSvg({
     ...words,
-    maze: run.getState().shownMaze ?? workspace.getState().maze,
+    maze: run.getState().pastMaze ?? workspace.getState().maze,
     palette: lightPalette(),
     hasRulers,
     run:

@@ -2,7 +2,7 @@
 import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
-import { tell } from "../../stores/screen-store.ts";
+import { showMessage } from "../../stores/screen-store.ts";
 import { saveRun as askForRun } from "../../app/run-requests.ts";
 import { saveDocument } from "./save-file.ts";
 
@@ -12,6 +12,6 @@ export function saveRun(
 ): void {
   askForRun(simulator, (saved) => {
     if (saved.ok) saveDocument(JSON.parse(saved.text) as RunDocument, "run");
-    else tell(screen, { tone: "bad", text: words.t("timeline.share.tooMuch") });
+    else showMessage(screen, { tone: "bad", text: words.t("timeline.share.tooMuch") });
   });
 }

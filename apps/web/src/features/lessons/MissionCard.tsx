@@ -4,7 +4,7 @@ import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { isSeenInRun } from "../../stores/challenge-store.ts";
+import { isJudgedByRun } from "../../stores/challenge-store.ts";
 import { allOf } from "../../text/all-of.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import type { LessonsService } from "./lessons-service.ts";
@@ -122,7 +122,7 @@ function SlimMission({ service }: { service: LessonsService }) {
   const challenge = useStore(store, (state) => state.challenge);
   const mission = useStore(store, (state) => state.mission);
   const isMet = useStore(store, (state) => state.result.state === "met");
-  const isCardShown = useStore(store, (state) => state.isCardShown);
+  const isCardShown = useStore(store, (state) => state.hasCard);
   const task = useTask();
   if (challenge === null) return null;
   const next = nextMission(mission);
@@ -153,7 +153,7 @@ function Actions({ service }: { service: LessonsService }) {
   const mission = useStore(store, (state) => state.mission);
   const result = useStore(store, (state) => state.result);
   const isChecking = useStore(store, (state) => state.isChecking);
-  const isCardShown = useStore(store, (state) => state.isCardShown);
+  const isCardShown = useStore(store, (state) => state.hasCard);
   if (challenge === null) return null;
   const isMet = result.state === "met";
   // The card beside the robot has the same button.
@@ -161,7 +161,7 @@ function Actions({ service }: { service: LessonsService }) {
   const next = nextMission(mission);
   const isChecked =
     projectOf(mission) === null &&
-    !isSeenInRun(challenge) &&
+    !isJudgedByRun(challenge) &&
     challenge.allowed.drivers.includes("program");
   return (
     <div className={styles["actions"]}>

@@ -5,7 +5,7 @@
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { ProgramDocument } from "@corridor/program";
 import { noChallenge } from "../../stores/challenge-store.ts";
-import { tell } from "../../stores/screen-store.ts";
+import { showMessage } from "../../stores/screen-store.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import type { LessonsService } from "./lessons-service.ts";
 
@@ -84,7 +84,7 @@ export class LessonsGate {
     try {
       lessons = await this.load();
     } catch {
-      tell(screen, { tone: "bad", text: words.t("lessons.notLoaded") });
+      showMessage(screen, { tone: "bad", text: words.t("lessons.notLoaded") });
       return false;
     }
     use(lessons);

@@ -14,7 +14,7 @@ import type { ProgramDocument } from "@corridor/program";
 import { createStore } from "zustand/vanilla";
 import { firstWork } from "../../app/first-visit.ts";
 import { noChallenge } from "../../stores/challenge-store.ts";
-import { dismiss, tell } from "../../stores/screen-store.ts";
+import { dismiss, showMessage } from "../../stores/screen-store.ts";
 import { newLineIds, setMaze, setProgram } from "../../stores/workspace-store.ts";
 import type { CheckAnswer } from "../../worker/check-request.ts";
 import type { SolvedTrail } from "../../worker/project-request.ts";
@@ -72,12 +72,12 @@ export class LessonsService {
     });
     ports.simulator.listen((message) => {
       if (message.type === "diagnosed") this.#failed(message.diagnosis, message.program);
-      if (message.type === "moment" && message.moment.diagnosis !== null) {
-        this.#failed(message.moment.diagnosis, message.moment.program);
+      if (message.type === "event" && message.event.diagnosis !== null) {
+        this.#failed(message.event.diagnosis, message.event.program);
       }
       if (message.type === "forgotten") ports.challenge.setState({ failedRun: null });
       // A change of the program begins anew, but not the run: it is told again why it does not count.
-      const isGoal = message.type === "moment" && message.moment.kind === "goal";
+      const isGoal = message.type === "event" && message.event.kind === "goal";
       if (isGoal && this.#judged.kind === "failed") this.#hear(this.#judged);
       if (message.type !== "judgement" || message.id !== this.#judgeId) return;
       this.#judged = message.judgement;
@@ -184,7 +184,7 @@ export class LessonsService {
     simulator.send({ type: "reset" });
     if (doesTheSame(program, start)) {
       store.setState({ ...nothingSaid, result: { state: "open" } });
-      tell(screen, { tone: "info", text: words.t("missions:card.begunAsItWas") });
+      showMessage(screen, { tone: "info", text: words.t("missions:card.begunAsItWas") });
       return;
     }
     setProgram(workspace, start, newLineIds(start.rules.length));
@@ -199,7 +199,7 @@ export class LessonsService {
     try {
       answer = await this.#ask();
     } catch {
-      tell(screen, { tone: "bad", text: words.t("lessons.notLoaded") });
+      showMessage(screen, { tone: "bad", text: words.t("lessons.notLoaded") });
       return;
     } finally {
       store.setState({ isChecking: false });
@@ -294,7 +294,7 @@ export class LessonsService {
     const { done, best } = storage.record;
     this.#tellUnlessKept(storage.forgetDone());
     this.showProgress();
-    const id = tell(screen, {
+    const id = showMessage(screen, {
       tone: "info",
       text: words.t("missions:path.resetDone"),
       action: {
@@ -347,7 +347,7 @@ export class LessonsService {
     if (index === null && challenge.allowed.maze) return;
     if (index === null) {
       this.#detach();
-      tell(screen, { tone: "info", text: words.t("missions:card.replaced") });
+      showMessage(screen, { tone: "info", text: words.t("missions:card.replaced") });
     } else if (index !== shown) {
       this.#begin(challenge, index, store.getState().mission);
       store.setState({ maze: index, result: { state: "open" } });
@@ -405,7 +405,7 @@ export class LessonsService {
 
   #tellUnlessKept(isKept: boolean): void {
     const { screen, words } = this.#ports;
-    if (!isKept) tell(screen, { tone: "bad", text: words.t("missions:card.blocked") });
+    if (!isKept) showMessage(screen, { tone: "bad", text: words.t("missions:card.blocked") });
   }
 }
 

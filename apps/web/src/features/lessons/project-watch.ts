@@ -51,10 +51,10 @@ export class ProjectWatch {
       else if (next.result !== before.result) this.#followHand();
     });
     ports.simulator.listen((message) => {
-      const isGoal = message.type === "moment" && message.moment.kind === "goal";
+      const isGoal = message.type === "event" && message.event.kind === "goal";
       if (!isGoal || ports.challenge.getState().mission !== "beat-right-wall") return;
       // The goal that the program reaches is the student's failure: no card calls it solved.
-      const { tick } = message.moment;
+      const { tick } = message.event;
       ports.challenge.setState({ result: { state: "failed", code: "not-reached", tick } });
     });
     ports.workspace.subscribe((next, before) => {

@@ -1,7 +1,7 @@
 /** Offers a new version of the page. Nothing reloads by itself: a run or a thought may be in the middle. */
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
-import { dismiss, tell } from "../../stores/screen-store.ts";
+import { dismiss, showMessage } from "../../stores/screen-store.ts";
 import { startServiceWorker } from "./service-worker.ts";
 
 /**
@@ -17,7 +17,7 @@ export async function offerUpdates(
   const offer = (take: () => Promise<void>): void => {
     // The newest offer stands for those before it.
     if (shown !== null) dismiss(screen, shown);
-    const id = tell(screen, {
+    const id = showMessage(screen, {
       tone: "info",
       stays: true,
       text: words.t("offline.newVersion"),
@@ -27,7 +27,7 @@ export async function offerUpdates(
           works.autosave.flush();
           if (screen.getState().saved === "blocked") {
             // A reload would lose what the device does not keep: the reader saves it elsewhere first.
-            tell(screen, { tone: "bad", text: words.t("works.blocked") });
+            showMessage(screen, { tone: "bad", text: words.t("works.blocked") });
             return;
           }
           dismiss(screen, id);

@@ -7,7 +7,7 @@ import { TICKS_PER_SECOND } from "@corridor/simulation";
 import type { i18n } from "i18next";
 import { loadRun } from "../../app/run-requests.ts";
 import type { Services } from "../../app/services.ts";
-import { dismiss, tell } from "../../stores/screen-store.ts";
+import { dismiss, showMessage } from "../../stores/screen-store.ts";
 import { setProgram } from "../../stores/workspace-store.ts";
 import type { TrialMazes, TrialResult } from "../../worker/maze-trial.ts";
 import { watchAgain } from "../cards/watch-again.ts";
@@ -51,7 +51,7 @@ export class TrialOpener {
     const written = await this.#pool.record(named, program, tick);
     const loaded = written?.ok === true ? await loadRun(simulator, written.run).loaded : null;
     if (loaded?.ok !== true) {
-      tell(screen, { tone: "bad", text: t("otherMazes:notOpened") });
+      showMessage(screen, { tone: "bad", text: t("otherMazes:notOpened") });
       return false;
     }
     const home = this.wayHome();
@@ -59,7 +59,7 @@ export class TrialOpener {
     this.#home = { trial: works.currentId(), back: home ?? this.#takingProgram(back, program) };
     if (outcome === "works") simulator.send({ type: "seek", tick: 0 });
     else watchAgain(simulator, tick - SHOWN_TICKS);
-    const id = tell(screen, {
+    const id = showMessage(screen, {
       tone: "info",
       text: t(`otherMazes:opened.${outcome}`, { name }),
       action: {

@@ -5,7 +5,7 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
-import { dismiss, dismissOfWork, tell } from "../../stores/screen-store.ts";
+import { dismiss, dismissOfProject, showMessage } from "../../stores/screen-store.ts";
 import { newLineIds, setMaze, setProgram, undo } from "../../stores/workspace-store.ts";
 import { programForMaze } from "../program/own-program.ts";
 
@@ -22,10 +22,10 @@ export function chooseMaze(
   simulator.send({ type: "reset" });
   const after = workspace.getState();
   // One message at a time: several would reach the robot on a phone.
-  dismissOfWork(screen);
-  const message = tell(screen, {
+  dismissOfProject(screen);
+  const message = showMessage(screen, {
     tone: "info",
-    isOfWork: true,
+    isOfProject: true,
     text: words.t(program === null ? "presets.chosen" : "presets.chosenEmpty", { name: maze.name }),
     action: {
       label: words.t("presets.undo"),

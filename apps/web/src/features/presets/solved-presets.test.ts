@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 import { MemoryStorage } from "../../app/testing/memory-storage.ts";
 import { createRunStore } from "../../stores/run-store.ts";
 import { createWorkspaceStore, setMaze } from "../../stores/workspace-store.ts";
-import type { Moment } from "../../worker/worker-messages.ts";
+import type { RunEvent } from "../../worker/worker-messages.ts";
 import { createSolvedStore } from "./solved-presets.ts";
 
 const KEY = "corridor.solved";
@@ -19,10 +19,10 @@ function open(device = new MemoryStorage()) {
   const solved = createSolvedStore({ run, workspace, device });
   const tell = async (
     kind: "goal" | "bump",
-    driver: Moment["driver"] = "program",
+    driver: RunEvent["driver"] = "program",
   ): Promise<void> => {
-    const moment = { kind, driver, tick: 1, bumps: 0, line: null } as Partial<Moment> as Moment;
-    run.setState({ moment });
+    const event = { kind, driver, tick: 1, bumps: 0, line: null } as Partial<RunEvent> as RunEvent;
+    run.setState({ event });
     // The ready-made mazes come in a file of their own.
     await import("./preset-of.ts");
     await new Promise((resolve) => setTimeout(resolve, 0));

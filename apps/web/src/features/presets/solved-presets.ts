@@ -22,10 +22,10 @@ export interface SolvedPorts {
 /** Reads what the device remembers, and adds to it whenever the goal is reached. */
 export function createSolvedStore({ run, workspace, device }: SolvedPorts): SolvedStore {
   const solved: SolvedStore = createStore(() => ({ ids: read(device) }));
-  run.subscribe(({ moment }, before) => {
-    if (moment === before.moment || moment?.kind !== "goal" || moment.driver === "remote") return;
+  run.subscribe(({ event }, before) => {
+    if (event === before.event || event?.kind !== "goal" || event.driver === "remote") return;
     const { maze } = workspace.getState();
-    const { tick, bumps } = moment;
+    const { tick, bumps } = event;
     void import("../daily/daily-best.ts").then(
       ({ noteDaily, utcDay }) =>
         noteDaily(device, maze, { ticks: tick, bumps }, utcDay(new Date())),

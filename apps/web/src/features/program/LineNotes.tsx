@@ -4,8 +4,8 @@ import { useLayoutEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
-import { CalmPace } from "../../ui/calm-pace.ts";
-import { remember } from "../../ui/remember.ts";
+import { Throttle } from "../../ui/throttle.ts";
+import { memoize } from "../../ui/memoize.ts";
 import { BurstIcon } from "../timeline/BurstIcon.tsx";
 import { shownProgress, type ShownBump, type ShownProgress } from "./line-state.ts";
 import styles from "./line-notes.module.css";
@@ -44,11 +44,11 @@ function LineProgress({ line }: Pick<LineNoteProps, "line">) {
   // Words bend with their number, and there are no more numbers than centimetres of a square.
   const wordsOf = useMemo(() => {
     const of = (kind: ShownProgress["kind"]) =>
-      remember((left: number) => t(`program.progress.${kind}`, { count: left }));
+      memoize((left: number) => t(`program.progress.${kind}`, { count: left }));
     return { approach: of("approach"), turn: of("turn"), leave: of("leave") };
   }, [t]);
   useLayoutEffect(() => {
-    const pace = new CalmPace<ShownProgress["kind"] | null>(() => performance.now());
+    const pace = new Throttle<ShownProgress["kind"] | null>(() => performance.now());
     const [box, progressBar, filled, label] = [
       note.current,
       bar.current,

@@ -6,14 +6,14 @@ import { useTranslation } from "react-i18next";
 import type { RunState } from "../../stores/run-store.ts";
 import { localNumber } from "../../text/numbers.ts";
 import { classNames } from "../../ui/class-names.ts";
-import { followText, type Followed } from "../../ui/follow-text.ts";
+import { followText, type StateSource } from "../../ui/follow-text.ts";
 import { LiveText } from "../../ui/LiveText.tsx";
 import type { TruthAt } from "./line-state.ts";
 import styles from "./line-truth.module.css";
 
 interface LineTruthProps {
   /** the run as the line follows it */
-  feed: Followed<RunState>;
+  feed: StateSource<RunState>;
   /** a line without one does nothing and is skipped */
   condition: Condition | null;
   truth: TruthAt;

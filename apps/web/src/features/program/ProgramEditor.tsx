@@ -6,7 +6,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
-import { tell } from "../../stores/screen-store.ts";
+import { showMessage } from "../../stores/screen-store.ts";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { useRights } from "../lessons/use-rights.ts";
@@ -79,7 +79,7 @@ function ProgramLines() {
   function add() {
     const id = flushSync(() => addLine(workspace));
     if (id === null) {
-      tell(screen, { tone: "bad", text: t("program.full", { max: MAX_RULES }) });
+      showMessage(screen, { tone: "bad", text: t("program.full", { max: MAX_RULES }) });
       return;
     }
     document.querySelector<HTMLElement>(`#program-line-${id} select`)?.focus();

@@ -7,7 +7,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useShallow } from "zustand/react/shallow";
 import { useServices } from "../../app/services.ts";
-import { tell } from "../../stores/screen-store.ts";
+import { showMessage } from "../../stores/screen-store.ts";
 import { Badge } from "../../ui/Badge.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";
@@ -72,9 +72,9 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   function remove() {
     if (challenge.getState().rights?.edits.has("lines") === false) return;
     const bringBack = deleteLine(workspace, index);
-    tell(screen, {
+    showMessage(screen, {
       tone: "info",
-      isOfWork: true,
+      isOfProject: true,
       text: t("program.deleted", { line }),
       action: { label: t("program.undo"), run: bringBack },
     });

@@ -2,7 +2,7 @@
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { tell } from "../../stores/screen-store.ts";
+import { showMessage } from "../../stores/screen-store.ts";
 import { Button } from "../../ui/Button.tsx";
 import { useRights } from "../lessons/use-rights.ts";
 import { isExample } from "./example.ts";
@@ -23,7 +23,7 @@ export function WriteOwnButton({ className }: { className?: string | undefined }
       const { writeOwn } = await import("./write-own.ts");
       writeOwn(services, i18n);
     } catch {
-      tell(services.screen, { tone: "bad", text: t("offline.partFailed") });
+      showMessage(services.screen, { tone: "bad", text: t("offline.partFailed") });
       return;
     }
     // On a phone the goal stays in sight above it.

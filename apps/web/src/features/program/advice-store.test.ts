@@ -43,7 +43,7 @@ function setUp(program = wrong, load: AdvicePorts["load"] = async () => coach) {
     const about = { kind: moment, tick: 1, driver: "program" };
     run.setState({
       snapshot: { state } as RunState["snapshot"],
-      moment: moment === null ? null : (about as RunState["moment"]),
+      event: moment === null ? null : (about as RunState["event"]),
     });
   };
   return { workspace, advice, settle, lines, edit, drive };

@@ -125,8 +125,8 @@ export function createAdviceStore({
     if (next.program !== before.program || next.maze !== before.maze) settleSoon();
   });
   // After a bump the card comes first: the advice waits for Reset, or for the next edit.
-  run.subscribe(({ snapshot, moment }) => {
-    if (isHeld && snapshot?.state !== "running" && moment?.kind !== "bump") settle();
+  run.subscribe(({ snapshot, event }) => {
+    if (isHeld && snapshot?.state !== "running" && event?.kind !== "bump") settle();
   });
   settleSoon();
 

@@ -4,12 +4,12 @@
  * what a screen reader finds there is a second old at most. When the robot rests, all lines are exact.
  */
 import type { RunState } from "../../stores/run-store.ts";
-import type { Followed } from "../../ui/follow-text.ts";
+import type { StateSource } from "../../ui/follow-text.ts";
 
 /** News come four times a second. */
 const TURNS = 4;
 
-export interface LineFeed extends Followed<RunState> {
+export interface LineFeed extends StateSource<RunState> {
   /**
    * Follows whether the browser draws the line, which it says of elements with `content-visibility: auto`;
    * where it never says so, the line counts as in sight.
@@ -19,7 +19,7 @@ export interface LineFeed extends Followed<RunState> {
 }
 
 /** @param index any number; lines with neighbouring ones have their turns one after the other */
-export function lineFeed(run: Followed<RunState>, index: number): LineFeed {
+export function lineFeed(run: StateSource<RunState>, index: number): LineFeed {
   let isOutOfSight = false;
   return {
     getState: run.getState,

@@ -91,7 +91,7 @@ describe("shownProgress", () => {
 
 describe("shownBump", () => {
   const touching = { ...snapshot, bumping: true, bumps: 2, tick: 80 };
-  const moment = {
+  const event = {
     kind: "bump" as const,
     line: 0,
     bumps: 2,
@@ -127,35 +127,35 @@ describe("shownBump", () => {
   };
 
   it("is that of the line that caused it, as long as the robot touches it", () => {
-    expect(shownBump(0, { snapshot: touching, moment })).toEqual({ driven: 24, needed: 50 });
-    expect(shownBump(1, { snapshot: touching, moment })).toBeNull();
+    expect(shownBump(0, { snapshot: touching, event })).toEqual({ driven: 24, needed: 50 });
+    expect(shownBump(1, { snapshot: touching, event })).toBeNull();
     const free = { ...touching, bumping: false };
-    expect(shownBump(0, { snapshot: free, moment })).toBeNull();
+    expect(shownBump(0, { snapshot: free, event })).toBeNull();
   });
 
   it("is that of another line than the one that drove where that one is the cause", () => {
-    const other = { ...moment, line: "default" as const };
-    expect(shownBump(0, { snapshot: touching, moment: other })).toEqual({
+    const other = { ...event, line: "default" as const };
+    expect(shownBump(0, { snapshot: touching, event: other })).toEqual({
       driven: null,
       needed: null,
     });
-    expect(shownBump("default", { snapshot: touching, moment: other })).toBeNull();
+    expect(shownBump("default", { snapshot: touching, event: other })).toBeNull();
   });
 
   it("stays with that line when another one decides beside the wall", () => {
     const next = { ...touching, line: 1 };
-    expect(shownBump(0, { snapshot: next, moment })).not.toBeNull();
-    expect(shownBump(1, { snapshot: next, moment })).toBeNull();
+    expect(shownBump(0, { snapshot: next, event })).not.toBeNull();
+    expect(shownBump(1, { snapshot: next, event })).toBeNull();
   });
 
   it("marks no line for a bump whose cause is not known", () => {
     const past = { ...touching, bumps: 1, tick: 30 };
-    expect(shownBump(0, { snapshot: past, moment })).toBeNull();
-    expect(shownBump(0, { snapshot: touching, moment: null })).toBeNull();
+    expect(shownBump(0, { snapshot: past, event })).toBeNull();
+    expect(shownBump(0, { snapshot: touching, event: null })).toBeNull();
   });
 
   it("is nobody's while a hand drives", () => {
     const mine = { ...touching, driver: "me" as const, line: null };
-    expect(shownBump(0, { snapshot: mine, moment })).toBeNull();
+    expect(shownBump(0, { snapshot: mine, event })).toBeNull();
   });
 });

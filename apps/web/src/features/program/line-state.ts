@@ -3,7 +3,7 @@ import { causeLine, type Diagnosis } from "@corridor/coach";
 import { evaluateCondition, type Condition } from "@corridor/program";
 import type { LineRef, Snapshot } from "@corridor/protocol";
 import type { RunState } from "../../stores/run-store.ts";
-import type { Moment } from "../../worker/worker-messages.ts";
+import type { RunEvent } from "../../worker/worker-messages.ts";
 import { truthText } from "./truth-text.ts";
 
 /** The line that drives the robot; null while the program does not drive. */
@@ -55,7 +55,7 @@ export type LineStanding = "resting" | "running" | "bumped" | "notRead";
 
 export function lineStanding(
   index: number,
-  state: Pick<RunState, "snapshot"> & { moment: BumpMoment | null },
+  state: Pick<RunState, "snapshot"> & { event: BumpMoment | null },
 ): LineStanding {
   if (shownBump(index, state) !== null) return "bumped";
   const deciding = decidingLine(state.snapshot);
@@ -98,28 +98,28 @@ export interface ShownBump {
 }
 
 /** What of a moment tells of a bump. */
-type BumpMoment = Pick<Moment, "kind" | "line" | "bumps" | "cause" | "diagnosis">;
+type BumpMoment = Pick<RunEvent, "kind" | "line" | "bumps" | "cause" | "diagnosis">;
 
 /** Why the program's robot touches a wall at the shown moment; null where it does not, or nobody knows why. */
 export function shownDiagnosis({
   snapshot,
-  moment,
-}: Pick<RunState, "snapshot"> & { moment: BumpMoment | null }): Diagnosis | null {
+  event,
+}: Pick<RunState, "snapshot"> & { event: BumpMoment | null }): Diagnosis | null {
   if (snapshot === null || !snapshot.bumping || snapshot.driver !== "program") return null;
   // The newest bump is the one that is seen when no other came after or before it.
-  const isKnown = moment?.kind === "bump" && moment.bumps === snapshot.bumps;
-  return isKnown ? moment.diagnosis : null;
+  const isKnown = event?.kind === "bump" && event.bumps === snapshot.bumps;
+  return isKnown ? event.diagnosis : null;
 }
 
 /** @returns null unless the robot touches a wall at the shown moment and this line caused that bump */
 export function shownBump(
   line: LineRef,
-  { snapshot, moment }: Pick<RunState, "snapshot"> & { moment: BumpMoment | null },
+  { snapshot, event }: Pick<RunState, "snapshot"> & { event: BumpMoment | null },
 ): ShownBump | null {
-  const diagnosis = shownDiagnosis({ snapshot, moment });
-  if (moment === null || diagnosis === null || causeLine(diagnosis) !== line) return null;
-  const { cause } = moment;
+  const diagnosis = shownDiagnosis({ snapshot, event });
+  if (event === null || diagnosis === null || causeLine(diagnosis) !== line) return null;
+  const { cause } = event;
   // Another line may have driven into the wall.
-  if (cause === null || moment.line !== line) return { driven: null, needed: null };
+  if (cause === null || event.line !== line) return { driven: null, needed: null };
   return { driven: Math.round(cause.driven), needed: cause.needed };
 }

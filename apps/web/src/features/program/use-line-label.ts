@@ -3,8 +3,8 @@ import type { Rule } from "@corridor/program";
 import { useLayoutEffect, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
 import type { RunState } from "../../stores/run-store.ts";
-import { CalmPace } from "../../ui/calm-pace.ts";
-import type { Followed } from "../../ui/follow-text.ts";
+import { Throttle } from "../../ui/throttle.ts";
+import type { StateSource } from "../../ui/follow-text.ts";
 import { lineNamer } from "./line-name.ts";
 import { lineStanding, type TruthAt } from "./line-state.ts";
 
@@ -19,14 +19,14 @@ interface LabelledLine {
 /** Writes the name straight to the line: React would draw a line again for each number in it. */
 export function useLineLabel(
   element: RefObject<HTMLElement | null>,
-  feed: Followed<RunState>,
+  feed: StateSource<RunState>,
   { index, rule, advice, truth }: LabelledLine,
 ): void {
   const { t, i18n } = useTranslation();
   const { language } = i18n;
   useLayoutEffect(() => {
     const nameOf = lineNamer(t, language, { index, rule, advice });
-    const pace = new CalmPace<string>(() => performance.now());
+    const pace = new Throttle<string>(() => performance.now());
     let written = "";
     const look = (state: RunState): void => {
       const standing = lineStanding(index, state);

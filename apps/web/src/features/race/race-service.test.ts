@@ -130,7 +130,7 @@ describe("a race", () => {
 
   it("notes what the robot took to the goal, until that is undone", async () => {
     const { race, say } = bench();
-    say({ type: "moment", moment: momentAt("goal", 540, firstProgram) });
+    say({ type: "event", event: momentAt("goal", 540, firstProgram) });
     expect(race.getState().you).toEqual({
       goalTick: 540,
       bumps: 1,

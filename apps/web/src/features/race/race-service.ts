@@ -9,7 +9,7 @@ import { saveRun } from "../../app/run-requests.ts";
 import type { Services } from "../../app/services.ts";
 import { storageOrNone, type KeyValueStorage } from "../../app/works.ts";
 import type { RaceGhost } from "../../stores/race-store.ts";
-import { tell } from "../../stores/screen-store.ts";
+import { showMessage } from "../../stores/screen-store.ts";
 import { readGhosts, storeGhosts } from "./race-storage.ts";
 import {
   MAX_GHOSTS,
@@ -47,13 +47,13 @@ export class RaceService {
     this.#ports = ports;
     this.#words = words;
     const { simulator, workspace, run, race } = ports;
-    const moment = run.getState().moment;
-    if (moment?.kind === "goal") race.setState({ you: finishOf(moment) });
+    const event = run.getState().event;
+    if (event?.kind === "goal") race.setState({ you: finishOf(event) });
     simulator.listen((message) => this.#hear(message));
     workspace.subscribe(({ maze }, before) => {
       if (isSameMaze(maze, before.maze) || race.getState().ghosts.length === 0) return;
       this.end();
-      tell(ports.screen, { tone: "info", text: this.#words.t("race:over") });
+      showMessage(ports.screen, { tone: "info", text: this.#words.t("race:over") });
     });
   }
 
@@ -69,7 +69,7 @@ export class RaceService {
       simulator.send({ type: "reset" });
       return;
     }
-    tell(screen, { tone: "bad", text: this.refusalText(refusal, run) });
+    showMessage(screen, { tone: "bad", text: this.refusalText(refusal, run) });
   }
 
   /** @returns why the run is not in the race; null when it is */
@@ -80,7 +80,10 @@ export class RaceService {
     if (badge === undefined) return "full";
     const refusal = await this.#load(badge, run);
     if (refusal === null && this.#isIn(badge)) {
-      tell(this.#ports.screen, { tone: "info", text: this.#words.t("race:ready", { badge }) });
+      showMessage(this.#ports.screen, {
+        tone: "info",
+        text: this.#words.t("race:ready", { badge }),
+      });
     }
     return refusal;
   }
@@ -184,8 +187,8 @@ export class RaceService {
     if (message.type === "ghost-added") {
       this.#waiting.get(message.id)?.(message.added);
       this.#waiting.delete(message.id);
-    } else if (message.type === "moment" && message.moment.kind === "goal") {
-      race.setState({ you: finishOf(message.moment) });
+    } else if (message.type === "event" && message.event.kind === "goal") {
+      race.setState({ you: finishOf(message.event) });
     } else if (message.type === "forgotten") {
       const tick = race.getState().you?.goalTick ?? null;
       if (tick !== null && tick > message.after) race.setState({ you: null });
@@ -217,8 +220,8 @@ function digestOf({ digest, ticks }: RunDocument): string {
   return `${digest} ${ticks}`;
 }
 
-function finishOf(moment: Extract<FromWorker, { type: "moment" }>["moment"]): Finish {
-  const { tick, bumps, driver, program } = moment;
+function finishOf(event: Extract<FromWorker, { type: "event" }>["event"]): Finish {
+  const { tick, bumps, driver, program } = event;
   const lines = program?.rules.filter(({ when }) => when !== null).length ?? 0;
   return { goalTick: tick, bumps, driver, lines };
 }

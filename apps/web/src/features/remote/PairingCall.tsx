@@ -8,7 +8,7 @@ import { createPortal } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { tell } from "../../stores/screen-store.ts";
+import { showMessage } from "../../stores/screen-store.ts";
 import { joinSentences } from "../../text/joined.ts";
 import { Button } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
@@ -34,7 +34,7 @@ export function PairingCall({ session }: { session: RemoteSession }) {
     if (after.kind === "asked") return;
     const isLeftToDo = after.kind === "accepted" && run.getState().nowDriver !== "remote";
     const next = isLeftToDo ? [t("remote.cancel.notRemote")] : [];
-    tell(screen, { tone: "info", text: joinSentences(t, [newsText(t, after), ...next]) });
+    showMessage(screen, { tone: "info", text: joinSentences(t, [newsText(t, after), ...next]) });
   };
   const call = (
     <div

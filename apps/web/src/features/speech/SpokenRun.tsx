@@ -30,7 +30,7 @@ export function SpokenRun() {
     let before = run.getState();
     const endWaiting = run.subscribe((state) => {
       // At the greatest speed the goal may be told before the first frame of its run.
-      if ((state.snapshot?.tick ?? 0) === 0 && state.moment === before.moment) {
+      if ((state.snapshot?.tick ?? 0) === 0 && state.event === before.event) {
         if (state.snapshot?.state !== "running") before = state;
         return;
       }

@@ -4,7 +4,7 @@
  */
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
-import { dismiss, tell, type ScreenStore } from "../../stores/screen-store.ts";
+import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-store.ts";
 
 const shown = new WeakMap<ScreenStore, number>();
 
@@ -27,14 +27,14 @@ export async function describeRobot(
       snapshot,
     );
   } catch {
-    tell(screen, { tone: "bad", text: words.t("offline.partFailed") });
+    showMessage(screen, { tone: "bad", text: words.t("offline.partFailed") });
     return;
   }
   const last = shown.get(screen);
   if (last !== undefined) dismiss(screen, last);
   // It stays as long as it is true.
   const isStill = run.getState().snapshot?.state !== "running";
-  const message = tell(screen, { tone: "info", stays: isStill, text });
+  const message = showMessage(screen, { tone: "info", stays: isStill, text });
   shown.set(screen, message);
   if (!isStill) return;
   const described = run.getState().snapshot?.tick;

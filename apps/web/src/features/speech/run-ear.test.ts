@@ -2,7 +2,7 @@ import type { ProgramDocument } from "@corridor/program";
 import type { Snapshot } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { createRunStore, type RunState } from "../../stores/run-store.ts";
-import type { Moment } from "../../worker/worker-messages.ts";
+import type { RunEvent } from "../../worker/worker-messages.ts";
 import { RunEar, type RunTalk } from "./run-ear.ts";
 
 const program: ProgramDocument = {
@@ -53,7 +53,7 @@ function noted(...changes: Change[]): (RunTalk | null)[] {
   });
 }
 
-const bump: Moment = {
+const bump: RunEvent = {
   kind: "bump",
   tick: 130,
   pose: still.pose,
@@ -129,11 +129,11 @@ describe("RunEar", () => {
     expect(
       noted(
         { state: "running", tick: 1, speed: "max" },
-        { tick: 130, moment: bump },
+        { tick: 130, event: bump },
         { tick: 140 },
-        { tick: 900, moment: { ...bump, kind: "goal" } },
+        { tick: 900, event: { ...bump, kind: "goal" } },
       ).map((talk) => talk?.kind ?? null),
-    ).toEqual(["too-fast", "moment", null, "moment"]);
+    ).toEqual(["too-fast", "event", null, "event"]);
   });
 
   it.each([4, 8, 16, "max"] as const)("leaves lines out at speed %s", (speed) => {

@@ -7,7 +7,7 @@ import type { ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
 import { decidingLine } from "../program/line-state.ts";
 import type { RunState } from "../../stores/run-store.ts";
-import type { Moment } from "../../worker/worker-messages.ts";
+import type { RunEvent } from "../../worker/worker-messages.ts";
 
 /** From this speed on lines change faster than they can be said. */
 const FASTEST_TOLD = 4;
@@ -18,7 +18,7 @@ const SHORT_TICKS = 4;
 const CRUMB = 1e-6;
 
 export type RunTalk =
-  | { kind: "moment"; moment: Moment }
+  | { kind: "event"; event: RunEvent }
   /** a line drives from now on; `isTurn`: it does something once, that may come again */
   | { kind: "decision"; line: LineRef; isTurn: boolean }
   | { kind: "paused" | "at-start" | "now" | "playing" }
@@ -28,7 +28,7 @@ export type RunTalk =
   | { kind: "too-fast" };
 
 /** What is remembered of the state before. */
-type Heard = Pick<RunState, "snapshot" | "progress" | "view" | "nowTick" | "moment">;
+type Heard = Pick<RunState, "snapshot" | "progress" | "view" | "nowTick" | "event">;
 
 export class RunEar {
   #before: Heard;
@@ -47,9 +47,9 @@ export class RunEar {
   hear(state: RunState, program: ProgramDocument): RunTalk | null {
     const before = this.#before;
     this.#before = state;
-    const { snapshot, moment, view, nowTick } = state;
+    const { snapshot, event, view, nowTick } = state;
     if (snapshot === null) return null;
-    if (moment !== null && moment !== before.moment) return { kind: "moment", moment };
+    if (event !== null && event !== before.event) return { kind: "event", event };
     if (view !== before.view) return viewTalk(view);
     const tick = before.snapshot?.tick ?? 0;
     if (view === "past") return snapshot.tick === tick ? null : { kind: "past", isFirst: false };

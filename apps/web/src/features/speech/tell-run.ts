@@ -4,7 +4,7 @@ import type { Services } from "../../app/services.ts";
 import { asSentence, joinSentences } from "../../text/joined.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 import type { RunState } from "../../stores/run-store.ts";
-import type { Moment } from "../../worker/worker-messages.ts";
+import type { RunEvent } from "../../worker/worker-messages.ts";
 import { diagnosisText, diagnosisTitle, diagnosisWords } from "../cards/diagnosis-text.ts";
 import { momentAt, sayMoment } from "../timeline/shown-moment.ts";
 import { timelineOf } from "../timeline/timeline-of.ts";
@@ -33,8 +33,8 @@ export function tellRun(
 
   function say(talk: RunTalk): void {
     switch (talk.kind) {
-      case "moment":
-        speech.tell(momentText(talk.moment), "moment");
+      case "event":
+        speech.tell(eventText(talk.event), "moment");
         return;
       case "decision": {
         const about = talk.isTurn ? null : `line ${talk.line}`;
@@ -95,11 +95,11 @@ export function tellRun(
     return [asSentence(t, sayMoment(t, { ...moment, who: null, event }, language)), line];
   }
 
-  function momentText(moment: Moment): string {
+  function eventText(event: RunEvent): string {
     const { t, language } = words();
-    if (moment.diagnosis !== null) {
+    if (event.diagnosis !== null) {
       const known = diagnosisWords(t, language, (tick) => timeline.waitedUpTo(tick));
-      const { diagnosis } = moment;
+      const { diagnosis } = event;
       // In a challenge its card says the rest.
       const title = asSentence(t, diagnosisTitle(known, diagnosis));
       if (challenge.getState().challenge !== null) return title;
@@ -108,7 +108,7 @@ export function tellRun(
       const text = diagnosisText(known, diagnosis);
       return joinSentences(t, [...titles, text, ...fixCount(t, diagnosis)]);
     }
-    const story = storyOf(moment, timeline.waitedUpTo(moment.tick));
+    const story = storyOf(event, timeline.waitedUpTo(event.tick));
     return storyText(t, { ...story, seconds: formatSeconds(story.after, language) });
   }
 

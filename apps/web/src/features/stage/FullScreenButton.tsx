@@ -3,7 +3,7 @@ import { Maximize, Minimize } from "lucide-react";
 import { useSyncExternalStore } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
-import { tell } from "../../stores/screen-store.ts";
+import { showMessage } from "../../stores/screen-store.ts";
 import { IconButton } from "../../ui/Button.tsx";
 import styles from "./tool-strip.module.css";
 
@@ -16,7 +16,7 @@ export function FullScreenButton() {
   function toggle(): void {
     const done = isFull ? document.exitFullscreen() : document.documentElement.requestFullscreen();
     // A browser may still refuse, by its owner's settings.
-    done.catch(() => tell(screen, { tone: "info", text: t("stage.fullScreenRefused") }));
+    done.catch(() => showMessage(screen, { tone: "info", text: t("stage.fullScreenRefused") }));
   }
 
   return (

@@ -31,7 +31,7 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
   const { t, i18n } = useTranslation();
   const newestMaze = useStore(workspace, (state) => state.maze);
   // The robot of an earlier moment stands in the maze of then.
-  const maze = useStore(run, (state) => state.shownMaze) ?? newestMaze;
+  const maze = useStore(run, (state) => state.pastMaze) ?? newestMaze;
   const layout = useStore(controller.view, (view) => view.layout);
   const chosen = useStore(controller.view, (view) => view.cursor);
   const helpId = useId();

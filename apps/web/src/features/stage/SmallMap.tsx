@@ -36,7 +36,7 @@ interface SmallMapProps {
 export function SmallMap({ view, onScroll }: SmallMapProps) {
   const { workspace, run } = useServices();
   const ownMaze = useStore(workspace, (state) => state.maze);
-  const maze = useStore(run, ({ shownMaze }) => shownMaze) ?? ownMaze;
+  const maze = useStore(run, ({ pastMaze: shownMaze }) => shownMaze) ?? ownMaze;
   const { columns, rows } = sizeOf(maze);
   const scale = LONGEST_PX / Math.max(columns, rows);
   const picture = { width: columns * scale, height: rows * scale };

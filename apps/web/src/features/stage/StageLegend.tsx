@@ -6,16 +6,16 @@ import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import { preparePhrase } from "../../text/phrase.ts";
 import { LiveText } from "../../ui/LiveText.tsx";
-import { remember } from "../../ui/remember.ts";
+import { memoize } from "../../ui/memoize.ts";
 import { DescribeButton } from "../speech/DescribeButton.tsx";
-import { waitingPart } from "../../ui/lazy-part.tsx";
+import { deferredPart } from "../../ui/lazy-part.tsx";
 import { facingOf, type Facing } from "./robot-place.ts";
 import type { StageViewStore } from "./stage-view.ts";
 import { scaleBar } from "./scale-bar.ts";
 import styles from "./stage.module.css";
 
 /** Wanted at once where the maze is larger than the stage; the keys for zooming work without it. */
-const ZoomButtons = waitingPart(async () => (await import("./ZoomButtons.tsx")).ZoomButtons);
+const ZoomButtons = deferredPart(async () => (await import("./ZoomButtons.tsx")).ZoomButtons);
 
 export function StageLegend({ view }: { view: StageViewStore }) {
   const { t } = useTranslation();
@@ -43,7 +43,7 @@ function RobotPlace() {
   const { t } = useTranslation();
   const text = useMemo(() => {
     const phrase = preparePhrase(["x", "y", "facing"], (marks) => t("stage.robotAt", marks));
-    const facingText = remember((facing: Facing) => t(`stage.facing.${facing}`));
+    const facingText = memoize((facing: Facing) => t(`stage.facing.${facing}`));
     return ({ snapshot }: RunState): string => {
       if (snapshot === null) return "";
       const { x, y, heading } = snapshot.pose;

@@ -14,7 +14,7 @@ import type { Measured } from "../../canvas/layers/measure.ts";
 import { readPalette, type Palette } from "../../canvas/palette.ts";
 import { shownProperties, watchPixelRatio, watchTheme } from "./theme-watch.ts";
 import { cellAt, type Scroll } from "../../canvas/viewport.ts";
-import { tell } from "../../stores/screen-store.ts";
+import { showMessage } from "../../stores/screen-store.ts";
 import { MazeEditor } from "./maze-editor.ts";
 import { MeasureTool } from "./measure-tool.ts";
 import { gridOffset, isInPort } from "./grid-place.ts";
@@ -132,8 +132,8 @@ export class StageController {
         this.#pointer.leave();
         this.#divide();
       }),
-      run.subscribe(({ shownMaze, snapshot }, before) => {
-        if (shownMaze !== before.shownMaze) this.#divide();
+      run.subscribe(({ pastMaze: shownMaze, snapshot }, before) => {
+        if (shownMaze !== before.pastMaze) this.#divide();
         if (snapshot?.pose !== before.snapshot?.pose) this.#panGrid();
       }),
       this.view.subscribe(({ layout }, before) => {
@@ -321,7 +321,7 @@ export class StageController {
   /** The maze of the shown moment, which had another one where it was resized since. */
   #shownMaze(): MazeDocument {
     const { run, workspace } = this.#services;
-    return run.getState().shownMaze ?? workspace.getState().maze;
+    return run.getState().pastMaze ?? workspace.getState().maze;
   }
 
   /** The squares for screen readers lie where the camera shows them. */
@@ -390,7 +390,7 @@ export class StageController {
 
   #tellRefusal(code: ToolRefusal): void {
     const most = code === "too-many-goals" ? MAX_GOALS : MAX_SIDE;
-    tell(this.#services.screen, {
+    showMessage(this.#services.screen, {
       tone: "info",
       text: this.#words.t(`stage.refused.${code}`, { most }),
     });

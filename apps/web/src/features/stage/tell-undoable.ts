@@ -1,6 +1,6 @@
 /** Says what an edit took along that nobody asked for, with Undo while Undo still means that edit. */
 import type { i18n } from "i18next";
-import { dismiss, tell, type ScreenStore } from "../../stores/screen-store.ts";
+import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-store.ts";
 import { undo, type WorkspaceStore } from "../../stores/workspace-store.ts";
 
 /** Tells about the edit just made; the message leaves with the next edit, whoever makes it. */
@@ -9,7 +9,7 @@ export function tellUndoable(
   words: Pick<i18n, "t">,
   text: string,
 ): void {
-  const id = tell(screen, {
+  const id = showMessage(screen, {
     tone: "info",
     text,
     action: { label: words.t("stage.undo"), run: () => undo(workspace) },

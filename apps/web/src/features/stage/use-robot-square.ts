@@ -7,7 +7,7 @@ import type { Cell } from "@corridor/maze";
 import { useEffect, useState } from "react";
 import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
-import { CalmPace } from "../../ui/calm-pace.ts";
+import { Throttle } from "../../ui/throttle.ts";
 import { isAround } from "./grid-cursor.ts";
 import { cellOf, facingOf } from "./robot-place.ts";
 
@@ -16,7 +16,7 @@ export function useRobotSquare({ column, row }: Cell): string {
   const [square, setSquare] = useState(() => robotSquare(run.getState()));
   useEffect(() => {
     // Told with a frame of the run, never by a timer between two: each drawing of the page costs.
-    const pace = new CalmPace<null>(() => performance.now());
+    const pace = new Throttle<null>(() => performance.now());
     const look = (state: RunState) => {
       if (!pace.isDue(state.snapshot?.state === "running", null)) return;
       const isNear =

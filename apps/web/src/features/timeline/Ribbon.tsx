@@ -3,7 +3,7 @@ import type { TimelineDriver } from "@corridor/recording";
 import { memo, useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { classNames } from "../../ui/class-names.ts";
-import { remember } from "../../ui/remember.ts";
+import { memoize } from "../../ui/memoize.ts";
 import type { CommandMark } from "./command-marks.ts";
 import type { TimelinePicture } from "./picture.ts";
 import type { Segment } from "./ribbon.ts";
@@ -20,7 +20,7 @@ interface RibbonProps {
 
 export const Ribbon = memo(function Ribbon({ picture, isNow }: RibbonProps) {
   const { t } = useTranslation();
-  const names = useMemo(() => remember((who: TimelineDriver) => nameOf(t, who)), [t]);
+  const names = useMemo(() => memoize((who: TimelineDriver) => nameOf(t, who)), [t]);
   return (
     <svg className={styles["picture"]} aria-hidden="true">
       <TimelineAxis scale={picture.scale} marks={picture.axis} />

@@ -22,11 +22,11 @@ import runStyles from "./run-timeline.module.css";
 import { timelineOf } from "./timeline-of.ts";
 import styles from "./timeline.module.css";
 import { classNames } from "../../ui/class-names.ts";
-import { waitingPart } from "../../ui/lazy-part.tsx";
+import { deferredPart } from "../../ui/lazy-part.tsx";
 import { usePicture } from "./use-picture.ts";
 import { useShownMoment } from "./use-shown-moment.ts";
 
-const TimelineZoom = waitingPart(async () => (await import("./TimelineZoom.tsx")).TimelineZoom);
+const TimelineZoom = deferredPart(async () => (await import("./TimelineZoom.tsx")).TimelineZoom);
 
 /** From five seconds on a run asks for zoom; before, it comes in the background only. */
 const LONG_TICKS = 300;

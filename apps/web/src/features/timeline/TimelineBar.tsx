@@ -5,12 +5,12 @@
 import { useDeferredValue, useEffect, useRef, useState } from "react";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { waitingPart } from "../../ui/lazy-part.tsx";
+import { deferredPart } from "../../ui/lazy-part.tsx";
 import { axisOf, scaleOf } from "./time-scale.ts";
 import { TimelineAxis } from "./TimelineAxis.tsx";
 import styles from "./timeline.module.css";
 
-const RunTimeline = waitingPart(async () => (await import("./RunTimeline.tsx")).RunTimeline);
+const RunTimeline = deferredPart(async () => (await import("./RunTimeline.tsx")).RunTimeline);
 
 export function TimelineBar() {
   const { run } = useServices();

@@ -6,7 +6,7 @@ import type { FieldProblem } from "@corridor/protocol";
 import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
-import { dismiss, tell, tellPart } from "../../stores/screen-store.ts";
+import { dismiss, showMessage, setMessageProgress } from "../../stores/screen-store.ts";
 import { loadRun } from "../../app/run-requests.ts";
 
 type Opener = Pick<Services, "simulator" | "works" | "screen">;
@@ -32,7 +32,7 @@ export async function openRun(
   if (!loaded.ok) return loaded.reason === "refused" ? loaded.problems : [];
   const back = works.beginShared(loaded.maze, loaded.program, true);
   simulator.send({ type: "seek", tick: 0 });
-  const id = tell(screen, {
+  const id = showMessage(screen, {
     tone: "info",
     text: words.t("timeline.recorded"),
     action: {
@@ -63,14 +63,14 @@ class WaitingMessage {
   tell(part: number): void {
     if (this.#id === null) {
       const t = this.#words.t;
-      this.#id = tell(this.#screen, {
+      this.#id = showMessage(this.#screen, {
         tone: "info",
         text: t("timeline.opening"),
         stays: true,
         part,
         action: { label: t("timeline.dontOpen"), run: this.#cancel },
       });
-    } else tellPart(this.#screen, this.#id, part);
+    } else setMessageProgress(this.#screen, this.#id, part);
   }
 
   end(): void {

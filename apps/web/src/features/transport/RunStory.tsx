@@ -13,10 +13,10 @@ import styles from "./transport.module.css";
 export function RunStory() {
   const { t } = useTranslation();
   const { run } = useServices();
-  const moment = useStore(run, (state) => state.moment);
-  const waited = useWaited(moment?.tick ?? 0);
+  const event = useStore(run, (state) => state.event);
+  const waited = useWaited(event?.tick ?? 0);
   const isFresh = useStore(run, ({ nowTick }) => nowTick === 0);
-  const story = moment === null ? null : storyOf(moment, waited);
+  const story = event === null ? null : storyOf(event, waited);
   return (
     <p role="note" className={classNames(styles["story"], !isFresh && "visually-hidden")}>
       {story !== null && <Told story={story} />}

@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
-import type { Moment } from "../../worker/worker-messages.ts";
+import type { RunEvent } from "../../worker/worker-messages.ts";
 import { storyOf } from "./story.ts";
 
-const bump: Moment = {
+const bump: RunEvent = {
   kind: "bump",
   tick: 786,
   pose: { x: 448, y: 326, heading: 0 },

@@ -1,7 +1,7 @@
 /** The one-line story of the run: which sentence tells the newest goal or bump, and its numbers. */
 import type { DriverName } from "@corridor/protocol";
 import type { TFunction } from "i18next";
-import type { Moment } from "../../worker/worker-messages.ts";
+import type { RunEvent } from "../../worker/worker-messages.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 
 /** Side of a square of the maze, in cm. */
@@ -11,7 +11,7 @@ const SQUARE = 100;
 export type Teller = "line" | "otherwise" | DriverName;
 
 export interface Story {
-  kind: Moment["kind"];
+  kind: RunEvent["kind"];
   teller: Teller;
   /** 1 for the first line; 0 when no numbered line was in charge */
   line: number;
@@ -28,7 +28,7 @@ export interface Story {
  * What there is to tell about a moment.
  * @param waited ticks up to it in which a script let the robot wait, which the clock counts apart
  */
-export function storyOf({ kind, line, driver, tick, pose }: Moment, waited = 0): Story {
+export function storyOf({ kind, line, driver, tick, pose }: RunEvent, waited = 0): Story {
   const isNumbered = typeof line === "number" && kind === "goal";
   const after = tick - waited;
   return {

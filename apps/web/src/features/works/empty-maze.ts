@@ -2,7 +2,7 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
-import { dismiss, tell } from "../../stores/screen-store.ts";
+import { dismiss, showMessage } from "../../stores/screen-store.ts";
 import { programForMaze } from "../program/own-program.ts";
 
 const COLUMNS = 11;
@@ -26,7 +26,7 @@ export function openEmptyMaze(
 ): void {
   const program = programForMaze(workspace.getState().program, words);
   const back = works.begin(emptyMaze(words.t("works.newMazeName")), program);
-  const id = tell(screen, {
+  const id = showMessage(screen, {
     tone: "info",
     text: words.t("works.begun"),
     action: {

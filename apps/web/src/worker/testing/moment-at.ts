@@ -1,11 +1,11 @@
 /** A moment in tests as the worker tells it: line 1 drove, and nothing is known of why. */
-import type { Moment } from "../worker-messages.ts";
+import type { RunEvent } from "../worker-messages.ts";
 
 export function momentAt(
-  kind: Moment["kind"],
+  kind: RunEvent["kind"],
   tick: number,
-  program: Moment["program"] = null,
-): Moment {
+  program: RunEvent["program"] = null,
+): RunEvent {
   const pose = { x: 150, y: 150, heading: 0 };
   return {
     kind,

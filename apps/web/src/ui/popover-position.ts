@@ -1,4 +1,6 @@
-/** Where a popover goes: under its button, its far edge on the button's, and never off the screen. */
+/**
+ * Position of a popover: below its button, aligned with one of its edges, and inside the window.
+ */
 
 interface Box {
   left: number;
@@ -7,7 +9,7 @@ interface Box {
   bottom: number;
 }
 
-/** Space kept to the button, and to the edges of the window, in px. */
+/** Distance to the button and to the edges of the window, in px. */
 const GAP = 6;
 const MARGIN = 8;
 

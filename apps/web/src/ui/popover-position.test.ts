@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { placePopover } from "./popover-place.ts";
+import { placePopover } from "./popover-position.ts";
 
 const view = { width: 1000, height: 800 };
 const size = { width: 300, height: 200 };
@@ -40,13 +40,13 @@ describe("placePopover", () => {
     expect(placePopover(button, size, view, align)).toEqual(place);
   });
 
-  it("keeps its end in sight when it fits neither above nor below", () => {
+  it("shows its end if it fits neither above nor below", () => {
     const button = { left: 100, top: 300, right: 200, bottom: 340 };
     const tall = { width: 300, height: 700 };
     expect(placePopover(button, tall, view, "left").top).toBe(92);
   });
 
-  it("keeps the top in sight when it is higher than the window", () => {
+  it("shows its top if it is higher than the window", () => {
     const button = { left: 100, top: 300, right: 200, bottom: 340 };
     const tall = { width: 300, height: 810 };
     expect(placePopover(button, tall, view, "left").top).toBe(8);

@@ -1,15 +1,15 @@
 /**
- * The run as the screen shows it, with its whole trail, for whoever wants a picture of it. The stage
- * itself is drawn elsewhere; this only gathers what the calm frames of the panels bring anyway.
+ * The displayed run with its whole trail, for exported pictures. It collects the throttled frames
+ * of the panels; the stage is drawn elsewhere.
  */
 import type { Snapshot } from "@corridor/protocol";
 import { Trail } from "../canvas/trail.ts";
 import type { Frame } from "../worker/worker-messages.ts";
 
-/** Bumps kept, the newest, as two numbers each. */
+/** Two numbers per bump: the newest 100 bumps. */
 const MAX_BUMP_NUMBERS = 200;
 
-export class ShownRun {
+export class RunTrace {
   readonly #trail = new Trail();
   #bumps: readonly number[] = [];
   #snapshot: Snapshot | null = null;
@@ -23,7 +23,10 @@ export class ShownRun {
     this.#snapshot = snapshot;
   }
 
-  /** The robot, its trail and its bumps (x and y by turns, in units); null before the first frame. */
+  /**
+   * The robot, its trail and its bumps (x and y alternating, in units); null before the first
+   * frame.
+   */
   take(): { snapshot: Snapshot; points: readonly number[]; bumps: readonly number[] } | null {
     if (this.#snapshot === null) return null;
     return { snapshot: this.#snapshot, points: this.#trail.points(), bumps: this.#bumps };

@@ -1,16 +1,16 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { beforeEach, describe, expect, it } from "vitest";
-import { LateRun } from "./late-run.ts";
+import { DeferredRun } from "./deferred-run.ts";
 import { createRunStore, type RunStore } from "./run-store.ts";
 
 let run: RunStore;
-let late: LateRun;
+let late: DeferredRun;
 let frames: (() => void)[];
 
 beforeEach(() => {
   frames = [];
   run = createRunStore();
-  late = new LateRun(run, (work) => frames.push(work));
+  late = new DeferredRun(run, (task) => frames.push(task));
   show(1, 0);
 });
 
@@ -19,65 +19,65 @@ function show(tick: number, line: number, state: "running" | "paused" = "running
 }
 
 function nextFrame(): void {
-  for (const work of frames.splice(0)) work();
+  for (const task of frames.splice(0)) task();
 }
 
-const shown = () => late.words.getState().snapshot?.tick;
+const displayed = () => late.words.getState().snapshot?.tick;
 
-describe("what is displayed later", () => {
+describe("deferred output", () => {
   it("follows one frame later while the robot drives", () => {
     show(2, 0);
-    expect(shown()).toBe(1);
+    expect(displayed()).toBe(1);
     nextFrame();
-    expect(shown()).toBe(2);
+    expect(displayed()).toBe(2);
     expect(frames).toEqual([]);
   });
 
   it("follows at once while the robot rests", () => {
     show(2, 0, "paused");
     show(3, 1, "paused");
-    expect(shown()).toBe(3);
+    expect(displayed()).toBe(3);
     expect(frames).toEqual([]);
   });
 
-  it("is exact when the robot rests, whatever waited", () => {
+  it("is exact when the robot rests, whatever was pending", () => {
     show(2, 1);
     show(3, 2, "paused");
-    expect(shown()).toBe(3);
+    expect(displayed()).toBe(3);
   });
 
-  it("misses nothing when the next news are there before the next frame", () => {
-    const told: number[] = [];
-    late.words.subscribe(({ snapshot }) => told.push(snapshot?.tick ?? 0));
+  it("misses nothing if the next update arrives before the next frame", () => {
+    const received: number[] = [];
+    late.words.subscribe(({ snapshot }) => received.push(snapshot?.tick ?? 0));
     show(2, 1);
     show(3, 0);
     show(4, 0);
-    expect(told).toEqual([2, 3]);
+    expect(received).toEqual([2, 3]);
     nextFrame();
-    expect(told).toEqual([2, 3, 4]);
+    expect(received).toEqual([2, 3, 4]);
   });
 
-  it("is followed by what belongs to it, in the same frame", () => {
+  it("runs the tasks for its state in the same frame", () => {
     const done: string[] = [];
-    const work = () => done.push(`after tick ${shown()}`);
+    const task = () => done.push(`after tick ${displayed()}`);
     show(2, 0);
-    late.after(work);
+    late.with(task);
     expect(done).toEqual([]);
     nextFrame();
     expect(done).toEqual(["after tick 2"]);
     show(4, 1, "paused");
-    late.after(work);
+    late.with(task);
     expect(done.at(-1)).toBe("after tick 4");
   });
 
-  it("does not do twice what newer news have overtaken", () => {
+  it("skips tasks that a newer update has replaced", () => {
     let done = 0;
     show(2, 1);
-    late.after(() => (done += 1));
+    late.with(() => (done += 1));
     show(3, 1);
     expect(done).toBe(1);
     show(4, 0);
     for (let frame = 0; frame < 4; frame++) nextFrame();
-    expect([done, shown()]).toEqual([1, 4]);
+    expect([done, displayed()]).toEqual([1, 4]);
   });
 });
