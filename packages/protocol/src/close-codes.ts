@@ -1,42 +1,41 @@
-/**
- * Why a WebSocket was closed: every code that the relay uses, with its cause and what helps.
- * `retry` says whether the same connection can succeed when it is tried again.
- */
+/** Why the relay closed a WebSocket. */
 export interface CloseReason {
   code: number;
   cause: string;
+  /** how to fix it, as a sentence */
   remedy: string;
+  /** whether the client may reconnect with the same address and key */
   retry: boolean;
 }
 
 export const closeReasons = {
   restart: {
     code: 1012,
-    cause: "the relay is being restarted",
-    remedy: "It comes back by itself; connect again.",
+    cause: "the relay is restarting",
+    remedy: "Connect again in a few seconds.",
     retry: true,
   },
   busy: {
     code: 1013,
-    cause: "the relay could not store what was sent",
+    cause: "the relay could not store the message",
     remedy: "Connect again in a few seconds.",
     retry: true,
   },
   badFrame: {
     code: 4400,
     cause: "a message could not be read",
-    remedy: "Send JSON text in the shapes that docs/protocol.md lists.",
+    remedy: "Send JSON text in the formats that docs/protocol.md lists.",
     retry: true,
   },
   notAuthorised: {
     code: 4401,
-    cause: "no valid key came in time, or it was revoked",
+    cause: "the relay received no valid key in time, or the key was revoked",
     remedy: "Copy the robot's address again, with everything after the #.",
     retry: false,
   },
   forbidden: {
     code: 4403,
-    cause: "this key does not allow that, or the robot's owner has blocked this script",
+    cause: "this key does not permit this connection, or the robot's owner blocked this script",
     remedy:
       "Scripts use the driver key. A blocked script waits until the robot's owner unblocks it.",
     retry: false,
@@ -45,24 +44,24 @@ export const closeReasons = {
     code: 4404,
     cause: "there is no robot with this id",
     remedy:
-      "Robots are forgotten after 2 hours without use: open the page and copy the new address.",
+      "The relay deletes robots after 2 hours without use: open the page and copy the new address.",
     retry: false,
   },
   tooSlow: {
     code: 4408,
-    cause: "messages were not read fast enough",
-    remedy: "Connect again, and read messages while the script works.",
+    cause: "the client did not read messages fast enough",
+    remedy: "Connect again, and read messages while the script runs.",
     retry: true,
   },
   replaced: {
     code: 4409,
-    cause: "another page took this robot over",
-    remedy: "Go on in the other page, or reload this one to take the robot back.",
+    cause: "another page took over this robot",
+    remedy: "Continue in the other page, or reload this one to take the robot back.",
     retry: false,
   },
   over: {
     code: 4410,
-    cause: "the session of this robot was deleted or has run out",
+    cause: "the session of this robot was deleted or has expired",
     remedy: "Register the robot again for a new address.",
     retry: false,
   },
@@ -74,11 +73,11 @@ export const closeReasons = {
   },
 } as const satisfies Record<string, CloseReason>;
 
-/** Codes of the WebSocket protocol itself that a reader may meet; everything else is just a lost line. */
+/** Stands for all codes that are not in `closeReasons`. */
 const LOST: CloseReason = {
   code: 1006,
   cause: "the connection was lost",
-  remedy: "It is tried again by itself.",
+  remedy: "The client reconnects automatically.",
   retry: true,
 };
 
@@ -86,7 +85,7 @@ const byCode = new Map<number, CloseReason>(
   Object.values(closeReasons).map((reason) => [reason.code, reason]),
 );
 
-/** The reason behind a close code; a code that this project does not use counts as a lost connection. */
+/** The reason of a close code. A code that Corridor does not use means a lost connection. */
 export function closeReasonOf(code: number): CloseReason {
   return byCode.get(code) ?? { ...LOST, code };
 }

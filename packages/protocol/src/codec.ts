@@ -1,6 +1,6 @@
 /**
- * Messages to text and back. Reading is the only place where a frame is parsed, and it never throws:
- * the result is the message or a list of what is wrong with it.
+ * Encodes messages as text and decodes them. Decoding never throws: it returns the message or a
+ * list of problems. All messages are parsed here.
  */
 import type { z } from "zod";
 import { readJson, type ReadResult } from "./document-reader.ts";
@@ -13,9 +13,9 @@ import type {
   Resume,
 } from "./messages.ts";
 
-/** Largest message, and largest body of a request, in bytes. */
+/** Largest message and largest request body, in bytes. */
 export const MAX_FRAME_BYTES = 16 * 1024;
-/** Largest first message, before anyone is known, in bytes. */
+/** Largest `hello`, in bytes: the sender is not authenticated yet. */
 export const MAX_HELLO_BYTES = 1024;
 
 type Frame = Hello | Resume | PageToRelay | RelayToPage | DriverToRelay | RelayToDriver;
@@ -26,8 +26,9 @@ export function encodeFrame(frame: Frame): string {
 }
 
 /**
- * Reads one message.
- * @param schema the messages that may come from that side, such as `pageToRelaySchema`
+ * Decodes one message.
+ * @param schema the messages of that direction, such as `pageToRelaySchema`
+ * @param maxLength in UTF-16 code units
  */
 export function decodeFrame<T>(
   schema: z.ZodType<T>,

@@ -1,8 +1,8 @@
 /**
- * The record of one remote command: where it is in its life.
+ * The record of one remote command.
  *
- * accepted (stored by the relay) → delivered (about to be sent to the robot) → started → one ending.
- * An ending is for ever. Times are ISO 8601 in UTC.
+ * accepted (stored by the relay) → delivered (about to be sent to the robot) → started → one
+ * ending. An ending is final. Times are ISO 8601 in UTC.
  */
 import { z } from "zod";
 import { actionNames, commandSchema } from "./command.ts";
@@ -13,7 +13,7 @@ export const endingStates = [
   "collided",
   "cancelled",
   "superseded",
-  /** its time to live was over before it started */
+  /** its time to live ended before it started */
   "expired",
 ] as const;
 export type EndingState = (typeof endingStates)[number];
@@ -26,31 +26,34 @@ export const idempotencyKeySchema = z
   .regex(/^[A-Za-z0-9_-]{8,64}$/, { error: "8 to 64 letters, digits, - or _" });
 
 export const commandRecordSchema = z.strictObject({
-  /** number of the command at this robot: 1, 2, 3 */
+  /** number of the command of this robot: 1, 2, 3, ... */
   seq: z.int().min(1).max(Number.MAX_SAFE_INTEGER),
-  /** the idempotency key, or null when the sender gave none */
+  /** the idempotency key; null if the sender gave none */
   key: idempotencyKeySchema.nullable(),
   /** such as `move` or `left 90` */
   action: z.enum(actionNames),
-  /** the whole request, with its numbers */
+  /** the command with its parameters */
   command: commandSchema,
-  /** accepted, delivered, started, or an ending: completed, collided, cancelled, superseded or expired */
+  /**
+   * accepted, delivered, started, or an ending: completed, collided, cancelled, superseded or
+   * expired
+   */
   state: z.enum(commandStates),
-  /** why it ended as it did, in words; null while nothing needs saying */
+  /** why it ended, as a sentence; null if there is nothing to explain */
   reason: z.string().max(200).nullable(),
   /** when the relay stored it, in UTC */
   acceptedAt: z.iso.datetime(),
-  /** where the robot was when the command ended; null before */
+  /** where the robot was when the command ended; null before that */
   pose: poseSchema.nullable(),
-  /** cm driven by this command, 0 or more; null until it has ended */
+  /** cm driven by this command, 0 or more; null before its end */
   distance: z.number().min(0).nullable(),
-  /** true in the answer to a retry of a command that was already stored */
+  /** true in the response to a retry of a stored command */
   duplicate: z.boolean(),
 });
 /** The record of one command. */
 export type CommandRecord = z.infer<typeof commandRecordSchema>;
 
-/** Whether the life of the command is over. */
+/** Whether the state is final. */
 export function hasEnded(state: CommandState): state is EndingState {
   return (endingStates as readonly CommandState[]).includes(state);
 }

@@ -1,9 +1,7 @@
-/**
- * What any driver may ask of the robot: hand, program or remote script (the actions of the Classic robot).
- */
+/** The commands that any driver (Me, Program, Remote) may send to the robot. */
 import { z } from "zod";
 
-/** Actions that need no number. A program may use all of them. */
+/** Actions without parameters. Programs may use all of them. */
 export const plainActions = [
   "forward",
   "reverse",
@@ -36,7 +34,7 @@ const plainCommands = plainActions.map((action) => z.strictObject({ action: z.li
 
 /**
  * One command. `move` in units (negative: backward), `turn` in degrees (negative: left), `drive` in
- * wheel powers from -1 to 1, until something else is chosen or for `milliseconds`.
+ * wheel powers from -1 to 1, for `milliseconds` or until the next command.
  */
 export const commandSchema = z.discriminatedUnion(
   "action",

@@ -1,17 +1,18 @@
 /**
- * Reading what comes from outside: JSON text or an unknown value in, a checked value or a list of
- * problems out. Every problem names the field, what was found and what was expected, so that the
- * page, the command line and the relay can all say the same sentence.
+ * Validates external input: takes JSON text or an unknown value, and returns a value or a list of
+ * problems. Each problem names the field, the found value and the expected one, so that the page,
+ * the command line and the relay show the same message.
  *
- * A schema in this project puts the words of "expected" into its `error` texts.
+ * The `error` texts of all schemas contain the text for "expected".
  */
 import { z } from "zod";
 
-// zod compiles validators with `new Function` unless told otherwise; the page forbids that (CSP). A program
-// without a page may decide otherwise before it makes its first schema.
+// By default zod compiles validators with `new Function`, which the page's Content Security Policy
+// forbids. Programs without a page may set `jitless` to false before they create their first
+// schema.
 if (z.config().jitless === undefined) z.config({ jitless: true });
 
-/** One thing that is wrong with a document. `path` is "" for the document itself. */
+/** One error in a document. `path` is "" for the document itself. */
 export interface FieldProblem {
   path: string;
   found: string;
@@ -20,13 +21,13 @@ export interface FieldProblem {
 
 export type ReadResult<T> = { ok: true; value: T } | { ok: false; problems: FieldProblem[] };
 
-/** No more problems than this are listed; a reader mends the first few and tries again. */
+/** Maximum number of listed problems. */
 export const MAX_PROBLEMS = 20;
 const MAX_FOUND_LENGTH = 60;
 
 /**
- * Checks an already parsed value.
- * @returns the value as the schema gives it back, or 1 to 20 problems
+ * Validates a parsed value.
+ * @returns the output of the schema, or 1 to 20 problems
  */
 export function readValue<T>(schema: z.ZodType<T>, input: unknown): ReadResult<T> {
   const result = schema.safeParse(input);
@@ -38,7 +39,7 @@ export function readValue<T>(schema: z.ZodType<T>, input: unknown): ReadResult<T
 }
 
 /**
- * Parses JSON text and checks it. The length is checked first, so that a huge text costs nothing.
+ * Parses and validates JSON text. Rejects text that is too long before parsing it.
  * @param maxLength in UTF-16 code units
  */
 export function readJson<T>(schema: z.ZodType<T>, text: string, maxLength: number): ReadResult<T> {
@@ -53,7 +54,7 @@ export function readJson<T>(schema: z.ZodType<T>, text: string, maxLength: numbe
     return problem("", shorten(reason), "a JSON document");
   }
   if (countKeys(text) !== countFields(input)) {
-    return problem("", "a field that stands twice in one object", "each field once");
+    return problem("", "a duplicate field in an object", "each field once");
   }
   return readValue(schema, input);
 }
@@ -63,22 +64,22 @@ const BACKSLASH = "\\".charCodeAt(0);
 const COLON = ":".charCodeAt(0);
 
 /**
- * Keys in a text that is known to be JSON: each has the one colon outside of texts. `JSON.parse` keeps
- * the last of two fields of one name and drops the other without a word.
+ * Number of keys in valid JSON text: each has one colon outside of strings. Needed because
+ * `JSON.parse` silently drops all but the last of duplicate fields.
  */
 function countKeys(text: string): number {
   let count = 0;
-  let isInText = false;
+  let isInString = false;
   for (let i = 0; i < text.length; i++) {
     const character = text.charCodeAt(i);
-    if (character === QUOTE) isInText = !isInText;
-    else if (isInText && character === BACKSLASH) i++;
-    else if (!isInText && character === COLON) count++;
+    if (character === QUOTE) isInString = !isInString;
+    else if (isInString && character === BACKSLASH) i++;
+    else if (!isInString && character === COLON) count++;
   }
   return count;
 }
 
-/** Fields of all objects in a parsed value. Not recursive: the depth is the sender's to choose. */
+/** Number of fields of all objects in a value. Not recursive, because senders choose the depth. */
 function countFields(input: unknown): number {
   let count = 0;
   const open: unknown[] = [input];
@@ -92,7 +93,7 @@ function countFields(input: unknown): number {
   return count;
 }
 
-/** A failed result with one problem, for checks that no schema can express. */
+/** A failed result with one problem, for checks outside of schemas. */
 export function problem(
   path: string,
   found: string,
@@ -101,12 +102,14 @@ export function problem(
   return { ok: false, problems: [{ path, found, expected }] };
 }
 
-/** The problem as one line: `rules[3].do: found "fly", expected one of forward, reverse`. */
+/**
+ * The problem as one line of text: `rules[3].do: found "fly", expected one of forward, reverse`.
+ */
 export function describeProblem({ path, found, expected }: FieldProblem): string {
   return `${path === "" ? "document" : path}: found ${found}, expected ${expected}`;
 }
 
-/** A value in a few characters, for "found". */
+/** A short description of a value, for "found". */
 function describeValue(value: unknown): string {
   if (value === undefined) return "nothing";
   if (Array.isArray(value)) return `a list of ${value.length}`;

@@ -12,8 +12,8 @@ const numbers = fc.oneof(
 const ends = fc.constantFrom("}", " }", ',"seq":2}', ',"extra":1}', "", "}}");
 const texts = fc.tuple(numbers, ends).map(([seq, end]) => `{"type":"seen","seq":${seq}${end}`);
 
-describe("a reader's word of what it has seen, read by hand", () => {
-  it("is what the schema makes of it, whatever is sent", () => {
+describe("the hand-written parser of `seen`", () => {
+  it("agrees with the schema for any text", () => {
     fc.assert(
       fc.property(texts, (text) => {
         expect(decodeDriverFrame(text)).toEqual(decodeFrame(driverToRelaySchema, text));
@@ -22,7 +22,7 @@ describe("a reader's word of what it has seen, read by hand", () => {
     );
   });
 
-  it("is read by hand as clients write it", () => {
+  it("reads every `seen` that JSON.stringify writes", () => {
     fc.assert(
       fc.property(fc.nat(), (seq) => {
         expect(readPlainSeen(JSON.stringify({ type: "seen", seq }))).toBe(seq);

@@ -1,16 +1,17 @@
 /**
- * State events: what became of commands, numbered for each robot, so that a reader that comes back says
- * which it was told last and gets the rest. A relay that was restarted counts anew, in another stream.
+ * State events: changes of commands, numbered per robot. A reader that reconnects sends the last
+ * number that it received and gets the events after it. A restarted relay starts a new stream of
+ * numbers.
  */
 import { z } from "zod";
 import { commandRecordSchema, commandStates } from "./command-record.ts";
 import { snapshotSchema } from "./snapshot.ts";
 
-/** The newest events of a robot that are kept, and for how long: 10 minutes. */
+/** The relay retains this many events per robot, for 10 minutes. */
 export const MAX_STORED_EVENTS = 1_000;
 export const EVENT_RETENTION_MS = 600_000;
 
-/** More commands than can be open at once. */
+/** An upper bound: fewer commands can be open at a time. */
 const MAX_OPEN = 200;
 
 const number = z
@@ -19,48 +20,48 @@ const number = z
   .max(Number.MAX_SAFE_INTEGER, { error: "a whole number below 2^53" });
 
 const streamError = "the 8 characters of a stream";
-/** Which series of numbers `n` belongs to. */
+/** The stream that `n` belongs to. */
 export const eventStreamSchema = z
   .string({ error: streamError })
   .regex(/^[A-Za-z0-9_]{8}$/, { error: streamError });
 
-const sinceError = "STREAM-n of the last state that was told, such as k3J9x2aB-17";
-/** The last event that a reader was told: its stream and its `n`. */
+const sinceError = "STREAM-n of the last event that was received, such as k3J9x2aB-17";
+/** The last event that a reader received: its stream and its `n`. */
 export const sinceSchema = z
   .string({ error: sinceError })
   .regex(/^[A-Za-z0-9_]{8}-\d{1,15}$/, { error: sinceError });
 
-/** A command of the robot, whoever sent it, has a new state. */
+/** A command of any script has a new state. */
 export const stateEventSchema = z.strictObject({
-  /** 1, 2, 3 in its stream */
+  /** 1, 2, 3, ... in its stream */
   n: number,
   record: commandRecordSchema,
 });
 export type StateEvent = z.infer<typeof stateEventSchema>;
 
-/** States that a reader missed and that are not kept: the current ones in their place. */
+/** Replaces events that a reader missed and that the relay no longer retains. */
 export const eventGapSchema = z.strictObject({
-  /** goes on from here */
+  /** the next event has the number after this one */
   n: number,
-  /** the commands that have not ended; every other one has */
+  /** the commands that have not ended; all others have */
   open: z.array(z.strictObject({ seq: number.min(1), state: z.enum(commandStates) })).max(MAX_OPEN),
 });
 export type EventGap = z.infer<typeof eventGapSchema>;
 
-/** The answer to a request that waits for events. */
+/** The response to a request that waits for events. */
 export const eventPageSchema = z.strictObject({
-  /** for the next request */
+  /** to send with the next request */
   since: sinceSchema,
-  /** null when nothing was missed */
+  /** null if no events were missed */
   gap: eventGapSchema.nullable(),
-  /** in their order */
+  /** in order */
   states: z.array(stateEventSchema).max(MAX_STORED_EVENTS),
-  /** the newest; null while the robot has not reported. Never older than the states */
+  /** the newest snapshot, never older than the states; null before the robot's first report */
   snapshot: snapshotSchema.nullable(),
 });
 export type EventPage = z.infer<typeof eventPageSchema>;
 
-/** The text of `since`. */
+/** The value of `since`. */
 export function sinceOf(stream: string, n: number): string {
   return `${stream}-${n}`;
 }

@@ -1,10 +1,10 @@
 /**
- * What a robot's host cannot do. A simulated robot offers everything; a physical one may have no way
- * to measure its pose. Safety (stop, leases, time to live, one ending) can never be missing.
+ * Optional features of a robot's host. A simulated robot offers all; a physical robot may be unable
+ * to measure its pose. Safety features (stop, leases, time to live, one ending) are not optional.
  */
 import { z } from "zod";
 
-/** What a host may do without. */
+/** Features that a host may lack. */
 export const hostFeatures = [
   "pose",
   "speed",

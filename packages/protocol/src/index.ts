@@ -92,7 +92,7 @@ export {
   type Order,
 } from "./order.ts";
 export { decodeDriverFrame } from "./driver-frame.ts";
-export { findSnapshot, findSnapshotMessage, type SnapshotPlace } from "./snapshot-text.ts";
+export { findSnapshot, findSnapshotMessage, type SnapshotSpan } from "./snapshot-text.ts";
 export {
   PAIRING_LENGTH,
   PAIRING_LETTERS,

@@ -1,34 +1,39 @@
-/** Keys of a robot, which its owner makes and revokes: one drives, the other only watches. */
+/** Keys of a robot, which its owner creates and revokes. A key either drives or only watches. */
 import { z } from "zod";
 import { keySchema } from "./registration.ts";
 
-/** Keys of one robot, with the owner's own: enough for a class, few enough to look through. */
+/** Maximum number of keys of one robot, including the owner key. */
 export const MAX_KEYS = 12;
 
 const idError = "the 6 characters of a key's id";
-/** Names a key without giving it away: the beginning of its hash, as logs and `driver` show it. */
+/**
+ * Identifies a key without revealing it: the first characters of its hash, as in logs and `driver`.
+ */
 export const keyIdSchema = z
   .string({ error: idError })
   .regex(/^[A-Za-z0-9_-]{6}$/, { error: idError });
 
 const replaceError = "true, false or the 6 characters of a key's id";
-const madeKinds = ["drive", "watch"] as const;
+const createdKinds = ["drive", "watch"] as const;
 
-/** What the owner asks for. */
+/** The owner's request for a new key. */
 export const keyRequestSchema = z.strictObject({
   /** drive: sends commands and reads; watch: reads only */
-  kind: z.enum(madeKinds, { error: `one of ${madeKinds.join(", ")}` }),
-  /** true: revokes all earlier keys of this kind in the same step; an id: that key of this kind alone */
+  kind: z.enum(createdKinds, { error: `one of ${createdKinds.join(", ")}` }),
+  /**
+   * true: atomically revokes all earlier keys of this kind; an id: revokes only that key of this
+   * kind
+   */
   replace: z.union([z.boolean(), keyIdSchema], { error: replaceError }).optional(),
 });
 export type KeyRequest = z.infer<typeof keyRequestSchema>;
 
-/** The only answer that ever shows the key: the service keeps its hash. */
+/** The only response that contains the key: the service stores its hash. */
 export const createdKeySchema = z.strictObject({
   id: keyIdSchema,
-  kind: z.enum(madeKinds),
+  kind: z.enum(createdKinds),
   key: keySchema,
-  /** all that a script needs: `https://HOST/r/ID#KEY` */
+  /** everything that a script needs: `https://HOST/r/ID#KEY` */
   address: z.url({ error: "a web address" }).max(300),
 });
 export type CreatedKey = z.infer<typeof createdKeySchema>;
@@ -38,9 +43,9 @@ export const keyListSchema = z.strictObject({
     .array(
       z.strictObject({
         id: keyIdSchema,
-        kind: z.enum(["own", ...madeKinds]),
+        kind: z.enum(["own", ...createdKinds]),
         createdAt: z.iso.datetime(),
-        /** to about a minute; null: never */
+        /** accurate to about a minute; null: never */
         lastUsedAt: z.iso.datetime().nullable(),
       }),
     )

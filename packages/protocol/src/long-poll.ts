@@ -1,12 +1,12 @@
 /**
- * A line by plain HTTPS, for networks that let no WebSocket through: the messages are the same, posted
- * and fetched by long poll. Each side numbers what it sends, 1, 2, 3, so that a request that failed can
- * be sent again.
+ * Long-poll connections, for networks that block WebSockets. Clients post and fetch the same
+ * messages. Each side numbers its messages 1, 2, 3, ..., so that a failed request can be repeated
+ * safely.
  */
 import { z } from "zod";
 import { keySchema } from "./registration.ts";
 
-/** Messages in one request or answer. */
+/** Messages per request or response. */
 export const MAX_LONG_POLL_MESSAGES = 64;
 
 const number = z
@@ -21,31 +21,31 @@ const messages = z
 
 /** The response to the `hello` that opens a connection. */
 export const openedConnectionSchema = z.strictObject({
-  /** the bearer key of this connection alone */
+  /** the bearer key of this connection only */
   key: keySchema,
 });
 export type OpenedConnection = z.infer<typeof openedConnectionSchema>;
 
-/** What a client sends; what was sent before is taken once. */
+/** Messages of a client. The relay ignores messages that it already received. */
 export const sentMessagesSchema = z.strictObject({
-  /** number of the first of them */
+  /** number of the first message */
   first: number,
   messages,
 });
 export type SentMessages = z.infer<typeof sentMessagesSchema>;
 
-/** How far the relay has taken what was sent. */
+/** The number of the last message that the relay received. */
 export const takenMessagesSchema = z.strictObject({
   taken: z.int().min(0).max(Number.MAX_SAFE_INTEGER),
 });
 export type TakenMessages = z.infer<typeof takenMessagesSchema>;
 
-/** What a client fetches. */
+/** Messages of the relay. */
 export const fetchedMessagesSchema = z.strictObject({
-  /** number of the first of them, or of the next to come */
+  /** number of the first message, or of the next one if there are none */
   first: number,
   messages,
-  /** why the line is closed, by a WebSocket's close code; null while it is open */
+  /** the WebSocket close code of a closed connection; null while it is open */
   closed: z.strictObject({ code: z.int(), reason: z.string().max(200) }).nullable(),
 });
 export type FetchedMessages = z.infer<typeof fetchedMessagesSchema>;

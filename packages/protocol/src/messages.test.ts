@@ -1,4 +1,4 @@
-/** Golden messages: what the wire looks like, kept in fixtures/, one file for each type and direction. */
+/** Golden messages in fixtures/, one file for each type and direction. */
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import fc from "fast-check";
@@ -38,24 +38,27 @@ const golden = readdirSync(FIXTURES).map((file) => ({
 const OPTIONAL: ReadonlySet<string> = new Set(["key", "sentAt"]);
 
 describe("messages", () => {
-  it.each(golden)("reads the golden $name and writes it again", ({ text, schema }) => {
+  it.each(golden)("reads and rewrites the golden $name", ({ text, schema }) => {
     const read = decodeFrame(schema, text);
     expect(read).toEqual({ ok: true, value: JSON.parse(text) });
     const written = encodeFrame((read as { value: Hello }).value);
     expect(JSON.parse(written)).toEqual(JSON.parse(text));
   });
 
-  it.each(golden)("refuses $name with a field too many or too few, and names it", (message) => {
-    const value = JSON.parse(message.text) as Record<string, unknown>;
-    const more = decodeFrame(message.schema, JSON.stringify({ ...value, extra: 1 }));
-    expect(more).toMatchObject({ ok: false, problems: [{ path: "extra" }] });
-    const isNeeded = (field: string): boolean => !OPTIONAL.has(field) || value[field] === null;
-    for (const field of Object.keys(value).filter(isNeeded)) {
-      const { [field]: _left, ...less } = value;
-      const read = decodeFrame(message.schema, JSON.stringify(less));
-      expect(read).toMatchObject({ ok: false, problems: [{ path: field }] });
-    }
-  });
+  it.each(golden)(
+    "rejects $name with an unknown or missing field, and names the field",
+    (message) => {
+      const value = JSON.parse(message.text) as Record<string, unknown>;
+      const more = decodeFrame(message.schema, JSON.stringify({ ...value, extra: 1 }));
+      expect(more).toMatchObject({ ok: false, problems: [{ path: "extra" }] });
+      const isNeeded = (field: string): boolean => !OPTIONAL.has(field) || value[field] === null;
+      for (const field of Object.keys(value).filter(isNeeded)) {
+        const { [field]: _left, ...less } = value;
+        const read = decodeFrame(message.schema, JSON.stringify(less));
+        expect(read).toMatchObject({ ok: false, problems: [{ path: field }] });
+      }
+    },
+  );
 
   it("has a golden message for every type in every direction", () => {
     const typesOf = (schema: { options: readonly { shape: { type: { value: string } } }[] }) =>
@@ -71,7 +74,7 @@ describe("messages", () => {
     expect(golden.map(({ name }) => name).toSorted()).toEqual(expected.toSorted());
   });
 
-  it("never throws, whatever text comes", () => {
+  it("never throws, for any text", () => {
     fc.assert(
       fc.property(fc.oneof(fc.string(), fc.json()), (text) => {
         for (const [, schema] of schemas) {
@@ -83,12 +86,12 @@ describe("messages", () => {
     );
   });
 
-  it("refuses a message that is too long before it is parsed", () => {
+  it("rejects a message that is too long before parsing it", () => {
     const read = decodeFrame(pageToRelaySchema, "[".repeat(MAX_FRAME_BYTES + 1));
     expect(read).toMatchObject({ ok: false, problems: [{ expected: "at most 16384 characters" }] });
   });
 
-  it("takes no resume after which numbers of commands would lose their last digit", () => {
+  it("rejects a resume after which command numbers would exceed the safe integers", () => {
     const resume = { type: "resume", fresh: true, endings: [] };
     expect(resumeSchema.safeParse({ ...resume, lastApplied: 2 ** 48 }).success).toBe(true);
     for (const lastApplied of [2 ** 48 + 1, Number.MAX_SAFE_INTEGER]) {
@@ -106,8 +109,8 @@ describe("messages", () => {
       pose: { x: 12345.12345678901, y: 12345.12345678901, heading: 359.1234567890123 },
       distance: 12345.12345678901,
     };
-    const { type: _type, epoch: _epoch, ...kept } = ending;
-    const endings = Array.from({ length: MAX_RESUMED_ENDINGS }, () => kept);
+    const { type: _type, epoch: _epoch, ...resumed } = ending;
+    const endings = Array.from({ length: MAX_RESUMED_ENDINGS }, () => resumed);
     const far = 12345.12345678901;
     const snapshot = snapshotOf({ sensors: { front: far, right: far, back: far, left: far } });
     const text = encodeFrame({ type: "resume", lastApplied: 1, fresh: true, endings, snapshot });

@@ -1,8 +1,8 @@
 /**
- * Messages on the robot's WebSocket, by direction. One message is one JSON text.
+ * Messages on the robot's WebSocket, by direction. Each message is one JSON text.
  *
- * Both kinds of client begin with `hello`. A page goes on with `resume`, without waiting; the relay
- * answers each of them with one `welcome`. Field names are camelCase; lengths in units, times in ms.
+ * All clients start with `hello`. A page sends `resume` right after it, without waiting. The relay
+ * responds with one `welcome`. Field names are camelCase, lengths are in units, times in ms.
  */
 import { z } from "zod";
 import { commandRecordSchema, endingStates, idempotencyKeySchema } from "./command-record.ts";
@@ -20,22 +20,22 @@ const count = z
   .int({ error: "a whole number" })
   .min(0, { error: "0 or more" })
   .max(Number.MAX_SAFE_INTEGER, { error: "a whole number below 2^53" });
-/** number of a command at its robot: 1, 2, 3 */
+/** number of a command of its robot: 1, 2, 3, ... */
 const seq = count.min(1, { error: "1 or more" });
-/** rises each time a page takes the robot; frames of an older epoch are refused */
+/** increases each time a page acquires the robot; the relay rejects messages of older epochs */
 const epoch = count.min(1, { error: "1 or more" });
 const milliseconds = z.number({ error: "milliseconds" }).min(0, { error: "0 or more" });
 const version = z.literal(PROTOCOL_VERSION, { error: `protocol version ${PROTOCOL_VERSION}` });
 
-const mazeVersionError = "22 characters that tell one maze from another";
+const mazeVersionError = "the 22 characters of a maze version";
 export const mazeVersionSchema = z
   .string({ error: mazeVersionError })
   .regex(/^[A-Za-z0-9_-]{22}$/, { error: mazeVersionError });
 
-/** More endings than a page can have open; the rest of a longer list follows as `ended` messages. */
+/** Maximum number of endings in `resume`. The page sends further ones as `ended` messages. */
 export const MAX_RESUMED_ENDINGS = 32;
 
-/** How a command ended, as only the robot can tell. */
+/** How a command ended, as the robot reports it. */
 export const endingSchema = z.strictObject({
   seq,
   state: z.enum(endingStates, { error: `one of ${endingStates.join(", ")}` }),
@@ -46,40 +46,42 @@ export const endingSchema = z.strictObject({
 });
 export type Ending = z.infer<typeof endingSchema>;
 
-/** The first message of every connection, at most 1 KiB: who speaks, and by what right. */
+/** The first message of every connection, at most 1 KiB: the client's role and key. */
 export const helloSchema = z.strictObject({
   type: z.literal("hello"),
   version,
-  /** own: the page that is the robot; drive: a script; watch: whoever only reads */
+  /** own: the robot's page; drive: a script; watch: a viewer, who only reads */
   role: z.enum(["own", "drive", "watch"], { error: "one of own, drive, watch" }),
   key: keySchema,
-  /** a script that comes back: the last state that it was told */
+  /** from a script that reconnects: the last event that it received */
   since: sinceSchema.optional(),
-  /** what a script calls itself, for the robot's owner */
+  /** the script's name, which the robot's owner sees */
   name: sentNameSchema.optional(),
-  /** of a script: when it sent this, by the clock that its commands are timed by */
+  /** from a script: the send time by the same clock as its commands */
   sentAt: sentAtSchema.optional(),
 });
 export type Hello = z.infer<typeof helloSchema>;
 
-/** Commands after it are numbered on from it, and no number may lose its last digit. */
+/** 2^48. Later commands count up from `lastApplied` and must stay safe integers. */
 const MAX_APPLIED = 281_474_976_710_656;
 
-/** The second message of a page: what it has done so far. Nothing new is sent before it is stored. */
+/** The second message of a page: its progress. The relay stores it before it sends new commands. */
 export const resumeSchema = z.strictObject({
   type: z.literal("resume"),
-  /** highest seq that this page has started or ended; 0 when none */
+  /** highest seq that this page has started or ended; 0 if none */
   lastApplied: count.max(MAX_APPLIED, { error: "281474976710656 or less" }),
-  /** true when the page was loaded anew and no longer runs what it had started */
+  /** true if the page was reloaded, so that its started commands no longer run */
   fresh: z.boolean(),
-  /** the same on each new line of one page, and of no other: so it is known when it comes back */
+  /**
+   * identifies the page across its connections, so that the relay recognises it when it reconnects
+   */
   page: z
     .string()
     .regex(/^[A-Za-z0-9_-]{8,32}$/, { error: "8 to 32 of A-Z a-z 0-9 - _" })
     .optional(),
-  /** endings of which the page does not know that they are stored, oldest first */
+  /** endings that the relay has not confirmed as stored, oldest first */
   endings: z.array(endingSchema).max(MAX_RESUMED_ENDINGS),
-  /** the robot as it is now, so that who hears of these endings reads nothing older */
+  /** the robot's current state: readers never read a snapshot older than these endings */
   snapshot: snapshotSchema.optional(),
 });
 export type Resume = z.infer<typeof resumeSchema>;
@@ -92,62 +94,67 @@ export const pageToRelaySchema = z.discriminatedUnion(
     z.strictObject({ type: z.literal("snapshot"), epoch, snapshot: snapshotSchema }),
     z.strictObject({ type: z.literal("started"), epoch, seq }),
     endingSchema.extend({ type: z.literal("ended"), epoch }),
-    /** asks for the relay's time: the answer to the greeting took long, which leaves delays in doubt */
+    /** requests the relay's time again: a slow `welcome` makes the estimate of delays imprecise */
     z.strictObject({ type: z.literal("time"), epoch }),
-    /** the answer to `yield`: all that this page has begun was told before, and it begins nothing any more */
+    /**
+     * the response to `yield`: the page has reported all commands that it started, and starts no
+     * more
+     */
     z.strictObject({ type: z.literal("yielded"), epoch }),
   ],
   { error: "one of snapshot, started, ended, time, yielded" },
 );
 export type PageToRelay = z.infer<typeof pageToRelaySchema>;
 
-/** ms by the relay's own clock when it sent this: how much later another message comes shows a delay */
+/** send time in ms by the relay's clock, to estimate the delay of messages */
 const at = milliseconds;
 
-/** A command on its way to the robot. */
+/** A command that the relay delivers to the robot. */
 const deliveredCommand = z.strictObject({
   seq,
   key: idempotencyKeySchema.nullable(),
   command: commandSchema,
   acceptedAt: z.iso.datetime(),
-  /** who sent it: the same for all commands of one key */
+  /** id of the sender's key */
   driver: z.string().max(40),
-  /** ms that it was given to start within, counted from the sender's first try */
+  /** time to live in ms, from the sender's first attempt */
   ttl: milliseconds,
-  /** ms of them that were left when this was sent; the robot counts on by its own clock */
+  /** ms that were left of it at the send time; the robot counts down by its own clock */
   remaining: milliseconds,
-  /** ends what the robot was given before it as superseded */
+  /** whether it ends all earlier commands as superseded */
   replace: z.boolean(),
-  /** ms for which a drive goes on by itself; null where its sender asked for none */
+  /** ms after which an unrenewed drive stops; null if the sender requested no lease */
   lease: milliseconds.nullable(),
 });
 export type DeliveredCommand = z.infer<typeof deliveredCommand>;
 
-/** Scripts as the page shows them. */
+/** Summary of the connected scripts. */
 export const driversSchema = z.strictObject({
   /** open sockets of scripts */
   connected: count,
-  /** such as "Python"; null while none was heard */
+  /** language of the latest script, such as "Python"; null before the first */
   client: z.string().max(40).nullable(),
-  /** ms since a script was last heard; null while none was */
+  /** ms since the last message of a script; null before the first */
   silentMs: count.nullable(),
 });
 export type Drivers = z.infer<typeof driversSchema>;
 
-/** A script that may hold a motion: the robot goes on with `forward` only while its sender is heard. */
+/**
+ * A script that may own a running motion. The robot stops `forward` when its sender goes silent.
+ */
 export const aliveDriverSchema = z.strictObject({
   /** as in `command` */
   driver: z.string().max(40),
-  /** ms since it was last heard; 0 while a request of it waits for its answer */
+  /** ms since its last message; 0 while one of its requests waits for a response */
   silentMs: milliseconds,
-  /** ms since its newest line was opened; null when it never had one */
+  /** ms since its newest connection was opened; null if it never had one */
   connectionMs: milliseconds.nullable(),
 });
 export type AliveDriver = z.infer<typeof aliveDriverSchema>;
 
 /**
- * Who wishes that a command ends: its sender; or the owner, who revoked its key, sent its script away or paused
- * remote driving.
+ * Why a command is to be cancelled: its sender requested it, or the owner revoked its key, blocked
+ * its script or paused remote driving.
  */
 export const recallCauses = ["sender", "revoked", "blocked", "paused"] as const;
 export type RecallCause = (typeof recallCauses)[number];
@@ -157,17 +164,17 @@ export const relayToPageSchema = z.discriminatedUnion(
   [
     z.strictObject({ type: z.literal("welcome"), version, epoch, at }),
     deliveredCommand.extend({ type: z.literal("command"), at }),
-    /** overtakes: ends what runs and what waits in the page, then ends itself as completed */
+    /** bypasses the queue: ends the running and all waiting commands, then completes */
     deliveredCommand.extend({ type: z.literal("stop"), at }),
-    /** somebody wishes that this command ends; the robot decides, and says so by `ended` */
+    /** requests that this command is cancelled; the robot decides, and reports by `ended` */
     z.strictObject({ type: z.literal("cancel"), seq, cause: z.enum(recallCauses) }),
-    /** the ending of this command is stored: the page may forget it */
+    /** the ending of this command is stored: the page may discard it */
     z.strictObject({ type: z.literal("stored"), seq }),
-    /** the ending that the page told came too late: this is how the command has ended */
+    /** the page's `ended` arrived after the command had ended like this */
     z.strictObject({ type: z.literal("refused"), record: commandRecordSchema }),
     /**
-     * what becomes of a command that the page does not hold: it waits, or the relay has ended it. Told within a
-     * second, but before the next command or stop, and before the `stored` of an ending that is cancelled
+     * a command outside of the page waits at the relay or was ended by it. Sent within a second,
+     * and before the next command or stop, and before the `stored` of a cancelled ending
      */
     z.strictObject({
       type: z.literal("state"),
@@ -179,13 +186,16 @@ export const relayToPageSchema = z.discriminatedUnion(
       type: z.literal("drivers"),
       alive: z.array(aliveDriverSchema).max(32),
       scripts: z.array(scriptSchema).max(MAX_SCRIPTS + MAX_BLOCKED_SCRIPTS),
-      /** the owner has paused remote driving */
+      /** whether the owner has paused remote driving */
       paused: z.boolean(),
       at,
     }),
-    /** the answer to `time` */
+    /** the response to `time` */
     z.strictObject({ type: z.literal("time"), at }),
-    /** another page is about to take the robot: end what runs, give back what waits, and say `yielded` */
+    /**
+     * another page is acquiring the robot: end the running command, return waiting ones, send
+     * `yielded`
+     */
     z.strictObject({ type: z.literal("yield") }),
     heartbeat,
   ],
@@ -201,13 +211,16 @@ export const driverToRelaySchema = z.discriminatedUnion(
   [
     z.strictObject({
       type: z.literal("command"),
-      /** makes a retry safe: the same key and command is never run twice */
+      /** makes retries safe: the same key and command never runs twice */
       key: idempotencyKeySchema.optional(),
-      /** when this try was sent: the time that it spends on its way counts for its time to live */
+      /** send time of this attempt: the relay counts its transit time towards the time to live */
       sentAt: sentAtSchema.optional(),
       command: orderSchema,
     }),
-    /** all that came up to this snapshot was read, said for each or for every second: 2 at most are on their way */
+    /**
+     * acknowledges all messages up to this snapshot. The relay sends at most 2 unacknowledged
+     * snapshots
+     */
     z.strictObject({ type: z.literal("seen"), seq: count }),
   ],
   { error: "one of command, seen" },
@@ -220,23 +233,23 @@ export const relayToDriverSchema = z.discriminatedUnion(
     z.strictObject({
       type: z.literal("welcome"),
       version,
-      /** with the `n` of a state, as STREAM-n, what to come back with as `since` */
+      /** with the `n` of a state, as STREAM-n: the `since` of the next connection */
       stream: eventStreamSchema,
-      /** states after this one follow; null when states were missed: a `gap` follows */
+      /** states after this one follow; null if states were missed: a `gap` follows */
       n: count.nullable(),
-      /** the newest snapshot; null while the robot has not reported */
+      /** the newest snapshot; null before the robot's first report */
       snapshot: snapshotSchema.nullable(),
     }),
-    /** the command is stored: the answer to `command` */
+    /** the response to `command`: the command is stored */
     z.strictObject({ type: z.literal("ack"), record: commandRecordSchema }),
-    /** a command of this robot, whoever sent it, has a new state */
+    /** a command of any script has a new state */
     stateEventSchema.extend({ type: z.literal("state") }),
-    /** states before this are not kept any more: what is open now, in their place */
+    /** replaces missed states that the relay no longer retains: the commands that are open now */
     eventGapSchema.extend({ type: z.literal("gap") }),
     z.strictObject({ type: z.literal("snapshot"), snapshot: snapshotSchema }),
-    /** the robot is in another maze: the one that `GET .../maze` answers with this as its `ETag` */
+    /** the robot is in another maze, which `GET .../maze` returns with this as its `ETag` */
     z.strictObject({ type: z.literal("maze"), version: mazeVersionSchema }),
-    /** the message could not be served; `key` is that of the command, where it had one */
+    /** the message failed; `key` is the command's key, if it had one */
     z.strictObject({
       type: z.literal("problem"),
       problem: problemSchema,

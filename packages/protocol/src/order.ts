@@ -1,40 +1,39 @@
 /**
- * A command as a script asks for it: what to do, and beside it how long the wish holds, whether it
- * takes the place of what came before, and how long a motion goes on by itself.
+ * An order: a command together with its terms, as a script sends it. Terms are the time to live,
+ * the age, whether it replaces earlier commands, and the lease of a drive.
  *
- * `age` rises with each try of the same command, so it is no part of what is stored: a retry is the
- * same command all the same.
+ * The relay does not store `age`, because it grows with each retry of the same command.
  */
 import { z } from "zod";
 import { actionNames, commandSchema, type Command } from "./command.ts";
 
-export const TTL_MS = { least: 200, most: 60_000, default: 10_000 } as const;
-export const LEASE_MS = { least: 100, most: 2_000, default: 500 } as const;
-/** No client tries for longer; it keeps numbers small. */
+export const TTL_MS = { min: 200, max: 60_000, default: 10_000 } as const;
+export const LEASE_MS = { min: 100, max: 2_000, default: 500 } as const;
+/** No client retries for longer. */
 export const MAX_AGE_MS = 3_600_000;
 
-function milliseconds(what: string, least: number, most: number) {
-  const error = `${what}, from ${least} to ${most} milliseconds`;
-  return z.number({ error }).min(least, { error }).max(most, { error });
+function milliseconds(what: string, min: number, max: number) {
+  const error = `${what}, from ${min} to ${max} milliseconds`;
+  return z.number({ error }).min(min, { error }).max(max, { error });
 }
 
 /**
- * ms by the sender's monotonic clock when it sent a message. Only differences count: a message that took longer
- * than the quickest one of its sender is so much older.
+ * Send time of a message in ms by the sender's monotonic clock. The relay uses only differences: it
+ * adds the delay against the sender's fastest message to a command's age.
  */
 export const sentAtSchema = milliseconds("a time by your monotonic clock", 0, 999_999_999_999_999);
 
 const terms = {
-  /** ms after the first try within which it must have started */
-  ttl: milliseconds("a time to live", TTL_MS.least, TTL_MS.most).optional(),
-  /** ms since the first try of this command, by the sender's own clock; 0 in the first try */
+  /** ms within which it must start, from the first attempt */
+  ttl: milliseconds("a time to live", TTL_MS.min, TTL_MS.max).optional(),
+  /** ms since the first attempt, by the sender's clock; 0 in the first attempt */
   age: milliseconds("an age", 0, MAX_AGE_MS).optional(),
-  /** ends all that was sent before it as superseded, also what runs */
+  /** whether it ends all earlier commands, also the running one, as superseded */
   replace: z.boolean({ error: "true or false" }).optional(),
 };
 
-/** ms for which the robot goes on with a drive that nothing renews */
-const lease = milliseconds("a lease", LEASE_MS.least, LEASE_MS.most).optional();
+/** ms after which an unrenewed drive stops */
+const lease = milliseconds("a lease", LEASE_MS.min, LEASE_MS.max).optional();
 
 const [move, turn, drive, ...plain] = commandSchema.options;
 
@@ -49,7 +48,7 @@ export const orderSchema = z.discriminatedUnion(
   { error: `one of ${actionNames.join(", ")}` },
 );
 
-/** What a script may send. */
+/** A command with optional terms. */
 export type Order = Command & {
   ttl?: number | undefined;
   age?: number | undefined;
@@ -57,18 +56,24 @@ export type Order = Command & {
   lease?: number | undefined;
 };
 
-/** An order, taken apart and complete. */
+/** A command, and its terms with defaults applied. */
 export interface CommandTerms {
   command: Command;
   ttl: number;
   age: number;
   replace: boolean;
-  /** of a drive; null for everything else, and for a drive that asks for none */
+  /** of a drive; null if it requested none, and for all other actions */
   lease: number | null;
 }
 
-/** The command alone, and its terms with what holds where nothing was said. */
+/** Separates a command from its terms, and applies defaults. */
 export function termsOf(order: Order): CommandTerms {
-  const { ttl = TTL_MS.default, age = 0, replace = false, lease: asked = null, ...command } = order;
-  return { command, ttl, age, replace, lease: asked };
+  const {
+    ttl = TTL_MS.default,
+    age = 0,
+    replace = false,
+    lease: requested = null,
+    ...command
+  } = order;
+  return { command, ttl, age, replace, lease: requested };
 }

@@ -1,6 +1,6 @@
 /**
- * For the script whose command the owner ended or refused: why, and what to do next. A file of its own: the page's
- * worker needs no schema for it.
+ * Reasons of commands that the owner cancelled or refused, with what to do next. In its own file so
+ * that the page's worker imports no schemas.
  */
 
 /** Remote driving is paused. */

@@ -1,4 +1,4 @@
-/** Problem documents (RFC 9457): the one shape in which the service says that something went wrong. */
+/** Problem documents (RFC 9457), the format of all errors of the service. */
 import { z } from "zod";
 
 export const fieldProblemSchema = z.strictObject({
@@ -12,7 +12,7 @@ export const problemSchema = z.strictObject({
   type: z.string(),
   title: z.string(),
   status: z.int().min(400).max(599),
-  /** what happened and how to mend it, in one or two sentences */
+  /** what happened and how to fix it, in one or two sentences */
   detail: z.string(),
   errors: z.array(fieldProblemSchema),
 });

@@ -1,10 +1,10 @@
 /**
- * Quantities that cross a wire or stand in a document: their units and bounds.
+ * Units and bounds of the quantities in messages and documents.
  * Lengths in units (1 unit = 1 cm), angles in degrees clockwise from north.
  */
 import { z } from "zod";
 
-/** Farthest that anything in the largest maze (256 x 256 cells of 100 units) can be from its corner. */
+/** Largest coordinate, in units: the largest maze has 256 x 256 cells of 100 units. */
 export const MAX_LENGTH = 25_600;
 
 const length = z
@@ -15,7 +15,7 @@ const length = z
 const reading = z
   .number({ error: "a distance in cm" })
   .min(0, { error: "0 cm or more" })
-  // The diagonal of the largest maze is the longest straight line there is.
+  // The diagonal of the largest maze is shorter than this.
   .max(2 * MAX_LENGTH, { error: `at most ${2 * MAX_LENGTH} cm` });
 
 const heading = z
@@ -23,7 +23,10 @@ const heading = z
   .min(0, { error: "0 degrees or more" })
   .lt(360, { error: "less than 360 degrees" });
 
-/** Where the robot's centre is and where it faces: `{x: units right, y: units down, heading: [0, 360)}`. */
+/**
+ * Where the robot's centre is and where it faces: `{x: units right, y: units down, heading: [0,
+ * 360)}`.
+ */
 export const poseSchema = z.strictObject({
   /** cm from the left edge of the maze */
   x: length,

@@ -15,7 +15,7 @@ describe("the name of a script", () => {
     expect(scriptName(sent)).toBe(name);
   });
 
-  it("is always one that its owner may give back", () => {
+  it("is always one that the owner's requests accept", () => {
     fc.assert(
       fc.property(fc.string({ unit: "binary", maxLength: 300 }), (sent) => {
         const name = scriptName(sent);

@@ -14,28 +14,28 @@ const snapshotMessage = JSON.parse(readFileSync(FIXTURE, "utf8")) as Tree & { sn
 const plain = JSON.stringify(snapshotMessage);
 
 // oxfmt-ignore
-const strange: readonly unknown[] = [
+const unusual: readonly unknown[] = [
   null, true, false, "", "default", "running", "gone", "me", "remote", "snapshot", {}, [],
   0, -0, 1, -1, 0.5, 359.999, 360, 361, -0.001, 25_600, 25_600.1, -25_600, -25_600.1, 25_599.999,
   51_200, 51_200.1, 51_199.99, 2 ** 53, 2 ** 53 - 1, -(2 ** 53), 1e308, 1e-7, "a".repeat(40),
   "a".repeat(41), "a:b", '"', "\\", "\u2028", "é".repeat(40), "\u007f", "\u0000", [[]], { x: 1 }, "1",
 ];
 
-/** What may stand anywhere: around each bound, of each kind, and strange. */
-const values = fc.oneof(fc.constantFrom<unknown>(...strange), fc.double(), fc.jsonValue());
+/** Values at each bound, of each type, and unusual ones. */
+const values = fc.oneof(fc.constantFrom<unknown>(...unusual), fc.double(), fc.jsonValue());
 
-/** Where a field stands: by the names that lead to it. */
-const places = fc.constantFrom(...placesIn(snapshotMessage));
+/** Paths of fields: the names from the root. */
+const paths = fc.constantFrom(...pathsIn(snapshotMessage));
 
-function placesIn(value: unknown, above: string[] = []): string[][] {
+function pathsIn(value: unknown, parents: string[] = []): string[][] {
   if (typeof value !== "object" || value === null) return [];
   return Object.entries(value).flatMap(([name, inner]) => {
-    const place = [...above, name];
-    return [place, ...placesIn(inner, place)];
+    const path = [...parents, name];
+    return [path, ...pathsIn(inner, path)];
   });
 }
 
-/** The message with something else at that place; `undefined` takes the field away. */
+/** The message with another value at that path; `undefined` removes the field. */
 function changed(message: Tree, [name = "", ...rest]: string[], value: unknown): Tree {
   if (rest.length === 0) return { ...message, [name]: value };
   const inner = message[name];
@@ -43,17 +43,17 @@ function changed(message: Tree, [name = "", ...rest]: string[], value: unknown):
   return { ...message, [name]: changed(inner as Tree, rest, value) };
 }
 
-const change = fc.tuple(places, fc.oneof(values, fc.constant(undefined)));
+const change = fc.tuple(paths, fc.oneof(values, fc.constant(undefined)));
 const messages = fc
   .array(change, { maxLength: 3 })
   .map((changes) =>
     changes.reduce<Tree>(
-      (message, [place, value]) => changed(message, place, value),
+      (message, [path, value]) => changed(message, path, value),
       snapshotMessage,
     ),
   );
 
-/** The same with something that JSON.stringify does not write, somewhere. */
+/** The same with an insertion that JSON.stringify does not write. */
 const texts = fc
   .tuple(
     messages.map((message) => JSON.stringify(message)),
@@ -61,16 +61,16 @@ const texts = fc
     fc.constantFrom("", "", "0", "9", ".", "-", "e5", " ", ',"seq":7', ',"__proto__":{}', '"', "}"),
   )
   .map(([text, at, more]) => {
-    const place = at % (text.length + 1);
-    return text.slice(0, place) + more + text.slice(place);
+    const offset = at % (text.length + 1);
+    return text.slice(0, offset) + more + text.slice(offset);
   });
 
 function namesIn(text: string): string[] {
   return [...text.matchAll(/"(\w+)":/g)].map(([, name = ""]) => name);
 }
 
-describe("a snapshot that is recognised in a text", () => {
-  it("is what the schema makes of it, whatever is sent", () => {
+describe("a snapshot in a text", () => {
+  it("has the values that the schema parses, or does not match", () => {
     fc.assert(
       fc.property(texts, (text) => {
         const found = findSnapshotMessage(text);
@@ -88,14 +88,14 @@ describe("a snapshot that is recognised in a text", () => {
           start: found.start,
           end: found.end,
         });
-        // Nothing is in it that a reader of JSON could take in two ways.
+        // No duplicate fields, which JSON parsers treat differently.
         expect(namesIn(text)).toEqual(namesIn(plain));
       }),
       { numRuns: 20_000 },
     );
   });
 
-  it("is every ordinary one", () => {
+  it("matches as JSON.stringify writes it", () => {
     const found = findSnapshotMessage(plain);
     expect(found).toMatchObject({ epoch: 3, seq: 1234, tick: 5678, state: "running" });
     expect(JSON.parse(plain.slice(found?.start, found?.end))).toEqual(snapshotMessage.snapshot);
@@ -104,7 +104,7 @@ describe("a snapshot that is recognised in a text", () => {
   const inPose = fc.double({ min: -MAX_LENGTH + 1, max: MAX_LENGTH - 1, noNaN: true });
   const inReading = fc.double({ min: 0.001, max: 2 * MAX_LENGTH - 1, noNaN: true });
   const inHeading = fc.double({ min: 0.001, max: 358.999, noNaN: true });
-  it("is every one that a simulation could report", () => {
+  it("matches for all values that a simulation reports", () => {
     fc.assert(
       fc.property(inPose, inPose, inReading, inHeading, (x, y, front, heading) => {
         const { sensors } = snapshotMessage.snapshot as { sensors: Tree };
@@ -114,14 +114,14 @@ describe("a snapshot that is recognised in a text", () => {
           pose: { x, y, heading },
         };
         const text = JSON.stringify({ ...snapshotMessage, snapshot });
-        // Smaller numbers are written as 1e-7: such a one goes to the schema.
+        // The schema reads numbers with an exponent.
         if (text.includes("e-")) return;
         expect(findSnapshotMessage(text)).not.toBeNull();
       }),
     );
   });
 
-  it("is found behind another one, and not where there is none", () => {
+  it("matches at the given offset only", () => {
     const one = JSON.stringify(snapshotMessage.snapshot);
     const text = `{"a":${one},"b":${one}}`;
     const first = findSnapshot(text, 5);
@@ -132,23 +132,23 @@ describe("a snapshot that is recognised in a text", () => {
   });
 
   it.each([
-    { name: "a number that JSON can write and no robot has", from: "250.5", to: "1e999" },
-    { name: "a number with a zero before it", from: "250.5", to: "0250.5" },
-    { name: "a number without a digit behind its point", from: "250.5", to: "250." },
+    { name: "a number that overflows", from: "250.5", to: "1e999" },
+    { name: "a number with a leading zero", from: "250.5", to: "0250.5" },
+    { name: "a number that ends with a point", from: "250.5", to: "250." },
     {
       name: "a heading that rounds up to a whole turn",
       from: '"heading":90',
       to: '"heading":359.99999999999999999',
     },
-    { name: "a field twice", from: '"tick":5678', to: '"tick":5678,"tick":5679' },
-    { name: "a field twice, in place of another", from: '"bumps":0', to: '"tick":5679' },
-    { name: "a field of another name", from: '"bumps":0', to: '"bump":0' },
-    { name: "a field too many", from: '"bumps":0', to: '"bumps":0,"more":0' },
+    { name: "a duplicate field", from: '"tick":5678', to: '"tick":5678,"tick":5679' },
+    { name: "a duplicate field that replaces another", from: '"bumps":0', to: '"tick":5679' },
+    { name: "a misspelled field", from: '"bumps":0', to: '"bump":0' },
+    { name: "an unknown field", from: '"bumps":0', to: '"bumps":0,"more":0' },
     { name: "a space", from: '"bumps":0', to: '"bumps": 0' },
     { name: "an escape", from: '"forward"', to: String.raw`"f\u006frward"` },
     { name: "a pose as a list", from: '{"x":150,"y":150,"heading":90}', to: "[150,150,90]" },
-    { name: "a line break behind the message", from: /$/, to: "\n" },
-    { name: "a second message behind it", from: /$/, to: plain },
+    { name: "a line break after the message", from: /$/, to: "\n" },
+    { name: "a second message after it", from: /$/, to: plain },
   ])("leaves to the schema: $name", ({ from, to }) => {
     const text = plain.replace(from, to);
     expect(text).not.toBe(plain);

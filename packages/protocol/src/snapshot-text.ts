@@ -1,35 +1,35 @@
 /**
- * A snapshot recognised in a text, without making an object of it. At a busy relay tens of thousands a second go
- * by, and nearly all of them only go by: it needs their numbers, and must know that the rest is right.
+ * Validates snapshots in JSON text without parsing them. A busy relay forwards tens of thousands
+ * per second unchanged and needs only their numbers.
  *
- * What is recognised is a snapshot as JSON.stringify writes it, in ASCII, its fields in the order of the
- * fixture `page-snapshot.json`, nothing between them, nothing twice, no number in the form of 1e5. So every reader
- * of JSON understands it alike, and `snapshotSchema` takes it, too: `snapshot-text.test.ts` holds it to that.
- * Whatever else there is need not be wrong; it goes to the schema, which has the words of every refusal.
+ * The regular expression matches a strict subset of JSON: the output of JSON.stringify in ASCII,
+ * with the fields in the order of the fixture `page-snapshot.json`, no whitespace, no duplicate
+ * fields and no exponents. `snapshot-text.test.ts` checks that `snapshotSchema` accepts every
+ * match. Text that does not match may still be valid: the caller passes it to the schema.
  */
 import type { Snapshot } from "./snapshot.ts";
 
-/** What is known of a snapshot that was not read further. */
-export interface SnapshotPlace {
+/** The numbers of a snapshot, and its place in the text. */
+export interface SnapshotSpan {
   seq: number;
   tick: number;
   state: Snapshot["state"];
-  /** where it begins and ends in the text; all of it is ASCII, so its bytes are as many */
+  /** offsets in the text, `end` excluded; equal to byte offsets, because a match is ASCII */
   start: number;
   end: number;
 }
 
-/** So many digits are always a safe integer. */
+/** At most 15 digits: always a safe integer. */
 const COUNT = String.raw`(?:0|[1-9]\d{0,14})`;
 const POSITIVE = String.raw`[1-9]\d{0,14}`;
 const DECIMALS = String.raw`(?:\.\d{1,23})?`;
-/** Below 51,200 and 25,600: what follows the point leads no farther than there, which is allowed. */
+/** The integer parts stay below 51,200 and 25,600, so decimals cannot exceed these bounds. */
 const READING = String.raw`(?:0|[1-9]\d{0,3}|[1-4]\d{4}|50\d{3}|51[01]\d{2})${DECIMALS}`;
 const LENGTH = String.raw`-?(?:0|[1-9]\d{0,3}|1\d{4}|2[0-4]\d{3}|25[0-5]\d{2})${DECIMALS}`;
-/** 359.9999999999999999 is 360 to whoever reads it; with 12 digits behind the point it is not. */
+/** 359.9999999999999999 parses as 360; with at most 12 decimals the value stays below. */
 const HEADING = String.raw`(?:(?:0|[1-9]\d?|[12]\d{2}|3[0-4]\d|35[0-8])${DECIMALS}|359(?:\.\d{1,12})?)`;
 const TRUTH = "(?:true|false)";
-/** Printable, and nothing that JSON would have to escape. */
+/** Printable ASCII that JSON does not escape. */
 const MOTION = String.raw`[ !#-\[\]-~]{0,40}`;
 
 const SNAPSHOT = [
@@ -46,8 +46,8 @@ const message = new RegExp(
   String.raw`^(\{"type":"snapshot","epoch":(${POSITIVE}),"snapshot":)${SNAPSHOT}\}$`,
 );
 
-/** A page's snapshot message, all of it. @returns null for all else, which need not be wrong */
-export function findSnapshotMessage(text: string): (SnapshotPlace & { epoch: number }) | null {
+/** Matches a whole snapshot message of a page. @returns null for any other text, valid or not */
+export function findSnapshotMessage(text: string): (SnapshotSpan & { epoch: number }) | null {
   const found = message.exec(text);
   if (found === null) return null;
   const [, before = "", epoch, seq, tick, state] = found;
@@ -61,8 +61,8 @@ export function findSnapshotMessage(text: string): (SnapshotPlace & { epoch: num
   };
 }
 
-/** A snapshot that begins at that place. @returns null for all else, which need not be wrong */
-export function findSnapshot(text: string, start: number): SnapshotPlace | null {
+/** Matches a snapshot at the offset `start`. @returns null for any other text, valid or not */
+export function findSnapshot(text: string, start: number): SnapshotSpan | null {
   here.lastIndex = start;
   const found = here.exec(text);
   if (found === null) return null;

@@ -1,18 +1,16 @@
-/**
- * A snapshot: all that the robot reports at the end of one tick.
- */
+/** A snapshot: everything that the robot reports at the end of one tick. */
 import { z } from "zod";
 import { driverSchema, poseSchema, sensorReadingsSchema } from "./quantities.ts";
 
-/** Numbers on the wire stay where every language can hold them exactly. */
+/** Messages contain only integers that every language represents exactly. */
 const count = z
   .int({ error: "a whole number" })
   .min(0, { error: "0 or more" })
   .max(Number.MAX_SAFE_INTEGER, { error: "a whole number below 2^53" });
 
-/** What the body itself knows, without who drives it and why. */
+/** The state of the robot's body, without its driver. */
 export const robotReportSchema = z.strictObject({
-  /** ticks of 1/60 s since the robot was put at its start */
+  /** ticks of 1/60 s since the robot was placed at its start */
   tick: count,
   /** the four distances */
   sensors: sensorReadingsSchema,
@@ -20,7 +18,7 @@ export const robotReportSchema = z.strictObject({
   pose: poseSchema,
   /** the action that moves the robot now */
   motion: z.string().max(40),
-  /** number of walls that the robot has met since its start */
+  /** number of bumps since the robot's start */
   bumps: count,
   /** whether the robot touches a wall now */
   bumping: z.boolean(),
@@ -29,20 +27,20 @@ export const robotReportSchema = z.strictObject({
 });
 export type RobotReport = z.infer<typeof robotReportSchema>;
 
-/** A program line by its index from 0, or the line "otherwise". */
+/** A program line by its index from 0, or the default action. */
 export const lineSchema = z.union([z.literal("default"), count]);
 export type LineRef = z.infer<typeof lineSchema>;
 
 export const snapshotSchema = robotReportSchema.extend({
-  /** number of the snapshot; it rises with each one that the page sends */
+  /** number of the snapshot, increasing */
   seq: count,
-  /** running, paused (the page sleeps or the user paused) or gone (the page is closed) */
+  /** running; paused: the page sleeps, or the user paused; gone: the page is closed */
   state: z.enum(["running", "paused", "gone"]),
   /** who drives */
   driver: driverSchema,
-  /** the line that decides now; null unless a program drives */
+  /** the program line that decides now; null unless a program drives */
   line: lineSchema.nullable(),
-  /** seq of the remote command that runs; null when none does */
+  /** seq of the running remote command; null if there is none */
   command: count.nullable(),
 });
 /** Everything that the robot reports, of one tick. */

@@ -1,4 +1,4 @@
-/** Commands with the tick before which each is given: a drive that can be repeated bit for bit. */
+/** Commands, each with the tick before which the robot receives it. A replay is bit-identical. */
 import { z } from "zod";
 import { commandSchema, type Command } from "./command.ts";
 
@@ -6,7 +6,7 @@ const MAX_TICKS = 60 * 60 * 24 * 60;
 const MAX_COMMANDS = 100_000;
 const tickError = "a tick: a whole number from 0, none smaller than the one before";
 
-/** In the order of their ticks; several may share one, the last of them counts. */
+/** Sorted by tick. Of several commands with the same tick, the last one takes effect. */
 export const timedCommandsSchema = z
   .array(
     z.strictObject({

@@ -1,2 +1,2 @@
-/** The version of the messages between page, relay and scripts. It rises when a meaning changes. */
+/** Version of the messages between page, relay and scripts. Incremented when a meaning changes. */
 export const PROTOCOL_VERSION = 1;

@@ -2,7 +2,7 @@
  * A snapshot on its way through the relay: checked, and still the bytes that its page wrote. Most are passed on
  * as they came, and nobody here ever asks for more than their numbers; who does gets the object.
  */
-import { findSnapshotMessage, type Snapshot, type SnapshotPlace } from "@corridor/protocol";
+import { findSnapshotMessage, type Snapshot, type SnapshotSpan } from "@corridor/protocol";
 import { emptyFrame, messageIn } from "../text-frame.ts";
 
 /** What a reader's message says before the snapshot, and behind it. */
@@ -17,7 +17,7 @@ export class CarriedSnapshot {
   readonly frame: Buffer;
   #value: Snapshot | null = null;
 
-  private constructor({ seq, tick, state }: Snapshot | SnapshotPlace, frame: Buffer) {
+  private constructor({ seq, tick, state }: Snapshot | SnapshotSpan, frame: Buffer) {
     this.seq = seq;
     this.tick = tick;
     this.state = state;
@@ -33,7 +33,7 @@ export class CarriedSnapshot {
   }
 
   /** One that was found among bytes, copied into memory that it shares with others of the same moment. */
-  static found(bytes: Buffer, place: SnapshotPlace): CarriedSnapshot {
+  static found(bytes: Buffer, place: SnapshotSpan): CarriedSnapshot {
     return new CarriedSnapshot(place, framed(bytes, place.start, place.end, { isRetained: false }));
   }
 

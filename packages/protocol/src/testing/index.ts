@@ -1,7 +1,7 @@
-/** Messages for tests of those who send and read them. */
+/** Messages for tests. */
 import type { Snapshot } from "../snapshot.ts";
 
-/** A snapshot of a robot that stands in a corridor and is driven by a script. */
+/** A snapshot of a robot that stands in a corridor under remote control. */
 export function snapshotOf(change: Partial<Snapshot> = {}): Snapshot {
   return {
     seq: 1,
