@@ -1,5 +1,6 @@
 import {
   chmodSync,
+  existsSync,
   mkdirSync,
   openSync,
   readdirSync,
@@ -10,9 +11,15 @@ import {
 } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
+import { completed } from "../testing/messages.ts";
 import { testFolder } from "../testing/test-relay.ts";
+import { LONG } from "./live-robots.ts";
 import { SqliteDocumentStore } from "./sqlite-document-store.ts";
 import { SqliteFile } from "./sqlite-file.ts";
+
+import { SqliteStore } from "./sqlite-store.ts";
+import { ROBOTS, withRobots } from "./testing/robot-in-store.ts";
+import { sentCommand } from "./testing/sent-command.ts";
 
 const document = { ids: ["BBBB"], hash: "h", text: "{}", keyHash: "k", now: 1 };
 
@@ -23,6 +30,18 @@ function opened(path: string) {
   const documents = new SqliteDocumentStore(file);
   onTestFinished(() => file.close());
   return { file, documents, setAside };
+}
+
+/** A robot that has done 20 commands. */
+async function driven(store: SqliteStore): Promise<void> {
+  await withRobots(store);
+  const [robot = ""] = ROBOTS;
+  const pose = { x: 50, y: 50, heading: 90 };
+  for (let seq = 1; seq <= 20; seq++) {
+    await store.add(robot, sentCommand());
+    await store.deliver(robot, 1, 8, 5_000);
+    await store.end(robot, 1, { ...completed(seq), pose });
+  }
 }
 
 describe("the database file", () => {
@@ -70,6 +89,26 @@ describe("the database file", () => {
     expect(opened(path).setAside).toHaveBeenCalledWith(`${path}.damaged-2`);
   });
 
+  it.each([
+    { what: "a command in the journal", begin: "[20,", journal: LONG },
+    { what: "a command in its table", begin: "[1,", journal: 2 },
+    { what: "what a command asks for", begin: '{\\"action', journal: LONG },
+    { what: "the pose at an ending", begin: '{\\"x', journal: LONG },
+    { what: "a maze behind a short link", begin: '{"format', journal: LONG },
+  ])("is set aside when the text of $what is damaged", async ({ begin, journal }) => {
+    const path = join(testFolder(), "corridor.sqlite");
+    const before = new SqliteFile(path);
+    const text = '{"format":"corridor/maze"}';
+    await new SqliteDocumentStore(before).add({ ...document, text });
+    await driven(new SqliteStore(before, journal));
+    await before.close();
+    const bytes = readFileSync(path);
+    const at = bytes.lastIndexOf(begin);
+    bytes.writeUInt8(bytes.readUInt8(at) ^ 0x11, at);
+    writeFileSync(path, bytes);
+    expect(opened(path).setAside).toHaveBeenCalledExactlyOnceWith(`${path}.damaged`);
+  });
+
   it("stays in its place when it is whole", async () => {
     const path = join(testFolder(), "corridor.sqlite");
     const before = opened(path);
@@ -84,7 +123,13 @@ describe("the database file", () => {
     const folder = testFolder();
     writeFileSync(join(folder, "file"), "");
     mkdirSync(join(folder, "folder"));
-    for (const path of [join(folder, "file", "corridor.sqlite"), join(folder, "folder")]) {
+    const paths = [
+      join(folder, "file", "corridor.sqlite"),
+      join(folder, "folder"),
+      // The system refuses a folder here, as for a parent that is missing.
+      ...(existsSync("/proc/self") ? ["/proc/corridor/corridor.sqlite"] : []),
+    ];
+    for (const path of paths) {
       expect(() => new SqliteFile(path)).toThrow(
         expect.objectContaining({
           name: "DatabaseFileError",

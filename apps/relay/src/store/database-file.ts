@@ -16,19 +16,33 @@ import { DatabaseSync } from "node:sqlite";
 import { prepareDatabase } from "./sqlite-schema.ts";
 
 /** SQLite's error codes: https://www.sqlite.org/rescode.html */
+const SQLITE_ERROR = 1;
 const SQLITE_PERM = 3;
 const SQLITE_READONLY = 8;
 const SQLITE_IOERR = 10;
 const SQLITE_CORRUPT = 11;
 const SQLITE_CANTOPEN = 14;
+const SQLITE_CONSTRAINT = 19;
 const SQLITE_NOTADB = 26;
 const DAMAGED: ReadonlySet<number> = new Set([SQLITE_CORRUPT, SQLITE_NOTADB]);
+/** How the check fails where a generated column cannot be read from a damaged text. */
+const DAMAGED_COLUMN: ReadonlySet<number> = new Set([SQLITE_ERROR, SQLITE_CONSTRAINT]);
 const NO_ACCESS: ReadonlySet<number> = new Set([
   SQLITE_PERM,
   SQLITE_READONLY,
   SQLITE_IOERR,
   SQLITE_CANTOPEN,
 ]);
+/** Finds a text that is not JSON. A check of the file does not look into texts, and readers would fail later. */
+const DAMAGED_TEXT = `
+  SELECT 1 FROM (
+    SELECT entry AS text FROM journal UNION ALL SELECT entry FROM commands
+    UNION ALL SELECT text FROM mazes UNION ALL SELECT text FROM documents
+  ) WHERE NOT json_valid(text) LIMIT 1`;
+/** The same of the command and the pose, which are texts inside an entry. */
+const DAMAGED_INSIDE = `
+  SELECT 1 FROM (SELECT entry FROM journal UNION ALL SELECT entry FROM commands)
+  WHERE NOT (json_valid(entry ->> 4) AND json_valid(coalesce(entry ->> 13, '{}'))) LIMIT 1`;
 /** An extended code carries the primary one in its lowest byte. */
 const PRIMARY_CODE = 0xff;
 
@@ -55,13 +69,26 @@ export class DatabaseFileError extends Error {
  */
 export function preparePrivateFile(path: string): void {
   try {
-    mkdirSync(dirname(path), { recursive: true });
+    makeFolder(dirname(path));
     closeSync(openSync(path, "a", PRIVATE));
     for (const file of filesOf(path)) {
       if ((statSync(file).mode & 0o777) !== PRIVATE) chmodSync(file, PRIVATE);
     }
   } catch (error) {
     throw new DatabaseFileError(path, error);
+  }
+}
+
+/** Not `recursive`: Node never returns where the system refuses a folder with ENOENT, as in /proc. */
+function makeFolder(path: string): void {
+  if (existsSync(path)) return;
+  const parent = dirname(path);
+  if (parent !== path) makeFolder(parent);
+  try {
+    mkdirSync(path);
+  } catch (error) {
+    // Another relay that starts beside this one may have made it.
+    if (!existsSync(path)) throw error;
   }
 }
 
@@ -88,14 +115,30 @@ export function openIntactDatabase(path: string, setAside: (to: string) => void)
 function open(path: string): DatabaseSync {
   const db = new DatabaseSync(path);
   try {
-    const found = db.prepare("PRAGMA quick_check(1)").get()?.["quick_check"];
-    if (found !== "ok") throw Object.assign(new Error(String(found)), { errcode: SQLITE_CORRUPT });
+    const found = checkFile(db);
+    if (found !== "ok") throw damaged(found);
     prepareDatabase(db);
+    for (const damage of [DAMAGED_TEXT, DAMAGED_INSIDE])
+      if (db.prepare(damage).get() !== undefined) throw damaged("a text is not JSON");
     return db;
   } catch (error) {
     db.close();
     throw error;
   }
+}
+
+/** @returns "ok" or what is damaged */
+function checkFile(db: DatabaseSync): string {
+  try {
+    return String(db.prepare("PRAGMA integrity_check(1)").get()?.["integrity_check"]);
+  } catch (error) {
+    if (DAMAGED_COLUMN.has(primaryCode(error))) throw damaged(String(error));
+    throw error;
+  }
+}
+
+function damaged(reason: string): Error {
+  return Object.assign(new Error(reason), { errcode: SQLITE_CORRUPT });
 }
 
 function primaryCode(error: unknown): number {

@@ -207,7 +207,7 @@ describe("the journal", () => {
     await before.close();
     const [bad = "", good = ""] = ROBOTS;
     const db = new DatabaseSync(file);
-    db.exec(`UPDATE journal SET entry = '{' WHERE robot = '${bad}'`);
+    db.exec(`UPDATE journal SET entry = '[]' WHERE robot = '${bad}'`);
     db.close();
     const store = new SqliteStore(file);
     onTestFinished(() => store.close());
@@ -232,7 +232,7 @@ describe("the journal", () => {
     const whole = String(
       db.prepare(`SELECT entry FROM journal WHERE id = ${newest}`).get()?.["entry"],
     );
-    db.exec(`UPDATE journal SET entry = '{' WHERE id = ${newest}`);
+    db.exec(`UPDATE journal SET entry = '[]' WHERE id = ${newest}`);
     const store = new SqliteStore(file, 2);
     for (let n = 1; n <= 20; n++) {
       await store.add(good, { ...sent, driver: "d" });
