@@ -29,7 +29,7 @@ import { DeadlineTimer } from "./deadline-timer.ts";
 import { DriverAllowance } from "./driver-allowance.ts";
 import { limits } from "./limits.ts";
 import { OrderedWork } from "./ordered-work.ts";
-import { PageHandover } from "./page-handover.ts";
+import { PageHandover, type Settled } from "./page-handover.ts";
 import { PageDisplay } from "./page-display.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat } from "./page-seat.ts";
@@ -119,14 +119,14 @@ export class CommandLife {
       const settled = await this.handover.settle(resume);
       // It went while the page before gave up the robot, which that one may have back.
       if (!link.isOpen) return;
-      await this.#seatPage(link, resume, { settled, seated });
+      await this.#seatPage(link, resume, { ...settled, seated });
     });
   }
 
   async #seatPage(
     link: PageLink,
     resume: Resume,
-    { settled, seated }: { settled: number | null; seated: () => void },
+    { epoch: settled, left, seated }: Settled & { seated: () => void },
   ): Promise<void> {
     const { lastApplied, fresh, endings, snapshot, page: name = "" } = resume;
     await this.#work.run(async () => {
@@ -138,6 +138,7 @@ export class CommandLife {
         pose: snapshot?.pose ?? null,
         page: name,
         settled,
+        left,
       });
       if (taken === null || this.#end !== null)
         return link.close(closeReasons[this.#end ?? "over"]);

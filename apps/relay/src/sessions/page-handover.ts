@@ -5,6 +5,7 @@
  */
 import { closeReasons, type Resume } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
+import { reloadReasons, replacedReasons, type LeftReasons } from "../store/session-store.ts";
 import { limits } from "./limits.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat } from "./page-seat.ts";
@@ -16,14 +17,25 @@ export interface PageHandoverParts {
   line: RobotLine;
 }
 
+/** What is known of the page that had the robot. */
+export interface Settled {
+  /** its epoch, where it is known what it has not begun; null: it is not known */
+  epoch: number | null;
+  /** why commands end that it was given */
+  left: LeftReasons;
+}
+
+/** How a page answers that is asked to give the robot up. */
+type Answer = "told all" | "gone" | "silent";
+
 export class PageHandover {
   readonly #clock: Clock;
   readonly #seat: PageSeat;
   readonly #line: RobotLine;
   /** the page here that was asked last */
   #asked: PageLink | null = null;
-  /** tells who waits whether the page with this epoch has told all that it had begun */
-  #answer: (epoch: number, hasToldAll: boolean) => void = () => undefined;
+  /** tells who waits how the page with this epoch has answered */
+  #answer: (epoch: number, answer: Answer) => void = () => undefined;
 
   constructor({ clock, seat, line }: PageHandoverParts) {
     this.#clock = clock;
@@ -47,21 +59,28 @@ export class PageHandover {
   /**
    * Has the page that has the robot, here or at another relay, give it up.
    * @param resume of the page that comes; where it is the same one on a new line it says itself what it has begun
-   * @returns epoch of the page of which it is known now what it has not begun; null: it is not known
    */
-  async settle(resume: Resume): Promise<number | null> {
+  async settle(resume: Resume): Promise<Settled> {
     const { epoch, isTaken, isInDoubt } = this.#seat;
-    if (this.isSame(resume)) return epoch;
-    if (!isTaken) return isInDoubt ? null : epoch;
-    const { promise, resolve } = Promise.withResolvers<boolean>();
-    this.#answer = (of, hasToldAll) => {
-      if (of === epoch) resolve(hasToldAll);
+    if (this.isSame(resume)) return { epoch, left: reloadReasons };
+    const absent: Answer = isInDoubt ? "gone" : "told all";
+    const answer = isTaken ? await this.#givenUp(epoch) : absent;
+    if (answer === "told all") return { epoch, left: reloadReasons };
+    // A reloaded tab closes its connection, or it breaks; one that goes on beside this page is silent.
+    const isReload = answer === "gone" && resume.fresh;
+    return { epoch: null, left: isReload ? reloadReasons : replacedReasons };
+  }
+
+  async #givenUp(epoch: number): Promise<Answer> {
+    const { promise, resolve } = Promise.withResolvers<Answer>();
+    this.#answer = (of, answer) => {
+      if (of === epoch) resolve(answer);
     };
-    const cancelTimer = this.#clock.after(limits.yieldMs, () => resolve(false));
+    const cancelTimer = this.#clock.after(limits.yieldMs, () => resolve("silent"));
     if (!this.ask(epoch)) this.#line.yield(epoch);
-    const hasToldAll = await promise;
+    const answer = await promise;
     cancelTimer();
-    return hasToldAll ? epoch : null;
+    return answer;
   }
 
   /** Asks the page with this epoch to give the robot up. @returns false where it is not here */
@@ -81,11 +100,11 @@ export class PageHandover {
   /** The page that is here has told all that it has begun; or the one at another relay has. */
   yielded(epoch: number, isHere: boolean): void {
     if (isHere) this.#line.yielded(epoch);
-    this.#answer(epoch, true);
+    this.#answer(epoch, "told all");
   }
 
   /** The page with this epoch is gone: there will be no other answer. */
   left(epoch: number, saidGoodbye: boolean): void {
-    this.#answer(epoch, saidGoodbye);
+    this.#answer(epoch, saidGoodbye ? "told all" : "gone");
   }
 }

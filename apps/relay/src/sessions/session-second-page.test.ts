@@ -69,6 +69,26 @@ describe("a robot session: a second page", () => {
     }
   });
 
+  it("ends what was given to a page whose connection broke because of the reload", async () => {
+    const reasons = async (robot: Robot) =>
+      (await robot.session.commandsAfter(0)).map(({ reason }) => reason);
+    const reloaded = "the page was reloaded, and may have begun it";
+    const ended = ["the page was reloaded", reloaded, reloaded];
+    const robot = await withRobot();
+    const first = await withBusyPage(robot);
+    robot.session.leavePage(first.link, false);
+    await anotherPage(robot);
+    expect(await reasons(robot)).toEqual(ended);
+    // The connection breaks only once the reloaded page is there.
+    const slow = await withRobot();
+    const before = await withBusyPage(slow, true);
+    const coming = anotherPage(slow);
+    await settled();
+    slow.session.leavePage(before.link, false);
+    await coming;
+    expect(await reasons(slow)).toEqual(ended);
+  });
+
   it("hears to the end what a page said before its goodbye", async () => {
     const robot = await withRobot();
     const first = await withBusyPage(robot);

@@ -8,7 +8,6 @@ import type { KnownCommand } from "./known-commands.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import {
   CLOCK_TOLERANCE_MS,
-  doubtReasons,
   type AddResult,
   type CancelResult,
   type NewCommand,
@@ -150,7 +149,7 @@ export function meetPage(
   known: (seq: number) => CommandRecord | null,
   newest: (what: "stop" | "replace") => number | null,
 ): { changed: CommandRecord[]; refused: CommandRecord[] } {
-  const { lastApplied, fresh, isSettled, endings, pose } = page;
+  const { lastApplied, fresh, isSettled, endings, pose, left } = page;
   // The robot that came has driven nothing of them.
   const ending = { state: "cancelled", pose, distance: pose === null ? null : 0 } as const;
   const changed = new Map<number, CommandRecord>();
@@ -168,14 +167,14 @@ export function meetPage(
   }
   for (const row of robot.open) {
     if (row.state !== "delivered") continue;
-    const why = isSettled ? row.recalled : doubtReasons.delivered;
+    const why = isSettled ? row.recalled : left.delivered;
     if (row.seq <= lastApplied) change(row, { state: "started", reason: null });
     else if (why === null) change(row, { state: "accepted", reason: null });
     else change(row, { ...ending, reason: why });
   }
   if (fresh || !isSettled) {
-    const reason = isSettled ? "the page was reloaded" : doubtReasons.started;
-    for (const row of robot.open) if (row.state === "started") change(row, { ...ending, reason });
+    const why = { ...ending, reason: left.started };
+    for (const row of robot.open) if (row.state === "started") change(row, why);
   }
   // What was delivered when something overtook it may wait again now; it was overtaken all the same.
   for (const what of ["stop", "replace"] as const) {

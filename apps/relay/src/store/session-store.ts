@@ -159,11 +159,24 @@ export type EndResult =
 /** A command from so much later than now shows that the clock was set back. */
 export const CLOCK_TOLERANCE_MS = 2_000;
 
-/** Why commands of the page before end where that one did not say what it has begun. */
-export const doubtReasons = {
+/** Why a command ends that the page before was given, where that one can neither end it nor report that it began. */
+export interface LeftReasons {
+  /** delivered, and not known whether it has begun */
+  delivered: string;
+  started: string;
+}
+
+/** The page before is gone, and this one was loaded in its place. */
+export const reloadReasons: LeftReasons = {
+  delivered: "the page was reloaded, and may have begun it",
+  started: "the page was reloaded",
+};
+
+/** The page before may still be there. */
+export const replacedReasons: LeftReasons = {
   delivered: "another page took the robot, and the one before may have begun it",
   started: "another page took the robot",
-} as const;
+};
 
 export interface PageState {
   /** the page has started or ended this command and all before it that it was given */
@@ -180,6 +193,8 @@ export interface PageState {
    * knows. Of no effect where another page has taken the robot since.
    */
   settled: number | null;
+  /** why commands end that the page before was given */
+  left: LeftReasons;
 }
 
 export interface SessionStore {

@@ -58,8 +58,7 @@ async function onFillingDisk() {
       maxWaiting: 10_000,
       keep: 20_000,
     });
-  const page = { lastApplied: 0, fresh: false, endings: [], pose: null, settled: 1 };
-  await store.takeOver(ID, page);
+  await store.takeOver(ID, pageState({ settled: 1 }));
   for (let n = 0; n < 50; n++) await add({ action: "left 90" });
   await store.deliver(ID, 1, 50, 1);
   ballast.giveUp = () => {
@@ -132,7 +131,7 @@ describe("a full disk", () => {
       expect(await store.end(ID, 1, ending)).toMatchObject({ outcome: "ended" });
     }
     expect(await add({ action: "stop" })).toMatchObject({ outcome: "stored" });
-    const page = { lastApplied: 50, fresh: false, endings: [], pose: null, settled: 1 };
+    const page = pageState({ lastApplied: 50, settled: 1 });
     expect(await store.takeOver(ID, page)).toMatchObject({ epoch: 2 });
     expect(await store.remove(ID)).toBe(true);
     expect(await store.find(ID)).toBeNull();

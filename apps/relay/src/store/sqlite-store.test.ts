@@ -39,11 +39,12 @@ storeCases("SqliteStore with a thread", openStore(true));
 
 it("finds the commands of a robot by index, however many have ended", async () => {
   const file = join(testFolder(), "corridor.sqlite");
-  const prepare = vi.spyOn(DatabaseSync.prototype, "prepare");
-  onTestFinished(() => prepare.mockRestore());
   // What is written of commands is brought into the tables with the next step.
   const store = new SqliteStore(file, 0);
   onTestFinished(() => store.close());
+  // Not earlier: the check at start reads everything.
+  const prepare = vi.spyOn(DatabaseSync.prototype, "prepare");
+  onTestFinished(() => prepare.mockRestore());
   const id = "AAAAAAAAAAAAAAAAAAAAAA";
   await store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
   const terms = { ttl: 9, deadline: 10, replace: false, lease: null, maxWaiting: 64, keep: 100 };

@@ -2,13 +2,14 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it, vi } from "vitest";
 import { CarriedSnapshot } from "../../sessions/carried-snapshot.ts";
+import { pageState } from "../../store/testing/robot-in-store.ts";
 import { sentCommand } from "../../store/testing/sent-command.ts";
 import type { SessionStore } from "../../store/session-store.ts";
 import type { Line, News, Switchboard } from "../switchboard.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";
-const nothingDone = { lastApplied: 0, fresh: false, endings: [], pose: null, settled: null };
+const nothingDone = pageState({ settled: null });
 const scripts = { connected: 1, client: "Python", silentMs: 5, alive: [], scripts: [] };
 
 export interface TestRelay {

@@ -7,7 +7,6 @@ import { z } from "zod";
 import { StoreFull } from "../disk-full.ts";
 import {
   CLOCK_TOLERANCE_MS,
-  doubtReasons,
   keyKinds,
   type AddResult,
   type AwayResult,
@@ -226,11 +225,10 @@ export class RedisSessionStore implements SessionStore {
   }
 
   async takeOver(id: string, { endings, page = "", ...state }: PageState) {
-    const { lastApplied, fresh, settled, pose } = state;
-    const told = { lastApplied, fresh, settled, page, endings: endings.map(endingOf) };
+    const { lastApplied, fresh, settled, left, pose } = state;
+    const told = { lastApplied, fresh, settled, left, page, endings: endings.map(endingOf) };
     const where = pose === null ? null : JSON.stringify(pose);
-    const values = { ...told, pose: where, doubt: doubtReasons };
-    return takeAnswer.parse(await this.#step("takeOver", id, values));
+    return takeAnswer.parse(await this.#step("takeOver", id, { ...told, pose: where }));
   }
 
   async command(id: string, seq: number): Promise<CommandRecord | null> {

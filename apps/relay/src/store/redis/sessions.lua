@@ -397,13 +397,13 @@ function steps.takeOver()
   end
   for _, row in ipairs(open(function(row) return row.state == HELD end)) do
     if row.seq <= given.lastApplied then change(row, RUNS)
-    elseif not isSettled then cancel(row, given.doubt.delivered)
+    elseif not isSettled then cancel(row, given.left.delivered)
     elseif row.recalled then cancel(row, row.recalled)
     else change(row, WAITS) end
   end
   if given.fresh or not isSettled then
     for _, row in ipairs(open(function(row) return row.state == RUNS end)) do
-      cancel(row, isSettled and 'the page was reloaded' or given.doubt.started)
+      cancel(row, given.left.started)
     end
   end
   -- What was delivered when something overtook it may wait again now; it was overtaken all the same.

@@ -1,6 +1,7 @@
 /** What every store must do: what a page does that takes the robot. */
 import { describe, expect, it } from "vitest";
 import { completed } from "../../testing/messages.ts";
+import { reloadReasons, replacedReasons } from "../session-store.ts";
 import {
   ID,
   LEFT,
@@ -90,7 +91,8 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
         for (let n = 0; n < 4; n++) await add(LEFT);
         await deliver(3);
         await store.start(ID, EPOCH, 1);
-        const taken = await store.takeOver(ID, pageState({ lastApplied: 1, settled }));
+        const state = pageState({ lastApplied: 1, settled, left: replacedReasons });
+        const taken = await store.takeOver(ID, state);
         expect(taken?.changed.map(({ seq, reason }) => [seq, reason])).toEqual([
           [1, "another page took the robot"],
           [2, "another page took the robot, and the one before may have begun it"],
@@ -98,6 +100,19 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
         ]);
         expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled", "4 accepted"]);
       }
+    });
+
+    it("ends them because of the reload where the page before is gone", async () => {
+      const { add, store, deliver } = await withRobot();
+      for (let n = 0; n < 2; n++) await add(LEFT);
+      await deliver(2);
+      await store.start(ID, EPOCH, 1);
+      const state = pageState({ fresh: true, settled: null, left: reloadReasons });
+      const { changed = [] } = (await store.takeOver(ID, state)) ?? {};
+      expect(changed.map(({ seq, reason }) => [seq, reason])).toEqual([
+        [1, "the page was reloaded"],
+        [2, "the page was reloaded, and may have begun it"],
+      ]);
     });
 
     it("lists the commands that have not ended, in order", async () => {

@@ -1,6 +1,12 @@
 /** A robot in an empty store, and the words by which the cases of stores drive it. */
 import type { Command } from "@corridor/protocol";
-import type { KeyChange, NewCommand, PageState, SessionStore } from "../session-store.ts";
+import {
+  reloadReasons,
+  type KeyChange,
+  type NewCommand,
+  type PageState,
+  type SessionStore,
+} from "../session-store.ts";
 
 export const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 export const LEFT: Command = { action: "left 90" };
@@ -37,6 +43,7 @@ export const pageState = (state: Partial<PageState> = {}): PageState => ({
   endings: [],
   pose: null,
   settled: Number.MAX_SAFE_INTEGER,
+  left: reloadReasons,
   ...state,
 });
 export const nothingDone = pageState();
