@@ -39,7 +39,10 @@ export const commandRecordSchema = z.strictObject({
    * expired
    */
   state: z.enum(commandStates),
-  /** why it ended, as a sentence; null if there is nothing to explain */
+  /**
+   * why it ended, or what to check while it does not, as a sentence; null if there is nothing to
+   * explain
+   */
   reason: z.string().max(200).nullable(),
   /** when the relay stored it, in UTC */
   acceptedAt: z.iso.datetime(),

@@ -9,7 +9,7 @@ export {
   type CommandState,
   type EndingState,
 } from "./command-record.ts";
-export { expiredReason } from "./expired-reason.ts";
+export { expiredReason, SILENT_ROBOT_REASON } from "./expired-reason.ts";
 export { BLOCKED_REASON, PAUSED_REASON, REVOKED_REASON } from "./owner-reasons.ts";
 export {
   MAX_PROBLEMS,

@@ -26,6 +26,11 @@ export class RobotView {
     return this.#newest;
   }
 
+  /** Whether the robot is neither gone nor paused. */
+  get isAwake(): boolean {
+    return this.#state === "awake" && this.#newest?.state === "running";
+  }
+
   /** Takes a snapshot from the page. Its number always rises, also after a reload of the page at another relay. */
   report(snapshot: CarriedSnapshot, now: number): void {
     const seq = Math.max(snapshot.seq, (this.#newest?.seq ?? -1) + 1, this.#least);

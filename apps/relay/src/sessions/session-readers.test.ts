@@ -155,6 +155,28 @@ describe("a robot session: what scripts see", () => {
     await expect(robot.session.endOf(2, patience(0))).rejects.toMatchObject({ kind: "no-command" });
   });
 
+  it("names what to check where a command does not end because the page is gone or paused", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let n = 0; n < 2; n++) await robot.submit(LEFT);
+    await host.started(1);
+    const end = async (seq: number, ms = 5_000) => {
+      const waits = robot.session.endOf(seq, patience(ms));
+      await settled();
+      await robot.clock.pass(ms);
+      return waits;
+    };
+    await host.report({ tick: 1 });
+    expect(await end(1, 100)).toMatchObject({ state: "started", reason: null });
+    const advice = /check that the robot's page is open, connected under Remote and not paused/;
+    await host.report({ tick: 2, state: "paused" });
+    expect((await end(1, 100)).reason).toMatch(advice);
+    robot.session.leavePage(host.link, true);
+    for (const seq of [1, 2]) expect((await end(seq)).reason).toMatch(advice);
+    // Nothing of it is stored.
+    expect(await robot.session.endOf(1, patience(0))).toMatchObject({ reason: null });
+  });
+
   it("tells the page about its scripts, at most once a second", async () => {
     const robot = await withRobot();
     const host = await page(robot);

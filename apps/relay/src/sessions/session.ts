@@ -4,6 +4,8 @@
  */
 import {
   closeReasons,
+  hasEnded,
+  SILENT_ROBOT_REASON,
   type CommandRecord,
   type CommandTerms,
   type PageToRelay,
@@ -308,9 +310,15 @@ export class Session {
     return this.#life.log.after(seq);
   }
 
-  /** Waits for the command to end. @returns its record then, whether it has ended or not */
+  /**
+   * Waits for the command to end. @returns its record then; where it has not ended, and the robot is gone or
+   * paused, `reason` names what to check
+   */
   async endOf(seq: number, patience: Patience): Promise<CommandRecord> {
-    return this.#life.log.endOf(seq, patience);
+    const record = await this.#life.log.endOf(seq, patience);
+    const hasWaited = patience.milliseconds > 0;
+    if (!hasWaited || hasEnded(record.state) || this.#view.isAwake) return record;
+    return { ...record, reason: SILENT_ROBOT_REASON };
   }
 
   /** A script was heard on its line. */
