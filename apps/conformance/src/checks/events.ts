@@ -79,6 +79,19 @@ export const events: CheckGroup = {
       },
     },
     {
+      promise: "poll-snapshot",
+      name: "a poll with after answers when there is a newer snapshot, and brings it",
+      run: async (host) => {
+        const { since } = await page(host, "?wait=0");
+        const { seq } = await host.snapshot();
+        const began = performance.now();
+        const { snapshot } = await page(host, `?wait=20&since=${since}&after=${seq}`);
+        const waited = performance.now() - began;
+        must(snapshot !== null && snapshot.seq > seq, `a snapshot above ${seq}`, snapshot?.seq);
+        must(waited < EVENTS_MS, "an answer with the next snapshot", `${Math.round(waited)} ms`);
+      },
+    },
+    {
       promise: "poll-once",
       name: "no event is sent twice, and a poll without news waits",
       run: async (host) => {

@@ -1,5 +1,5 @@
 /** The room that a host must have, and what it says when that is full. */
-import { commandRecordSchema, problemSchema } from "@corridor/protocol";
+import { commandRecordSchema, problemSchema, type Order } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { pause, pauseForRetryAfter, type Host } from "../host.ts";
 import { must, Mismatch, shaped } from "../mismatch.ts";
@@ -11,25 +11,37 @@ const MOST = 100;
 /** Commands at once, and commands a second, that a host must take. */
 const BURST = 40;
 const RATE = 20;
+/** Stops at once that a host must take. */
+const STOPS = 20;
 /** Pauses while the queue is filled; a host that takes 20 a second needs four. */
 const MOST_PAUSES = 20;
 const LOG_PAGE = 200;
-const KEPT_EVENTS = 400;
+/** The protocol promises 1,000; a run may have fewer. */
+const KEPT_EVENTS = { least: 400, most: 1_000 };
 
 export const limits: CheckGroup = {
   title: "Limits",
   checks: [
     {
       promise: "burst",
-      name: "40 commands at once are taken",
+      name: "40 commands at once are taken, and 20 more after a second",
       run: async (host) => {
         // So much as was sent before may count for a host that limits the rate.
         await pause((BURST / RATE) * 1_000 + 500);
-        const post = async () => host.askOnce("/commands", { method: "POST", body: BUSY });
-        const answers = await Promise.all(Array.from({ length: BURST }, post));
-        await host.done({ action: "stop" });
-        const refused = answers.filter(({ status }) => status !== 202);
-        must(refused.length === 0, `${BURST} answers of 202`, refused.map(({ text }) => text)[0]);
+        for (const count of [BURST, RATE]) {
+          await mustTakeAtOnce(host, count, BUSY);
+          await host.done({ action: "stop" });
+          await pause(1_100);
+        }
+      },
+    },
+    {
+      promise: "stop-burst",
+      name: "20 stops at once are taken",
+      run: async (host) => {
+        await mustTakeAtOnce(host, STOPS, { action: "stop" });
+        const end = await host.done({ action: "stop" });
+        must(end.state === "completed", "completed", end);
       },
     },
     {
@@ -91,15 +103,22 @@ export const limits: CheckGroup = {
       run: async (host) => {
         const newest = await eventsSince(host, null);
         const [stream = "", n = "0"] = newest.since.split("-");
-        const from = Number(n) - KEPT_EVENTS;
-        must(from >= 0, `${KEPT_EVENTS} events of this run`, n);
-        const { gap, states } = await eventsSince(host, `${stream}-${from}`);
-        must(gap === null, "no gap", gap);
-        must(states.length >= KEPT_EVENTS, `${KEPT_EVENTS} states`, states.length);
+        must(Number(n) >= KEPT_EVENTS.least, `${KEPT_EVENTS.least} events of this run`, n);
+        const kept = Math.min(Number(n), KEPT_EVENTS.most);
+        const { gap, states } = await eventsSince(host, `${stream}-${Number(n) - kept}`);
+        must(gap === null, `no gap after the newest ${kept}`, gap);
+        must(states.length >= kept, `${kept} states`, states.length);
       },
     },
   ],
 };
+
+async function mustTakeAtOnce(host: Host, count: number, body: Order): Promise<void> {
+  const post = async () => host.askOnce("/commands", { method: "POST", body });
+  const answers = await Promise.all(Array.from({ length: count }, post));
+  const refused = answers.filter(({ status }) => status !== 202);
+  must(refused.length === 0, `${count} answers of 202`, refused.map(({ text }) => text)[0]);
+}
 
 /** Sends what waits until the queue is full. */
 async function fill(host: Host) {

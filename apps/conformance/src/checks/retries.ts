@@ -7,6 +7,9 @@ import { atHome, HOME, mustRead } from "../setting.ts";
 
 /** ms that a command was on its way longer than another request */
 const HELD_MS = 1_500;
+const DEFAULT_TTL_MS = 10_000;
+/** A slow network delays both ends of a wait. */
+const DEFAULT_TTL_SLACK_MS = 2_500;
 
 export const retries: CheckGroup = {
   title: "Retries, keys and ages",
@@ -26,6 +29,12 @@ export const retries: CheckGroup = {
         must(late.seq === first.seq && late.state === end.state, "the same also later", late);
         const other = await host.send({ action: "left 90", ttl: 20_000 }, key);
         must(other.seq === first.seq, "the same with another ttl, which is no part of it", other);
+        const replacing = await host.send({ action: "left 90", replace: true }, key);
+        must(
+          replacing.seq === first.seq,
+          "the same with replace, which is no part of it",
+          replacing,
+        );
         await host.done({ action: "right 90" });
       },
     },
@@ -72,6 +81,11 @@ export const retries: CheckGroup = {
         for (const key of ["short", "k".repeat(65), "with a blank", "sign/sign/sign"]) {
           const answer = await post(host, { action: "left 90" }, key);
           must(answer.status === 400, `400 for the key ${key}`, answer.status);
+        }
+        const newest = host.newKey();
+        for (const key of [newest.slice(-8), newest.padEnd(64, "_")]) {
+          const answer = await post(host, { action: "stop" }, key);
+          must(answer.status === 202, `202 for the key ${key}`, `${answer.status} ${answer.text}`);
         }
       },
     },
@@ -142,12 +156,29 @@ export const retries: CheckGroup = {
       },
     },
     {
+      promise: "ttl-default",
+      name: "without a time to live, what could not start within 10 s ends as expired",
+      run: async (host) => {
+        await atHome(host);
+        await busy(host, 2 * DEFAULT_TTL_MS);
+        const began = performance.now();
+        await mustExpire(host, { action: "right 90" });
+        const waited = performance.now() - began;
+        const isRight = Math.abs(waited - DEFAULT_TTL_MS) < DEFAULT_TTL_SLACK_MS;
+        must(isRight, "an ending after 10 s", `${Math.round(waited)} ms`);
+      },
+    },
+    {
       promise: "terms",
-      name: "times to live and ages out of their ranges are refused with 400",
+      name: "times to live, ages and leases out of their ranges are refused with 400",
       run: async (host) => {
         for (const wrong of [{ ttl: 100 }, { ttl: 70_000 }, { age: -1 }, { ttl: "long" }]) {
           const answer = await post(host, { action: "left 90", ...wrong });
           must(answer.status === 400, `400 for ${JSON.stringify(wrong)}`, answer.status);
+        }
+        for (const lease of [50, 2_500]) {
+          const answer = await post(host, { action: "drive", left: 0, right: 0, lease });
+          must(answer.status === 400, `400 for a lease of ${lease} ms`, answer.status);
         }
       },
     },

@@ -322,6 +322,13 @@ const retries: PlantedFault[] = [
     "before.request.command == request.command",
     "before.request.ttl == request.ttl",
   ),
+  fault(
+    "retry",
+    "a retry with replace is another command",
+    COMMAND_STORE,
+    "before.request.command == request.command",
+    "before.request.command == request.command and before.request.replace == request.replace",
+  ),
   {
     fault: "two tries at the same moment are both taken",
     caughtBy: "retry-at-once",
@@ -363,6 +370,13 @@ const retries: PlantedFault[] = [
     "if False:",
   ),
   fault(
+    "key-form",
+    "a key has at most 40 characters",
+    SERVER,
+    '_KEY = re.compile(r"[A-Za-z0-9_-]{8,64}")',
+    '_KEY = re.compile(r"[A-Za-z0-9_-]{8,40}")',
+  ),
+  fault(
     "too-late",
     "what is too old on arrival is taken",
     COMMAND_STORE,
@@ -396,6 +410,20 @@ const retries: PlantedFault[] = [
     COMMAND_STORE,
     "(request.ttl - request.age) / 1_000",
     "min(500, request.ttl - request.age) / 1_000",
+  ),
+  fault(
+    "ttl-default",
+    "a command without a time to live waits for half a minute",
+    COMMAND_REQUESTS,
+    "DEFAULT_TTL = 10_000",
+    "DEFAULT_TTL = 30_000",
+  ),
+  fault(
+    "terms",
+    "a lease may be 10 ms",
+    COMMAND_REQUESTS,
+    '"lease": (100, 2_000',
+    '"lease": (10, 2_000',
   ),
   fault(
     "terms",
@@ -532,6 +560,13 @@ const events: PlantedFault[] = [
     SERVER,
     "for number, record in events],",
     "for number, record in events[:1]],",
+  ),
+  fault(
+    "poll-snapshot",
+    "a poll does not answer with a newer snapshot",
+    SERVER,
+    'return has_states or (after is not None and controller.snapshot["seq"] > after)',
+    "return has_states",
   ),
   fault(
     "poll-once",
@@ -747,6 +782,32 @@ const limits: PlantedFault[] = [
     COMMAND_STORE,
     "MAX_WAITING = 64",
     "MAX_WAITING = 30",
+  ),
+  fault(
+    "burst",
+    "only 4 commands a second are taken",
+    COMMAND_STORE,
+    '        is_stop = request.command["action"] == "stop"\n',
+    [
+      '        is_stop = request.command["action"] == "stop"',
+      "        now = self._clock()",
+      '        room, at = getattr(self, "room", (40.0, now))',
+      "        room = min(40.0, room + 4 * (now - at))",
+      "        self.room = (room if is_stop else max(0.0, room - 1), now)",
+      "        if room < 1 and not is_stop:",
+      '            raise Problem(429, "queue-full", "Too fast.", headers={"Retry-After": "1"})\n',
+    ].join("\n"),
+  ),
+  fault(
+    "stop-burst",
+    "a stop is refused while another one waits",
+    COMMAND_STORE,
+    '        is_stop = request.command["action"] == "stop"\n',
+    [
+      '        is_stop = request.command["action"] == "stop"',
+      '        if is_stop and any(each.request.command["action"] == "stop" for each in self._waiting):',
+      '            raise Problem(429, "queue-full", "One at a time.", headers={"Retry-After": "1"})\n',
+    ].join("\n"),
   ),
   fault(
     "stop-full",
