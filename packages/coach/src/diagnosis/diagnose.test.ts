@@ -52,6 +52,10 @@ const side = {
   ...maze("#########", "#.......#", "####.####", "####.####", "#########"),
   goals: [{ column: 4, row: 3 }],
 };
+const winding = {
+  ...maze("#######", "#...#.#", "###.#.#", "#...#.#", "#.###.#", "#.....#", "#######"),
+  goals: [{ column: 5, row: 1 }],
+};
 const dead = maze("######", "#....#", "######");
 
 describe("the mistakes of the thesis", () => {
@@ -68,6 +72,14 @@ describe("the mistakes of the thesis", () => {
       mistake: "Figure 22 with “delayed” left out, in a tree",
       where: tree,
       what: program("forward", rule(right(">", 60), "right 90"), rule(front("<", 50), "left 90")),
+      says: { kind: "not-delayed", isAtEdge: true },
+      line: 0,
+      fix: { kind: "action", line: 0, action: "delayed right 90" },
+    },
+    {
+      mistake: "“delayed” left out and turned round at a wall, so that there is no bump",
+      where: winding,
+      what: program("forward", rule(right(">", 60), "right 90"), rule(front("<", 50), "turn 180")),
       says: { kind: "not-delayed", isAtEdge: true },
       line: 0,
       fix: { kind: "action", line: 0, action: "delayed right 90" },

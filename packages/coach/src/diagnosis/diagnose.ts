@@ -192,6 +192,7 @@ function explain(
     const trial = tryProgram(trace, program, trialTask, isBump, trace.from, renumbered);
     cost += trial.cost;
     if (trial.from === null || trial.outcome === "fails") continue;
+    if (trial.outcome === "further" && !isMissingDelay(trace, fix, trial.from)) continue;
     // In another maze of the task it may be what is needed.
     const isIdleHere = fix.kind === "number" && isIdle(trace, program, fix.line, trial);
     if (isIdleHere && task.solvesAll?.(program) !== true) continue;
@@ -240,8 +241,8 @@ function isEnough(found: readonly Found[], { solvesAll, newSolvedCheck }: Diagno
  */
 function ranked(trace: RunTrace, found: readonly Found[], { solvesAll }: DiagnosisTask): Found[] {
   const rank = ({ fix, from, outcome, program }: Found): number => {
-    const cause = causeOf(trace, fix, from);
-    if (cause?.kind === "not-delayed" && cause.isAtEdge) return 0;
+    if (outcome === "further") return 3;
+    if (isMissingDelay(trace, fix, from)) return 0;
     if (outcome === "solved") return solvesAll?.(program) === false ? 1 : 0;
     return outcome === "lasts" ? 2 : 3;
   };
@@ -249,6 +250,15 @@ function ranked(trace: RunTrace, found: readonly Found[], { solvesAll }: Diagnos
     .map((each) => ({ each, rank: rank(each) }))
     .toSorted((a, b) => a.rank - b.rank)
     .map(({ each }) => each);
+}
+
+/**
+ * A turn at the edge of an opening: it is wrong for itself, whatever else keeps the robot from the goal. It is named
+ * where with the delay the robot gets further.
+ */
+function isMissingDelay(trace: RunTrace, fix: Mend, from: number): boolean {
+  const cause = causeOf(trace, fix, from);
+  return cause?.kind === "not-delayed" && cause.isAtEdge;
 }
 
 /**
@@ -268,7 +278,7 @@ function momentToName(
     .map(({ tick }) => tick);
   const helpsFrom = (tick: number, asked: TrialTask): boolean => {
     const trial = tryProgram(trace, program, asked, isBump, tick);
-    return trial.outcome !== "fails" && trial.from === tick;
+    return trial.outcome !== "fails" && trial.outcome !== "further" && trial.from === tick;
   };
   if (isBump) {
     const soon = { ...task, until: 0, newSolvedCheck: null };

@@ -55,6 +55,8 @@ export class RunTrace {
   readonly decisions: readonly DecisionMoment[];
   /** the first sign that the robot gets nowhere; null where there was none */
   readonly notice: StuckEvent | null;
+  /** squares on which the robot was */
+  readonly cells: ReadonlySet<number>;
   readonly #states: SimulationState[] = [];
   /** front, right, back, left at the beginning of each tick */
   readonly #readings: Float64Array;
@@ -77,6 +79,7 @@ export class RunTrace {
     const readings = new Float64Array(most * 4);
     const rules = new Int16Array(most);
     const decisions: DecisionMoment[] = [];
+    const cells = new Set([simulation.cell]);
     let notice: RunTrace["notice"] = null;
     let bump: BumpCause | null = null;
     let end: TraceEnd = "late";
@@ -100,6 +103,7 @@ export class RunTrace {
       run.step();
       const action = decisions.at(-1)?.action;
       const { cell, isStopped, isManoeuvring, tick } = simulation;
+      cells.add(cell);
       const found = watch.look(cell, isStopped, isManoeuvring, line, action === "stop");
       if (found !== null) notice ??= { ...found, tick };
       if (simulation.bumps > before) bump = approach.cause(simulation);
@@ -118,6 +122,7 @@ export class RunTrace {
     this.end = end;
     this.bump = end === "bump" ? bump : null;
     this.notice = notice;
+    this.cells = cells;
     this.decisions = decisions;
     this.last = simulation;
     this.until = simulation.tick;

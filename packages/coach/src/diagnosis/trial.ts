@@ -12,6 +12,8 @@ import type { RunTrace, SolvedCheck } from "./run-trace.ts";
 const PROVING_TICKS = 120;
 /** And how far away it must get by then or later: a robot that stands or dances is no better off. In units. */
 const PROVING_DISTANCE = 100;
+/** So many squares on which the failed run never was are further; one may be a wider circle. */
+const FURTHER_SQUARES = 2;
 
 /** What counts as success. */
 export interface TrialTask {
@@ -26,9 +28,10 @@ export interface TrialTask {
 export interface TrialResult {
   /**
    * solved: the task is done; lasts: this failure is gone, and no other one comes in the time of the task; past: it is
-   * gone, and another one comes; fails: it is not gone
+   * gone, and another one comes; further: the goal is not reached either, but the robot gets to squares on which the
+   * failed run never was; fails: it is not gone
    */
-  outcome: "solved" | "lasts" | "past" | "fails";
+  outcome: "solved" | "lasts" | "past" | "further" | "fails";
   /** the first tick on which the changed program decides differently; null where it never does */
   from: number | null;
   /** ticks that were simulated */
@@ -67,6 +70,8 @@ export function tryProgram(
     cost: simulation.tick - start,
     lines,
   });
+  const fresh = new Set<number>();
+  const failed = () => result(fresh.size >= FURTHER_SQUARES && !isBump ? "further" : "fails");
   const without = isBump ? simulation.bumps : Infinity;
   const allowed = task.bumps === null ? without : Math.max(task.bumps, simulation.bumps);
   const provedAt = trace.until + PROVING_TICKS;
@@ -82,10 +87,11 @@ export function tryProgram(
     if (run.line === renumbered) decidedAt ??= simulation.tick;
     if (simulation.bumps > allowed) {
       const isPutOff = decidedAt !== null && simulation.tick - decidedAt < PROVING_TICKS;
-      return result(isPast && !isPutOff ? "past" : "fails");
+      return isPast && !isPutOff ? result("past") : failed();
     }
     if (solved?.(simulation) === true) {
-      return result(simulation.tick <= task.until ? "solved" : isPast ? "past" : "fails");
+      if (simulation.tick <= task.until) return result("solved");
+      return isPast ? result("past") : failed();
     }
     if (isBump && !isPast && simulation.tick > trace.until) {
       const { x, y } = simulation.pose;
@@ -94,11 +100,12 @@ export function tryProgram(
       isPast = hasLeft && simulation.tick >= provedAt;
     }
     const { cell, isStopped, isManoeuvring, readings } = simulation;
+    if (!trace.cells.has(cell)) fresh.add(cell);
     // It begins with this tick: what the failed run did before does not count against the change.
     const isWaiting = compiled.commandOf(compiled.decide(readings)).action === "stop";
     if (watch.look(cell, isStopped, isManoeuvring, run.line, isWaiting) !== null) {
-      return result(isPast ? "past" : "fails");
+      return isPast ? result("past") : failed();
     }
   }
-  return result(isPast ? "lasts" : "fails");
+  return isPast ? result("lasts") : failed();
 }

@@ -4,7 +4,7 @@ import { numberOf, evaluateCondition, type ProgramDocument } from "@corridor/pro
 import type { SensorReadings } from "@corridor/protocol";
 import { applyMend } from "../../apply-mend.ts";
 import { causeLine, type Cause, type Diagnosis, type WrongNumber } from "../diagnosis.ts";
-import { actionIn, plainRun, switchedRun, type PlainTick } from "./plain-run.ts";
+import { actionIn, plainRun, squareOf, switchedRun, type PlainTick } from "./plain-run.ts";
 
 /** Readings of two runs that are the same differ by nothing; text rounds to whole numbers. */
 const sameReadings = (a: SensorReadings, b: SensorReadings | undefined): boolean =>
@@ -58,11 +58,25 @@ export function falseClaims(
   const isBump = event.kind === "bump";
   const until = isBump ? event.tick + 60 : goalBy;
   const after = switchedRun(maze, [program, changed], moment.tick, until);
+  const isReached = after.goal !== null && after.goal <= goalBy;
   claim(
     "the fix removes the failure",
-    isBump ? !after.bumps.includes(event.tick) : after.goal !== null && after.goal <= goalBy,
+    isBump
+      ? !after.bumps.includes(event.tick)
+      : isReached || isFurther(cause, ticks, after.squares),
   );
   return wrong;
+}
+
+/** A missing delay is named also where another mistake remains, if the robot gets to other squares. */
+function isFurther(
+  cause: Cause,
+  ticks: readonly PlainTick[],
+  squares: ReadonlySet<string>,
+): boolean {
+  if (cause.kind !== "not-delayed" || !cause.isAtEdge) return false;
+  const before = new Set(ticks.map(squareOf));
+  return [...squares].filter((square) => !before.has(square)).length >= 2;
 }
 
 /** Where the beam showed room enough, the robot touched a corner beside it. */

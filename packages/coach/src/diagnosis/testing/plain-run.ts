@@ -32,23 +32,29 @@ export function plainRun(maze: MazeDocument, program: ProgramDocument, ticks: nu
   });
 }
 
-/** The first program up to a tick, the second from there on. @returns tick of each bump and of the goal */
+/** The first program up to a tick, the second from there on. @returns tick of each bump and of the goal, and all places */
 export function switchedRun(
   maze: MazeDocument,
   [first, second]: readonly [ProgramDocument, ProgramDocument],
   at: number,
   ticks: number,
-): { bumps: number[]; goal: number | null } {
+): { bumps: number[]; goal: number | null; squares: ReadonlySet<string> } {
   const simulation = new Simulation(maze);
   const run = new ProgramRun(simulation, new CompiledProgram(first));
   const bumps: number[] = [];
+  const squares = new Set<string>();
   while (simulation.tick < ticks) {
     if (simulation.tick === at) run.reconsider(new CompiledProgram(second));
     const before = simulation.bumps;
     run.step();
+    squares.add(squareOf(simulation));
     if (simulation.bumps > before) bumps.push(simulation.tick);
   }
-  return { bumps, goal: simulation.goalTick };
+  return { bumps, goal: simulation.goalTick, squares };
+}
+
+export function squareOf({ x, y }: Pick<PlainTick, "x" | "y">): string {
+  return `${Math.floor(x / 100)},${Math.floor(y / 100)}`;
 }
 
 export function actionIn({ rules, default: otherwise }: ProgramDocument, line: LineRef) {

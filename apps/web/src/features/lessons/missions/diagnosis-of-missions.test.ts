@@ -44,12 +44,16 @@ function told({ challenge, program }: WrongAnswer): { maze: number; diagnosis: D
   return { maze, diagnosis };
 }
 
-/** Whether some change of this line alone passes in the maze, or gets past the bump. */
+/**
+ * Whether some change of this line alone passes in the maze, or gets past the bump.
+ * @param mayBeFurther whether it is enough that the robot gets to more squares
+ */
 function canHelp(
   challenge: ChallengeDocument,
   program: ProgramDocument,
   maze: number,
   line: LineRef,
+  mayBeFurther: boolean,
 ): boolean {
   const here = challenge.mazes[maze];
   if (here === undefined) return false;
@@ -61,7 +65,12 @@ function canHelp(
     if (findViolation(challenge, step.program) !== null) continue;
     const { passed, failure } = checkChallenge(alone, step.program);
     const isPast = before?.code === "bump" && (failure?.tick ?? 0) > (before.tick ?? 0);
-    if (passed || isPast) return true;
+    const isFurther =
+      mayBeFurther &&
+      before?.code === "not-reached" &&
+      failure?.code === "not-reached" &&
+      Number(failure.found) > Number(before.found);
+    if (passed || isPast || isFurther) return true;
   }
   return false;
 }
@@ -103,11 +112,27 @@ describe("wrong answers with one change", () => {
 });
 
 describe("wrong answers with two changes", () => {
+  it("name the missing delay also where the robot does not bump, and another line is wrong too", () => {
+    const mission = solved.find(({ id }) => id === "right-wall");
+    if (mission === undefined) throw new Error("no such mission");
+    const { challenge, solution } = mission;
+    const rules = solution.rules.map((rule, at) => ({
+      ...rule,
+      do: at === 0 ? ("right 90" as const) : ("turn 180" as const),
+    }));
+    const { diagnosis } = told({ name: "", line: 0, challenge, program: { ...solution, rules } });
+    expect(diagnosis.event.kind).toBe("late");
+    expect(diagnosis.cause).toMatchObject({ kind: "not-delayed", isAtEdge: true });
+    expect(causeLine(diagnosis)).toBe(0);
+  });
+
   it.each(solved)("$id: no line is named whose change cannot help", ({ challenge, solution }) => {
     const blamed = [...twoStepAnswers(challenge, solution, 97)].filter((answer) => {
       const { maze, diagnosis } = told(answer);
       const line = causeLine(diagnosis);
-      return line !== null && !canHelp(challenge, answer.program, maze, line);
+      const { cause } = diagnosis;
+      const isMissingDelay = cause?.kind === "not-delayed" && cause.isAtEdge;
+      return line !== null && !canHelp(challenge, answer.program, maze, line, isMissingDelay);
     });
     expect(blamed.map(({ name }) => name)).toEqual([]);
   });
