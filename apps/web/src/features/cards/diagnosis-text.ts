@@ -8,7 +8,7 @@ import {
   type FailureEvent,
   type WrongNumber,
 } from "@corridor/coach";
-import { numberOf, evaluateCondition, type Condition } from "@corridor/program";
+import { evaluateCondition, type Condition } from "@corridor/program";
 import type { LineRef, SensorName } from "@corridor/protocol";
 import { ROBOT_RADIUS } from "@corridor/simulation";
 import type { TFunction } from "i18next";
@@ -205,15 +205,19 @@ function causeText(words: DiagnosisWords, cause: Cause): string {
 
 function numberText(words: DiagnosisWords, cause: WrongNumber, seconds: string): string {
   const { t } = words;
-  const { when, moment, better } = cause;
+  const { when, moment, better, number } = cause;
   const shown = shownReadings(words, moment, when);
+  const reading = moment.readings[when.sensor];
+  // It is true from the moment on, or to it; the better number would be so where the sensor reads that.
+  const isFar = cause.kind === "too-early" || cause.kind === "too-short";
+  const by = Math.round(Math.abs(reading - (isFar ? better : number)));
   const known = {
     who: who(words, cause.line),
     seconds,
     action: t(`words:program.action.${moment.action}`),
     sensor: t(`words:program.sensor.${when.sensor}`),
     reading: shown[when.sensor],
-    by: Math.round(Math.abs(better - numberOf(when))),
+    by: Math.round(Math.abs(better - number)),
   };
   if (cause.extreme === "always") {
     return t("diagnosis:cause.always", { ...known, nearest: ROBOT_RADIUS });
@@ -228,8 +232,11 @@ function numberText(words: DiagnosisWords, cause: WrongNumber, seconds: string):
   if (cause.extreme === "missed" || (isBeside && moment.line !== cause.line)) {
     return t("diagnosis:cause.missed", known);
   }
-  if (isBeside) return t("diagnosis:cause.off", known);
-  return t(numberKeys[cause.kind], known);
+  // Where the better number is just what was read, there is no distance to tell either.
+  const isTrue = moment.line === cause.line;
+  if (isBeside || by === 0)
+    return t(isTrue ? "diagnosis:cause.off" : "diagnosis:cause.missed", known);
+  return t(numberKeys[cause.kind], { ...known, by });
 }
 
 const numberKeys = {

@@ -113,7 +113,12 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
   ],
   [
     `${who} chose ${action} ${at}, when ${along} was ${reading}\\. That was about (?<by>\\d+) cm too early\\.`,
-    (evidence, found) => momentsOf(evidence, found).length > 0,
+    (evidence, found) => {
+      const is = conditionOf(evidence.program, lineOf(found["who"]))?.is;
+      const right = Number(found["reading"]) + Number(found["by"]) * (is === "<" ? -1 : 1);
+      // So far on, the robot must have a place.
+      return momentsOf(evidence, found).length > 0 && right > RADIUS;
+    },
   ],
   [
     `${who} comes about (?<by>\\d+) cm too late\\. At (?<at>[\\d.]+) s, when ${along} was ${reading}, it was not yet true\\.`,
@@ -127,16 +132,14 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
             isRead(moment, found) &&
             !isTrueAt(evidence.program, line, moment)
           );
-        }) &&
-        evidence.moments
-          .slice(ticksAt(found["at"])[0])
-          .some((moment) => isTrueAt(evidence.program, line, moment))
+        }) && isReadAfter(evidence, found, true) === true
       );
     },
   ],
   [
     `${who} was still true ${at}, when ${along} was ${reading}\\. It was true for about (?<by>\\d+) cm too long\\.`,
-    (evidence, found) => wasBefore(evidence, found, true),
+    (evidence, found) =>
+      wasBefore(evidence, found, true) && isReadAfter(evidence, found, false) !== false,
   ],
   [
     `${who} was no longer true ${at}, when ${along} was ${reading}\\. It stopped being true about (?<by>\\d+) cm too early\\.`,
@@ -371,6 +374,21 @@ function wasBefore(
     if (moment === undefined || !isRead(moment, found)) return false;
     return moments[tick - 1]?.line === line && isTrueAt(program, line, moment) === isStill;
   });
+}
+
+/** Whether the line becomes true, or false, so many cm after the moment as the sentence says; null: never. */
+function isReadAfter(
+  { program, moments }: Evidence,
+  found: Readonly<Record<string, string>>,
+  isTrue: boolean,
+): boolean | null {
+  const line = lineOf(found["who"]);
+  const [first = 0] = ticksAt(found["at"]);
+  const changes = moments.slice(first).find((each) => isTrueAt(program, line, each) === isTrue);
+  if (changes === undefined) return null;
+  const reading = changes.sensors[found["sensor"] as SensorName];
+  const away = Math.abs(reading - Number(found["reading"]));
+  return Math.abs(away - Number(found["by"])) <= 5;
 }
 
 /** How often up to a tick the robot went from one square into another as it did in that tick. */
