@@ -22,6 +22,8 @@ test("numbers the commands of a script with their results, and displays a select
   await timeline.pressCommand("2");
   await expect(timeline.pastLabel).toBeVisible();
   await timeline.expectValueText(/command 2: drive 0\.2 -0\.2 4000 ms, completed$/);
+  const row = page.getByRole("row").and(page.locator("[aria-current]"));
+  await expect(row).toHaveText(/^2drive 0\.2 -0\.2 4000 ms/);
   await timeline.slider.press("ArrowRight");
   await timeline.expectValueText(/command 3: move 5000, collided$/);
   await timeline.slider.press("ArrowLeft");
@@ -56,4 +58,10 @@ test("gives the time of a script's bump in driving seconds of the clock", async 
   await expect(card).toContainText(/Bump at \d/);
   const seconds = /Bump at (\d+\.\d) s/.exec((await card.textContent()) ?? "")?.[1];
   await expect(corridor.drivingTime).toHaveText(`Time 0:0${seconds} driving`);
+  // The timeline counts as the card and the clock do, and the list marks nothing while now is shown.
+  await expect(page.locator("tr[aria-current]")).toHaveCount(0);
+  await page.locator('[data-command="1"]').waitFor();
+  await corridor.timeline.slider.press("ArrowLeft");
+  await corridor.timeline.slider.press("ArrowRight");
+  await corridor.timeline.expectValueText(/^\d\.\d s driving, \d+\.\d s waiting, /);
 });

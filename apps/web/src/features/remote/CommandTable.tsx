@@ -17,6 +17,7 @@ import { Chip } from "../../ui/Chip.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import type { ListedCommand } from "../../worker/worker-messages.ts";
 import { commandText, cutShortAfter } from "../../text/command-text.ts";
+import { useSelectedCommand } from "./use-selected-command.ts";
 import styles from "./remote.module.css";
 
 type Tone = ComponentProps<typeof Chip>["tone"];
@@ -34,6 +35,7 @@ const looks: Record<CommandState, { tone: Tone; Icon: LucideIcon }> = {
 
 export function CommandTable({ commands }: { commands: readonly ListedCommand[] }) {
   const { t } = useTranslation();
+  const selected = useSelectedCommand();
   return (
     <table className={styles["commands"]}>
       <thead className="visually-hidden">
@@ -46,14 +48,20 @@ export function CommandTable({ commands }: { commands: readonly ListedCommand[] 
       </thead>
       <tbody>
         {commands.map((record) => (
-          <CommandRow key={record.seq} record={record} />
+          <CommandRow key={record.seq} record={record} isSelected={record.seq === selected} />
         ))}
       </tbody>
     </table>
   );
 }
 
-function CommandRow({ record }: { record: ListedCommand }) {
+interface CommandRowProps {
+  record: ListedCommand;
+  /** whether the timeline shows a moment of it */
+  isSelected: boolean;
+}
+
+function CommandRow({ record, isSelected }: CommandRowProps) {
   const { t, i18n } = useTranslation();
   const { tone, Icon } = looks[record.state];
   const distance = cutShortAfter(record);
@@ -63,7 +71,14 @@ function CommandRow({ record }: { record: ListedCommand }) {
     numberingSystem: "latn",
   });
   return (
-    <tr className={classNames(styles["row"], record.state === "started" && styles["running"])}>
+    <tr
+      aria-current={isSelected || undefined}
+      className={classNames(
+        styles["row"],
+        record.state === "started" && styles["running"],
+        isSelected && styles["selected"],
+      )}
+    >
       <td className={styles["seq"]}>{record.seq}</td>
       <td>
         <span dir="ltr" className={styles["mono"]}>

@@ -4,13 +4,14 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { CommandTable } from "./CommandTable.tsx";
 import { recentCommands } from "./recent-commands.ts";
+import { useSelectedCommand } from "./use-selected-command.ts";
 import styles from "./remote.module.css";
 
 export function RecentCommands() {
   const { t } = useTranslation();
   const { remote } = useServices();
   const commands = useStore(remote, (state) => state.commands);
-  const { listed, waiting } = recentCommands(commands);
+  const { listed, waiting } = recentCommands(commands, useSelectedCommand());
   return (
     <section className={styles["section"]} aria-labelledby="commands-heading">
       <div className={styles["bar"]}>

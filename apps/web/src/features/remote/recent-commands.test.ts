@@ -33,3 +33,8 @@ it("lists the last five where none runs, and no more than there are", () => {
   ).toEqual([9, 8, 7, 6, 5]);
   expect(recentCommands([])).toEqual({ listed: [], waiting: 0 });
 });
+
+it("lists the one that is selected on the timeline as well, however old it is", () => {
+  const nine = list(...Array.from({ length: 9 }, () => "completed" as const));
+  expect(seqs(recentCommands(nine, 2))).toEqual([9, 8, 7, 6, 5, 2]);
+});

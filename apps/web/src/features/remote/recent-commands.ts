@@ -6,20 +6,24 @@ const RECENT = 5;
 
 /**
  * @param commands newest first
- * @returns the running command and the last five that ended, newest first, and how many wait
+ * @param selected number of a command that is selected on the timeline; null: none
+ * @returns the running command, the last five that ended and the selected one, newest first, and how many wait
  */
-export function recentCommands(commands: readonly ListedCommand[]): {
+export function recentCommands(
+  commands: readonly ListedCommand[],
+  selected: number | null = null,
+): {
   listed: ListedCommand[];
   waiting: number;
 } {
   let [ended, waiting] = [0, 0];
-  const listed = commands.filter(({ state }) => {
+  const listed = commands.filter(({ seq, state }) => {
     if (state === "started") return true;
     if (state === "accepted" || state === "delivered") {
       waiting++;
       return false;
     }
-    return ++ended <= RECENT;
+    return ++ended <= RECENT || seq === selected;
   });
   return { listed, waiting };
 }

@@ -35,7 +35,7 @@ describe("the words for a moment", () => {
 
   it("name minutes from the first one on, with the decimal sign of the language", () => {
     const words = (tick: number, language?: string) =>
-      sayMoment(t, { tick, who: null, command: null, event: null }, language);
+      sayMoment(t, { tick, waited: 0, who: null, command: null, event: null }, language);
     expect(words(3599)).toBe("59.9 s");
     expect(words(3600)).toBe("1 min 0.0 s");
     expect(words(749_763)).toBe("208 min 16.0 s");
@@ -44,6 +44,20 @@ describe("the words for a moment", () => {
 
   it("before a run are its time alone", () => {
     expect(sayMoment(t, momentAt(new Timeline(), 0))).toBe("0.0 s");
+  });
+
+  it("of a script count driving and waiting apart, as its clock and its cards do", () => {
+    const run = new Timeline();
+    run.recordDriver(0, "remote");
+    run.commands.setWaiting(0, true);
+    run.commands.setWaiting(60, false);
+    run.commands.recordStart(1, { action: "move", distance: 5000 }, 60);
+    run.commands.recordEnd(210, "collided");
+    run.recordEvent({ kind: "bump", tick: 210, driver: "remote" });
+    run.advanceTo(210);
+    expect(sayMoment(t, momentAt(run, 210))).toBe(
+      "2.5 s driving, 1.0 s waiting, command 1: move 5000, collided, bump",
+    );
   });
 
   it("of a script name the command with its number and result, and the wait between two", () => {

@@ -18,6 +18,8 @@ const TICKS_PER_MINUTE = 3600;
 
 export interface ShownMoment {
   tick: number;
+  /** ticks up to it in which a script let the robot wait, which the clock counts apart */
+  waited: number;
   /** null before anybody drove */
   who: TimelineDriver | null;
   /** of a script, at this moment; null where it waits or another drives */
@@ -29,7 +31,7 @@ export interface ShownMoment {
 /** The moment at the end of a tick. */
 export function momentAt(
   timeline: Pick<Timeline, "segmentAt" | "driverOf" | "eventsUpTo" | "eventAt"> & {
-    commands: Pick<CommandLog, "countUpTo" | "at">;
+    commands: Pick<CommandLog, "countUpTo" | "at" | "waitedUpTo">;
   },
   tick: number,
 ): ShownMoment {
@@ -38,6 +40,7 @@ export function momentAt(
   const event = newest < 0 ? null : timeline.eventAt(newest);
   return {
     tick,
+    waited: timeline.commands.waitedUpTo(tick),
     who: stretch < 0 ? null : timeline.driverOf(stretch),
     command: commandAt(timeline.commands, tick),
     event: event !== null && tick - event.tick <= AFTER ? event : null,
@@ -53,13 +56,20 @@ function commandAt(
   return command === undefined || (command.to !== null && command.to < tick) ? null : command;
 }
 
-/** "12.4 s, line 2 drives, right 90" */
+/** "12.4 s, line 2 drives, right 90"; of a script "8.1 s driving, 4.3 s waiting, command 7: move 50, completed" */
 export function sayMoment(
   t: TFunction,
-  { tick, who, command, event }: ShownMoment,
+  { tick, waited, who, command, event }: ShownMoment,
   language = "en",
 ): string {
-  const parts = [sayTime(t, tick, language)];
+  const driven = sayTime(t, tick - waited, language);
+  const parts =
+    waited === 0
+      ? [driven]
+      : [
+          t("shell.run.driving", { time: driven }),
+          t("shell.run.waiting", { time: sayTime(t, waited, language) }),
+        ];
   if (command !== null) parts.push(sayCommand(t, command));
   else if (who === "remote") parts.push(t("timeline.waits"));
   else if (who !== null) parts.push(sayWho(t, who));

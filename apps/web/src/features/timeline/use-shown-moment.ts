@@ -34,7 +34,7 @@ export function useShownMoment(): StoreApi<ShownMoment> {
   return store;
 }
 
-const BEGINNING: ShownMoment = { tick: 0, who: null, command: null, event: null };
+const BEGINNING: ShownMoment = { tick: 0, waited: 0, who: null, command: null, event: null };
 
 function isSameSecond(one: number, other: number): boolean {
   return Math.floor(one / SECOND) === Math.floor(other / SECOND);
@@ -43,6 +43,7 @@ function isSameSecond(one: number, other: number): boolean {
 function isSame(one: ShownMoment, other: ShownMoment): boolean {
   return (
     one.tick === other.tick &&
+    one.waited === other.waited &&
     one.who === other.who &&
     one.command?.seq === other.command?.seq &&
     one.command?.ending === other.command?.ending &&

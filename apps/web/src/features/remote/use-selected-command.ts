@@ -1,0 +1,12 @@
+/** The command of a script at the moment that the timeline shows. */
+import { useStore } from "zustand";
+import { useServices } from "../../app/services.ts";
+import { useShownMoment } from "../timeline/use-shown-moment.ts";
+
+/** @returns its number at the relay; null while the newest moment is shown, and where a script waits */
+export function useSelectedCommand(): number | null {
+  const { run } = useServices();
+  const isNow = useStore(run, ({ view }) => view === "now");
+  const seq = useStore(useShownMoment(), ({ command }) => command?.seq ?? null);
+  return isNow ? null : seq;
+}
