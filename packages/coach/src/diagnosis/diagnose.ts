@@ -237,14 +237,16 @@ function isEnough(found: readonly Found[], { solvesAll, newSolvedCheck }: Diagno
 /**
  * Changes that solve every maze of the task come first, then those that solve this one, then those after which the
  * robot meets no other failure. A missing delay at the edge of an opening counts as much as a solution: two mistakes
- * need two changes.
+ * need two changes. Only where the same lines in another order solve every maze, none of them is wrong.
  */
 function ranked(trace: RunTrace, found: readonly Found[], { solvesAll }: DiagnosisTask): Found[] {
   const rank = ({ fix, from, outcome, program }: Found): number => {
-    if (outcome === "further") return 3;
-    if (isMissingDelay(trace, fix, from)) return 0;
-    if (outcome === "solved") return solvesAll?.(program) === false ? 1 : 0;
-    return outcome === "lasts" ? 2 : 3;
+    if (outcome === "further") return 4;
+    const isSolved = outcome === "solved";
+    if (isSolved && fix.kind === "move" && solvesAll?.(program) === true) return 0;
+    if (isMissingDelay(trace, fix, from)) return 1;
+    if (isSolved) return solvesAll?.(program) === false ? 2 : 1;
+    return outcome === "lasts" ? 3 : 4;
   };
   return found
     .map((each) => ({ each, rank: rank(each) }))

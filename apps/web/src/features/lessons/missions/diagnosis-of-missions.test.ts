@@ -5,7 +5,7 @@ import type { ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { checkProgram } from "../../../worker/check-program.ts";
-import { challengeOf } from "./mission.ts";
+import { challengeOf, lines } from "./mission.ts";
 import { missions } from "./missions.ts";
 import { answers } from "./testing/answers.ts";
 import {
@@ -31,6 +31,7 @@ const asGood = new Set([
   // Which of two neighbours moved is the same.
   "first-true-line line 2 moved up",
   "order-of-lines line 2 moved up",
+  "farthest-distance line 2 moved up",
   // Delayed, the turn that comes too early solves both mazes as well.
   'farthest-distance line 1: {"sensor":"front","is":">","than":100}',
 ]);
@@ -108,6 +109,21 @@ describe("wrong answers with one change", () => {
       return causeLine(diagnosis) !== answer.line && !asGood.has(`${id} ${answer.name}`);
     });
     expect(others.map(({ name }) => name)).toEqual([]);
+  });
+});
+
+describe("an order of the lines that solves every maze", () => {
+  it("comes before a delay that gets through one of them", () => {
+    const mission = solved.find(({ id }) => id === "farthest-distance");
+    if (mission === undefined) throw new Error("no such mission");
+    const front = { when: { sensor: "front", is: ">", than: 50 }, do: "forward" } as const;
+    const left = {
+      when: { sensor: "left", is: ">", than: "right", plus: 1 },
+      do: "left 90",
+    } as const;
+    const program = lines("right 90", left, front);
+    const { diagnosis } = told({ name: "", line: 0, challenge: mission.challenge, program });
+    expect(diagnosis.cause).toMatchObject({ kind: "order", line: 1 });
   });
 });
 
