@@ -67,7 +67,7 @@ test("reports that a turn came too early, though another line met the wall", asy
     /Line 1 chose “right 90” at \d+\.\d s, at the edge of the opening/,
   );
   // The mark in the list is on the same line.
-  await expect(corridor.program.line(1)).toHaveAccessibleName(/^Line 1, bumped/);
+  await expect(corridor.program.line(1)).toHaveAccessibleName(/^Line 1, look here/);
   await card.getByRole("button", { name: "Change to delayed right 90" }).click();
   await expect(corridor.program.action(1)).toHaveValue("delayed right 90");
 });

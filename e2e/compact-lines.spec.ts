@@ -125,7 +125,7 @@ test("moves no line at a bump, and shows the readings in one row while a long pr
   await expect(page.getByRole("group", { name: "Hold to drive" })).toHaveCount(0);
   await expect(page.getByLabel("Distances in cm")).toBeInViewport({ ratio: 1 });
   await page.getByRole("button", { name: "Run", exact: true }).click();
-  await expect(page.getByRole("listitem", { name: /^Line 2, bumped/ })).toBeVisible();
+  await expect(page.getByRole("listitem", { name: /^Line 2, look here/ })).toBeVisible();
   expect((await linesOn(page)).positions).toEqual(before.positions);
   // The drive keys are displayed again when the user drives.
   await corridor.selectDriver("Me");

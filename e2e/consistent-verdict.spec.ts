@@ -334,7 +334,7 @@ async function expectSameVerdict(corridor: CorridorPage, lessons: LessonsPanel):
     .poll(async () => (await announcementsOf(page)).filter((text) => /^Bump[:.]/.test(text)))
     .toEqual([`${title}.`]);
   const marked = await page
-    .locator("[aria-label*=', bumped']")
+    .locator("[aria-label*=', look here']")
     .evaluateAll((lines) => lines.map((each) => each.getAttribute("aria-label") ?? ""));
   expect(marked.map((name) => name.split(",")[0]?.toLowerCase())).toEqual(
     cause === null ? [] : [cause.replaceAll(/[“”]/g, "")],

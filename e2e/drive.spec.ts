@@ -230,7 +230,7 @@ test("reports which line caused a bump of the program", async ({ corridor }) => 
   );
   // “otherwise” drove because line 1 became true too late.
   await expect(corridor.bumpCard(1)).toBeVisible();
-  await expect(corridor.program.line(1)).toHaveAccessibleName(/^Line 1, bumped/);
+  await expect(corridor.program.line(1)).toHaveAccessibleName(/^Line 1, look here/);
   // A bump of the program pauses the run, so that its card can explain the bump.
   await expect(corridor.run).toBeVisible();
   await corridor.program.number(1).fill("300");
@@ -242,7 +242,7 @@ test("reports which line caused a bump of the program", async ({ corridor }) => 
   await expect(corridor.page.getByRole("region", { name: "Bump", exact: true })).toContainText(
     "line 1 chose “forward”. A line for this place is missing.",
   );
-  await expect(corridor.program.line(1)).not.toHaveAccessibleName(/bumped/);
+  await expect(corridor.program.line(1)).not.toHaveAccessibleName(/look here/);
 });
 
 test("marks only the reading of the touched side in red", async ({ corridor, page }) => {

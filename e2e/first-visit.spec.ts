@@ -141,6 +141,20 @@ test("offers to write a program only while no script drives", async ({ corridor,
   await expect(writeOwn).toBeVisible();
 });
 
+test("says beside the button what it is for, also in a low window", async ({ openWindow }) => {
+  const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
+  await corridor.open();
+  const invitation = corridor.page.getByRole("region", { name: "Lessons" });
+  await expect(invitation.getByText("New here?")).toBeInViewport({ ratio: 1 });
+  const begin = await invitation
+    .getByRole("button", { name: "Start with mission 1" })
+    .boundingBox();
+  const words = await invitation.getByText("New here?").boundingBox();
+  // Both share a row.
+  expect(Math.abs((begin?.y ?? 0) - (words?.y ?? 99))).toBeLessThan(12);
+  expect(words?.height).toBeLessThan(40);
+});
+
 test("hides the invitation to the first mission once the program needs the space", async ({
   corridor,
   page,

@@ -21,7 +21,7 @@ test("disables the tools of a maze that a mission fixes with a reason, and keeps
   for (const name of ["Blocks", "Start", "Goal"]) {
     const tool = page.getByRole("radio", { name });
     await expect(tool).toBeDisabled();
-    await expect(tool).toHaveAccessibleDescription(/^You cannot change the maze of this mission/);
+    await expect(tool).toHaveAccessibleDescription(/^You cannot change this maze/);
   }
   await expect(page.getByRole("radio", { name: "Measure" })).toBeEnabled();
 });
@@ -31,7 +31,7 @@ test("shows the reason in place of the drive keys on a phone where a mission exc
 }) => {
   const page = await openMission(openWindow, 390, "centimetres");
   await page.getByRole("tab", { name: "Drive" }).click();
-  await expect(page.getByText("You cannot drive by hand in this mission.")).toBeVisible();
+  await expect(page.getByText("You cannot drive by hand here.")).toBeVisible();
   await expect(page.getByRole("group", { name: "Hold to drive" })).toBeHidden();
   await expect(page.getByRole("button", { name: "Run program" })).toBeVisible();
 });

@@ -79,7 +79,7 @@ test("reports that a mission for the program excludes manual driving", async ({
   await lessons.openMission(3);
   const start = await corridor.robotPose.textContent();
   await page.keyboard.press("w", { delay: 120 });
-  await expect(corridor.messages).toContainText("You cannot drive by hand in this mission.");
+  await expect(corridor.messages).toContainText("You cannot drive by hand here.");
   await expect(corridor.robotPose).toHaveText(start ?? "");
   await expect(corridor.driver("Program")).toBeChecked();
 });
@@ -162,7 +162,7 @@ test("offers only what the mission allows in the menus", async ({ corridor, page
   }
   // A note replaces the unusable button.
   await expect(corridor.program.button("Add line")).toHaveCount(0);
-  await expect(corridor.program.region).toContainText("You cannot add lines in this mission.");
+  await expect(corridor.program.region).toContainText("You cannot add lines here.");
   // Only the number can be changed.
   await lessons.openMission(5);
   await expect(corridor.program.action(1)).toBeDisabled();
@@ -177,11 +177,11 @@ test("offers only what the mission allows in the menus", async ({ corridor, page
   ]);
   await expect(corridor.program.button("Add line")).toBeDisabled();
   await expect(corridor.program.button("Add line")).toHaveAccessibleDescription(
-    "This mission allows 1 line.",
+    "You can use 1 line here.",
   );
   // The maze is fixed, and a message reports it.
   await corridor.maze.click({ column: 3, row: 1 });
-  await expect(corridor.message(/You cannot change the maze of this mission/)).toBeVisible();
+  await expect(corridor.message(/You cannot change this maze/)).toBeVisible();
   await corridor.maze.expectSquare({ column: 3, row: 1 }, "open");
 });
 

@@ -114,6 +114,38 @@ test("the card at the dead end of mission 10 leads to the line that must change"
   await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 3 of 3");
 });
 
+test("mission 11 without a bump: names the line that lacks its delay, though another is wrong too", async ({
+  corridor,
+  page,
+}) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(11);
+  await corridor.program.addLine("right >", "60", "right 90");
+  await corridor.program.addLine("front <", "50", "turn 180");
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(lessons.outcome).toHaveText(
+    /^Time is up after 60 s\. Line 1 chose “right 90” at 1\.5 s, at the edge of the opening/,
+  );
+});
+
+test("shows the room that a turn needs only beside a sentence about that turn", async ({
+  corridor,
+  page,
+}) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(10);
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.bumpCard(3)).toContainText("Needed, from the robot’s middle");
+  // Now line 2 drives into the wall, with a delayed turn that line 3 has led to.
+  await corridor.program.action(3).selectOption("left 90");
+  await corridor.reset.click();
+  await corridor.run.click();
+  await expect(corridor.bumpCard(3)).toContainText("Line 3 chose “left 90”");
+  await expect(corridor.bumpCard(3)).not.toContainText("Needed");
+});
+
 const sizes = [
   { width: 1440, height: 900 },
   { width: 1024, height: 768 },

@@ -152,7 +152,9 @@ test("shows which line bumped, and after what distance", async ({ corridor }) =>
   await corridor.speed.selectOption("0.25");
   await corridor.run.click();
   await expect(program.line(1).getByText(/^bumped after 2[3-5] of 50 cm$/)).toBeVisible();
-  await expect(program.line(1)).toHaveAccessibleName(/^Line 1, bumped: if front is less than 50/);
+  await expect(program.line(1)).toHaveAccessibleName(
+    /^Line 1, look here: if front is less than 50/,
+  );
 });
 
 test("applies the advice on a line that can never decide, and undoes it", async ({ corridor }) => {

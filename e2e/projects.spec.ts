@@ -31,6 +31,7 @@ test("accepts a maze that defeats the right-wall program", async ({ openWindow }
   await corridor.open("/#mission/beat-right-wall");
   const { page } = corridor;
   const lessons = new LessonsPanel(page);
+  await expect(corridor.program.region).toContainText("You cannot add lines here.");
   await expect(lessons.outcome).toHaveText(/^The program reaches the goal after \d+\.\d s\./);
   // Reaching the goal does not solve this project.
   await corridor.speed.selectOption("16×");
@@ -62,6 +63,30 @@ test("offers no program in a manual project", async ({ openWindow }) => {
   await page.keyboard.down("w");
   await expect(corridor.clock).not.toHaveText("Time 0:00.0");
   await page.keyboard.up("w");
+});
+
+test("offers the picture on the card of the mission that completes all of them", async ({
+  corridor,
+  page,
+}) => {
+  await page.evaluate(() => {
+    const ids =
+      "make-it-move how-far first-true-line centimetres own-line side-opening no-room " +
+      "order-of-lines faulty-line right-wall every-maze left-or-right farthest-distance";
+    const done = Object.fromEntries(ids.split(" ").map((id) => [id, { lines: 2, ticks: 600 }]));
+    localStorage.setItem("corridor.lessons", JSON.stringify({ done, works: {}, home: null }));
+  });
+  await corridor.open();
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(3);
+  await corridor.program.action(1).selectOption("turn 180");
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  const solved = page.getByRole("region", { name: "Solved!" });
+  // One line is not "1 lines".
+  await expect(solved.getByRole("term").filter({ hasText: /^line(?!s)/ })).toBeVisible();
+  await solved.getByRole("button", { name: "Save your picture" }).click();
+  await expect(lessons.path.getByRole("region", { name: "All 14 missions done" })).toBeVisible();
 });
 
 test("shows a certificate to save once all missions are done", async ({ corridor, page }) => {

@@ -59,6 +59,8 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
   const { event, cause, fixes } = diagnosis;
   const words = diagnosisWords(t, i18n.language, (at) => timeline.waitedUpTo(at));
   const offered = isSame && !isChallenge ? fixes : [];
+  // The room is that of the line that drove: beside a sentence about another one it would be taken for its.
+  const isAboutDriver = cause === null || line === event.line;
   const since = cause === null ? event.begunAt : Math.min(event.begunAt, cause.moment.tick);
 
   function take(chosen: Mend) {
@@ -82,7 +84,7 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
         {typeof line === "number" && <Badge tone="bad">{line + 1}</Badge>}
         <span>{diagnosisText(words, diagnosis)}</span>
       </p>
-      {event.needs !== null && event.needs > event.reading && (
+      {isAboutDriver && event.needs !== null && event.needs > event.reading && (
         <RoomBars
           needsLabel={t("diagnosis:needs")}
           freeLabel={t("diagnosis:had")}

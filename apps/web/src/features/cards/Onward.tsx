@@ -1,6 +1,6 @@
-/** The way on from a solved maze: the check, the next mission, or the next ready-made maze; nothing after others. */
+/** The way on from a solved maze: the check, the next mission or the picture of all, or the next ready-made maze. */
 import { mazePresets, type MazeDocument } from "@corridor/maze";
-import { ArrowRight, ListChecks } from "lucide-react";
+import { ArrowRight, ImageDown, ListChecks } from "lucide-react";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -8,6 +8,7 @@ import { useServices } from "../../app/services.ts";
 import { allOf } from "../../text/all-of.ts";
 import { Button } from "../../ui/Button.tsx";
 import type { LessonsService } from "../lessons/lessons-service.ts";
+import { missionIds, nextMission } from "../lessons/missions/mission.ts";
 import { chooseMaze } from "../presets/choose-preset.ts";
 import styles from "./cards.module.css";
 
@@ -59,12 +60,35 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
   }
   if (state !== "met" || mission === null) return null;
   const next = service.nextMission();
-  // After the last one the path is the mission card's to open.
-  if (next === null) return null;
   return (
-    <Button kind="primary" onClick={() => void lessons.openMission(next)}>
-      {t("words:cards.solved.nextMission")}
-      <ArrowRight className={styles["onward"]} aria-hidden="true" />
+    <>
+      {next !== null && (
+        <Button kind="primary" onClick={() => void lessons.openMission(next)}>
+          {t("words:cards.solved.nextMission")}
+          <ArrowRight className={styles["onward"]} aria-hidden="true" />
+        </Button>
+      )}
+      <FinishButton service={service} mission={mission} />
+    </>
+  );
+}
+
+/** All missions are done: the path begins with a picture to save. */
+function FinishButton({ service, mission }: { service: LessonsService; mission: string }) {
+  const { t } = useTranslation("missions", { useSuspense: false });
+  const { challenge } = useServices();
+  const isAllDone = useStore(service.progress, ({ done }) =>
+    missionIds.every((id) => done[id] !== undefined),
+  );
+  // An open project has a result of its own.
+  if (!isAllDone || !missionIds.some((id) => id === mission)) return null;
+  return (
+    <Button
+      kind={nextMission(mission) === null ? "primary" : "outline"}
+      icon={<ImageDown aria-hidden="true" />}
+      onClick={() => challenge.setState({ isPathOpen: true })}
+    >
+      {t("finish.save")}
     </Button>
   );
 }

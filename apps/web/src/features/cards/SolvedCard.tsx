@@ -86,7 +86,7 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
         {hasLines && (
           <div>
             <dt>
-              {t("words:cards.solved.lines")}
+              {t("words:cards.solved.lines", { count: lines })}
               {allowed !== null && (
                 <small>{t("words:cards.solved.allowed", { count: allowed })}</small>
               )}
@@ -95,7 +95,7 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
           </div>
         )}
         <div>
-          <dt>{t("words:cards.solved.bumps")}</dt>
+          <dt>{t("words:cards.solved.bumps", { count: bumps })}</dt>
           <dd>{bumps}</dd>
         </div>
       </dl>
