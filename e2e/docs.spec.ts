@@ -9,7 +9,7 @@ test("executes the calls that the documentation shows", async ({ page, relay }) 
   const hosts = new Set<string>();
   page.on("request", (request) => hosts.add(new URL(request.url()).host));
   await page.goto("/docs");
-  await page.getByRole("link", { name: "Try the calls" }).click();
+  await page.getByRole("link", { name: "API console" }).click();
   const health = page.locator("#operations-Service-checkHealth");
   await health
     .getByRole("button", { name: /healthz/ })
@@ -21,10 +21,10 @@ test("executes the calls that the documentation shows", async ({ page, relay }) 
 });
 
 test("links from the top of a long page to its sections", async ({ page }) => {
-  await page.goto("/docs/http");
+  await page.goto("/docs/commands");
   const contents = page.getByRole("navigation", { name: "On this page" });
-  await contents.getByRole("link", { name: "Limits" }).click();
-  await expect(page.getByRole("heading", { name: "Limits" })).toBeInViewport();
+  await contents.getByRole("link", { name: "Deadline" }).click();
+  await expect(page.getByRole("heading", { name: "Deadline" })).toBeInViewport();
   await expect(contents).not.toBeInViewport();
 });
 
@@ -51,7 +51,7 @@ test("a language counts for every block of every page, and the block stays in pl
   expect((await maze.boundingBox())?.y).toBeCloseTo(before ?? Number.NaN, 0);
   const follower = page.getByRole("group", { name: "Language of the wall follower" });
   await expect(follower.getByRole("radio", { name: "JavaScript" })).toBeChecked();
-  // Begin has a language more: what a page does not offer changes nothing there.
+  // The quickstart has one more language. A page that does not offer it ignores the choice.
   await page.goto("/docs");
   await page.getByRole("radio", { name: "Java", exact: true }).check();
   await page.goto("/docs/recipes");

@@ -3,7 +3,7 @@ import type { HostFeature } from "@corridor/protocol";
 import type { Host } from "./host.ts";
 
 export interface Check {
-  /** id of the promise in the table of docs/protocol.md, "What every host promises" */
+  /** id of the promise in the table of /docs/promises, "What every host promises" */
   promise: string;
   /** what a script may rely on, as a sentence */
   name: string;

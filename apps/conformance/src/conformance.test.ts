@@ -1,15 +1,15 @@
-/** The kit itself: its promises are those of docs/protocol.md, and its report says what came out. */
+/** The kit: it has one check for each promise, and its report contains the results. */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, it } from "vitest";
 import { linesOf, passes, verdict } from "./report.ts";
 import { groups, runChecks, type Outcome, type Result } from "./run-checks.ts";
 
-const PROTOCOL = join(import.meta.dirname, "../../../docs/protocol.md");
+const PROMISES = join(import.meta.dirname, "../../relay/src/docs/pages/promises.md");
 
 /** The ids of the table below "What every host promises". */
 function promises(): string[] {
-  const [, section = ""] = readFileSync(PROTOCOL, "utf8").split("\n## What every host promises\n");
+  const [, section = ""] = readFileSync(PROMISES, "utf8").split("\n## What every host promises\n");
   const [table = ""] = section.split(/\n#{2,3} /);
   return [...table.matchAll(/^\| `([a-z-]+)`/gm)].map(([, id = ""]) => id);
 }
@@ -24,7 +24,7 @@ const notOffered: Outcome = { kind: "not offered", feature: "pose", why: "It has
 const notTestable: Outcome = { kind: "not testable", why: "the robot is not at its place" };
 
 describe("the conformance kit", () => {
-  it("has one check for each promise of docs/protocol.md, and no other", () => {
+  it("has one check for each promise of the documentation, and no other", () => {
     const checks = groups.flatMap((group) => group.checks.map(({ promise }) => promise));
     expect(promises().length).toBeGreaterThan(50);
     expect(checks.toSorted()).toEqual(promises().toSorted());

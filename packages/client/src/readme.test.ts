@@ -1,4 +1,4 @@
-/** What the READMEs of the libraries, of the examples and the page about HTTP show, run as it stands there, at the real relay. */
+/** Runs the examples of the READMEs and of /docs/commands at a real relay, as published. */
 import { execFile, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { createServer, type IncomingMessage, type ServerResponse } from "node:http";
@@ -118,18 +118,18 @@ describe("what a README shows", () => {
     },
   );
 
-  it("the page about HTTP sends again, and the robot moves once", async () => {
+  it("the function in /docs/commands retries, and the robot moves once", async () => {
     const scene = await robotWithCode(["#####", "#...#", "#####"]);
     const script = await RobotClient.connect(scene.registration.address);
     await script.right90();
     script.close();
     const { origin, tries } = await networkThatLosesTheFirstAnswer(scene.origin);
     const [, key = ""] = scene.registration.address.split("#");
-    const program = shown("apps/relay/src/docs/pages/http.md", "randomUUID")
+    const program = shown("apps/relay/src/docs/pages/commands.md", "randomUUID")
       .replace("http://HOST", origin)
       .replace("/ID", `/${scene.registration.id}`)
       .replace("KEY", key);
-    expect(await run(node, program)).toBe("Command 2 was stored by an earlier try\n");
+    expect(await run(node, program)).toBe("Command 2 was stored by an earlier attempt\n");
     expect(tries).toHaveLength(2);
     await expect.poll(() => scene.robot.done.length).toBe(2);
     expect(scene.robot.done[1]).toMatchObject({ action: "move", distance: 100 });

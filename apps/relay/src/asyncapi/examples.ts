@@ -97,7 +97,7 @@ export const messageExamples: { [S in keyof MessageKinds]: OfEachKind<MessageKin
       type: "problem",
       problem: {
         type: "/problems/bad-request",
-        title: "The request cannot be read",
+        title: "Invalid request",
         status: 400,
         detail: "The message is wrong. command.distance: found 'far', expected a number.",
         errors: [{ path: "command.distance", found: '"far"', expected: "a number" }],

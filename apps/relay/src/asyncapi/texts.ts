@@ -1,4 +1,4 @@
-/** Texts of the AsyncAPI description. They match docs/protocol.md. */
+/** Texts of the AsyncAPI description. They match /docs/transports and /docs/host-connection. */
 import { closeReasons } from "@corridor/protocol";
 import type { MessageKinds } from "./examples.ts";
 

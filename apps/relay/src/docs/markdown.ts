@@ -6,7 +6,11 @@ export type Address = (href: string) => string;
 
 const asItIs: Address = (href) => href;
 
-/** @param text such as docs/protocol.md */
+/**
+ * Renders Markdown.
+ * @param text from the repository
+ * @param address maps the target of each link to the served page
+ */
 export function htmlOf(text: string, address: Address = asItIs): string {
   const marked = new Marked({ async: false });
   marked.use({

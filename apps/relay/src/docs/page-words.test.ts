@@ -23,7 +23,7 @@ const page = (name: string): string =>
 
 it.each([
   { where: "the problems", text: JSON.stringify(problemKinds) },
-  { where: "Begin", text: page("begin") },
+  { where: "the quickstart", text: page("quickstart") },
   { where: "the recipes", text: page("recipes") },
 ])("$where call what is on the page as the page does", ({ text }) => {
   const named = [...text.matchAll(/\*\*(.+?)\*\*/g)].map(([, words = ""]) => words);

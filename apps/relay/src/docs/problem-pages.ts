@@ -1,4 +1,4 @@
-/** A page for each kind of problem, at the URL that `type` names, and the list of them. */
+/** A page for each kind of problem, at the path in `type`, and their index. */
 import { problemKinds, type ProblemText } from "../problem-kinds.ts";
 import type { Page } from "./frame.ts";
 import { htmlOf } from "./markdown.ts";
@@ -11,10 +11,10 @@ export const problemPages: readonly Page[] = [
     title: "Problems",
     html: htmlOf(`# Problems
 
-Every error answer is a problem document (RFC 9457): JSON with \`type\`, \`title\`, \`status\`, \`detail\` and \`errors\`.
-\`type\` is the path of a page here. \`detail\` says what happened in this case and what to do.
+Each error response is a [problem document](/docs/limits#errors). \`type\` is the path of one of these pages.
+[Limits and errors](/docs/limits#retry) lists the responses to retry.
 
-| Status | \`type\` | What happened |
+| Status | \`type\` | Title |
 | --- | --- | --- |
 ${kinds.map(([kind, { status, title }]) => `| ${status} | [/problems/${kind}](/problems/${kind}) | ${title} |`).join("\n")}
 `),

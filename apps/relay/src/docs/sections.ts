@@ -1,28 +1,31 @@
-/** The pages of the documentation: their addresses, their names and the Markdown files that they show. */
+/** Sections and pages of the documentation, with the Markdown file of each page. */
 
 export interface Entry {
   path: string;
-  /** in the navigation */
+  /** label in the navigation */
   words: string;
-  /** of the page, where the words need their section to be understood */
+  /** title of the page, if the label needs its section to be understood */
   title?: string;
-  /** path in the repository; null where the text is made from a table */
+  /** path in the repository; null if the text is generated */
   file: string | null;
 }
 
 interface Section {
   words: string;
-  /** the first one leads to the others */
+  /** the first page is the target of the section's link */
   pages: readonly [Entry, ...Entry[]];
 }
 
 const PAGES = "apps/relay/src/docs/pages";
-/** The page on which calls can be tried. */
+/** The page with the API console. */
 export const CONSOLE_PATH = "/docs/try";
 
-/** In the order in which script authors need them. */
+/** In the order in which script authors need them. docs/protocol.md lists the same pages. */
 export const sections: readonly Section[] = [
-  { words: "Begin", pages: [{ path: "/docs", words: "Begin", file: `${PAGES}/begin.md` }] },
+  {
+    words: "Quickstart",
+    pages: [{ path: "/docs", words: "Quickstart", file: `${PAGES}/quickstart.md` }],
+  },
   {
     words: "Recipes",
     pages: [{ path: "/docs/recipes", words: "Recipes", file: `${PAGES}/recipes.md` }],
@@ -60,25 +63,49 @@ export const sections: readonly Section[] = [
     ],
   },
   {
-    words: "HTTP and WebSocket",
-    pages: [{ path: "/docs/http", words: "HTTP and WebSocket", file: `${PAGES}/http.md` }],
+    words: "Commands",
+    pages: [{ path: "/docs/commands", words: "Commands", file: `${PAGES}/commands.md` }],
   },
   {
-    words: "Protocol",
-    pages: [{ path: "/docs/protocol", words: "Protocol", file: "docs/protocol.md" }],
+    words: "Reading",
+    pages: [{ path: "/docs/reading", words: "Reading and streaming", file: `${PAGES}/reading.md` }],
+  },
+  {
+    words: "Transports",
+    pages: [
+      {
+        path: "/docs/transports",
+        words: "Transports and reconnecting",
+        file: `${PAGES}/transports.md`,
+      },
+    ],
+  },
+  {
+    words: "Keys",
+    pages: [{ path: "/docs/keys", words: "Keys and pairing", file: `${PAGES}/keys.md` }],
+  },
+  {
+    words: "Limits and errors",
+    pages: [{ path: "/docs/limits", words: "Limits and errors", file: `${PAGES}/limits.md` }],
   },
   {
     words: "Problems",
     pages: [{ path: "/problems", words: "All problems", file: null }],
   },
   {
-    words: "Try the calls",
-    pages: [{ path: CONSOLE_PATH, words: "Try the calls", file: `${PAGES}/try.md` }],
+    words: "API console",
+    pages: [{ path: CONSOLE_PATH, words: "API console", file: `${PAGES}/try.md` }],
   },
   {
     words: "Robot hosts",
     pages: [
       { path: "/docs/hosts", words: "Build a robot host", file: `${PAGES}/hosts.md` },
+      { path: "/docs/promises", words: "Host promises", file: `${PAGES}/promises.md` },
+      {
+        path: "/docs/host-connection",
+        words: "Connect a host to a relay",
+        file: `${PAGES}/host-connection.md`,
+      },
       { path: "/docs/conformance", words: "Conformance kit", file: "docs/conformance.md" },
     ],
   },
@@ -89,6 +116,7 @@ export const sections: readonly Section[] = [
       { path: "/docs/program-language", words: "Programs", file: "docs/program-language.md" },
       { path: "/docs/run-format", words: "Runs", file: "docs/run-format.md" },
       { path: "/docs/challenge-format", words: "Challenges", file: "docs/challenge-format.md" },
+      { path: "/docs/short-links", words: "Short links", file: `${PAGES}/short-links.md` },
     ],
   },
 ];

@@ -65,13 +65,13 @@ describe("the documentation", () => {
 
   it("mentions only existing checks of the conformance kit in the pages for hosts", async () => {
     const { origin } = await startTestRelay();
-    const [hosts = "", protocol = ""] = await Promise.all(
-      ["/docs/hosts", "/docs/protocol"].map(async (path) => (await fetch(origin + path)).text()),
+    const [hosts = "", promises = ""] = await Promise.all(
+      ["/docs/hosts", "/docs/promises"].map(async (path) => (await fetch(origin + path)).text()),
     );
     const cells = [...hosts.matchAll(/<td>((?:<code>[a-z-]+<\/code>(?:, )?)+)<\/td><\/tr>/g)];
     const ids = cells.flatMap(([, cell = ""]) => [...cell.matchAll(/<code>[a-z-]+<\/code>/g)]);
     expect(ids.length).toBeGreaterThan(10);
-    for (const [id] of ids) expect(protocol).toContain(`<tr><td>${id}</td>`);
+    for (const [id] of ids) expect(promises).toContain(`<tr><td>${id}</td>`);
   });
 
   it("is served under the strict content security policy with all of its files", async () => {
@@ -96,7 +96,7 @@ describe("the documentation", () => {
     "/docs/package.json",
     "/docs/../package.json",
     "/docs/index.html",
-    "/docs/pages/begin.md",
+    "/docs/pages/quickstart.md",
   ])("serves nothing else: %s", async (path) => {
     const { origin } = await startTestRelay();
     expect((await fetch(origin + path)).status).toBe(404);

@@ -1,13 +1,13 @@
-/** The events that /docs/http shows, read as a script reads them. */
+/** The events in /docs/reading, parsed as a script parses them. */
 import { commandRecordSchema, eventGapSchema, snapshotSchema } from "@corridor/protocol";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, it } from "vitest";
 import { z } from "zod";
 
-const text = readFileSync(join(import.meta.dirname, "pages/http.md"), "utf8");
+const text = readFileSync(join(import.meta.dirname, "pages/reading.md"), "utf8");
 
-/** What the stream sends as `data` of each event. */
+/** Schema of `data` by event. */
 const shapes: Record<string, z.ZodType> = {
   snapshot: snapshotSchema,
   state: commandRecordSchema,
@@ -15,7 +15,7 @@ const shapes: Record<string, z.ZodType> = {
   maze: z.strictObject({ version: z.string() }),
 };
 
-it("the page about HTTP shows one event of each kind, as the stream sends it", () => {
+it("the page about reading shows one event of each kind, as the stream sends it", () => {
   const [, block = ""] = /```text\n(event: snapshot[^]*?)```/.exec(text) ?? [];
   const kinds = [];
   for (const event of block.trim().split("\n\n")) {
