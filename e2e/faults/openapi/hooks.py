@@ -39,7 +39,7 @@ MAX_BODY = 16 * 1024
 MAX_DOCUMENT = 64 * 1024
 DOCUMENTS = ["/api/v1/mazes", "/api/v1/robots/{id}/maze"]
 # Calls that delete the robot, exhaust its keys or connections, or block these hooks.
-USES_UP = "deleteRobot makeKey revokeKey openLine leaveLine sendMessages fetchMessages sendScriptAway".split()
+USES_UP = "deleteRobot createKey revokeKey openConnection closeConnection sendMessages fetchMessages blockScript".split()
 STOP = {"action": "stop"}
 INTERNALS = re.compile(
     r"node:|node_modules|file://|/src/|\.ts\b|\.js\b|\bat [\w.<>]+ \(|\bSQLITE_|/tmp/|/home/|/root/|Error:|ECONN|ENOENT"
@@ -93,7 +93,7 @@ class Keys:
             self.document(case, operation)
         elif is_valid(path.get("id"), r"[A-Za-z0-9_-]{22}") and CHANCE.random() > MISSES:
             self.robot(case, operation, schemes)
-        elif operation == "askToPair" and isinstance(case.body, dict) and CHANCE.random() > MISSES:
+        elif operation == "requestPairing" and isinstance(case.body, dict) and CHANCE.random() > MISSES:
             if is_valid(case.body.get("code"), CODE) and len(case.body["code"]) <= MAX_TYPED:
                 case.body["code"] = pairing_code()
         elif operation == "awaitPairing" and schemes and CHANCE.random() > MISSES:

@@ -153,20 +153,20 @@ function read<T>(
   }
   const { type, detail } = problem.value;
   if (type === "/problems/pairing-refused") {
-    throw new ClientError("pairing-refused", "The robot's owner said no", detail);
+    throw new ClientError("pairing-refused", "The robot's owner declined", detail);
   }
   if (type === "/problems/too-fast") {
     throw new ClientError("too-many-tries", "Too many codes come from this network", detail);
   }
   if (type === "/problems/no-pairing" && unknown === "pairing-over") {
-    throw new ClientError("pairing-over", "The code counts no more", detail);
+    throw new ClientError("pairing-over", "The pairing code is no longer valid", detail);
   }
   if (type === "/problems/no-pairing" || type === "/problems/code-used") throw wrongCode(detail);
   throw new ClientError("refused", problem.value.title, detail);
 }
 
 function wrongCode(hint: string): ClientError {
-  return new ClientError("wrong-code", "This pairing code does not count", hint);
+  return new ClientError("wrong-code", "Unknown, expired or used pairing code", hint);
 }
 
 function originOf(service: string): string {

@@ -24,7 +24,7 @@ export const closeReasons = {
   badFrame: {
     code: 4400,
     cause: "a message could not be read",
-    remedy: "Send JSON text in the formats that docs/protocol.md lists.",
+    remedy: "Send JSON text in the formats that /asyncapi.json describes.",
     retry: true,
   },
   notAuthorised: {

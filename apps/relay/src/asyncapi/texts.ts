@@ -2,13 +2,14 @@
 import { closeReasons } from "@corridor/protocol";
 import type { MessageKinds } from "./examples.ts";
 
-export const TITLE = "One WebSocket for each page and each script of a robot";
+export const TITLE = "The WebSocket of a robot, for its page and its scripts";
 
-export const DESCRIPTION = `${TITLE}. The first message of the client is \`hello\`, within 5 s. A page then sends \`resume\`.
-The relay responds with \`welcome\`. Each message is one JSON text of at most 16 KiB, \`hello\` of at most 1 KiB. Networks
-that block WebSockets can use the same messages over HTTPS: see \`/line\` in \`/openapi.json\`. For guides, see \`/docs\`.
+export const DESCRIPTION = `One connection for each page and each script. The first message of a client is \`hello\`, within
+5 s. A page then sends \`resume\`. The relay responds with \`welcome\`. Each message is one JSON text of at most 16 KiB,
+\`hello\` of at most 1 KiB. Networks that block WebSockets can use the same messages over HTTPS: see \`/long-poll\` in
+\`/openapi.json\`. For guides, see \`/docs/transports\` and \`/docs/host-connection\`.
 
-Lengths are in cm, angles in degrees clockwise from north, x to the right and y downward; times are in ms. A tick is 1/60 s.`;
+Lengths are in cm, angles in degrees clockwise from north, x to the right and y downward. Times are in ms. A tick is 1/60 s.`;
 
 const SCRIPT_ORDER = `1. Send \`hello\`. The relay responds with \`welcome\`, followed by a \`gap\` if states were missed.
 2. Send \`command\`, any number of times. The relay responds to each with \`ack\` or \`problem\`, identified by its \`key\`.
@@ -81,8 +82,8 @@ export const MESSAGE_TEXTS: {
       "that the page received have started or ended. `endings` lists the endings without a confirmation that they are stored. `page` is a " +
       "random id of the page, which identifies it on its next connection.",
     snapshot:
-      "The current state of the robot. A page without a new snapshot for 3.5 s counts as asleep.",
-    started: "The robot has started this command before its time ran out on the robot's clock.",
+      "The current state of the robot. Without a new snapshot for 3.5 s, the robot's `state` is `paused`.",
+    started: "The robot has started this command, before its deadline by the robot's clock.",
     ended:
       "How the command ended, with pose, distance and reason: `completed`, `collided`, `cancelled`, `superseded` or " +
       "`expired`. The relay responds with `stored` or `refused`. The first ending is final.",
@@ -114,13 +115,13 @@ export const MESSAGE_TEXTS: {
   toPage: {
     welcome:
       "The response to `hello` and `resume`: the page now owns the robot. All of its messages carry this `epoch`, which increases with each " +
-      "page that takes over the robot. `at` is the relay's time in all messages. It reveals how long a later message was delayed.",
+      "page that takes over the robot. `at` is the relay's time in all messages. The page derives from it how long a later message was delayed.",
     command:
       "A command for the robot, which must start within `remaining` ms by the robot's own clock, or end as `expired`. At most 8 are " +
       "delivered at a time. With `replace` it ends all earlier commands.",
     stop: "Overtakes other commands: ends running and waiting commands in the page, then ends as `completed`.",
     cancel:
-      "Requests that this command ends, for its sender or the owner, as `why` states. The robot decides, and reports `ended`.",
+      "Requests that this command ends, for its sender or the owner, as `cause` states. The robot decides, and reports `ended`.",
     stored: "The ending of this command is stored. The page may discard it.",
     refused: "The reported ending arrived too late. The record contains the final state.",
     state:
@@ -128,7 +129,7 @@ export const MESSAGE_TEXTS: {
       "load, and once a second in batches at high load; always before the next `command` or `stop`, and before the " +
       "`stored` of an ending that is `cancelled`.",
     drivers:
-      "The robot's scripts, about once a second: who is connected (`scripts`), and the last activity of each (`alive`), because motions without " +
+      "The robot's scripts, about once a second. `scripts` lists them. `alive` is the last activity of each key, because motions without " +
       "an end stop when their script becomes inactive. `paused`: the owner has paused remote driving.",
     time: "The response to `time`: the relay's clock.",
     yield:

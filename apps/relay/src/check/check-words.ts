@@ -1,6 +1,6 @@
 /**
- * The words of /check in eight languages. They stand here and not with the simulator's: the page has to
- * work where the simulator does not come through, from a relay that was set up without it.
+ * The texts of /check in eight languages. They are separate from the simulator's texts: the page also
+ * works if the network blocks the simulator, and from a relay without a built page.
  */
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -17,13 +17,16 @@ export const checkWords: ReadonlyMap<string, CheckWords> = new Map(
   ]),
 );
 
-/** The page in one language. @param host the service as its visitor knows it */
+/**
+ * Renders the page in one language.
+ * @param host the host name of the service as the visitor knows it
+ */
 export function checkPage(html: string, lang: string, host: string): string {
   const words = checkWords.get(lang) ?? checkWords.get("en") ?? {};
   const intro = words["intro"]?.replace("{{host}}", () => host) ?? "";
   const texts: CheckWords = { ...words, intro, lang, dir: lang === "ar" ? "rtl" : "ltr" };
   return html.replaceAll(/\{\{(\w+)\}\}/g, (_all, name: string) =>
-    // Inside of a script element only "<" can end it; everywhere else these texts are plain.
+    // In a script element only "<" must be escaped. All other texts are HTML text.
     name === "words"
       ? JSON.stringify(texts).replaceAll("<", "\\u003c")
       : escaped(texts[name] ?? ""),

@@ -1,4 +1,4 @@
-/* /check: runs the probes, shows each, and says in one sentence what it comes to. */
+/* /check: runs the probes, and shows each result and a summary. */
 import { probes } from "./probes.js";
 
 const words = JSON.parse(document.querySelector("#words").textContent);
@@ -7,7 +7,7 @@ const list = document.querySelector("#checks");
 const buttons = document.querySelector(".buttons");
 
 const MARKS = { waits: "", trying: "…", passes: "✓", blocked: "✕" };
-/** Without these no script drives a robot; the rest only makes it better. */
+/** Scripts cannot drive a robot without these features. The others are optional. */
 const NEEDED = ["get", "post", "authorization"];
 
 const results = new Map();
@@ -65,7 +65,7 @@ async function copy() {
 }
 
 document.querySelector("#again").addEventListener("click", () => {
-  // The buttons go while it runs: the focus stays on the page's sentence.
+  // The buttons are hidden during a run, so the summary receives the focus.
   verdict.tabIndex = -1;
   verdict.focus();
   void runAll();

@@ -1,21 +1,21 @@
-/* What Corridor needs of a network, each tried as Corridor uses it. A probe that passes is true. */
+/* Tests each network feature as Corridor uses it. A probe resolves to true if the feature works. */
 
 const WAIT_S = 20;
 const IDLE_MS = 25_000;
 const QUICK_MS = 8_000;
 
-// Asked by the browser wherever a script is started by its address (Trusted Types).
+// Trusted Types: the browser calls this policy for the URL of the worker.
 globalThis.trustedTypes?.createPolicy("default", {
   createScriptURL: (address) => (address === "/check/check.worker.js" ? address : null),
 });
 
-/** A text that filters which meddle with bodies would change. */
+/** Text that filters are likely to change. */
 const BODY = JSON.stringify({ text: '<script> {"move": 100} äé漢🤖 '.repeat(40) });
 
-async function asked(path, request = {}, ms = QUICK_MS) {
+async function request(path, options = {}, ms = QUICK_MS) {
   const answer = await fetch(`/check/${path}`, {
     cache: "no-store",
-    ...request,
+    ...options,
     signal: AbortSignal.timeout(ms),
   });
   if (!answer.ok) throw new Error(String(answer.status));
@@ -26,12 +26,12 @@ const KEY = "Bearer a-key-of-nobody";
 
 async function echoOf(method, body) {
   const headers = { Authorization: KEY, "Content-Type": "application/json" };
-  const answer = await asked("echo", { method, headers, ...(body && { body }) });
+  const answer = await request("echo", { method, headers, ...(body && { body }) });
   return answer.json();
 }
 
-/** Opens the socket that says everything again. */
-function opened() {
+/** Opens the socket that echoes each message. */
+function openSocket() {
   const socket = new WebSocket(`${location.origin.replace(/^http/, "ws")}/check/socket`);
   return new Promise((resolve, reject) => {
     socket.addEventListener("open", () => resolve(socket));
@@ -51,35 +51,35 @@ function echoes(socket, text) {
 
 const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
-/** The probes by name, in the order in which they are shown. */
+/** Probes by name, in display order. */
 export const probes = {
-  get: async () => (await (await asked("echo")).json()).method === "GET",
+  get: async () => (await (await request("echo")).json()).method === "GET",
   post: async () => (await echoOf("POST", BODY)).body === BODY,
   authorization: async () => (await echoOf("POST", BODY)).authorization === KEY,
   remove: async () => (await echoOf("DELETE")).method === "DELETE",
-  compressed: async () => (await (await asked("compressed")).text()) === "Corridor ".repeat(500),
+  compressed: async () => (await (await request("compressed")).text()) === "Corridor ".repeat(500),
   events: async () => {
     const times = [];
-    const { body } = await asked("events", {}, 2 * QUICK_MS);
+    const { body } = await request("events", {}, 2 * QUICK_MS);
     const reader = body.pipeThrough(new TextDecoderStream()).getReader();
     for (let part = await reader.read(); !part.done; part = await reader.read()) {
       for (const _event of part.value.matchAll(/data:/g)) times.push(performance.now());
     }
-    // Five events in 1.6 s: what is collected on the way comes in one moment.
+    // The relay sends five events within 1.6 s. Buffered events arrive at the same time.
     return times.length === 5 && times.at(-1) - times[0] > 800;
   },
   wait: async () => {
-    const answer = await asked(`wait?seconds=${WAIT_S}`, {}, WAIT_S * 1_000 + QUICK_MS);
+    const answer = await request(`wait?seconds=${WAIT_S}`, {}, WAIT_S * 1_000 + QUICK_MS);
     return (await answer.json()).waited === WAIT_S;
   },
   socket: async () => {
-    const socket = await opened();
+    const socket = await openSocket();
     const isEcho = await echoes(socket, "forward");
     socket.close();
     return isEcho;
   },
   idle: async () => {
-    const socket = await opened();
+    const socket = await openSocket();
     await pause(IDLE_MS);
     const isEcho = await echoes(socket, "still here");
     socket.close();

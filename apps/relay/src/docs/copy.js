@@ -1,4 +1,4 @@
-/* A button that copies, above each block of code. A browser offers a clipboard to pages of https and of this machine. */
+/* Adds a copy button above each code block. The clipboard requires HTTPS or localhost. */
 for (const block of navigator.clipboard ? document.querySelectorAll("pre") : []) {
   const bar = document.createElement("div");
   bar.className = "copy";

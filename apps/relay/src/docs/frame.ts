@@ -1,17 +1,17 @@
-/** The frame of every page of the documentation: head, navigation and main part. */
+/** The layout of all documentation pages: head, navigation and main content. */
 import { escaped } from "./markdown.ts";
 import { sections, type Entry } from "./sections.ts";
 
 export interface Page {
   path: string;
   title: string;
-  /** inside of `main` */
+  /** content of `main` */
   html: string;
-  /** further elements of the head */
+  /** additional elements of the head */
   head?: string;
 }
 
-/** A whole page. */
+/** Renders a complete page. */
 export function framed({ path, title, html, head = "" }: Page): string {
   const here = sections.find(({ pages }) => pages.some((each) => isPart(path, each.path)));
   const links = sections.map(({ words, pages: [{ path: to }] }) =>

@@ -14,22 +14,22 @@ describe("Markdown as HTML", () => {
     },
     { text: "[on](#on)", html: '<p><a href="#on">on</a></p>' },
     { text: "<script>1</script>", html: "&lt;script&gt;1&lt;/script&gt;" },
-  ])("shows $text", ({ text, html }) => {
+  ])("renders $text", ({ text, html }) => {
     expect(htmlOf(text).trim()).toBe(html);
   });
 
-  it("shows a table that the keyboard scrolls", () => {
+  it("renders a table that the keyboard can scroll", () => {
     const html = htmlOf("| Call | Key |\n| ---- | --- |\n| `GET /` | none |");
     expect(html).toContain('<div class="table" tabindex="0"><table>');
     expect(html).toContain("<tbody><tr><td><code>GET /</code></td><td>none</td></tr></tbody>");
   });
 
-  it("links a file where it is served, and not at all where it is not", () => {
+  it("links to served files only", () => {
     const address = (href: string) => (href === "a.md" ? "/docs/a" : "");
     expect(htmlOf("[a](a.md) [b](b.md)", address)).toBe('<p><a href="/docs/a">a</a> b</p>\n');
   });
 
-  it("lets the reader choose one of the parts between the marks", () => {
+  it("renders the sections between the comments as tabs", () => {
     const text =
       "Before\n\n<!-- tabs: Language -->\n### A\n\na\n\n### B\n\nb\n<!-- end of tabs -->\n\nAfter";
     const html = htmlWithTabs(text);

@@ -1,24 +1,24 @@
-/** The project's own Markdown as HTML. It reads what the repository holds, and nothing from outside. */
+/** Renders Markdown of the repository as HTML. The input is trusted. */
 import { Marked, type Tokens } from "marked";
 
-/** What a link in a file of docs/ leads to where that file is served. */
+/** Maps a link in a Markdown file to its URL on the served page; "" removes the link. */
 export type Address = (href: string) => string;
 
-const asItIs: Address = (href) => href;
+const unchanged: Address = (href) => href;
 
 /**
  * Renders Markdown.
  * @param text from the repository
  * @param address maps the target of each link to the served page
  */
-export function htmlOf(text: string, address: Address = asItIs): string {
+export function htmlOf(text: string, address: Address = unchanged): string {
   const marked = new Marked({ async: false });
   marked.use({
     renderer: {
       heading({ tokens, text: words, depth }) {
         return `<h${depth} id="${slugOf(words)}">${this.parser.parseInline(tokens)}</h${depth}>\n`;
       },
-      // What is wider than a phone is scrolled, by keyboard too.
+      // Focusable, so that the keyboard can scroll wide content.
       code(token) {
         return `<pre tabindex="0"><code>${escaped(token.text)}</code></pre>\n`;
       },
@@ -31,7 +31,6 @@ export function htmlOf(text: string, address: Address = asItIs): string {
       link({ href, tokens }) {
         const words = this.parser.parseInline(tokens);
         const to = address(href);
-        // A neighbour that is not served has no link.
         return to === "" ? words : `<a href="${escaped(to)}">${words}</a>`;
       },
     },

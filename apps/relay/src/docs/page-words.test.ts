@@ -1,4 +1,4 @@
-/** Names of buttons and places in the documentation are the words of the page. */
+/** Names of buttons in the documentation are the labels on the page. */
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, it } from "vitest";
@@ -6,7 +6,7 @@ import { problemKinds } from "../problem-kinds.ts";
 
 const WORDS = join(import.meta.dirname, "../../../web/src/text/en");
 
-/** All texts of the page. */
+/** All texts in a file of English texts. */
 function textsIn(words: unknown): string[] {
   if (typeof words === "string") return [words];
   return typeof words === "object" && words !== null ? Object.values(words).flatMap(textsIn) : [];
@@ -22,10 +22,10 @@ const page = (name: string): string =>
   readFileSync(join(import.meta.dirname, `pages/${name}.md`), "utf8");
 
 it.each([
-  { where: "the problems", text: JSON.stringify(problemKinds) },
-  { where: "the quickstart", text: page("quickstart") },
-  { where: "the recipes", text: page("recipes") },
-])("$where call what is on the page as the page does", ({ text }) => {
+  { where: "the text of problems", text: JSON.stringify(problemKinds) },
+  { where: "the text of the quickstart", text: page("quickstart") },
+  { where: "the text of the recipes", text: page("recipes") },
+])("$where uses the labels of the page", ({ text }) => {
   const named = [...text.matchAll(/\*\*(.+?)\*\*/g)].map(([, words = ""]) => words);
   expect(named).toContain("Remote");
   expect(named.filter((words) => !onPage.has(words))).toEqual([]);

@@ -1,4 +1,4 @@
-/** Every page of the documentation, rendered from its Markdown. */
+/** Renders all pages of the documentation from Markdown. */
 import { readFileSync } from "node:fs";
 import { join, posix } from "node:path";
 import type { Page } from "./frame.ts";
@@ -9,12 +9,12 @@ import { htmlWithTabs } from "./tabs.ts";
 
 const ROOT = join(import.meta.dirname, "../../../..");
 
-/** Sections from which on a page lists them at its top. */
+/** Pages with at least this number of sections have a table of contents. */
 const MIN_SECTIONS = 6;
 
 const entries = sections.flatMap(({ pages }) => pages);
 
-/** Links from one file to another lead to its page, or nowhere where that file is not served. */
+/** Maps links between files to served pages. Links to other files become plain text. */
 function addressIn(file: string): Address {
   return (href) => {
     if (/^(?:#|\/|https?:)/.test(href)) return href;
@@ -26,13 +26,13 @@ function addressIn(file: string): Address {
   };
 }
 
-const CONSOLE = `<div id="console"><p>The console needs JavaScript. Without it, <a href="/openapi.json">openapi.json</a> says
-the same.</p></div>`;
+const CONSOLE = `<div id="console"><p>The console needs JavaScript. Without JavaScript, read
+<a href="/openapi.json">openapi.json</a>.</p></div>`;
 const CONSOLE_HEAD = `<link rel="stylesheet" href="/docs/swagger-ui.css" />
     <script defer src="/docs/swagger-ui-bundle.js"></script>
     <script type="module" src="/docs/docs.js"></script>`;
 
-/** With links to its sections below the heading, where a page has many of them. */
+/** Adds a table of contents below the heading of a long page. */
 function withContents(html: string): string {
   const sections = [...html.matchAll(/<h2 id="(.*?)">(.*?)<\/h2>/g)];
   if (sections.length < MIN_SECTIONS) return html;
@@ -41,7 +41,7 @@ function withContents(html: string): string {
   return html.replace("</h1>", `</h1>\n${contents}`);
 }
 
-/** Read and rendered once, at the start. */
+/** Reads and renders all pages. Called once, at startup. */
 export function pagesOfSite(): Page[] {
   const pages = entries.flatMap(({ path, words, title = words, file }): Page[] => {
     if (file === null) return [];

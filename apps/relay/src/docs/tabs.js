@@ -1,4 +1,4 @@
-/* The language that a reader chooses counts for every block of every page that offers it. */
+/* The selected language applies to all tabs of all pages that offer it. */
 const KEY = "corridor.docs.language";
 const radios = [...document.querySelectorAll(".tabs input")];
 
@@ -6,7 +6,7 @@ function choose(language) {
   for (const radio of radios) if (radio.value === language) radio.checked = true;
 }
 
-/* Where the browser stores nothing, the choice counts for this page. */
+/* Without storage, the selection applies to this page only. */
 function stored() {
   try {
     return localStorage.getItem(KEY);
@@ -19,14 +19,14 @@ function store(language) {
   try {
     localStorage.setItem(KEY, language);
   } catch {
-    // The page does without.
+    // The selection is not stored.
   }
 }
 
 choose(stored());
 for (const radio of radios) {
   radio.addEventListener("change", () => {
-    // Blocks above may get longer or shorter: the one that was chosen in stays where it is.
+    // Blocks above may change their height: keep the position of the selected tab.
     const before = radio.getBoundingClientRect().top;
     choose(radio.value);
     scrollBy(0, radio.getBoundingClientRect().top - before);

@@ -1,9 +1,9 @@
-/** Parts of a Markdown text that a reader chooses from: radio buttons and a style. `tabs.js` only makes a choice count on. */
+/** Tabs in Markdown, as radio buttons and CSS. `tabs.js` stores the selection. */
 import { escaped, htmlOf, slugOf, type Address } from "./markdown.ts";
 
 const PART = /<!-- tabs: (.*) -->\n([^]*?)<!-- end of tabs -->\n/g;
 
-/** Like `htmlOf`; a part between the two comments shows one of its `### NAME` sections at a time. */
+/** Like `htmlOf`, but renders the `### NAME` sections between the two comments as tabs. */
 export function htmlWithTabs(text: string, address?: Address): string {
   let html = "";
   let done = 0;

@@ -14,12 +14,12 @@ export const documentCalls: ZodOpenApiPathsObject = {
       summary: "Create a short link for a maze, program or challenge",
       description:
         "The link has the shortest free code of 4 to 6 letters. " +
-        "Equal documents share one link, and each request returns a new key that deletes the document. " +
+        "Equal documents share one link. Each request returns a new key that permits deleting the document. " +
         "A document is deleted after 180 days without use.",
       security: [],
       requestBody: { required: true, content: { "application/json": { schema: documentSchema } } },
       responses: {
-        201: answer("The link and the key that deletes the document.", shortLinkSchema, location),
+        201: answer("The link, and the key to delete the document.", shortLinkSchema, location),
         ...refusals("bad-request", "too-large", "not-json", "too-fast", "storage-full"),
       },
     },

@@ -9,13 +9,13 @@ import { describeByExpectation } from "./describe-by-expectation.ts";
 import { withReadingAids } from "./reading-aids.ts";
 import { describeCondition, schemas } from "./schemas.ts";
 
-const DESCRIPTION = `A robot runs in a page. The page registers it, and receives the address
-\`https://HOST/r/ID#KEY\`. A script needs only this address: send the key after the # as a bearer key.
+const DESCRIPTION = `Each robot has an address, \`https://HOST/r/ID#KEY\`. A script needs only this address:
+send the part after # in the header \`Authorization: Bearer KEY\`. The robot's page registers the robot.
 
 Lengths are in cm, angles in degrees clockwise from north, x to the right and y downward. A tick is 1/60 s.
 
 The same events and commands are available over a WebSocket at \`/api/v1/robots/{id}/socket\`. \`/asyncapi.json\` describes
-its messages. \`/docs\` explains these operations, the life of a command and the WebSocket.`;
+its messages. \`/docs\` contains guides: commands and their life cycle, reading, transports, keys and limits.`;
 
 /** Builds the document as plain data. */
 export function describeApi(): oas31.OpenAPIObject {
@@ -29,7 +29,7 @@ export function describeApi(): oas31.OpenAPIObject {
         description: DESCRIPTION,
         license: { name: "MIT", identifier: "MIT" },
       },
-      servers: [{ url: "/", description: "the service that serves this document" }],
+      servers: [{ url: "/", description: "the service that serves this description" }],
       paths: calls,
       components: {
         schemas,
@@ -37,13 +37,14 @@ export function describeApi(): oas31.OpenAPIObject {
           driverKey: {
             type: "http",
             scheme: "bearer",
-            description: "The key in the robot's address, after the #: commands and reads.",
+            description:
+              "The key in the robot's address, after #. It permits commands and reading.",
           },
           deleteKey: {
             type: "http",
             scheme: "bearer",
             description:
-              "The key in the response to the creation of a short link: deletes its document.",
+              "The key from the response that created a short link. It permits deleting the document.",
           },
           connectionKey: {
             type: "http",
@@ -54,18 +55,18 @@ export function describeApi(): oas31.OpenAPIObject {
             type: "http",
             scheme: "bearer",
             description:
-              "The key of the robot's page: shows and deletes stored data, creates keys.",
+              "The key of the robot's page. It permits managing the robot, its data, keys and scripts.",
           },
           pairingKey: {
             type: "http",
             scheme: "bearer",
             description:
-              "The key in the response to a pairing request; it becomes a driver key when the owner accepts.",
+              "The key from the response to a pairing request. It becomes a driver key when the owner accepts.",
           },
           watchKey: {
             type: "http",
             scheme: "bearer",
-            description: "A read-only key that the owner created for watchers.",
+            description: "A read-only key that the owner created for viewers.",
           },
         },
       },

@@ -10,7 +10,7 @@ import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { fetchQuery } from "../routes/reading.ts";
 import { answer, asScript, parameters, refusals, robot } from "./parts.ts";
 
-const line = [{ connectionKey: [] }];
+const connection = [{ connectionKey: [] }];
 
 export const longPollCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots/{id}/long-poll": {
@@ -19,7 +19,7 @@ export const longPollCalls: ZodOpenApiPathsObject = {
       operationId: "openConnection",
       summary: "Open a long-poll connection, for networks without WebSockets",
       description:
-        "The messages are those of the WebSocket, which `/asyncapi.json` describes. The body of this request is " +
+        "The messages are those of the WebSocket: see `/asyncapi.json`. The body of this request is " +
         "`hello`. A connection closes 15 s after its last request has ended.",
       security: [],
       requestBody: { required: true, content: { "application/json": { schema: helloSchema } } },
@@ -31,7 +31,7 @@ export const longPollCalls: ZodOpenApiPathsObject = {
     delete: {
       operationId: "closeConnection",
       summary: "Close a long-poll connection",
-      security: line,
+      security: connection,
       responses: {
         204: { description: "The connection is closed." },
         ...refusals("bad-request", "not-authorised", "no-connection"),
@@ -44,8 +44,8 @@ export const longPollCalls: ZodOpenApiPathsObject = {
       operationId: "sendMessages",
       summary: "Send messages on a long-poll connection",
       description:
-        "Messages are processed in the order of their numbers, and repeated messages once.",
-      security: line,
+        "The relay processes messages in the order of their numbers. It processes repeated messages once.",
+      security: connection,
       requestBody: {
         required: true,
         content: { "application/json": { schema: sentMessagesSchema } },
@@ -59,8 +59,8 @@ export const longPollCalls: ZodOpenApiPathsObject = {
       operationId: "fetchMessages",
       summary: "Fetch the messages of a long-poll connection, or wait for one",
       description:
-        "Messages up to `after` are acknowledged and deleted. The others are returned again until then.",
-      security: line,
+        "`after` acknowledges all messages up to this number. The relay returns the others until they are acknowledged.",
+      security: connection,
       parameters: parameters("query", fetchQuery),
       responses: {
         200: answer("The pending messages.", fetchedMessagesSchema),

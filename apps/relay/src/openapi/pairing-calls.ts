@@ -15,10 +15,10 @@ export const pairingCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots/{id}/pairing": {
     parameters: robot,
     post: {
-      operationId: "makePairingCode",
-      summary: "Create a pairing code, to type in place of a long address",
+      operationId: "createPairingCode",
+      summary: "Create a pairing code, to type instead of the address",
       description:
-        "It is valid for 10 minutes and for one script. An earlier code of the robot becomes invalid. The code is " +
+        "The code is valid for 10 minutes and one script. An earlier code of the robot becomes invalid. The code is " +
         "returned only once.",
       security: owner,
       responses: {
@@ -27,7 +27,7 @@ export const pairingCalls: ZodOpenApiPathsObject = {
       },
     },
     get: {
-      operationId: "showPairing",
+      operationId: "readPairing",
       summary: "Read the state of the pairing code, or wait until a script uses it",
       security: owner,
       parameters: parameters("query", waitQuery),
@@ -52,7 +52,7 @@ export const pairingCalls: ZodOpenApiPathsObject = {
       },
     },
     delete: {
-      operationId: "takeBackPairingCode",
+      operationId: "revokePairingCode",
       summary: "Revoke the pairing code",
       security: owner,
       responses: {
@@ -63,11 +63,11 @@ export const pairingCalls: ZodOpenApiPathsObject = {
   },
   "/api/v1/pairing": {
     post: {
-      operationId: "askToPair",
+      operationId: "requestPairing",
       summary: "Request access to a robot with the code that its page displays",
       description:
-        "Poll for the answer with `GET` and the returned key. The codes of one network are checked in order " +
-        "of arrival, at most 5 a second after wrong ones. 429: 50 codes are already waiting, and this one was not checked.",
+        "Poll for the answer with `GET` and the returned key. The relay checks the codes of one network in order " +
+        "of arrival, at most 5 a second after wrong codes. 429: 50 codes are waiting, and this one was not checked.",
       security: [],
       parameters: parameters("header", nameHeader),
       requestBody: {
@@ -75,7 +75,11 @@ export const pairingCalls: ZodOpenApiPathsObject = {
         content: { "application/json": { schema: pairingRequestSchema } },
       },
       responses: {
-        202: answer("The request is sent to the owner.", requestedPairingSchema, location),
+        202: answer(
+          "The key to wait for the answer. The owner is asked.",
+          requestedPairingSchema,
+          location,
+        ),
         ...refusals("bad-request", "no-pairing", "code-used", "too-large", "not-json", "too-fast"),
         ...refusals("storage-full"),
       },

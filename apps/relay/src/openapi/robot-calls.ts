@@ -18,7 +18,7 @@ export const robotCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots": {
     post: {
       operationId: "registerRobot",
-      summary: "Register a robot; its page does this",
+      summary: "Register a robot (used by its page)",
       security: [],
       responses: {
         201: answer("The robot's id, keys and address.", registrationSchema, location),
@@ -29,7 +29,7 @@ export const robotCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots/{id}": {
     parameters: robot,
     get: {
-      operationId: "showRobot",
+      operationId: "readRobot",
       summary: "Read the stored data of a robot",
       security: owner,
       responses: { 200: answer("The stored data.", heldSessionSchema), ...refusals(...keyed) },
@@ -47,11 +47,11 @@ export const robotCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots/{id}/keys": {
     parameters: robot,
     post: {
-      operationId: "makeKey",
-      summary: "Create a key for a script or a watcher",
+      operationId: "createKey",
+      summary: "Create a driver or watch key",
       description:
-        "With `replace`, earlier keys are revoked in the same transaction: true revokes all keys of this kind, an id " +
-        "revokes one of them. The key is returned only once.",
+        "`replace` revokes earlier keys in the same transaction: true revokes all keys of this kind, an id " +
+        "revokes one. The key is returned only once.",
       security: owner,
       requestBody: {
         required: true,
@@ -116,19 +116,19 @@ export const robotCalls: ZodOpenApiPathsObject = {
     },
     delete: {
       operationId: "resumeDriving",
-      summary: "Let scripts drive again",
+      summary: "Resume remote driving",
       security: owner,
-      responses: { 204: { description: "Scripts may drive." }, ...refusals(...keyed) },
+      responses: { 204: { description: "Scripts can drive." }, ...refusals(...keyed) },
     },
   },
   "/api/v1/robots/{id}/blocked": {
     parameters: robot,
     post: {
-      operationId: "sendScriptAway",
-      summary: "Block a script, until it is unblocked",
+      operationId: "blockScript",
+      summary: "Block a script",
       description:
-        "Its connections are closed, its requests are rejected, and its open commands are cancelled. " +
-        "Other scripts with the same key are not affected. This is not access control: to exclude everyone who has the key, revoke it.",
+        "The relay closes the script's connections, rejects its requests and cancels its open commands. " +
+        "Other scripts with the same key are not affected. Blocking is not access control: a script can use another name. To exclude all scripts with a key, revoke the key.",
       security: owner,
       requestBody: { required: true, content: { "application/json": { schema: scriptRefSchema } } },
       responses: {
@@ -140,11 +140,11 @@ export const robotCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots/{id}/blocked/{scriptId}": {
     parameters: [...robot, ...parameters("path", scriptPath)],
     delete: {
-      operationId: "letScriptBack",
+      operationId: "unblockScript",
       summary: "Unblock a script",
       security: owner,
       responses: {
-        204: { description: "The script may connect again." },
+        204: { description: "The script can connect again." },
         ...refusals(...keyed, "no-script"),
       },
     },

@@ -50,8 +50,8 @@ export const scriptCalls: ZodOpenApiPathsObject = {
       operationId: "readSensors",
       summary: "Read the newest snapshot, or wait for a newer one",
       description:
-        "With `after` and `wait`, responds as soon as there is a snapshot with a higher `seq`, and " +
-        "with the newest snapshot at the timeout.",
+        "With `after` and `wait`, the relay responds as soon as it has a snapshot with a higher `seq`, or " +
+        "with the newest snapshot after `wait` seconds.",
       security: reader,
       parameters: parameters("query", newerQuery),
       responses: {
@@ -66,8 +66,8 @@ export const scriptCalls: ZodOpenApiPathsObject = {
       operationId: "readMaze",
       summary: "Read the maze of the robot",
       description:
-        "The document that the robot's page published. Readers of the robot receive a `maze` message or event when it " +
-        "changes, whose `version` is the new `ETag`.",
+        "The response is the maze that the robot's page published. When it changes, readers receive a `maze` message or " +
+        "event with the new `ETag` as `version`.",
       security: logReader,
       parameters: [...ofScript, ...parameters("header", ifNoneMatchHeader)],
       responses: {
@@ -77,11 +77,11 @@ export const scriptCalls: ZodOpenApiPathsObject = {
       },
     },
     put: {
-      operationId: "keepMaze",
-      summary: "Publish the maze of the robot; its page does this",
+      operationId: "publishMaze",
+      summary: "Publish the maze of the robot (used by its page)",
       description:
-        "It replaces the previous maze and is deleted with the robot. An equal maze " +
-        "changes nothing. A robot may publish one a second, with bursts of 20.",
+        "The maze replaces the previous one, and is deleted with the robot. An equal maze " +
+        "changes nothing. A robot can publish one maze a second, with bursts of 20.",
       security: owner,
       requestBody: { required: true, content: { "application/json": { schema: mazeSchema } } },
       responses: {
@@ -97,8 +97,8 @@ export const scriptCalls: ZodOpenApiPathsObject = {
       summary: "Send a command",
       description:
         "A command that has not started within `ttl` ms (default: 10 s) ends as `expired`. Send a " +
-        "retry with the same key and with its `age`, the ms since the first attempt. Transit time counts only with " +
-        "`Script-Clock`. With it, and with the smallest round trip in `age`, a command never runs late.",
+        "retry with the same `Idempotency-Key` and its `age`, the ms since the first attempt. Transit time counts only " +
+        "with `Script-Clock`: see `/docs/commands#deadline`.",
       security: driver,
       parameters: idempotencyKey,
       requestBody: { required: true, content: { "application/json": { schema: orderSchema } } },
@@ -130,7 +130,7 @@ export const scriptCalls: ZodOpenApiPathsObject = {
     },
     delete: {
       operationId: "stopRobot",
-      summary: "Discard waiting commands and stop the robot",
+      summary: "Stop the robot and cancel all waiting commands",
       security: driver,
       parameters: idempotencyKey,
       responses: {
@@ -152,7 +152,7 @@ export const scriptCalls: ZodOpenApiPathsObject = {
       parameters: parameters("query", waitQuery),
       responses: {
         200: answer(
-          "The record, when the command has ended or at the timeout.",
+          "The record, when the command has ended or after `wait` seconds.",
           commandRecordSchema,
         ),
         ...refusals(...asScript, "no-command", "too-many-readers"),
@@ -162,7 +162,7 @@ export const scriptCalls: ZodOpenApiPathsObject = {
       operationId: "cancelCommand",
       summary: "Cancel one command that was sent with the same key",
       description:
-        "A waiting command is cancelled immediately. For a delivered command, the robot is asked to end it.",
+        "A waiting command is cancelled immediately. For a delivered command, the relay asks the robot to end it.",
       security: driver,
       responses: {
         202: answer("The current record.", commandRecordSchema, location),

@@ -1,5 +1,5 @@
 /**
- * `/docs` and `/problems`: guides, libraries, protocol, one page for each kind of problem, and an
+ * `/docs` and `/problems`: guides, libraries, host promises, one page for each kind of problem, and an
  * API console. All files are served from here, so that the pages work without internet access.
  */
 import { join } from "node:path";

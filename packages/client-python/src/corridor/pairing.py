@@ -112,11 +112,11 @@ def _tried(
 def _refusal_of(request: Request, answer: Answer) -> Exception:
     kind, reason = kind_of(answer), reason_of(answer)
     if kind == "pairing-refused":
-        return PairingError("pairing-refused", "The robot's owner said no", reason)
+        return PairingError("pairing-refused", "The robot's owner declined", reason)
     if kind == "too-fast":
         return PairingError("too-many-tries", "Too many codes come from this network", reason)
     if kind == "no-pairing" and request.method == "GET":
-        return PairingError("pairing-over", "The code counts no more", reason)
+        return PairingError("pairing-over", "The pairing code is no longer valid", reason)
     if kind in ("no-pairing", "code-used"):
         _Tries.wrong += 1
         return _wrong_code(reason)
@@ -124,7 +124,7 @@ def _refusal_of(request: Request, answer: Answer) -> Exception:
 
 
 def _wrong_code(hint: str) -> PairingError:
-    return PairingError("wrong-code", "This pairing code does not count", hint)
+    return PairingError("wrong-code", "Unknown, expired or used pairing code", hint)
 
 
 def _headers() -> Dict[str, str]:

@@ -68,9 +68,9 @@ public class Robot {
     if (body.length > 0) request.POST(HttpRequest.BodyPublishers.ofString(body[0]));
     return HttpClient.newHttpClient().send(request.build(), HttpResponse.BodyHandlers.ofString()).body(); }
   public static void main(String[] words) throws Exception {
-    var told = ask("/commands", "{\\"action\\":\\"left 90\\"}");
-    if (told.contains("\\"seq\\":")) told = ask("/commands/" + told.replaceAll(".*\\"seq\\":(\\\\d+).*", "$1") + "?wait=25");
-    System.out.println(told.replaceAll(".*\\"(?:detail|reason)\\":\\"([^\\"]+)\\".*|.*\\"state\\":\\"(\\\\w+)\\".*", "$1$2"));
+    var text = ask("/commands", "{\\"action\\":\\"left 90\\"}");
+    if (text.contains("\\"seq\\":")) text = ask("/commands/" + text.replaceAll(".*\\"seq\\":(\\\\d+).*", "$1") + "?wait=25");
+    System.out.println(text.replaceAll(".*\\"(?:detail|reason)\\":\\"([^\\"]+)\\".*|.*\\"state\\":\\"(\\\\w+)\\".*", "$1$2"));
   } }
 `;
 }
