@@ -5,7 +5,7 @@
  * commands until a stop.
  */
 import type { Registration } from "@corridor/protocol";
-import { SeenPace } from "../../../packages/client/src/seen-pace.ts";
+import { SeenPace } from "../../../packages/client/src/delayed-acknowledgements.ts";
 import { limits } from "../../../apps/relay/src/sessions/limits.ts";
 import { openAll, type Fleet, type FleetOptions } from "./fleet.ts";
 import { commandText, parseSeq, snapshotText } from "./messages.ts";

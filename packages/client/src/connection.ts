@@ -14,10 +14,10 @@ import {
   type SocketEvents,
   type SocketPort,
 } from "@corridor/protocol";
-import { DoorChoice, type Door } from "./door-choice.ts";
-import { HttpsLine, textOf, type Saying } from "./https-line.ts";
+import { DoorChoice, type Door } from "./transport-choice.ts";
+import { HttpsLine, textOf, type Saying } from "./long-poll-connection.ts";
 import type { Platform } from "./platform.ts";
-import { RetryPauses } from "./retry-pauses.ts";
+import { RetryPauses } from "./backoff.ts";
 
 /** From the first try to open until the welcome. */
 const WELCOME_MS = 10_000;

@@ -11,7 +11,7 @@ import { scriptListSchema } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { beforeAll, describe, expect, it, onTestFinished } from "vitest";
 import { registerRobot } from "./register-robot.ts";
-import { startCuttingProxy } from "./testing/cutting-proxy.ts";
+import { startCuttingProxy } from "./testing/truncating-proxy.ts";
 import { startForwardProxy } from "./testing/forward-proxy.ts";
 import { GridRobot } from "./testing/grid-robot.ts";
 import { startRelayProcess } from "./testing/relay-process.ts";

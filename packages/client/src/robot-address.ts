@@ -1,6 +1,6 @@
 /** The address of a robot, `https://HOST/r/ID#KEY`: all that a script needs. */
 import { ClientError } from "./client-error.ts";
-import type { Door } from "./door-choice.ts";
+import type { Door } from "./transport-choice.ts";
 
 export interface RobotAddress {
   /** such as https://robots.example.org */

@@ -31,7 +31,7 @@ import { pairRobot } from "./pairing.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
 import { parseRobotAddress, doorUrls } from "./robot-address.ts";
 import { readMaze, type RobotMaze } from "./robot-maze.ts";
-import { SeenPace } from "./seen-pace.ts";
+import { SeenPace } from "./delayed-acknowledgements.ts";
 import { SnapshotInbox } from "./snapshot-inbox.ts";
 
 /** Further terms of a command. */

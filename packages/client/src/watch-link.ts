@@ -14,7 +14,7 @@ import {
 import { Connection } from "./connection.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
 import { doorUrls } from "./robot-address.ts";
-import { SeenPace } from "./seen-pace.ts";
+import { SeenPace } from "./delayed-acknowledgements.ts";
 
 /** Pause before the maze is asked for again that the relay could not tell. */
 const AGAIN_MS = 2_000;

@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { expect, it } from "vitest";
-import { RetryPauses } from "./retry-pauses.ts";
+import { RetryPauses } from "./backoff.ts";
 
 const chance = fc.double({ min: 0, max: 1, maxExcluded: true, noNaN: true });
 /** ms that a try takes to fail */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { SeenPace } from "./seen-pace.ts";
+import { SeenPace } from "./delayed-acknowledgements.ts";
 
 /** Which of the snapshots that come after these pauses are said: `S` said, `-` not. */
 function said(pauses: readonly number[]): string {

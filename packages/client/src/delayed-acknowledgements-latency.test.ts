@@ -1,8 +1,8 @@
 /** How many snapshots come over lines of all lengths, beside a reader that says `seen` for each. */
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { SeenPace } from "./seen-pace.ts";
-import { pacedLine, type PacedLine, type PacedReader, type Told } from "./testing/paced-relay.ts";
+import { SeenPace } from "./delayed-acknowledgements.ts";
+import { pacedLine, type PacedLine, type PacedReader, type Told } from "./testing/simulated-relay.ts";
 
 const MINUTE = 60_000;
 const each: PacedReader = { begin: () => undefined, read: () => true };

@@ -1,5 +1,5 @@
 import { expect, it, onTestFinished } from "vitest";
-import { HttpsLine } from "./https-line.ts";
+import { HttpsLine } from "./long-poll-connection.ts";
 import type { HttpRequest } from "./platform.ts";
 import { RobotClient } from "./robot-client.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";

@@ -4,7 +4,7 @@ import { registerRobot } from "./register-robot.ts";
 import { doorUrls, parseRobotAddress } from "./robot-address.ts";
 import { RobotClient } from "./robot-client.ts";
 import { GridRobot } from "./testing/grid-robot.ts";
-import { longLine, type LongLine } from "./testing/long-line.ts";
+import { longLine, type LongLine } from "./testing/slow-network.ts";
 import { startRelayProcess } from "./testing/relay-process.ts";
 
 const SECONDS = 3;

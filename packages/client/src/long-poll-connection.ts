@@ -14,7 +14,7 @@ import {
   type SocketPort,
 } from "@corridor/protocol";
 import type { Ask, Platform } from "./platform.ts";
-import { FIRST_PAUSE_MS, RetryPauses } from "./retry-pauses.ts";
+import { FIRST_PAUSE_MS, RetryPauses } from "./backoff.ts";
 
 /** Longest wait of a fetch, in seconds, as the relay allows it. */
 const LONGEST_WAIT = 25;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { DoorChoice, type LineEnd } from "./door-choice.ts";
+import { DoorChoice, type LineEnd } from "./transport-choice.ts";
 
 const never: LineEnd = { livedMs: null, isDeliberate: false };
 const after = (livedMs: number, isDeliberate = false): LineEnd => ({ livedMs, isDeliberate });
